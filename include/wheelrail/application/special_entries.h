@@ -1,0 +1,38 @@
+#pragma once
+
+#include <wheelrail/application/entry_kinds.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Track/Rail inclination, written as in track engineering: 1/40.
+  Entry
+  inclination_entry();
+
+  /// Wheelset/Nominal rolling radius: a value of the track geometry and of the wheel section.
+  Entry
+  nominal_radius_entry();
+
+  /// Mesh/Fine depth: a length or "auto", stored as 0 until complete_scene() knows the cell size.
+  Entry
+  fine_depth_entry();
+
+  /// Yield stress: only "none" can be computed; a stress is told apart from nonsense so that the
+  /// answer fits.
+  Entry
+  yield_stress_entry(const std::string &section);
+
+  /// Mesh/Element: one form in this version; the entry stays so that files say which.
+  Entry
+  element_entry();
+
+  /// One of a list of names, kept as text.
+  Entry
+  name_entry(const EntryHead &head, const std::vector<std::string> &names, const Field<std::string> &place);
+
+  /// Replaces values that depend on others ("auto") once all entries are read.
+  void
+  complete_scene(Scene &scene);
+} // namespace wheelrail

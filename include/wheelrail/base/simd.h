@@ -1,0 +1,62 @@
+#pragma once
+
+#include <experimental/simd>
+
+#include <cstddef>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <vector>
+
+namespace wheelrail
+{
+  /// W numbers worked on at once. The packaged deal.II is built without SIMD, so the kernels use the
+  /// compiler's own vector types.
+  template <int W>
+  using Simd = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, W>>;
+
+  /// Widest width of the machine that the program was built on.
+  constexpr int native_width = static_cast<int>(std::experimental::native_simd<double>::size());
+
+  /// Allocator on cache-line borders, so that packed data can be loaded with aligned instructions.
+  template <typename T>
+  struct AlignedAllocator
+  {
+    using value_type = T;
+    AlignedAllocator() = default;
+    template <typename U>
+    AlignedAllocator(const AlignedAllocator<U> &)
+    {}
+
+    T *
+    allocate(const std::size_t n)
+    {
+      void *p = std::aligned_alloc(64, (n * sizeof(T) + 63) / 64 * 64);
+      if (p == nullptr)
+        throw std::bad_alloc();
+      return static_cast<T *>(p);
+    }
+
+    void
+    deallocate(T *p, std::size_t)
+    {
+      std::free(p);
+    }
+
+    template <typename U>
+    bool
+    operator==(const AlignedAllocator<U> &) const
+    {
+      return true;
+    }
+    template <typename U>
+    bool
+    operator!=(const AlignedAllocator<U> &) const
+    {
+      return false;
+    }
+  };
+
+  template <typename T>
+  using AlignedVector = std::vector<T, AlignedAllocator<T>>;
+} // namespace wheelrail

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <wheelrail/contact/contact.h>
+#include <wheelrail/wheelset/axle.h>
+
+namespace wheelrail
+{
+  /// The energy balance [J]. `residual` is what the parts fail to add up to since the start.
+  struct EnergyBalance
+  {
+    double kinetic = 0, strain = 0, stabilisation = 0, contact = 0, potential = 0;       ///< states
+    double viscous = 0, friction = 0, contact_damping = 0, suspension = 0;               ///< dissipated
+    double torque_work = 0, hold_work = 0, support_work = 0;                             ///< supplied
+    double residual = 0;
+    double start    = 0; ///< total at the start
+    double error    = 0; ///< |residual| over strain plus dissipated energy
+
+    double
+    dissipated() const
+    {
+      return viscous + friction + contact_damping + suspension;
+    }
+  };
+
+  /// Explicit rolling: central differences for both bodies, penalty contact and the axle.
+  ///
+  /// Displacements are known at full steps, velocities at half steps. One step: internal forces,
+  /// loads, contact, axle, then all free nodes.
+  class Rolling
+  {
+  public:
+    /// The state in `solid` (displacement and velocity at the same instant) is the start.
+    Rolling(Solid &solid, Contact &contact, Axle &axle, double time_step, double bulk_viscosity, MPI_Comm communicator);
+
+    /// One time step. `with_energy` updates energy() too. Collective.
+    void
+    step(bool with_energy);
+
+    double
+    time() const
+    {
+      return time_;
+    }
+    unsigned long
+    steps() const
+    {
+      return steps_;
+    }
+    const ContactSums &
+    contact_sums() const
+    {
+      return sums_;
+    }
+    const EnergyBalance &
+    energy() const
+    {
+      return energy_;
+    }
+    /// Seconds spent in elements, exchange, contact, and update since the start (this rank).
+    struct Timing
+    {
+      double elements = 0, exchange = 0, contact = 0, update = 0;
+    };
+    const Timing &
+    timing() const
+    {
+      return timing_;
+    }
+
+  private:
+    void
+    add_loads();
+    void
+    update_nodes(bool first);
+    double
+    kinetic_energy() const;
+    void
+    balance(double kinetic_before, const AxleEnergy &axle_before, double support_before);
+
+    Solid                    &solid_;
+    Contact                  &contact_;
+    Axle                     &axle_;
+    SharedSum                 sum_;
+    double                    time_step_, bulk_viscosity_;
+    MPI_Comm                  communicator_;
+    AlignedVector<double>     inverse_mass_;  ///< zero at nodes that are fixed, tied or hang
+    std::vector<unsigned int> wheel_nodes_;   ///< free wheel nodes, which weigh
+    std::vector<unsigned int> added_nodes_;   ///< wheel nodes with bipenalty mass
+    std::vector<Vector3>      support_force_; ///< on them in this step [N]
+    double                    time_ = 0;
+    unsigned long             steps_ = 0;
+    ContactSums               sums_;
+    ElementEnergy             elements_;      ///< of the last step that asked for it; viscous power always
+    EnergyBalance             energy_;
+    double                    support_work_ = 0; ///< of the force that turns the bipenalty mass, this rank
+    double                    viscous_ = 0, friction_ = 0, contact_damping_ = 0;
+    bool                      balance_started_ = false;
+    Timing                    timing_;
+  };
+} // namespace wheelrail

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <wheelrail/contact/contact.h>
+#include <wheelrail/mesh/forest.h>
+#include <wheelrail/wheelset/axle.h>
+
+#include <functional>
+#include <string>
+
+namespace wheelrail
+{
+  /// What the static start is asked for.
+  struct StaticLoads
+  {
+    AxleData axle;
+    double   rolling_radius       = 0.46; ///< [m]
+    double   traction_coefficient = 0;    ///< longitudinal force over wheel load, when the drive is a torque
+    bool     rate_held            = false;
+    double   creepage             = 0;    ///< when the rate is held
+    double   first_approach       = 1e-4; ///< lowering of the wheel that the search starts from [m]
+  };
+
+  struct StaticResult
+  {
+    double  lift       = 0; ///< vertical displacement of the axle [m]
+    double  wheel_load = 0; ///< weight of sprung mass, axle and wheel [N]
+    double  creepage   = 0; ///< predicted, at the rolling radius of 2D-Geo
+    Vector3 contact_force{}; ///< on the wheel [N]
+    int     newton_steps = 0, cg_steps = 0;
+    double  residual = 0;   ///< largest nodal force out of balance over the wheel load
+  };
+
+  /// Static equilibrium of both bodies under contact, weight, suspension preload and the centrifugal
+  /// load of the turning wheel, with the shear tractions that simplified theory predicts.
+  ///
+  /// Newton's method on the explicit kernel's own forces: the stiffness matrix is assembled once and
+  /// preconditioned by ML, the contact springs of the moment are added in each product. The hub is
+  /// moved; its height follows from the vertical balance in every step. Fills solid.displacement and
+  /// the shear tractions of the contact. Throws RunError when it does not converge. Collective.
+  StaticResult
+  static_start(const Forest                           &forest,
+               Solid                                  &solid,
+               Contact                                &contact,
+               const StaticLoads                      &loads,
+               const std::function<void(std::string)> &report);
+
+  /// Velocities of steady rolling for the static field: the wheel turns at `pitch_rate` while its
+  /// field stands in the frame of the axle, v = V + (I + grad u)(omega x r); the rail's field runs
+  /// along with the contact, v = -V du/dz. Collective.
+  void
+  rolling_velocities(Solid &solid, const AxleData &axle, double pitch_rate, MPI_Comm communicator);
+} // namespace wheelrail

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <wheelrail/geometry/frame_profile.h>
+#include <wheelrail/geometry/profiles.h>
+#include <wheelrail/geometry/track.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The rigid contact of wheel and rail at one lateral shift ("2D-Geo").
+  struct ContactGeometry
+  {
+    double       lateral_shift = 0; ///< along X [m]; negative: flange root towards the gauge corner
+    double       roll          = 0; ///< of the wheelset about +Z (from X to Y) [rad]
+    Placement    rail;              ///< rail section to track plane
+    Placement    wheel;             ///< wheel section (origin: running circle point) to track plane, in touch
+    Point2       axle;              ///< point of the axle above the running circle, in the track plane [m]
+    ContactFrame frame;             ///< at the first contact point
+    double       rail_x  = 0;       ///< in the rail section, positive to the field side [m]
+    double       rail_y  = 0;
+    double       wheel_x = 0; ///< in the wheel section, positive to the field side [m]
+    double       wheel_y = 0;
+    double       angle   = 0; ///< contact angle, positive when the tangent falls to the gauge side [rad]
+    double       rolling_radius  = 0; ///< [m]
+    double       rail_curvature  = 0; ///< lateral, at the point, positive convex [1/m]
+    double       wheel_curvature = 0; ///< lateral, positive convex, negative concave [1/m]
+    std::string  rail_segment, wheel_segment;
+    double       second_gap = 0; ///< vertical gap at the next local minimum [m], negative when there is none
+    double       second_rail_x = 0; ///< where it lies in the rail section [m]
+  };
+
+  /// Finds the first contact point of the modelled (right-hand) wheel: the wheel is lowered
+  /// vertically onto its rail. With RollMode::from_contact the roll is such that the other wheel,
+  /// the mirror image with shift and roll of opposite sign, touches at the same axle height.
+  ///
+  /// The shift must also be possible for the other wheel, in both roll modes. Throws InputError
+  /// when at this shift one of the wheels does not touch its rail with a common tangent (tread edge,
+  /// flange above the rail); the message tells which shifts are possible.
+  ContactGeometry
+  find_contact(const RailProfile     &rail,
+               const WheelProfile    &wheel,
+               const TrackDimensions &track,
+               double                 lateral_shift,
+               RollMode               roll);
+} // namespace wheelrail

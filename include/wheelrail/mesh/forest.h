@@ -1,0 +1,111 @@
+#pragma once
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <wheelrail/geometry/running_surfaces.h>
+#include <wheelrail/mesh/local_mesh.h>
+#include <wheelrail/mesh/wheel_section.h>
+
+namespace wheelrail
+{
+  /// How the two sections are swept and where the finest cells go.
+  ///
+  /// Track frame: X towards the track centre, Y up, Z along the track in the rolling direction, Z = 0
+  /// at the contact point of the start. The wheel's arc coordinate is the angle in front of the
+  /// contact times the rolling radius, so that arc coordinate and Z meet in rolling.
+  struct SweepPlan
+  {
+    Section             rail;      ///< in the track plane
+    std::vector<double> rail_stations; ///< coarse block borders along Z [m], ascending
+
+    Section      wheel;            ///< (lateral, radius)
+    unsigned int sectors        = 180;  ///< coarse blocks around the wheel
+
+    FineStrip    strip;
+    RunningSurfaces surfaces;
+    unsigned int levels     = 4;    ///< refinements from the coarse blocks to the finest cells
+    double       fine_depth = 5e-3; ///< of the finest cells below the running surface [m]
+    double       fine_begin = 0;    ///< range of Z and of the arc coordinate with finest cells [m]
+    double       fine_end   = 0;
+  };
+
+  /// Wheel and rail in one p4est forest, refined towards the strip where they touch.
+  ///
+  /// The triangulation carries the topology only. Positions come from the exact sections: every
+  /// vertex knows its place in its coarse block, hanging vertices lie at the mean of their parents.
+  class Forest
+  {
+  public:
+    Forest(MPI_Comm communicator, SweepPlan plan);
+
+    /// Reference position [m] of a vertex of an active cell, before hanging vertices are averaged.
+    std::array<double, 3>
+    vertex_position(const dealii::CellAccessor<3> &cell, unsigned int vertex) const;
+
+    /// The rank's part as plain arrays.
+    LocalMesh
+    local_mesh() const;
+
+    const SweepPlan &
+    plan() const
+    {
+      return plan_;
+    }
+    const dealii::DoFHandler<3> &
+    dofs() const
+    {
+      return dofs_;
+    }
+    /// Hanging-node constraints of the three displacement components; dof = 3 node + component.
+    const dealii::AffineConstraints<double> &
+    constraints() const
+    {
+      return constraints_;
+    }
+    const dealii::IndexSet &
+    relevant_dofs() const
+    {
+      return relevant_;
+    }
+    MPI_Comm
+    communicator() const
+    {
+      return triangulation_.get_communicator();
+    }
+
+  private:
+    /// Block coordinates of a cell within its coarse cell: lower corner and size.
+    struct Box
+    {
+      std::array<double, 3> corner;
+      double                size;
+    };
+    Box
+    box(const dealii::CellId &id) const;
+
+    /// Distances of a cell from the box of finest cells: across the strip, in depth, along the track.
+    double
+    distance_from_fine_box(const dealii::CellAccessor<3> &cell) const;
+
+    std::array<double, 3>
+    position(unsigned int coarse_cell, const std::array<double, 3> &xi) const;
+
+    void
+    make_coarse_mesh();
+    void
+    refine();
+    void
+    number();
+    SweepPlan                                      plan_;
+    dealii::parallel::distributed::Triangulation<3> triangulation_;
+    dealii::FESystem<3>                            element_;
+    dealii::DoFHandler<3>                          dofs_;
+    dealii::AffineConstraints<double>              constraints_;
+    dealii::IndexSet                               relevant_;
+    unsigned int                                   n_rail_cells_ = 0; ///< coarse cells of the rail come first
+  };
+} // namespace wheelrail

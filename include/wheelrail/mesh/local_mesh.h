@@ -1,0 +1,64 @@
+#pragma once
+
+#include <wheelrail/base/simd.h>
+#include <wheelrail/mesh/section.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The two bodies of a scene; also the material id of the cells.
+  enum class Body : unsigned char
+  {
+    rail  = 0,
+    wheel = 1
+  };
+
+  /// A quadrilateral of the boundary that one rank holds.
+  struct BoundaryFace
+  {
+    std::array<unsigned int, 4> nodes; ///< local, lexicographic
+    Boundary                    mark;
+    Body                        body;
+    bool                        finest; ///< belongs to a cell of the finest level
+  };
+
+  /// A node that another rank holds, too.
+  struct Neighbour
+  {
+    int                       rank;
+    std::vector<unsigned int> nodes; ///< local numbers, in the same order on both ranks
+  };
+
+  /// The nodes and cells of one rank as plain arrays: everything the explicit solver needs of a mesh.
+  ///
+  /// Local nodes are the vertices of the rank's own cells and the parents of its hanging nodes. Every
+  /// rank that holds a node integrates it, with the same sums, so that no state is sent.
+  struct LocalMesh
+  {
+    std::vector<std::uint32_t> global_node; ///< n_nodes, number of the node over all ranks
+    AlignedVector<double>      reference;   ///< 4 x n_nodes: X, Y, Z, 0 [m], hanging nodes at the mean of their parents
+    std::vector<unsigned char> owned;       ///< 1 when this rank is the lowest that holds the node
+    std::vector<Body>          node_body;
+
+    std::vector<std::array<unsigned int, 8>> cells; ///< local nodes, lexicographic
+    std::vector<Body>                        cell_body;
+    std::vector<unsigned char>               cell_level;
+
+    /// Hanging nodes: value of node hanging[k] = sum of weight x value over
+    /// parents[hanging_begin[k] .. hanging_begin[k + 1]).
+    std::vector<unsigned int> hanging, hanging_begin, parents;
+    std::vector<double>       weights;
+
+    std::vector<BoundaryFace> faces;
+    std::vector<Neighbour>    neighbours;
+
+    std::size_t
+    n_nodes() const
+    {
+      return global_node.size();
+    }
+  };
+} // namespace wheelrail

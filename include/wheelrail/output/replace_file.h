@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace wheelrail
+{
+  /// Writes `size` bytes to `path` so that a reader sees either the old or the new file, never a
+  /// half: the bytes go to a temporary file beside it (`path` + ".part"), which is synchronised
+  /// and renamed. A failure (full disk, missing rights, missing folder) removes the temporary
+  /// file, leaves the old file as it was, and throws RunError naming the file and the reason.
+  /// To be called on one rank.
+  void
+  replace_file(const std::string &path, const void *bytes, std::size_t size);
+
+  /// The same for text.
+  void
+  replace_file(const std::string &path, const std::string &text);
+
+  /// The whole file as a string; throws RunError naming the file and the reason.
+  std::string
+  read_whole_file(const std::string &path);
+} // namespace wheelrail

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <limits>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The figures of one run, in SI units. A value that the run did not give is NaN (null in the
+  /// file). Forces are those on the wheel: longitudinal positive forward, lateral along +X (to the
+  /// track centre), normal positive in compression. creepage = (omega r - V) / V.
+  struct Summary
+  {
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    std::string title, program_version;
+
+    double normal_force               = none; ///< normal to the contact plane [N]
+    double vertical_force             = none; ///< [N]
+    double longitudinal_force         = none; ///< [N]
+    double lateral_force              = none; ///< [N]
+    double max_pressure               = none; ///< largest nodal value [Pa]
+    double max_pressure_fitted        = none; ///< top of the quadratic through 3 x 3 nodes [Pa]
+    double contact_area               = none; ///< [m2]
+    double patch_lateral              = none; ///< extent across the rail [m]
+    double patch_longitudinal         = none; ///< extent along the rail [m]
+    double patch_centre_lateral       = none; ///< in the contact frame [m]
+    double patch_centre_longitudinal  = none; ///< ahead of the axle [m]
+    double max_shear_traction         = none; ///< [Pa]
+    double stick_fraction             = none; ///< of the loaded area [1]
+    double creepage                   = none; ///< [1]
+    double friction_coefficient       = none; ///< [1]
+    double max_von_mises              = none; ///< [Pa]
+    double max_plastic_strain         = none; ///< [1]
+    double max_residual_von_mises     = none; ///< [Pa]
+    double rolled_distance            = none; ///< [m]
+    double velocity                   = none; ///< [m/s]
+    double elements                   = none;
+    double time_steps                 = none;
+    double time_step                  = none; ///< [s]
+    double element_updates_per_second = none; ///< [1/s]
+    double energy_error               = none; ///< relative to strain plus dissipated energy [1]
+    double wall_time                  = none; ///< [s]
+    double peak_memory                = none; ///< all ranks together [bytes]
+    double ranks                      = none;
+
+    /// Further figures under their full key, unit included: "normal_force_std_N",
+    /// "halfspace_max_pressure_Pa", "relative_difference_max_pressure", ...
+    std::vector<std::pair<std::string, double>> further;
+
+    bool        finished = false; ///< the run reached its end and may be trusted
+    std::string stop_reason;      ///< why it did not, a sentence; empty when finished
+  };
+
+  /// Sets a figure by its key in the file ("max_pressure_Pa"); a key that is none of the members
+  /// goes to `further`, replacing an earlier value of that key.
+  void
+  set_figure(Summary &summary, const std::string &key, double value);
+
+  /// The figure with that key, member or further; NaN when there is none.
+  double
+  get_figure(const Summary &summary, const std::string &key);
+
+  /// Writes the flat summary.json: keys with their SI unit, in the order above; counts as whole
+  /// numbers; NaN and infinite values as null. The file is replaced as a whole. To be called on one
+  /// rank; throws RunError when it cannot be written.
+  void
+  write_summary(const Summary &summary, const std::string &path);
+
+  /// Reads such a file back; unknown numbers go to `further`. Throws RunError naming the file when
+  /// it is missing or no JSON object.
+  Summary
+  read_summary(const std::string &path);
+
+  /// Prints the main figures as a table of name, value and unit (MPa, mm, kN: for reading), leaving out
+  /// those that are NaN.
+  void
+  print_summary(const Summary &summary, std::ostream &stream);
+} // namespace wheelrail

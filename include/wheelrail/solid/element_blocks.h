@@ -1,0 +1,98 @@
+#pragma once
+
+#include <wheelrail/base/simd.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Linear elastic constants [SI].
+  struct Elasticity
+  {
+    double youngs_modulus = 210e9;
+    double poissons_ratio = 0.3;
+    double density        = 7900;
+
+    double
+    lame_lambda() const
+    {
+      return youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
+    }
+    double
+    shear_modulus() const
+    {
+      return youngs_modulus / (2 * (1 + poissons_ratio));
+    }
+    double
+    bulk_modulus() const
+    {
+      return youngs_modulus / (3 * (1 - 2 * poissons_ratio));
+    }
+    /// Speed of pressure waves [m/s].
+    double
+    wave_speed() const;
+  };
+
+  /// Geometry of one `reduced` hexahedron, all in the reference configuration.
+  ///
+  /// The one-point part is the uniform-gradient element of Flanagan and Belytschko (1981): B is the
+  /// volume mean of the shape function gradients. The stabilisation acts on the four hourglass
+  /// patterns h (eta zeta, zeta xi, xi eta, xi eta zeta), made blind to linear fields by
+  /// gamma = h - B (h X); see doc/element.md.
+  struct ElementGeometry
+  {
+    std::array<std::array<double, 3>, 8> B;      ///< mean gradient of each shape function [1/m]
+    double                               volume; ///< [m3]
+    std::array<std::array<double, 3>, 4> hX;     ///< sum over nodes of h X for each pattern [m]
+    std::array<std::array<double, 3>, 3> frame;  ///< columns: orthonormal axes closest to the cell's own
+    std::array<double, 3>                half;   ///< half edge lengths along these axes [m]
+    std::array<double, 8>                node_volume; ///< row sums of the consistent mass over density [m3]
+  };
+
+  /// Computes the geometry from the eight vertices in lexicographic order.
+  /// Throws RunError when the Jacobian is not positive at a Gauss point.
+  ElementGeometry
+  element_geometry(const std::array<std::array<double, 3>, 8> &vertices);
+
+  /// Largest squared angular frequency of the free element with its share `min_node_volume` of the
+  /// lumped volume at every node: a bound for any mesh of such elements (Irons' theorem) [1/s2].
+  double
+  element_frequency_bound(const ElementGeometry &geometry, const Elasticity &material);
+
+  /// The elements of one body packed in batches of `width` for the kernel: per batch
+  /// `fields` x `width` numbers and 8 x `width` node numbers. The last batch is filled up with
+  /// copies of its first element with zero volume and stiffness.
+  struct ElementBlocks
+  {
+    /// Rows of the packed data: B (24), volume, hX (12), frame (9), scaled inverse half lengths (3),
+    /// length of the bulk viscosity (1).
+    static constexpr int fields = 24 + 1 + 12 + 9 + 3 + 1;
+
+    int                        width = native_width;
+    Elasticity                 material;
+    std::size_t                n_elements = 0;
+    AlignedVector<double>      data;
+    AlignedVector<std::uint32_t> nodes;
+    AlignedVector<double>      dilatation; ///< trace of Green's strain at the last step, for the bulk viscosity
+
+    std::size_t
+    n_batches() const
+    {
+      return nodes.size() / (8 * width);
+    }
+  };
+
+  /// Packs elements given by their geometry and local nodes.
+  ElementBlocks
+  pack_elements(const std::vector<ElementGeometry>              &geometry,
+                const std::vector<std::array<unsigned int, 8>>  &cells,
+                const Elasticity                                &material,
+                int                                              width = native_width);
+
+  /// 24 x 24 stiffness of the element at rest [N/m], row-major, row = 3 node + component: the exact
+  /// linearisation of the kernel, used by the static start.
+  std::array<double, 24 * 24>
+  element_stiffness(const ElementGeometry &geometry, const Elasticity &material);
+} // namespace wheelrail

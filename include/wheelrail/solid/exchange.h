@@ -1,0 +1,43 @@
+#pragma once
+
+#include <wheelrail/mesh/local_mesh.h>
+
+#include <mpi.h>
+
+namespace wheelrail
+{
+  /// Sums nodal values over the ranks that hold a node.
+  ///
+  /// Every holder adds the parts in the order of the ranks, so all of them get the same bits and go
+  /// on integrating the node alike.
+  class SharedSum
+  {
+  public:
+    SharedSum(const LocalMesh &mesh, MPI_Comm communicator);
+
+    /// values: 4 numbers a node, the first `components` are summed.
+    void
+    operator()(double *values, int components = 3);
+
+  private:
+    struct Link
+    {
+      int                       rank;
+      std::vector<unsigned int> nodes;
+      std::vector<double>       send, receive;
+    };
+    MPI_Comm                  communicator_;
+    int                       rank_;
+    std::vector<Link>         links_; ///< ascending rank
+    std::vector<unsigned int> shared_; ///< all shared nodes, once
+    std::vector<double>       own_;    ///< the rank's own parts of them
+  };
+
+  /// Moves the values of hanging nodes to their parents: parent += weight x value; value = 0.
+  void
+  condense(const LocalMesh &mesh, double *values);
+
+  /// Gives hanging nodes the weighted mean of their parents.
+  void
+  distribute(const LocalMesh &mesh, double *values);
+} // namespace wheelrail

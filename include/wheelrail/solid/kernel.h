@@ -1,0 +1,44 @@
+#pragma once
+
+#include <wheelrail/solid/element_blocks.h>
+
+namespace wheelrail
+{
+  /// Energies of the elements of one body [J, W].
+  struct ElementEnergy
+  {
+    double strain        = 0; ///< of the one-point field
+    double stabilisation = 0; ///< of the hourglass patterns
+    double viscous_power = 0; ///< dissipated by the bulk viscosity
+  };
+
+  /// Linear bulk viscosity: an extra isotropic stress b1 rho c L times the rate of dilatation, with
+  /// L the cube root of the element's volume (von Neumann and Richtmyer's linear term, as in
+  /// Hallquist's manual). The rate is the change of the trace of Green's strain since the last call
+  /// over `time_step`.
+  struct BulkViscosity
+  {
+    double coefficient = 0;
+    double time_step   = 0; ///< [s]; zero switches the viscosity off for this call
+  };
+
+  /// Subtracts the internal forces of all elements: force -= f_int(displacement).
+  ///
+  /// displacement and force hold 4 numbers a node (the last one unused) [m, N]. Total Lagrangian:
+  /// Green's strain, second Piola-Kirchhoff stress of the Saint Venant-Kirchhoff law, and a
+  /// stabilisation energy that is a function of Green-type measures too, so that any rigid motion
+  /// leaves no force and momenta are conserved to round-off.
+  /// All SIMD widths (1, 2, 4, 8; blocks.width) give the same forces. Adds the viscous power to `energy`, and the
+  /// strain and stabilisation energies when `with_energy` is set.
+  void
+  subtract_internal_force(ElementBlocks       &blocks,
+                          const double        *displacement,
+                          double              *force,
+                          const BulkViscosity &viscosity,
+                          bool                 with_energy,
+                          ElementEnergy       &energy);
+
+  /// Cauchy stress [Pa] of each element: xx, yy, zz, yz, xz, xy.
+  std::vector<std::array<double, 6>>
+  element_stress(const ElementBlocks &blocks, const double *displacement);
+} // namespace wheelrail

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <wheelrail/base/vector3.h>
+#include <wheelrail/solid/exchange.h>
+#include <wheelrail/solid/kernel.h>
+
+#include <string>
+
+namespace wheelrail
+{
+  /// What limits the step of the central difference scheme.
+  struct StableStep
+  {
+    double  step = 0; ///< 2 / omega_max of the stiffest element, bulk viscosity included [s]
+    Body    body = Body::rail;
+    Vector3 place{};     ///< centre of the governing element [m]
+    double  length = 0;  ///< cube root of its volume [m]
+  };
+
+  /// Quality of the hexahedra over all ranks.
+  struct MeshQuality
+  {
+    std::size_t elements = 0, nodes = 0, hanging = 0;
+    std::size_t rail_elements = 0, wheel_elements = 0, finest_elements = 0;
+    double      worst_jacobian = 1; ///< smallest corner Jacobian over the mean one, 1 for bricks
+    double      smallest = 0, largest = 0; ///< cube roots of volumes [m]
+  };
+
+  /// Mass properties of one body over all ranks, from the lumped masses.
+  struct MassProperties
+  {
+    double  mass = 0;   ///< [kg]
+    Vector3 centre{};   ///< centre of gravity [m]
+    double  inertia = 0; ///< about the axis through `about` along X [kg m2]
+  };
+
+  /// The deformable bodies of one rank: packed elements, lumped mass, and the nodal state.
+  struct Solid
+  {
+    LocalMesh     mesh;
+    ElementBlocks blocks[2]; ///< rail, wheel
+    std::vector<std::size_t> block_cells[2]; ///< cell number of each packed element
+
+    AlignedVector<double> mass;         ///< n_nodes, lumped, summed over ranks; zero at hanging nodes [kg]
+    AlignedVector<double> added_mass;   ///< n_nodes, bipenalty mass of the contact surfaces [kg]
+    AlignedVector<double> displacement; ///< 4 x n_nodes [m]
+    AlignedVector<double> velocity;     ///< 4 x n_nodes, at the half step behind [m/s]
+    AlignedVector<double> force;        ///< 4 x n_nodes [N]
+
+    StableStep  stable;
+    MeshQuality quality;
+
+    /// Current position of a node [m].
+    Vector3
+    position(const unsigned int node) const
+    {
+      const double *X = &mesh.reference[4 * node], *u = &displacement[4 * node];
+      return {X[0] + u[0], X[1] + u[1], X[2] + u[2]};
+    }
+  };
+
+  /// Packs the elements, lumps the mass (row sums of the condensed consistent mass), and finds the
+  /// stable step for the linear bulk viscosity coefficient given. Collective.
+  Solid
+  make_solid(LocalMesh         mesh,
+             const Elasticity &rail,
+             const Elasticity &wheel,
+             double            bulk_viscosity,
+             MPI_Comm          communicator);
+
+  /// Collective.
+  MassProperties
+  mass_properties(const Solid &solid, Body body, const Vector3 &about, MPI_Comm communicator);
+
+  /// Nodal displacement gradients, the volume-weighted means of the adjacent elements: 9 numbers a
+  /// node, row-major [1]. Collective.
+  std::vector<double>
+  nodal_gradient(const Solid &solid, MPI_Comm communicator);
+
+  /// Nodal Cauchy stresses by the same means: 6 numbers a node, xx yy zz yz xz xy [Pa]. Collective.
+  std::vector<double>
+  nodal_stress(const Solid &solid, MPI_Comm communicator);
+} // namespace wheelrail

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <wheelrail/solid/solid.h>
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace wheelrail
+{
+  /// What the wheel's bore is tied to, and what carries and turns it [SI].
+  struct AxleData
+  {
+    Vector3 centre{};              ///< of the axle at the start, before loading, in the plane of the running circle
+    Vector3 axis = {1, 0, 0};      ///< unit vector towards the track centre
+    double  mass          = 180;   ///< rigid half axle
+    double  pitch_inertia = 1.5;   ///< of the half axle about its own axis
+    double  sprung_mass   = 10000;
+    double  stiffness     = 1.15e6; ///< primary suspension
+    double  damping       = 2500;
+    double  gravity       = 9.81;
+    double  velocity      = 0;     ///< along Z, held
+    bool    rate_held     = false; ///< the pitch rate keeps its start value
+    double  torque        = 0;     ///< drive torque about `axis`, positive driving [N m]
+  };
+
+  /// Works and energies of axle, suspension and sprung mass [J].
+  struct AxleEnergy
+  {
+    double kinetic        = 0; ///< of axle with the tied bore nodes, and of the sprung mass
+    double potential      = 0; ///< of axle and preload in gravity, and the suspension's deviation from its preload
+    double damped         = 0; ///< by the suspension's damper
+    double torque_work    = 0; ///< of the drive torque (or of the torque that holds the rate)
+    double hold_work      = 0; ///< of the force that holds the longitudinal speed
+  };
+
+  /// The rigid axle: vertical motion and pitch are free, longitudinal speed is held, lateral, roll and
+  /// yaw are fixed. The bore nodes follow it exactly.
+  class Axle
+  {
+  public:
+    /// `bore`: the rank's bore nodes (marks of the mesh). `lift` [m] is the axle's static vertical
+    /// displacement, `pitch_rate` [rad/s] its start value. Collective.
+    Axle(const AxleData &data, const Solid &solid, double lift, double pitch_rate, MPI_Comm communicator);
+
+    /// Sums the forces on the bore nodes and advances the rigid motion by a step, then places the
+    /// bore nodes (displacement and velocity of `solid`). `first` makes a half kick from a start at a
+    /// full step. Collective.
+    void
+    step(Solid &solid, double time_step, bool first);
+
+    const AxleData &
+    data() const
+    {
+      return data_;
+    }
+    /// Vertical position against the unloaded start [m].
+    double
+    height() const
+    {
+      return height_;
+    }
+    double
+    pitch_rate() const
+    {
+      return pitch_rate_;
+    }
+    double
+    pitch_angle() const
+    {
+      return angle_;
+    }
+    double
+    travelled() const
+    {
+      return travelled_;
+    }
+    /// Force of the wheel on the axle in the last step [N].
+    Vector3
+    reaction() const
+    {
+      return {reaction_[0], reaction_[1], reaction_[2]};
+    }
+    /// Torque applied in the last step [N m].
+    double
+    applied_torque() const
+    {
+      return applied_torque_;
+    }
+    /// Energies with the velocities of the half step behind.
+    AxleEnergy
+    energy() const;
+
+    /// The bore nodes of this rank.
+    const std::vector<unsigned int> &
+    bore() const
+    {
+      return bore_;
+    }
+
+  private:
+    void
+    place_bore(Solid &solid, double time_step);
+
+    AxleData                  data_;
+    std::vector<unsigned int> bore_;
+    std::vector<Vector3>      arm_; ///< reference position of the bore nodes from the centre [m]
+    double                    total_mass_ = 0, total_inertia_ = 0; ///< with the bore nodes
+    double                    height_ = 0, lift_ = 0, vertical_speed_ = 0;
+    double                    angle_ = 0, pitch_rate_ = 0;
+    double                    travelled_ = 0;
+    double                    sprung_height_ = 0, sprung_speed_ = 0; ///< against the static position
+    double                    reaction_[4] = {0, 0, 0, 0};           ///< force and moment about the axis
+    double                    applied_torque_ = 0;
+    AxleEnergy                work_;
+    MPI_Comm                  communicator_;
+  };
+
+  /// Nodes of this rank that lie on faces with the given mark, once each.
+  std::vector<unsigned int>
+  boundary_nodes(const LocalMesh &mesh, Boundary mark);
+} // namespace wheelrail

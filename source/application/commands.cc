@@ -1,0 +1,311 @@
+#include <wheelrail/application/commands.h>
+#include <wheelrail/application/cross_checks.h>
+#include <wheelrail/application/geometry_command.h>
+#include <wheelrail/application/input_file.h>
+#include <wheelrail/application/parameters.h>
+#include <wheelrail/application/simulation.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include <unistd.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    namespace po = boost::program_options;
+
+    /// A subcommand: its options besides the positional file, and what it does.
+    struct Command
+    {
+      std::string                                                                        name, usage, summary;
+      std::function<void(po::options_description &)>                                     add_options;
+      std::function<int(const po::variables_map &, const RunFunction &, std::ostream &)> act;
+    };
+
+    std::vector<std::string>
+    sets_of(const po::variables_map &options)
+    {
+      return options.count("set") ? options["set"].as<std::vector<std::string>>()
+                                  : std::vector<std::string>();
+    }
+
+    std::string
+    file_of(const po::variables_map &options)
+    {
+      return options.count("file") ? options["file"].as<std::string>() : "";
+    }
+
+    /// The scene of the file with the --set options; without a file that of the defaults.
+    Scene
+    scene_of(const po::variables_map &options)
+    {
+      const std::string file = file_of(options);
+      return file.empty() ? scene_from_text("", "defaults", sets_of(options))
+                          : read_scene(file, sets_of(options));
+    }
+
+    int
+    validate(const po::variables_map &options, std::ostream &out)
+    {
+      const Scene scene = scene_of(options);
+      for (const std::string &note : scene_notes(scene))
+        out << "note: " << note << "\n";
+      out << file_of(options) << ": all entries are valid\n";
+      return 0;
+    }
+
+    void
+    require_file(const po::variables_map &options, const std::string &command)
+    {
+      if (file_of(options).empty())
+        throw InputError(command + " needs a parameter file, such as ./wheelrail " + command +
+                         " prm/rolling.prm");
+    }
+
+    int
+    act_run(const po::variables_map &options, const RunFunction &run, std::ostream &out)
+    {
+      require_file(options, "run");
+      if (options.count("validate"))
+        return validate(options, out);
+      RunOptions run_options;
+      run_options.overwrite = options.count("overwrite") > 0;
+      run_options.resume    = options.count("resume") > 0;
+      if (run_options.overwrite && run_options.resume)
+        throw InputError("--overwrite starts anew and --resume goes on: give one of them");
+      const Scene scene    = scene_of(options);
+      run_options.prm_text = read_input_file(file_of(options));
+      if (run_options.prm_text.back() != '\n')
+        run_options.prm_text += '\n';
+      for (const std::string &set : sets_of(options))
+        run_options.prm_text += "# --set \"" + set + "\"\n";
+      run_options.parameters_text = print_parameters(scene);
+      run_options.program_version = WHEELRAIL_VERSION;
+      return run(scene, run_options);
+    }
+
+    int
+    act_geometry(const po::variables_map &options, const RunFunction &, std::ostream &out)
+    {
+      std::vector<double> shifts;
+      if (options.count("shifts"))
+        shifts = parse_shifts(options["shifts"].as<std::string>());
+      return run_geometry_command(scene_of(options), shifts, out);
+    }
+
+    int
+    act_parameters(const po::variables_map &options, const RunFunction &, std::ostream &out)
+    {
+      if (options.count("validate"))
+        {
+          require_file(options, "parameters --validate");
+          return validate(options, out);
+        }
+      out << print_parameters(scene_of(options));
+      return 0;
+    }
+
+    /// Runs a report script in place of this process; only returns (by an exception) when it cannot.
+    int
+    act_report(const po::variables_map &options, const RunFunction &, std::ostream &)
+    {
+      const std::string folder = file_of(options), script = std::string(WHEELRAIL_REPORT_DIR) + "/report.py";
+      if (!std::filesystem::is_directory(folder))
+        throw InputError(folder.empty()
+                           ? "report needs the output folder of a run, such as output/rolling"
+                           : folder + ": no such folder; report needs the output folder of a run");
+      // Debian's own interpreter has the packages; another python3 may come first in the path
+      execl("/usr/bin/python3", "python3", script.c_str(), folder.c_str(), static_cast<char *>(nullptr));
+      throw RunError("/usr/bin/python3 cannot be started; install the Debian package python3");
+    }
+
+    void
+    add_set_option(po::options_description &options)
+    {
+      options.add_options()("set",
+                            po::value<std::vector<std::string>>()->composing(),
+                            "\"Section/Entry = value\": change an entry, may be given several times");
+    }
+
+    const std::vector<Command> &
+    commands()
+    {
+      static const std::vector<Command> list = {
+        {"run",
+         "run FILE.prm",
+         "compute the scene of a parameter file",
+         [](po::options_description &options) {
+           add_set_option(options);
+           options.add_options()("overwrite", "replace a finished run in the output folder");
+           options.add_options()("resume", "go on from the last checkpoint in the output folder");
+           options.add_options()("validate", "check the file without running");
+         },
+         act_run},
+        {"geometry",
+         "geometry [FILE.prm]",
+         "contact points, angles and rolling radii of the rigid profiles over lateral shifts",
+         [](po::options_description &options) {
+           add_set_option(options);
+           options.add_options()("shifts",
+                                 po::value<std::string>(),
+                                 "lateral shifts in mm: first:last:step, or values with commas");
+         },
+         act_geometry},
+        {"parameters",
+         "parameters [FILE.prm]",
+         "print all entries with their values, meaning and defaults, as a parameter file",
+         [](po::options_description &options) {
+           add_set_option(options);
+           options.add_options()("validate", "only check the file");
+         },
+         act_parameters},
+        {"report",
+         "report FOLDER",
+         "pictures and one page from the output folder of a run",
+         nullptr,
+         act_report},
+        {"version",
+         "version",
+         "print the version",
+         nullptr,
+         [](const po::variables_map &, const RunFunction &, std::ostream &out) {
+           out << "wheelrail " << WHEELRAIL_VERSION << "\n";
+           return 0;
+         }},
+      };
+      return list;
+    }
+
+    const Command &
+    find_command(const std::string &name)
+    {
+      std::string names;
+      for (const Command &command : commands())
+        {
+          if (command.name == name)
+            return command;
+          names += (names.empty() ? "" : ", ") + command.name;
+        }
+      throw InputError("\"" + name + "\" is no command; there are " + names + " and help");
+    }
+
+    po::options_description
+    options_of(const Command &command)
+    {
+      po::options_description options("options", 100);
+      if (command.add_options)
+        command.add_options(options);
+      options.add_options()("help", "this text");
+      return options;
+    }
+
+    int
+    print_help(std::ostream &out)
+    {
+      out << "wheelrail: how a railway wheel rolls over a rail.\n\n";
+      for (const Command &command : commands())
+        out << "  wheelrail " << command.usage << std::string(23 - command.usage.size(), ' ')
+            << command.summary << "\n";
+      out << "\n\"wheelrail COMMAND --help\" lists the options of a command.\n"
+             "Exit codes: 0 finished, 1 bad input, 2 stopped, 3 interrupted and saved.\n";
+      return 0;
+    }
+
+    po::variables_map
+    parse_options(const Command &command, const Arguments &arguments)
+    {
+      po::options_description options = options_of(command);
+      po::options_description all;
+      all.add(options).add_options()("file", po::value<std::string>(), "");
+      po::positional_options_description positions;
+      positions.add("file", 1);
+      try
+        {
+          using Style = po::command_line_style::style_t;
+          // no guessing of abbreviated options
+          const int         style = po::command_line_style::default_style & ~Style::allow_guessing;
+          po::variables_map values;
+          po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(),
+                    values);
+          return values;
+        }
+      catch (const po::error &error)
+        {
+          throw InputError(command.name + ": " + error.what() + "; usage: wheelrail " + command.usage +
+                           " [options], see wheelrail " + command.name + " --help");
+        }
+    }
+  } // namespace
+
+  bool
+  needs_mpi(const Arguments &arguments)
+  {
+    const auto given = [&](const char *option) {
+      return std::find(arguments.begin(), arguments.end(), option) != arguments.end();
+    };
+    return !arguments.empty() && arguments.front() == "run" && !given("--validate") && !given("--help");
+  }
+
+  int
+  execute(const Arguments &arguments, const RunFunction &run, std::ostream &out)
+  {
+    if (arguments.empty() || arguments.front() == "help" || arguments.front() == "--help" ||
+        arguments.front() == "-h")
+      return print_help(out);
+    const Command &command = find_command(arguments.front() == "--version" ? "version" : arguments.front());
+    const po::variables_map options =
+      parse_options(command, Arguments(arguments.begin() + 1, arguments.end()));
+    if (options.count("help"))
+      {
+        out << "wheelrail " << command.usage << "\n  " << command.summary << "\n\n" << options_of(command);
+        return 0;
+      }
+    return command.act(options, run, out);
+  }
+
+  std::vector<double>
+  parse_shifts(const std::string &text)
+  {
+    const auto fail = [&](const std::string &why) {
+      throw InputError("--shifts " + text + ": " + why +
+                       "; write first:last:step or values with commas, in mm, such as -6:6:0.5");
+    };
+    const bool          is_range = text.find(':') != std::string::npos;
+    std::vector<double> numbers;
+    std::istringstream  parts(text);
+    for (std::string part; std::getline(parts, part, is_range ? ':' : ',');)
+      try
+        {
+          numbers.push_back(parse_quantity(part, Dimension::none));
+        }
+      catch (const InputError &)
+        {
+          fail("\"" + part + "\" is not a number");
+        }
+    if (numbers.empty() || (is_range && numbers.size() != 3))
+      fail("not understood");
+    if (is_range)
+      {
+        const double first = numbers[0], last = numbers[1], step = numbers[2];
+        if (!(step > 0) || last < first)
+          fail("the step must be positive and the last value not below the first");
+        const double count = std::floor((last - first) / step * (1 + 1e-12) + 1e-9);
+        if (count > 100000)
+          fail("more than 100000 shifts");
+        numbers.clear();
+        for (double i = 0; i <= count; ++i)
+          numbers.push_back(first + i * step);
+      }
+    for (double &number : numbers)
+      number /= 1e3;
+    return numbers;
+  }
+} // namespace wheelrail

@@ -1,0 +1,174 @@
+#include <wheelrail/application/fields.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace wheelrail
+{
+  namespace
+  {
+    double
+    von_mises(const double *s)
+    {
+      const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
+      return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+    }
+
+    /// Displacement of a node against the rigid motion of its body.
+    Vector3
+    deformation(const Solid &solid, const unsigned int n, const Axle &axle)
+    {
+      const double *R = &solid.mesh.reference[4 * n];
+      const Vector3 X = {R[0], R[1], R[2]};
+      if (solid.mesh.node_body[n] == Body::rail)
+        return solid.position(n) - X;
+      const AxleData &data = axle.data();
+      const Vector3   now  = data.centre + Vector3{0, axle.height(), axle.travelled()};
+      return solid.position(n) - now - rotated(X - data.centre, data.axis, axle.pitch_angle());
+    }
+
+    /// Numbers the chosen nodes and fills points and fields.
+    class FieldBuilder
+    {
+    public:
+      explicit FieldBuilder(FieldMesh &mesh)
+        : mesh_(mesh)
+      {}
+
+      void
+      cell(const unsigned int *nodes, const unsigned int n)
+      {
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            const auto [entry, fresh] = number_.try_emplace(nodes[a], nodes_.size());
+            if (fresh)
+              nodes_.push_back(nodes[a]);
+            mesh_.cells.push_back(entry->second);
+          }
+      }
+
+      /// Adds a field given by a function of the node that fills `components` numbers.
+      template <typename Function>
+      void
+      field(const std::string &name, const std::string &unit, const unsigned int components, const Function &value)
+      {
+        PointField field{name, unit, components, std::vector<double>(components * nodes_.size())};
+        for (std::size_t k = 0; k < nodes_.size(); ++k)
+          value(nodes_[k], &field.values[components * k]);
+        mesh_.fields.push_back(std::move(field));
+      }
+
+      const std::vector<unsigned int> &
+      nodes() const
+      {
+        return nodes_;
+      }
+
+    private:
+      FieldMesh                                     &mesh_;
+      std::unordered_map<unsigned int, unsigned int> number_;
+      std::vector<unsigned int>                      nodes_;
+    };
+
+    void
+    copy(const Vector3 &v, double *to)
+    {
+      std::copy(v.begin(), v.end(), to);
+    }
+
+    /// Contact values of the rail's surface nodes.
+    void
+    add_contact_fields(FieldBuilder &builder, const Contact &contact)
+    {
+      std::unordered_map<unsigned int, std::size_t> lattice_node;
+      for (std::size_t k = 0; k < contact.rail().local.size(); ++k)
+        if (contact.rail().local[k] >= 0)
+          lattice_node[contact.rail().local[k]] = k;
+      const auto with = [&](const unsigned int n, const auto &use) {
+        if (const auto found = lattice_node.find(n); found != lattice_node.end())
+          use(contact.nodes()[found->second]);
+      };
+      builder.field("pressure", "Pa", 1, [&](unsigned int n, double *v) { with(n, [&](const ContactNode &c) { *v = c.pressure; }); });
+      builder.field("shear_traction", "Pa", 3, [&](unsigned int n, double *v) { with(n, [&](const ContactNode &c) { copy(c.traction, v); }); });
+      builder.field("slip_velocity", "m/s", 3, [&](unsigned int n, double *v) { with(n, [&](const ContactNode &c) { copy(c.slip, v); }); });
+    }
+  } // namespace
+
+
+
+  PatchFields
+  patch_fields(const Contact &contact, const AxleData &axle, const double time, const double travelled)
+  {
+    const Lattice &lattice = contact.lattice();
+    const auto    &window  = contact.window();
+    const Point2   t       = contact.surfaces().frame.tangent();
+    PatchFields    patch;
+    patch.time            = time;
+    patch.rolled_distance = travelled;
+    patch.n_along         = window.rail_last - window.rail_first;
+    patch.n_lateral       = lattice.n_lateral;
+    for (int i = window.rail_first; i < window.rail_last; ++i)
+      for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+        {
+          const std::size_t  k    = lattice.index(i, j);
+          const ContactNode &node = contact.nodes()[k];
+          patch.along.push_back((lattice.first_station + i) * lattice.spacing_along - axle.centre[2] - travelled);
+          patch.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
+          patch.gap.push_back(node.gap);
+          patch.pressure.push_back(node.pressure);
+          patch.shear_along.push_back(node.traction[2]);
+          patch.shear_lateral.push_back(node.traction[0] * t.x + node.traction[1] * t.y);
+          patch.slip_along.push_back(node.slip[2] / axle.velocity);
+          patch.slip_lateral.push_back((node.slip[0] * t.x + node.slip[1] * t.y) / axle.velocity);
+          patch.state.push_back(node.pressure <= 0 ? 0 : node.slipping ? 2 : 1);
+          patch.area.push_back(contact.rail().area[k]);
+        }
+    return patch;
+  }
+
+
+
+  FieldMesh
+  field_mesh(const Solid &solid, const Axle &axle, const Contact &contact, const Selection selection, MPI_Comm communicator)
+  {
+    FieldMesh    mesh;
+    FieldBuilder builder(mesh);
+    if (selection == Selection::all)
+      for (const auto &cell : solid.mesh.cells)
+        builder.cell(cell.data(), 8);
+    else
+      {
+        mesh.points_per_cell = 4;
+        for (const auto &face : solid.mesh.faces)
+          if (face.mark == Boundary::running && face.finest)
+            builder.cell(face.nodes.data(), 4);
+      }
+    for (const unsigned int n : builder.nodes())
+      mesh.points.push_back(solid.position(n));
+    builder.field("displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
+    if (selection == Selection::surface)
+      {
+        add_contact_fields(builder, contact);
+        return mesh;
+      }
+    const auto stress = nodal_stress(solid, communicator);
+    builder.field("von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
+    builder.field("normal_stress", "Pa", 3, [&](unsigned int n, double *v) { std::copy_n(&stress[6 * n], 3, v); });
+    builder.field("shear_stress_yz_xz_xy", "Pa", 3, [&](unsigned int n, double *v) { std::copy_n(&stress[6 * n + 3], 3, v); });
+    return mesh;
+  }
+
+
+
+  double
+  largest_von_mises(const Solid &solid, MPI_Comm communicator)
+  {
+    double largest = 0;
+    for (const auto &blocks : solid.blocks)
+      for (const auto &s : element_stress(blocks, solid.displacement.data()))
+        largest = std::max(largest, von_mises(s.data()));
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
+    return largest;
+  }
+} // namespace wheelrail

@@ -1,0 +1,255 @@
+#include <wheelrail/application/geometry_command.h>
+#include <wheelrail/base/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+
+namespace wheelrail
+{
+  namespace
+  {
+    const double degree = std::acos(-1.) / 180;
+
+    struct Pair
+    {
+      RailProfile     rail;
+      WheelProfile    wheel;
+      TrackDimensions track;
+      RollMode        roll;
+    };
+
+    /// The contact at a shift, or nothing; `reason` then tells why.
+    std::optional<ContactGeometry>
+    contact_at(const Pair &pair, const double shift, std::string &reason)
+    {
+      try
+      {
+        return find_contact(pair.rail, pair.wheel, pair.track, shift, pair.roll);
+      }
+      catch (const InputError &error)
+      {
+        reason = error.what();
+        return {};
+      }
+    }
+
+    std::string
+    fixed(const double value, const int digits)
+    {
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(digits) << value;
+      // A rounded zero must not show a sign.
+      const std::string result = text.str();
+      return result.find_first_not_of("-0.") == std::string::npos && result[0] == '-' ? result.substr(1)
+                                                                                      : result;
+    }
+
+    /// Radius of curvature in mm, or "flat".
+    std::string
+    radius_text(const double curvature)
+    {
+      return std::abs(curvature) < 1e-4 ? "flat" : fixed(1e3 / curvature, 1);
+    }
+
+    void
+    print_row(std::ostream &out, const std::vector<std::string> &cells)
+    {
+      const int widths[] = {9, 9, 10, 10, 9, 11, 11, 9, 11, 9};
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        if (i < 10)
+          out << std::right << std::setw(widths[i]) << cells[i];
+        else
+          out << "  " << cells[i];
+      out << '\n';
+    }
+
+    /// The shift between `a` and `b` at which the contact point jumps, by bisection; nothing when
+    /// it moves continuously. The two contacts close to the jump replace `a` and `b`.
+    bool
+    narrow_jump(const Pair &pair, ContactGeometry &a, ContactGeometry &b)
+    {
+      const double least_jump = 0.5e-3;
+      std::string  ignored;
+      for (int i = 0; i < 14; ++i)
+      {
+        if (std::abs(b.wheel_x - a.wheel_x) < least_jump)
+          return false;
+        const auto middle = contact_at(pair, 0.5 * (a.lateral_shift + b.lateral_shift), ignored);
+        if (!middle)
+          return false;
+        if (std::abs(middle->wheel_x - a.wheel_x) > std::abs(b.wheel_x - middle->wheel_x))
+          b = *middle;
+        else
+          a = *middle;
+      }
+      return std::abs(b.wheel_x - a.wheel_x) >= least_jump;
+    }
+
+    std::vector<std::string>
+    row_of(const ContactGeometry &c, const double other_radius)
+    {
+      return {fixed(1e3 * c.lateral_shift, 2),
+              fixed(1e3 * c.roll, 4),
+              fixed(1e3 * c.wheel_x, 3),
+              fixed(1e3 * c.rail_x, 3),
+              fixed(c.angle / degree, 3),
+              fixed(1e3 * c.rolling_radius, 4),
+              fixed(1e3 * (c.rolling_radius - other_radius), 4),
+              radius_text(c.rail_curvature),
+              radius_text(c.wheel_curvature),
+              c.second_gap < 0 ? "none" : fixed(1e3 * c.second_gap, 4),
+              c.wheel_segment + " on " + c.rail_segment};
+    }
+
+    void
+    print_table(const Pair &pair, const std::vector<double> &shifts, std::ostream &out)
+    {
+      out << "\nRoll " << (pair.roll == RollMode::none ? "none" : "from contact")
+          << " (a star marks a jump of the contact point since the line above)\n\n";
+      print_row(out,
+                {"shift",
+                 "roll",
+                 "wheel x",
+                 "rail x",
+                 "angle",
+                 "radius",
+                 "difference",
+                 "rail R",
+                 "wheel R",
+                 "2nd gap",
+                 "zones"});
+      print_row(out, {"mm", "mrad", "mm", "mm", "deg", "mm", "mm", "mm", "mm", "mm", ""});
+
+      std::vector<std::string>       jumps;
+      std::optional<ContactGeometry> before;
+      for (const double shift : shifts)
+      {
+        std::string reason;
+        const auto  here = contact_at(pair, shift, reason);
+        if (!here)
+        {
+          out << std::setw(9) << fixed(1e3 * shift, 2) << "  no contact: " << reason << '\n';
+          before.reset();
+          continue;
+        }
+        // Its absence would mean that the shift is refused for one of the wheels only.
+        const auto other = contact_at(pair, -shift, reason);
+        auto       row   = row_of(*here, other ? other->rolling_radius : std::nan(""));
+        if (before && std::abs(here->wheel_x - before->wheel_x) > 0.5e-3)
+        {
+          ContactGeometry a = *before, b = *here;
+          if (narrow_jump(pair, a, b))
+          {
+            row.back() += " *";
+            jumps.push_back("  at " + fixed(500 * (a.lateral_shift + b.lateral_shift), 3) +
+                            " mm: wheel x from " + fixed(1e3 * a.wheel_x, 2) + " to " +
+                            fixed(1e3 * b.wheel_x, 2) + " mm, rail x from " + fixed(1e3 * a.rail_x, 2) +
+                            " to " + fixed(1e3 * b.rail_x, 2) + " mm");
+          }
+        }
+        print_row(out, row);
+        before = here;
+      }
+      if (!jumps.empty())
+        out
+          << "\nThe contact point jumps (in the order of the table; a step with several shows the largest)\n";
+      for (const std::string &jump : jumps)
+        out << jump << '\n';
+    }
+
+    void
+    print_details(const Pair &pair, const ContactGeometry &c, std::ostream &out)
+    {
+      const auto line = [&out](const std::string &name, const std::string &value)
+      { out << "  " << std::left << std::setw(37) << name << std::right << value << '\n'; };
+      out << "\nThe scene's own shift: " << fixed(1e3 * c.lateral_shift, 3) << " mm, roll "
+          << (pair.roll == RollMode::none ? "none" : "from contact") << "\n\n";
+      line("roll", fixed(1e3 * c.roll, 5) + " mrad");
+      line("point on the wheel (x, y)",
+           fixed(1e3 * c.wheel_x, 4) + ", " + fixed(1e3 * c.wheel_y, 4) + " mm, zone " + c.wheel_segment);
+      line("point on the rail (x, y)",
+           fixed(1e3 * c.rail_x, 4) + ", " + fixed(1e3 * c.rail_y, 4) + " mm, " + c.rail_segment);
+      line("point in the track plane (X, Y)",
+           fixed(1e3 * c.frame.origin.x, 4) + ", " + fixed(1e3 * c.frame.origin.y, 4) + " mm");
+      line("contact angle", fixed(c.angle / degree, 4) + " deg");
+      line("rolling radius", fixed(1e3 * c.rolling_radius, 4) + " mm");
+      line("lateral curvature of the rail",
+           fixed(c.rail_curvature, 4) + " 1/m (radius " + radius_text(c.rail_curvature) + " mm)");
+      line("lateral curvature of the wheel",
+           fixed(c.wheel_curvature, 4) + " 1/m (radius " + radius_text(c.wheel_curvature) + " mm)");
+      line("second minimum of the gap",
+           c.second_gap < 0
+             ? "none"
+             : fixed(1e3 * c.second_gap, 4) + " mm at rail x " + fixed(1e3 * c.second_rail_x, 3) + " mm");
+
+      const FrameProfile wheel(pair.wheel.tread, c.wheel, c.frame), rail(pair.rail.head, c.rail, c.frame);
+      const double low = std::max(wheel.s_min(), rail.s_min()), high = std::min(wheel.s_max(), rail.s_max());
+      for (const double s : {-10e-3, -5e-3, -2e-3, 2e-3, 5e-3, 10e-3})
+        line("undeformed distance at s = " + fixed(1e3 * s, 0) + " mm",
+             s < low || s > high ? "outside the profiles"
+                                 : fixed(1e6 * undeformed_distance(wheel, rail, s), 3) + " um");
+      double width = 0;
+      for (const Range &range : interpenetration(wheel, rail, 1e-4))
+      {
+        width += range.s1 - range.s0;
+        line("interpenetration at 0.1 mm approach",
+             "s from " + fixed(1e3 * range.s0, 3) + " to " + fixed(1e3 * range.s1, 3) + " mm");
+      }
+      line("its width", fixed(1e3 * width, 3) + " mm");
+    }
+  } // namespace
+
+
+  std::vector<double>
+  default_geometry_shifts()
+  {
+    std::vector<double> shifts;
+    for (int i = -12; i <= 12; ++i)
+      shifts.push_back(0.5e-3 * i);
+    return shifts;
+  }
+
+
+  int
+  run_geometry_command(const Scene &scene, const std::vector<double> &shifts, std::ostream &out)
+  {
+    Pair pair{
+      rail_profile(scene.rail_profile), wheel_profile(scene.wheel_profile), scene.track, RollMode::none};
+
+    out << "Wheel " << pair.wheel.name << " on rail " << pair.rail.name << ", gauge "
+        << fixed(1e3 * scene.track.gauge, 2) << " mm (" << fixed(1e3 * scene.track.gauge_height, 1)
+        << " mm below the top), inclination ";
+    if (scene.track.inclination > 0)
+      out << "1:" << fixed(1. / scene.track.inclination, 2);
+    else
+      out << fixed(scene.track.inclination, 4);
+    out << ", flange-back distance " << fixed(1e3 * scene.track.flange_back_distance, 2)
+        << " mm, nominal radius " << fixed(1e3 * scene.track.nominal_radius, 2) << " mm\n"
+        << "\nModelled is the wheel on the right-hand rail. Shift: of the wheelset towards the track centre, "
+           "negative\n"
+           "brings the flange root to the gauge corner. x: positive to the field side, from the running "
+           "circle and\n"
+           "from the rail's axis. Angle: positive when the tangent falls to the gauge side. Difference: "
+           "rolling\n"
+           "radius less that of the other wheel. R: lateral radii, negative when concave.\n";
+
+    for (const RollMode mode : {RollMode::none, RollMode::from_contact})
+    {
+      pair.roll = mode;
+      print_table(pair, shifts.empty() ? default_geometry_shifts() : shifts, out);
+    }
+
+    pair.roll = scene.roll;
+    std::string reason;
+    const auto  own = contact_at(pair, scene.lateral_shift, reason);
+    if (own)
+      print_details(pair, *own, out);
+    else
+      out << "\nThe scene's own shift: " << reason << '\n';
+    out.flush();
+    return own ? 0 : 1;
+  }
+} // namespace wheelrail

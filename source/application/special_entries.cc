@@ -1,0 +1,133 @@
+#include <wheelrail/application/special_entries.h>
+#include <wheelrail/base/errors.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// "Fine depth = auto" in solution cells.
+    constexpr double automatic_depth = 5;
+  } // namespace
+
+  Entry
+  inclination_entry()
+  {
+    Entry entry = number_entry(
+      {"Track", "Rail inclination", "1/40", "Slope of the rail's axis towards the track centre."},
+      Dimension::none,
+      "",
+      Bounds::between("0", "1/10"),
+      field(&Scene::track, &TrackDimensions::inclination));
+    entry.get = [](const Scene &scene) {
+      const double slope = scene.track.inclination, inverse = std::round(1 / slope);
+      return slope > 0 && 1 / inverse == slope ? "1/" + format_number(inverse) : format_number(slope);
+    };
+    return entry;
+  }
+
+  Entry
+  nominal_radius_entry()
+  {
+    Entry      entry = number_entry({"Wheelset",
+                                     "Nominal rolling radius",
+                                     "460 mm",
+                                     "Radius of the wheel at the running circle, 70 mm from the flange back."},
+                               Dimension::length,
+                               "mm",
+                               Bounds::between("150 mm", "800 mm"),
+                               field(&Scene::track, &TrackDimensions::nominal_radius));
+    const auto set   = entry.set;
+    entry.set        = [set](Scene &scene, const std::string &text) {
+      set(scene, text);
+      scene.wheel.nominal_radius = scene.track.nominal_radius;
+    };
+    return entry;
+  }
+
+  Entry
+  fine_depth_entry()
+  {
+    Entry entry =
+      number_entry({"Mesh",
+                    "Fine depth",
+                    "auto",
+                    "Depth of the layer of solution cells below both running surfaces; auto: five "
+                    "cells."},
+                   Dimension::length,
+                   "mm",
+                   Bounds::between("0.1 mm", "50 mm"),
+                   field(&Scene::fine_depth));
+    const auto set = entry.set;
+    const auto get = entry.get;
+    entry.accepted = "auto, or " + entry.accepted;
+    entry.set      = [set](Scene &scene, const std::string &text) {
+      if (text == "auto")
+        scene.fine_depth = 0;
+      else
+        set(scene, text);
+    };
+    entry.get = [get](const Scene &scene) {
+      const bool is_auto = scene.fine_depth == 0 || scene.fine_depth == automatic_depth * scene.cell_size;
+      return is_auto ? "auto" : get(scene);
+    };
+    return entry;
+  }
+
+  Entry
+  yield_stress_entry(const std::string &section)
+  {
+    Entry entry{
+      section,
+      "Yield stress",
+      "none",
+      "none",
+      "Initial yield stress; none: the body stays elastic. This version computes elastic bodies only.",
+      {},
+      {}};
+    entry.set = [](Scene &, const std::string &text) {
+      if (text == "none")
+        return;
+      parse_quantity(text, Dimension::stress);
+      throw InputError("this version computes elastic bodies only; write none");
+    };
+    entry.get = [](const Scene &) { return std::string("none"); };
+    return entry;
+  }
+
+  Entry
+  element_entry()
+  {
+    Entry entry{"Mesh",
+                "Element",
+                "reduced",
+                "reduced",
+                "Element form; reduced: eight nodes, one integration point, stabilised by assumed strain.",
+                {},
+                {}};
+    entry.set = [](Scene &, const std::string &text) { require_choice(text, {"reduced"}); };
+    entry.get = [](const Scene &) { return std::string("reduced"); };
+    return entry;
+  }
+
+  Entry
+  name_entry(const EntryHead &head, const std::vector<std::string> &names, const Field<std::string> &place)
+  {
+    Entry      entry = text_entry(head, place);
+    const auto set   = entry.set;
+    entry.accepted   = join_choices(names);
+    entry.set        = [set, names](Scene &scene, const std::string &text) {
+      require_choice(text, names);
+      set(scene, text);
+    };
+    return entry;
+  }
+
+  void
+  complete_scene(Scene &scene)
+  {
+    if (scene.fine_depth == 0)
+      scene.fine_depth = automatic_depth * scene.cell_size;
+  }
+} // namespace wheelrail

@@ -1,0 +1,115 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/log.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// mpirun may put a pseudo-terminal between rank 0 and the user's file or pipe, so the launcher
+    /// tells what it sees. Without a launcher the own standard output is asked, unless Open MPI
+    /// started this process.
+    bool
+    screen_is_terminal()
+    {
+      if (const char *const told = std::getenv("WHEELRAIL_TERMINAL"))
+        return std::strcmp(told, "1") == 0;
+      return std::getenv("OMPI_COMM_WORLD_RANK") == nullptr && isatty(STDOUT_FILENO) == 1;
+    }
+  } // namespace
+
+  Log::Log(const std::string &path, const bool append)
+    : screen_(true)
+    , terminal_(screen_is_terminal())
+  {
+    if (path.empty())
+      return;
+    file_.open(path, append ? std::ios::app : std::ios::trunc);
+    if (!file_)
+      throw RunError(path + ": the log file cannot be written: " + std::strerror(errno));
+  }
+
+  void
+  Log::write(const std::string &text)
+  {
+    if (!screen_)
+      return;
+    if (status_shown_)
+      std::cout << "\r\033[K";
+    status_shown_ = false;
+    std::cout << text << std::endl;
+    if (file_.is_open())
+      file_ << text << std::endl;
+  }
+
+  void
+  Log::line(const std::string &text)
+  {
+    write(text);
+  }
+
+  void
+  Log::value(const std::string &name, const std::string &text)
+  {
+    constexpr std::size_t column = 24;
+    write("  " + name + std::string(name.size() < column ? column - name.size() : 1, ' ') + text);
+  }
+
+  void
+  Log::note(const std::string &text)
+  {
+    write("note: " + text);
+  }
+
+  void
+  Log::tick(const TickLine &tick)
+  {
+    if (!table_started_)
+      {
+        write("   rolled    normal    longitudinal  lateral    energy      element       time");
+        write("     mm      force kN    force kN    force kN    error      updates/s     left");
+        table_started_ = true;
+      }
+    char buffer[160];
+    std::snprintf(buffer,
+                  sizeof(buffer),
+                  "%9.3f  %9.3f   %9.3f   %9.3f   %9.2e   %7.2f M  %s",
+                  1e3 * tick.rolled_distance,
+                  1e-3 * tick.normal_force,
+                  1e-3 * tick.longitudinal_force,
+                  1e-3 * tick.lateral_force,
+                  tick.energy_error,
+                  1e-6 * tick.updates_per_second,
+                  format_duration(tick.seconds_left).c_str());
+    write(buffer);
+  }
+
+  void
+  Log::status(const std::string &text)
+  {
+    if (!screen_ || !terminal_)
+      return;
+    std::cout << "\r\033[K" << text << std::flush;
+    status_shown_ = true;
+  }
+
+  std::string
+  format_duration(const double seconds)
+  {
+    if (!(seconds >= 0) || seconds > 1e9)
+      return "?";
+    const long whole = std::lround(seconds);
+    if (whole < 60)
+      return std::to_string(whole) + " s";
+    if (whole < 3600)
+      return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
+    return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
+  }
+} // namespace wheelrail

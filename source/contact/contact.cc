@@ -1,0 +1,385 @@
+#include <wheelrail/contact/contact.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  Contact::Contact(Surface         rail,
+                   Surface         wheel,
+                   RunningSurfaces surfaces,
+                   Lattice         lattice,
+                   ContactLaw      law,
+                   const double    half_window,
+                   MPI_Comm        communicator)
+    : rail_(std::move(rail))
+    , wheel_(std::move(wheel))
+    , surfaces_(std::move(surfaces))
+    , lattice_(lattice)
+    , law_(law)
+    , half_window_(static_cast<int>(std::ceil(half_window / lattice.spacing_along)))
+    , communicator_(communicator)
+    , wheel_normal_(rail_.reference.size())
+    , nodes_(rail_.reference.size())
+  {
+    for (int body = 0; body < 2; ++body)
+      {
+        SurfaceState  &state   = state_[body];
+        const Surface &surface = body == 0 ? rail_ : wheel_;
+        state.x                = surface.reference;
+        state.v.assign(surface.reference.size(), {0, 0, 0});
+        state.v_before = state.f = state.v;
+      }
+    move_window(0, 0);
+  }
+
+
+
+  void
+  Contact::move_window(const double along, const double wheel_ahead)
+  {
+    const int centre = static_cast<int>(std::lround(along / lattice_.spacing_along)) - lattice_.first_station;
+    const int shift  = static_cast<int>(std::lround(wheel_ahead / lattice_.spacing_along));
+    const int n      = lattice_.n_along;
+    // the wheel's part reaches one station further, so that every rail node finds a facet
+    const Window window{std::max(0, centre - half_window_),
+                        std::min(n, centre + half_window_ + 1),
+                        std::max(0, centre + shift - half_window_ - 2),
+                        std::min(n, centre + shift + half_window_ + 3)};
+    const bool   same = window.rail_first == window_.rail_first && window.rail_last == window_.rail_last &&
+                      window.wheel_first == window_.wheel_first && window.wheel_last == window_.wheel_last;
+    wheel_shift_ = shift;
+    if (same)
+      return;
+    // nodes that leave the window have left the patch long ago
+    for (int i = window_.rail_first; i < window_.rail_last; ++i)
+      if (i < window.rail_first || i >= window.rail_last)
+        for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
+          nodes_[lattice_.index(i, j)] = ContactNode();
+    window_ = window;
+    share_window();
+  }
+
+
+
+  void
+  Contact::share_window()
+  {
+    int rank, size;
+    MPI_Comm_rank(communicator_, &rank);
+    MPI_Comm_size(communicator_, &size);
+    std::vector<std::vector<std::array<unsigned int, 2>>> by_rank(size);
+    for (unsigned int body = 0; body < 2; ++body)
+      {
+        const Surface &surface = body == 0 ? rail_ : wheel_;
+        const int      first = body == 0 ? window_.rail_first : window_.wheel_first;
+        const int      last  = body == 0 ? window_.rail_last : window_.wheel_last;
+        for (int i = first; i < last; ++i)
+          for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
+            {
+              const unsigned int k = lattice_.index(i, j);
+              by_rank[surface.owner[k]].push_back({body, k});
+            }
+      }
+    share_.own = by_rank[rank];
+    share_.all.clear();
+    share_.counts.assign(size, 0);
+    share_.begin.assign(size, 0);
+    for (int r = 0; r < size; ++r)
+      {
+        share_.begin[r]  = 6 * share_.all.size();
+        share_.counts[r] = 6 * by_rank[r].size();
+        share_.all.insert(share_.all.end(), by_rank[r].begin(), by_rank[r].end());
+      }
+    send_.resize(6 * share_.own.size());
+    receive_.resize(6 * share_.all.size());
+  }
+
+
+
+  void
+  Contact::gather(const double *displacement, const double *velocity)
+  {
+    double *out = send_.data();
+    for (const auto &[body, k] : share_.own)
+      {
+        const unsigned int node = (body == 0 ? rail_ : wheel_).local[k];
+        for (int i = 0; i < 3; ++i)
+          *out++ = displacement[4 * node + i];
+        for (int i = 0; i < 3; ++i)
+          *out++ = velocity[4 * node + i];
+      }
+    if (share_.counts.size() > 1)
+      MPI_Allgatherv(send_.data(), send_.size(), MPI_DOUBLE, receive_.data(), share_.counts.data(), share_.begin.data(),
+                     MPI_DOUBLE, communicator_);
+    else
+      receive_ = send_;
+    const double *in = receive_.data();
+    for (const auto &[body, k] : share_.all)
+      {
+        SurfaceState  &state = state_[body];
+        const Vector3 &X     = (body == 0 ? rail_ : wheel_).reference[k];
+        state.v_before[k]    = state.v[k];
+        state.x[k]           = {X[0] + in[0], X[1] + in[1], X[2] + in[2]};
+        state.v[k]           = {in[3], in[4], in[5]};
+        in += 6;
+      }
+  }
+
+
+
+  void
+  Contact::wheel_normals()
+  {
+    const auto &x = state_[1].x;
+    const int   n = lattice_.n_lateral;
+    for (int i = window_.wheel_first; i < window_.wheel_last; ++i)
+      {
+        const int before = std::max(i - 1, window_.wheel_first), after = std::min(i + 1, window_.wheel_last - 1);
+        for (int j = 0; j < n; ++j)
+          {
+            const int     left = std::max(j - 1, 0), right = std::min(j + 1, n - 1);
+            const Vector3 along   = x[lattice_.index(after, j)] - x[lattice_.index(before, j)];
+            const Vector3 lateral = x[lattice_.index(i, right)] - x[lattice_.index(i, left)];
+            wheel_normal_[lattice_.index(i, j)] = normalised(cross(along, lateral));
+          }
+      }
+  }
+
+
+
+  ContactSums
+  Contact::evaluate(const double time_step)
+  {
+    // 1. normals of the wheel's surface, continuous across facets
+    wheel_normals();
+    for (const auto &[body, k] : share_.all)
+      state_[body].f[k] = {0, 0, 0};
+
+    // 2. every rail node of the window against the wheel
+    ContactSums sums;
+    for (int i = window_.rail_first; i < window_.rail_last; ++i)
+      for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
+        {
+          const std::size_t     k    = lattice_.index(i, j);
+          ContactNode          &node = nodes_[k];
+          std::array<double, 4> weight;
+          if (project(node, state_[0].x[k], i + wheel_shift_))
+            node.gap = true_gap(node, state_[0].x[k], weight);
+          else
+            node = ContactNode();
+          if (node.gap >= 0)
+            {
+              node.pressure = 0;
+              node.shear = node.traction = node.slip = {0, 0, 0};
+              node.slipping                          = false;
+              continue;
+            }
+          apply_law(node, k, weight, time_step, sums);
+          if (node.pressure > 0 && (i <= window_.rail_first + 1 || i >= window_.rail_last - 2 || j <= 1 ||
+                                    j + 2 >= lattice_.n_lateral))
+            sums.at_border = true;
+        }
+    return sums;
+  }
+
+
+
+  std::array<std::size_t, 4>
+  Contact::corners(const ContactNode &node) const
+  {
+    return {lattice_.index(node.facet_i, node.facet_j), lattice_.index(node.facet_i + 1, node.facet_j),
+            lattice_.index(node.facet_i, node.facet_j + 1), lattice_.index(node.facet_i + 1, node.facet_j + 1)};
+  }
+
+
+
+  bool
+  Contact::project(ContactNode &node, const Vector3 &x, const int station_guess) const
+  {
+    const int last_i = window_.wheel_last - 2, last_j = static_cast<int>(lattice_.n_lateral) - 2;
+    if (node.facet_i < window_.wheel_first || node.facet_i > last_i)
+      {
+        node.facet_i = std::clamp(station_guess, window_.wheel_first, last_i);
+        node.facet_j = std::clamp(node.facet_j, 0, last_j);
+        node.xi = node.eta = 0.5;
+      }
+    const auto &y = state_[1].x;
+    for (int iteration = 0; iteration < 60; ++iteration)
+      {
+        const auto    c = corners(node);
+        const Vector3 a = y[c[1]] - y[c[0]], b = y[c[2]] - y[c[0]], d = y[c[3]] - y[c[2]] - a;
+        // Gauss-Newton for the foot of the perpendicular on the bilinear facet
+        const Vector3 t1 = a + node.eta * d, t2 = b + node.xi * d;
+        Vector3       r = x - y[c[0]];
+        add(r, -node.xi, a);
+        add(r, -node.eta, t2);
+        const double m11 = dot(t1, t1), m12 = dot(t1, t2), m22 = dot(t2, t2), r1 = dot(r, t1), r2 = dot(r, t2);
+        const double det = m11 * m22 - m12 * m12;
+        const double dxi = (r1 * m22 - r2 * m12) / det, deta = (r2 * m11 - r1 * m12) / det;
+        node.xi += dxi;
+        node.eta += deta;
+        // step to the neighbour when the foot lies outside
+        const int move_i = node.xi < 0 ? -1 : node.xi > 1 ? 1 : 0, move_j = node.eta < 0 ? -1 : node.eta > 1 ? 1 : 0;
+        const int i = std::clamp(node.facet_i + move_i, window_.wheel_first, last_i);
+        const int j = std::clamp(node.facet_j + move_j, 0, last_j);
+        if (i != node.facet_i || j != node.facet_j)
+          {
+            node.xi -= i - node.facet_i;
+            node.eta -= j - node.facet_j;
+            node.facet_i = i;
+            node.facet_j = j;
+          }
+        else if (std::abs(dxi) + std::abs(deta) < 1e-9)
+          return node.xi > -1e-6 && node.xi < 1 + 1e-6 && node.eta > -1e-6 && node.eta < 1 + 1e-6;
+      }
+    return false;
+  }
+
+
+
+  double
+  Contact::true_gap(ContactNode &node, const Vector3 &x, std::array<double, 4> &weight) const
+  {
+    const double xi = node.xi, eta = node.eta;
+    weight          = {(1 - xi) * (1 - eta), xi * (1 - eta), (1 - xi) * eta, xi * eta};
+    const auto c    = corners(node);
+    Vector3    foot{}, normal{}, X{};
+    for (int m = 0; m < 4; ++m)
+      {
+        add(foot, weight[m], state_[1].x[c[m]]);
+        add(normal, weight[m], wheel_normal_[c[m]]);
+        add(X, weight[m], wheel_.reference[c[m]]);
+      }
+    node.normal = normalised(normal);
+    // both facets hide a part of the true profiles; the rail node itself lies on its profile
+    return dot(foot - x, node.normal) - surfaces_.wheel_offset(X);
+  }
+
+
+
+  void
+  Contact::apply_law(ContactNode                 &node,
+                     const std::size_t            index,
+                     const std::array<double, 4> &weight,
+                     const double                 time_step,
+                     ContactSums                 &sums)
+  {
+    const auto    c = corners(node);
+    const double  A = rail_.area[index];
+    const Vector3 n = node.normal;
+    Vector3       velocity{}; // of the wheel against the rail
+    if (time_step > 0)
+      {
+        for (int m = 0; m < 4; ++m)
+          add(velocity, weight[m], state_[1].v[c[m]]);
+        velocity = velocity - state_[0].v[index];
+      }
+    const double  opening = dot(velocity, n);
+    const Vector3 sliding = velocity - opening * n;
+
+    // pressure: spring and damper, no suction
+    const double spring = -law_.stiffness * node.gap;
+    node.pressure       = std::max(0., spring - law_.damping * opening);
+
+    // shear: elastic trial in the tangent plane, return to the Coulomb bound
+    const Vector3 before = node.shear - dot(node.shear, n) * n;
+    Vector3       trial  = before;
+    add(trial, law_.stiffness * time_step, sliding);
+    Vector3      total = trial;
+    const double bound = law_.friction * node.pressure;
+    if (time_step > 0)
+      add(total, law_.damping, sliding);
+    const double size = norm(total);
+    node.slipping     = size > bound;
+    if (node.slipping)
+      {
+        const double factor = size > 0 ? bound / size : 0;
+        total               = factor * total;
+        trial               = total;
+        const double elastic = norm(trial);
+        if (elastic > bound && elastic > 0)
+          trial = (bound / elastic) * trial;
+      }
+    node.shear    = trial;
+    node.traction = total;
+    node.slip     = sliding;
+    if (time_step > 0)
+      add(node.slip, -1 / (law_.stiffness * time_step), trial - before);
+
+    // forces: on the rail -p n + t, on the wheel the opposite, spread over the facet
+    Vector3 force = (node.pressure * A) * n;
+    add(force, -A, total);
+    for (int m = 0; m < 4; ++m)
+      add(state_[1].f[c[m]], weight[m], force);
+    add(state_[0].f[index], -1, force);
+
+    add(sums.force, 1, force);
+    sums.normal_force += node.pressure * A;
+    sums.stored_energy += A * (spring * spring + dot(trial, trial)) / (2 * law_.stiffness);
+    sums.friction_power += A * dot(total, node.slip);
+    sums.damping_power += A * (spring - node.pressure) * opening;
+    sums.damping_power += A * dot(total - trial, sliding - node.slip);
+    sums.largest_pressure = std::max(sums.largest_pressure, node.pressure);
+    ++sums.nodes;
+  }
+
+
+
+  void
+  Contact::add_forces(double *force) const
+  {
+    for (const auto &[body, k] : share_.all)
+      {
+        const int node = (body == 0 ? rail_ : wheel_).local[k];
+        if (node >= 0)
+          for (int i = 0; i < 3; ++i)
+            force[4 * node + i] += state_[body].f[k][i];
+      }
+  }
+
+
+
+  double
+  Contact::work(const double time_step) const
+  {
+    double work = 0;
+    for (const auto &[body, k] : share_.all)
+      work += dot(state_[body].f[k], state_[body].v_before[k] + state_[body].v[k]);
+    return 0.5 * time_step * work;
+  }
+
+
+
+  std::vector<Contact::Spring>
+  Contact::springs() const
+  {
+    std::vector<Spring> springs;
+    for (int i = window_.rail_first; i < window_.rail_last; ++i)
+      for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
+        {
+          const std::size_t  k    = lattice_.index(i, j);
+          const ContactNode &node = nodes_[k];
+          if (node.pressure <= 0)
+            continue;
+          Spring spring;
+          spring.rail   = k;
+          const auto c  = corners(node);
+          const double xi = node.xi, eta = node.eta;
+          spring.weight    = {(1 - xi) * (1 - eta), xi * (1 - eta), (1 - xi) * eta, xi * eta};
+          spring.wheel     = {unsigned(c[0]), unsigned(c[1]), unsigned(c[2]), unsigned(c[3])};
+          spring.normal    = node.normal;
+          spring.stiffness = law_.stiffness * rail_.area[k];
+          springs.push_back(spring);
+        }
+    return springs;
+  }
+
+
+
+  void
+  Contact::set_shear(const std::size_t node, const Vector3 &shear)
+  {
+    nodes_[node].shear = shear;
+  }
+} // namespace wheelrail

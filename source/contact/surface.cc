@@ -1,0 +1,120 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/contact/surface.h>
+
+#include <cmath>
+#include <set>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// What a rank tells about one lattice node.
+    struct Entry
+    {
+      double        index;
+      double        global_node;
+      double        owner;
+      double        X[3];
+    };
+    constexpr int entry_size = sizeof(Entry) / sizeof(double);
+
+    std::vector<double>
+    gather_all(const std::vector<double> &own, MPI_Comm communicator)
+    {
+      int size, n = own.size();
+      MPI_Comm_size(communicator, &size);
+      std::vector<int> counts(size), begin(size + 1, 0);
+      MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
+      for (int r = 0; r < size; ++r)
+        begin[r + 1] = begin[r] + counts[r];
+      std::vector<double> all(begin[size]);
+      MPI_Allgatherv(own.data(), n, MPI_DOUBLE, all.data(), counts.data(), begin.data(), MPI_DOUBLE, communicator);
+      return all;
+    }
+
+    /// Quarter of the facets around each lattice node.
+    void
+    add_areas(Surface &surface, const Lattice &lattice)
+    {
+      surface.area.assign(surface.reference.size(), 0.);
+      for (unsigned int i = 0; i + 1 < lattice.n_along; ++i)
+        for (unsigned int j = 0; j + 1 < lattice.n_lateral; ++j)
+          {
+            const std::size_t corner[4] = {lattice.index(i, j), lattice.index(i + 1, j), lattice.index(i, j + 1),
+                                           lattice.index(i + 1, j + 1)};
+            const auto       &X = surface.reference;
+            const Vector3     diagonal1 = X[corner[3]] - X[corner[0]], diagonal2 = X[corner[2]] - X[corner[1]];
+            const double      quarter   = norm(cross(diagonal1, diagonal2)) / 8;
+            for (const auto c : corner)
+              surface.area[c] += quarter;
+          }
+    }
+  } // namespace
+
+
+
+  Surface
+  make_surface(const LocalMesh       &mesh,
+               const Body             body,
+               const RunningSurfaces &surfaces,
+               const Lattice         &lattice,
+               MPI_Comm               communicator)
+  {
+    int rank;
+    MPI_Comm_rank(communicator, &rank);
+    Surface           surface;
+    const std::size_t n = std::size_t(lattice.n_along) * lattice.n_lateral;
+    surface.body        = body;
+    surface.reference.resize(n);
+    surface.global_node.resize(n);
+    surface.owner.assign(n, -1);
+    surface.local.assign(n, -1);
+
+    std::vector<double>    own;
+    std::set<unsigned int> done;
+    for (const auto &face : mesh.faces)
+      if (face.body == body && face.mark == Boundary::running && face.finest)
+        for (const unsigned int node : face.nodes)
+          if (done.insert(node).second)
+            {
+              const double *x     = &mesh.reference[4 * node];
+              const Vector3 X     = {x[0], x[1], x[2]};
+              const auto    place = body == Body::rail ? surfaces.rail_place(X) : surfaces.wheel_place(X);
+              const long    i     = std::lround(place.along / lattice.spacing_along) - lattice.first_station;
+              const long    j     = std::lround((place.s - lattice.s_begin) / lattice.spacing_lateral);
+              if (i < 0 || j < 0 || i >= long(lattice.n_along) || j >= long(lattice.n_lateral))
+                continue;
+              const std::size_t k = lattice.index(i, j);
+              surface.local[k]    = node;
+              // several ranks may hold the node: the lowest wins below
+              own.insert(own.end(), {double(k), double(mesh.global_node[node]), double(rank), X[0], X[1], X[2]});
+            }
+    const auto all = gather_all(own, communicator);
+    for (std::size_t e = 0; e < all.size(); e += entry_size)
+      {
+        const std::size_t k = all[e];
+        if (surface.owner[k] >= 0 && surface.owner[k] <= all[e + 2])
+          continue;
+        surface.global_node[k] = all[e + 1];
+        surface.owner[k]       = all[e + 2];
+        surface.reference[k]   = {all[e + 3], all[e + 4], all[e + 5]};
+      }
+    for (std::size_t k = 0; k < n; ++k)
+      if (surface.owner[k] < 0)
+        throw RunError("the fine zone of the " + std::string(body == Body::rail ? "rail" : "wheel") +
+                       " has a hole at station " + std::to_string(k / lattice.n_lateral) + ", row " +
+                       std::to_string(k % lattice.n_lateral) + ": choose another coarse cell size");
+    // a rank may hold a lattice node as a vertex of coarser or other cells only
+    std::vector<std::pair<std::uint32_t, unsigned int>> sorted;
+    for (unsigned int node = 0; node < mesh.n_nodes(); ++node)
+      sorted.emplace_back(mesh.global_node[node], node);
+    std::sort(sorted.begin(), sorted.end());
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        const auto found = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(surface.global_node[k], 0u));
+        surface.local[k] = found != sorted.end() && found->first == surface.global_node[k] ? int(found->second) : -1;
+      }
+    add_areas(surface, lattice);
+    return surface;
+  }
+} // namespace wheelrail

@@ -1,0 +1,219 @@
+#include <wheelrail/dynamics/rolling.h>
+
+#include <chrono>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Adds the seconds between its making and its end to a total.
+    class Stopwatch
+    {
+    public:
+      explicit Stopwatch(double &total)
+        : total_(total)
+        , start_(std::chrono::steady_clock::now())
+      {}
+      ~Stopwatch()
+      {
+        total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+      }
+
+    private:
+      double                               &total_;
+      std::chrono::steady_clock::time_point start_;
+    };
+  } // namespace
+
+
+
+  Rolling::Rolling(Solid       &solid,
+                   Contact     &contact,
+                   Axle        &axle,
+                   const double time_step,
+                   const double bulk_viscosity,
+                   MPI_Comm     communicator)
+    : solid_(solid)
+    , contact_(contact)
+    , axle_(axle)
+    , sum_(solid.mesh, communicator)
+    , time_step_(time_step)
+    , bulk_viscosity_(bulk_viscosity)
+    , communicator_(communicator)
+  {
+    const std::size_t     n_nodes = solid.mesh.n_nodes();
+    AlignedVector<double> fixed(4 * n_nodes, 0.);
+    for (const Boundary mark : {Boundary::foot, Boundary::end, Boundary::bore})
+      for (const unsigned int n : boundary_nodes(solid.mesh, mark))
+        fixed[4 * n] = 1;
+    sum_(fixed.data(), 1);
+    inverse_mass_.assign(n_nodes, 0.);
+    for (unsigned int n = 0; n < n_nodes; ++n)
+      {
+        const double mass = solid.mass[n] + solid.added_mass[n];
+        if (solid.mass[n] > 0 && fixed[4 * n] == 0)
+          inverse_mass_[n] = 1 / mass;
+        if (solid.mesh.node_body[n] == Body::wheel && solid.mass[n] > 0)
+          wheel_nodes_.push_back(n);
+        if (solid.mesh.node_body[n] == Body::wheel && solid.added_mass[n] > 0)
+          added_nodes_.push_back(n);
+      }
+    support_force_.resize(added_nodes_.size());
+  }
+
+
+
+  void
+  Rolling::step(const bool with_energy)
+  {
+    const bool first = steps_ == 0;
+    // 1. internal forces of both bodies; the first call only records the dilatation
+    {
+      Stopwatch           watch(timing_.elements);
+      const BulkViscosity viscosity{first ? 0. : bulk_viscosity_, bulk_viscosity_ > 0 ? time_step_ : 0.};
+      std::fill(solid_.force.begin(), solid_.force.end(), 0.);
+      elements_ = ElementEnergy();
+      for (auto &blocks : solid_.blocks)
+        subtract_internal_force(blocks, solid_.displacement.data(), solid_.force.data(), viscosity, with_energy, elements_);
+      condense(solid_.mesh, solid_.force.data());
+    }
+    // 2. sums over ranks, weight and the support of the added mass
+    {
+      Stopwatch watch(timing_.exchange);
+      sum_(solid_.force.data());
+    }
+    // 3. contact
+    {
+      Stopwatch watch(timing_.contact);
+      const double wheel_ahead = contact_.surfaces().rolling_radius * axle_.pitch_angle() - axle_.travelled();
+      contact_.move_window(axle_.travelled(), wheel_ahead);
+      contact_.gather(solid_.displacement.data(), solid_.velocity.data());
+      sums_ = contact_.evaluate(time_step_);
+      contact_.add_forces(solid_.force.data());
+    }
+    // 4. loads, axle, free nodes
+    Stopwatch watch(timing_.update);
+    add_loads();
+    const double     kinetic_before = with_energy ? kinetic_energy() : 0;
+    const AxleEnergy axle_before    = axle_.energy();
+    const double     support_before = support_work_;
+    axle_.step(solid_, time_step_, first);
+    update_nodes(first);
+    time_ += time_step_;
+    ++steps_;
+    const double weight = first ? 0.5 * time_step_ : time_step_;
+    viscous_ += weight * elements_.viscous_power;
+    friction_ += weight * sums_.friction_power;
+    contact_damping_ += weight * sums_.damping_power;
+    if (with_energy)
+      balance(kinetic_before, axle_before, support_before);
+  }
+
+
+
+  void
+  Rolling::add_loads()
+  {
+    const double g = axle_.data().gravity;
+    for (const unsigned int n : wheel_nodes_)
+      solid_.force[4 * n + 1] -= solid_.mass[n] * g;
+    // the added mass is turned by a force of its own: without it, it would pull at the rim
+    const Vector3 centre = axle_.data().centre + Vector3{0, axle_.height(), axle_.travelled()};
+    const double  rate2  = axle_.pitch_rate() * axle_.pitch_rate();
+    for (std::size_t k = 0; k < added_nodes_.size(); ++k)
+      {
+        const unsigned int n      = added_nodes_[k];
+        const Vector3      arm    = solid_.position(n) - centre;
+        const Vector3      radial = arm - dot(arm, axle_.data().axis) * axle_.data().axis;
+        support_force_[k]         = (-solid_.added_mass[n] * rate2) * radial;
+        for (int i = 0; i < 3; ++i)
+          solid_.force[4 * n + i] += support_force_[k][i];
+      }
+  }
+
+
+
+  void
+  Rolling::update_nodes(const bool first)
+  {
+    const double  kick = first ? time_step_ / 2 : time_step_;
+    double       *v = solid_.velocity.data(), *u = solid_.displacement.data();
+    const double *f = solid_.force.data();
+    // forces work with the mean of the velocities of both half steps
+    for (std::size_t k = 0; k < added_nodes_.size(); ++k)
+      if (const unsigned int n = added_nodes_[k]; solid_.mesh.owned[n])
+        for (int i = 0; i < 3; ++i)
+          support_work_ +=
+            kick * support_force_[k][i] * (v[4 * n + i] + 0.5 * kick * f[4 * n + i] * inverse_mass_[n]);
+
+    const std::size_t n_nodes = solid_.mesh.n_nodes();
+    for (std::size_t n = 0; n < n_nodes; ++n)
+      {
+        const double factor = kick * inverse_mass_[n];
+        const double move   = factor > 0 ? time_step_ : 0.; // tied nodes are placed by the axle
+        for (int i = 0; i < 4; ++i)
+          {
+            v[4 * n + i] += factor * f[4 * n + i];
+            u[4 * n + i] += move * v[4 * n + i];
+          }
+      }
+    distribute(solid_.mesh, u);
+  }
+
+
+
+  double
+  Rolling::kinetic_energy() const
+  {
+    double sum = 0;
+    for (std::size_t n = 0; n < solid_.mesh.n_nodes(); ++n)
+      if (solid_.mesh.owned[n] && inverse_mass_[n] > 0)
+        {
+          const double *v = &solid_.velocity[4 * n];
+          sum += 0.5 / inverse_mass_[n] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        }
+    return sum;
+  }
+
+
+
+  void
+  Rolling::balance(const double kinetic_before, const AxleEnergy &axle_before, const double support_before)
+  {
+    // states belong to the full step, kinetic energy and works to the half steps around it: their means
+    const AxleEnergy axle = axle_.energy();
+    double           sums[6] = {0.5 * (kinetic_before + kinetic_energy()),
+                                elements_.strain,
+                                elements_.stabilisation,
+                                viscous_,
+                                0.5 * (support_before + support_work_),
+                                0};
+    for (const unsigned int n : wheel_nodes_)
+      if (solid_.mesh.owned[n])
+        // the displacement after the step and half a step back
+        sums[5] += solid_.mass[n] * axle_.data().gravity *
+                   (solid_.displacement[4 * n + 1] - time_step_ * solid_.velocity[4 * n + 1]);
+    MPI_Allreduce(MPI_IN_PLACE, sums, 6, MPI_DOUBLE, MPI_SUM, communicator_);
+    energy_.kinetic         = sums[0] + 0.5 * (axle_before.kinetic + axle.kinetic);
+    energy_.strain          = sums[1];
+    energy_.stabilisation   = sums[2];
+    energy_.viscous         = sums[3];
+    energy_.support_work    = sums[4];
+    energy_.potential       = sums[5] + axle_before.potential;
+    energy_.contact         = sums_.stored_energy;
+    energy_.friction        = friction_;
+    energy_.contact_damping = contact_damping_;
+    energy_.suspension      = 0.5 * (axle_before.damped + axle.damped);
+    energy_.torque_work     = 0.5 * (axle_before.torque_work + axle.torque_work);
+    energy_.hold_work       = 0.5 * (axle_before.hold_work + axle.hold_work);
+    const double total = energy_.kinetic + energy_.strain + energy_.stabilisation + energy_.potential +
+                         energy_.contact + energy_.dissipated() - energy_.torque_work - energy_.hold_work -
+                         energy_.support_work;
+    if (!balance_started_)
+      energy_.start = total;
+    balance_started_ = true;
+    energy_.residual = total - energy_.start;
+    energy_.error    = std::abs(energy_.residual) / (energy_.strain + energy_.dissipated());
+  }
+} // namespace wheelrail

@@ -1,0 +1,383 @@
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+#include <deal.II/numerics/vector_tools.h>
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/dynamics/start_tractions.h>
+#include <wheelrail/dynamics/static_start.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+    /// Stiffness of both bodies with the contact springs of the moment.
+    struct LoadedStiffness
+    {
+      const dealii::TrilinosWrappers::SparseMatrix &matrix;
+      const Contact                                &contact;
+      const std::vector<Contact::Spring>           &springs;
+      const dealii::IndexSet                       &owned;
+      MPI_Comm                                      communicator;
+
+      void
+      vmult(Vector &dst, const Vector &src) const
+      {
+        matrix.vmult(dst, src);
+        // relative motion at every spring: each rank adds the dofs that it owns
+        const auto          dof = [](const Surface &s, unsigned int k) { return 3 * s.global_node[k]; };
+        std::vector<double> closing(springs.size(), 0.);
+        for (std::size_t q = 0; q < springs.size(); ++q)
+          {
+            const auto &spring = springs[q];
+            const auto  add_node = [&](const Surface &surface, unsigned int k, double weight) {
+              const auto d = dof(surface, k);
+              if (owned.is_element(d))
+                for (unsigned int i = 0; i < 3; ++i)
+                  closing[q] += weight * spring.normal[i] * src(d + i);
+            };
+            add_node(contact.rail(), spring.rail, 1);
+            for (int m = 0; m < 4; ++m)
+              add_node(contact.wheel(), spring.wheel[m], -spring.weight[m]);
+          }
+        MPI_Allreduce(MPI_IN_PLACE, closing.data(), closing.size(), MPI_DOUBLE, MPI_SUM, communicator);
+        for (std::size_t q = 0; q < springs.size(); ++q)
+          {
+            const auto &spring   = springs[q];
+            const auto  add_node = [&](const Surface &surface, unsigned int k, double weight) {
+              const auto d = dof(surface, k);
+              if (owned.is_element(d))
+                for (unsigned int i = 0; i < 3; ++i)
+                  dst(d + i) += weight * spring.stiffness * closing[q] * spring.normal[i];
+            };
+            add_node(contact.rail(), spring.rail, 1);
+            for (int m = 0; m < 4; ++m)
+              add_node(contact.wheel(), spring.wheel[m], -spring.weight[m]);
+          }
+        dst.compress(dealii::VectorOperation::add);
+      }
+    };
+
+    /// The linear system of one static start.
+    class StaticSystem
+    {
+    public:
+      StaticSystem(const Forest &forest, const Solid &solid)
+        : forest_(forest)
+        , owned_(forest.dofs().locally_owned_dofs())
+      {
+        make_constraints();
+        assemble(solid);
+        make_preconditioner();
+      }
+
+      Vector
+      owned_vector() const
+      {
+        return Vector(owned_, forest_.communicator());
+      }
+
+      /// Local nodal forces, already summed over ranks, as a right-hand side.
+      Vector
+      to_dofs(const LocalMesh &mesh, const AlignedVector<double> &nodal) const
+      {
+        Vector vector = owned_vector();
+        for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+          {
+            const auto dof = 3 * mesh.global_node[n];
+            if (owned_.is_element(dof))
+              for (unsigned int i = 0; i < 3; ++i)
+                vector(dof + i) = constraints_.is_constrained(dof + i) ? 0. : nodal[4 * n + i];
+          }
+        vector.compress(dealii::VectorOperation::insert);
+        return vector;
+      }
+
+      /// Adds factor x (increment + constraints, bore raised by `lift`) to the nodal values.
+      void
+      add_to_nodes(const LocalMesh &mesh, const Vector &increment, const double lift, AlignedVector<double> &nodal) const
+      {
+        Vector ghosted(owned_, forest_.relevant_dofs(), forest_.communicator());
+        ghosted = increment;
+        for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+          for (unsigned int i = 0; i < 3; ++i)
+            {
+              const auto dof = 3 * mesh.global_node[n] + i;
+              if (!constraints_.is_constrained(dof))
+                nodal[4 * n + i] += ghosted(dof);
+              else if (constraints_.is_inhomogeneously_constrained(dof))
+                nodal[4 * n + i] += lift;
+            }
+        distribute(mesh, nodal.data());
+      }
+
+      /// Solves with the springs; returns the CG steps.
+      unsigned int
+      solve(const Contact &contact, const std::vector<Contact::Spring> &springs, const Vector &rhs, Vector &x,
+            const double tolerance) const
+      {
+        const LoadedStiffness     A{matrix_, contact, springs, owned_, forest_.communicator()};
+        dealii::SolverControl     control(2000, tolerance * rhs.l2_norm() + 1e-300);
+        dealii::SolverCG<Vector>  cg(control);
+        try
+          {
+            cg.solve(A, x, rhs, preconditioner_);
+          }
+        catch (const dealii::SolverControl::NoConvergence &)
+          {
+            throw RunError("the static start did not converge: conjugate gradients stopped after 2000 steps; "
+                           "look at the mesh quality in the log, or lower Contact/Penalty scale");
+          }
+        return control.last_step();
+      }
+
+      /// Forces that hold the bodies when the bore is raised by 1 m.
+      const Vector &
+      lift_load() const
+      {
+        return lift_load_;
+      }
+
+    private:
+      void
+      make_constraints()
+      {
+        constraints_.reinit(forest_.relevant_dofs());
+        constraints_.merge(forest_.constraints(), dealii::AffineConstraints<double>::no_conflicts_allowed, true);
+        const dealii::Functions::ZeroFunction<3>     zero(3);
+        const dealii::Functions::ConstantFunction<3> raised(std::vector<double>{0., 1., 0.});
+        for (const Boundary mark : {Boundary::foot, Boundary::end})
+          dealii::VectorTools::interpolate_boundary_values(forest_.dofs(), static_cast<unsigned int>(mark), zero, constraints_);
+        dealii::VectorTools::interpolate_boundary_values(forest_.dofs(), static_cast<unsigned int>(Boundary::bore), raised,
+                                                         constraints_);
+        constraints_.close();
+      }
+
+      void
+      assemble(const Solid &solid)
+      {
+        dealii::DynamicSparsityPattern pattern(forest_.relevant_dofs());
+        dealii::DoFTools::make_sparsity_pattern(forest_.dofs(), pattern, constraints_, false);
+        dealii::SparsityTools::distribute_sparsity_pattern(pattern, owned_, forest_.communicator(), forest_.relevant_dofs());
+        matrix_.reinit(owned_, owned_, pattern, forest_.communicator());
+        lift_load_ = owned_vector();
+
+        dealii::FullMatrix<double>                   K(24, 24);
+        dealii::Vector<double>                       zero(24);
+        std::vector<dealii::types::global_dof_index> dofs(24);
+        std::size_t                                  c = 0;
+        for (const auto &cell : forest_.dofs().active_cell_iterators())
+          if (cell->is_locally_owned())
+            {
+              std::array<Vector3, 8> X;
+              for (int a = 0; a < 8; ++a)
+                for (int i = 0; i < 3; ++i)
+                  X[a][i] = solid.mesh.reference[4 * solid.mesh.cells[c][a] + i];
+              const auto k = element_stiffness(element_geometry(X),
+                                               solid.blocks[static_cast<int>(solid.mesh.cell_body[c])].material);
+              K.fill(k.data());
+              cell->get_dof_indices(dofs);
+              constraints_.distribute_local_to_global(K, zero, dofs, matrix_, lift_load_, true);
+              ++c;
+            }
+        matrix_.compress(dealii::VectorOperation::add);
+        lift_load_.compress(dealii::VectorOperation::add);
+        // unknowns of the increments at constrained dofs stay zero
+        for (const auto dof : owned_)
+          if (constraints_.is_constrained(dof))
+            lift_load_(dof) = 0;
+        lift_load_.compress(dealii::VectorOperation::insert);
+      }
+
+      void
+      make_preconditioner()
+      {
+        dealii::TrilinosWrappers::PreconditionAMG::AdditionalData data;
+        dealii::DoFTools::extract_constant_modes(forest_.dofs(), dealii::ComponentMask(), data.constant_modes);
+        data.elliptic              = true;
+        data.smoother_sweeps       = 2;
+        data.aggregation_threshold = 0.02;
+        preconditioner_.initialize(matrix_, data);
+      }
+
+      const Forest                               &forest_;
+      dealii::IndexSet                            owned_;
+      dealii::AffineConstraints<double>           constraints_;
+      dealii::TrilinosWrappers::SparseMatrix      matrix_;
+      dealii::TrilinosWrappers::PreconditionAMG   preconditioner_;
+      Vector                                      lift_load_;
+    };
+
+    /// Weight and centrifugal load of the wheel, per node.
+    void
+    add_wheel_loads(const Solid &solid, const AxleData &axle, const double rate, AlignedVector<double> &force)
+    {
+      for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+        if (solid.mesh.node_body[n] == Body::wheel)
+          {
+            const double *X      = &solid.mesh.reference[4 * n];
+            const Vector3 arm    = Vector3{X[0], X[1], X[2]} - axle.centre;
+            const Vector3 radial = arm - dot(arm, axle.axis) * axle.axis;
+            for (int i = 0; i < 3; ++i)
+              force[4 * n + i] += solid.mass[n] * rate * rate * radial[i];
+            force[4 * n + 1] -= solid.mass[n] * axle.gravity;
+          }
+    }
+
+    /// Contact, internal and external forces of the present displacement, condensed and summed.
+    AlignedVector<double>
+    out_of_balance(Solid &solid, Contact &contact, SharedSum &sum, const AxleData &axle, const double rate, ContactSums &sums)
+    {
+      AlignedVector<double> force(solid.force.size(), 0.);
+      ElementEnergy         ignored;
+      for (auto &blocks : solid.blocks)
+        subtract_internal_force(blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
+      condense(solid.mesh, force.data());
+      sum(force.data());
+      add_wheel_loads(solid, axle, rate, force);
+      contact.gather(solid.displacement.data(), solid.velocity.data());
+      sums = contact.evaluate(0);
+      contact.add_forces(force.data());
+      return force;
+    }
+
+    /// Vertical contact force on the wheel that the springs lose in an increment.
+    double
+    vertical_change(const Contact &contact, const std::vector<Contact::Spring> &springs, const Vector &increment,
+                    const dealii::IndexSet &owned, MPI_Comm communicator)
+    {
+      double change = 0;
+      for (const auto &spring : springs)
+        {
+          double     opening  = 0;
+          const auto add_node = [&](const Surface &surface, unsigned int k, double weight) {
+            const auto d = 3 * surface.global_node[k];
+            if (owned.is_element(d))
+              for (unsigned int i = 0; i < 3; ++i)
+                opening += weight * spring.normal[i] * increment(d + i);
+          };
+          add_node(contact.rail(), spring.rail, -1);
+          for (int m = 0; m < 4; ++m)
+            add_node(contact.wheel(), spring.wheel[m], spring.weight[m]);
+          change -= spring.stiffness * opening * spring.normal[1];
+        }
+      MPI_Allreduce(MPI_IN_PLACE, &change, 1, MPI_DOUBLE, MPI_SUM, communicator);
+      return change;
+    }
+  } // namespace
+
+
+
+  StaticResult
+  static_start(const Forest                           &forest,
+               Solid                                  &solid,
+               Contact                                &contact,
+               const StaticLoads                      &loads,
+               const std::function<void(std::string)> &report)
+  {
+    MPI_Comm     communicator = forest.communicator();
+    SharedSum    sum(solid.mesh, communicator);
+    StaticResult result;
+    result.wheel_load = (loads.axle.sprung_mass + loads.axle.mass +
+                         mass_properties(solid, Body::wheel, loads.axle.centre, communicator).mass) *
+                        loads.axle.gravity;
+
+    report("static start: assembling the stiffness");
+    const StaticSystem system(forest, solid);
+    const auto        &owned = forest.dofs().locally_owned_dofs();
+
+    // begin with the bodies pressed into each other rigidly
+    Vector increment = system.owned_vector(), lifted = system.owned_vector();
+    result.lift      = -loads.first_approach;
+    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      if (solid.mesh.node_body[n] == Body::wheel)
+        solid.displacement[4 * n + 1] = result.lift;
+
+    double rate     = loads.axle.velocity / loads.rolling_radius;
+    bool   sheared  = contact.law().friction == 0;
+    for (int step = 0; step < 40; ++step)
+      {
+        ContactSums sums;
+        auto        force = out_of_balance(solid, contact, sum, loads.axle, rate, sums);
+        if (sums.nodes == 0)
+          throw RunError("the static start lost the contact between wheel and rail; give a smaller first approach");
+        const Vector residual = system.to_dofs(solid.mesh, force);
+        result.residual       = residual.linfty_norm() / result.wheel_load;
+        result.contact_force  = sums.force;
+        result.newton_steps   = step;
+        const double missing  = result.wheel_load - sums.force[1];
+        if (result.residual < 2e-7 && std::abs(missing) < 1e-5 * result.wheel_load)
+          {
+            if (sheared)
+              break;
+            // normal contact has settled: add the shear tractions and go on
+            const double G        = solid.blocks[0].material.shear_modulus();
+            const auto   tractions = loads.rate_held ?
+                                       start_tractions_at_creepage(contact, loads.creepage, G) :
+                                       start_tractions(contact, loads.traction_coefficient * result.wheel_load, G);
+            for (std::size_t k = 0; k < tractions.along.size(); ++k)
+              contact.set_shear(k, {0, 0, tractions.along[k]});
+            result.creepage = tractions.creepage;
+            rate            = loads.axle.velocity / loads.rolling_radius * (1 + result.creepage);
+            sheared         = true;
+            continue;
+          }
+        if (step == 39)
+          throw RunError("the static start did not converge: after 40 steps " + std::to_string(missing) +
+                         " N of the wheel load are missing; lower Contact/Penalty scale or refine the mesh");
+
+        const auto springs = contact.springs();
+        increment          = 0;
+        result.cg_steps += system.solve(contact, springs, residual, increment, 1e-4);
+        result.cg_steps += system.solve(contact, springs, system.lift_load(), lifted, 1e-4);
+        // the lift that restores the vertical balance
+        const double by_increment = vertical_change(contact, springs, increment, owned, communicator);
+        const double by_lift      = vertical_change(contact, springs, lifted, owned, communicator);
+        const double lift         = (missing - by_increment) / by_lift;
+        increment.add(lift, lifted);
+        system.add_to_nodes(solid.mesh, increment, lift, solid.displacement);
+        result.lift += lift;
+      }
+    if (contact.law().friction == 0)
+      result.creepage = 0;
+    return result;
+  }
+
+
+
+  void
+  rolling_velocities(Solid &solid, const AxleData &axle, const double pitch_rate, MPI_Comm communicator)
+  {
+    const auto gradient = nodal_gradient(solid, communicator);
+    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      {
+        const double *H = &gradient[9 * n], *X = &solid.mesh.reference[4 * n];
+        double       *v = &solid.velocity[4 * n];
+        if (solid.mesh.node_body[n] == Body::wheel)
+          {
+            const Vector3 arm = Vector3{X[0], X[1], X[2]} - axle.centre;
+            const Vector3 w   = pitch_rate * cross(axle.axis, arm);
+            for (int i = 0; i < 3; ++i)
+              v[i] = w[i] + H[3 * i] * w[0] + H[3 * i + 1] * w[1] + H[3 * i + 2] * w[2];
+            v[2] += axle.velocity;
+          }
+        else
+          for (int i = 0; i < 3; ++i)
+            v[i] = -axle.velocity * H[3 * i + 2];
+      }
+    for (const Boundary mark : {Boundary::foot, Boundary::end})
+      for (const unsigned int n : boundary_nodes(solid.mesh, mark))
+        for (int i = 0; i < 3; ++i)
+          solid.velocity[4 * n + i] = 0;
+    distribute(solid.mesh, solid.velocity.data());
+  }
+} // namespace wheelrail

@@ -1,0 +1,302 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/contact_geometry.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A local minimum of the vertical gap between wheel and rail.
+    struct GapMinimum
+    {
+      double X      = 0;     ///< in the track plane [m]
+      double gap    = 0;     ///< [m], with the axle at the height of the nominal radius
+      bool   smooth = false; ///< wheel and rail have a common tangent there
+    };
+
+    /// What stays the same for all shifts and rolls.
+    struct Pair
+    {
+      const RailProfile     &rail;
+      const WheelProfile    &wheel;
+      const TrackDimensions &track;
+      Placement              rail_placement;
+      FrameProfile           rail_heights;
+      double                 flank_end; ///< last parameter of the tread before the rounded top of the flange
+    };
+
+    // Steeper parts than this are not sought: they would touch sideways, not when lowered.
+    constexpr double steepest_slope = 20;
+
+    /// The last parameter of the tread, going down the flange, with a slope of 45 degrees or more:
+    /// beyond it the wheel has climbed and stands on its flange.
+    double
+    find_flank_end(const Curve &tread)
+    {
+      const int n      = 64 * static_cast<int>(tread.segments().size());
+      double    lowest = std::numeric_limits<double>::max(), found = 0, candidate = 0;
+      for (int i = 0; i <= n; ++i)
+      {
+        const double     t = tread.parameter_end() * i / n;
+        const CurvePoint p = tread.at(t);
+        if (p.position.x > 0 || p.tangent.x >= 0)
+          continue;
+        if (p.tangent.y / p.tangent.x >= 1)
+          candidate = t;
+        if (p.position.y < lowest)
+        {
+          lowest = p.position.y;
+          found  = candidate;
+        }
+      }
+      return found;
+    }
+
+    std::vector<GapMinimum>
+    gap_minima(const FrameProfile &wheel, const FrameProfile &rail)
+    {
+      const double low = std::max(wheel.s_min(), rail.s_min()), high = std::min(wheel.s_max(), rail.s_max());
+      std::vector<double> points = {low, high};
+      for (const FrameProfile *profile : {&wheel, &rail})
+        for (const double s : profile->joints())
+          if (s > low && s < high)
+            points.push_back(s);
+      const int n = static_cast<int>(std::ceil((high - low) / 2e-4));
+      for (int i = 1; i < n; ++i)
+        points.push_back(low + (high - low) * i / n);
+      std::sort(points.begin(), points.end());
+
+      const auto slope = [&](const double X) { return wheel.at(X).slope - rail.at(X).slope; };
+      const auto entry = [&](const double X) {
+        return GapMinimum{X, undeformed_distance(wheel, rail, X), std::abs(slope(X)) < 1e-3};
+      };
+
+      std::vector<GapMinimum> minima;
+      bool                    rising = slope(low) > 0;
+      if (rising)
+        minima.push_back(entry(low));
+      for (std::size_t i = 1; i < points.size(); ++i)
+      {
+        const bool now = slope(points[i]) > 0;
+        if (now && !rising)
+        {
+          double a = points[i - 1], b = points[i];
+          for (double m = 0.5 * (a + b); m > a && m < b; m = 0.5 * (a + b))
+            (slope(m) > 0 ? b : a) = m;
+          minima.push_back(entry(a));
+        }
+        rising = now;
+      }
+      if (!rising)
+        minima.push_back(entry(high));
+      std::sort(minima.begin(), minima.end(), [](const auto &a, const auto &b) { return a.gap < b.gap; });
+      return minima;
+    }
+
+    /// All local minima of the gap, lowest first, with the axle at the height of the nominal
+    /// radius; none when tread and rail head are not above each other.
+    std::vector<GapMinimum>
+    minima_at(const Pair &pair, const double shift, const double roll)
+    {
+      const Placement wheel = place_wheel(pair.track, shift, roll, pair.track.nominal_radius);
+      const auto     &zones = pair.wheel.tread.segments();
+      const double    first = wheel.to_track(zones.front().start).x;
+      const double    last  = wheel.to_track(zones.back().end).x;
+      // A margin for the last, vertical micrometres of the flange back, which are left out.
+      if (first > -5e-3 || last < 5e-3)
+        return {};
+      return gap_minima(FrameProfile(pair.wheel.tread, wheel, ContactFrame(), steepest_slope),
+                        pair.rail_heights);
+    }
+
+    /// Height of the axle's middle above Y = 0 when the wheel touches.
+    std::optional<double>
+    axle_height(const Pair &pair, const double shift, const double roll)
+    {
+      const auto minima = minima_at(pair, shift, roll);
+      if (minima.empty())
+        return {};
+      return pair.track.nominal_radius - minima.front().gap;
+    }
+
+    /// The roll at which both wheels touch: root of the difference of the two axle heights, which
+    /// grows with the roll by about the distance of the running circles.
+    std::optional<double>
+    roll_from_contact(const Pair &pair, const double shift)
+    {
+      const auto difference = [&](const double roll) -> std::optional<double>
+      {
+        const auto a = axle_height(pair, shift, roll), b = axle_height(pair, -shift, -roll);
+        if (!a || !b)
+          return {};
+        return *a - *b;
+      };
+
+      double     low = 0, high = 0;
+      const auto at_zero = difference(0);
+      if (!at_zero)
+        return {};
+      if (*at_zero == 0)
+        return 0.;
+      double f_low = *at_zero, f_high = *at_zero;
+      for (double step = 1e-4; f_low > 0 || f_high < 0; step *= 2)
+      {
+        if (step > 0.05)
+          return {};
+        double    &end   = *at_zero > 0 ? low : high;
+        const auto value = difference(*at_zero > 0 ? end - step : end + step);
+        if (!value)
+          return {};
+        (*at_zero > 0 ? high : low)     = end;
+        (*at_zero > 0 ? f_high : f_low) = *at_zero > 0 ? f_low : f_high;
+        end += *at_zero > 0 ? -step : step;
+        (*at_zero > 0 ? f_low : f_high) = *value;
+      }
+
+      // Illinois variant of the false position, which keeps the bracket.
+      for (int i = 0; i < 100 && high - low > 1e-16; ++i)
+      {
+        double middle = high - f_high * (high - low) / (f_high - f_low);
+        if (!(middle > low && middle < high))
+          middle = 0.5 * (low + high);
+        const auto value = difference(middle);
+        if (!value)
+          return {};
+        if (std::abs(*value) < 1e-17 || middle == low || middle == high)
+          return middle;
+        if (*value > 0)
+        {
+          high   = middle;
+          f_high = *value;
+          f_low *= 0.5;
+        }
+        else
+        {
+          low   = middle;
+          f_low = *value;
+          f_high *= 0.5;
+        }
+      }
+      return 0.5 * (low + high);
+    }
+
+    /// Fills the contact of one wheel; returns why there is none, or an empty text.
+    std::string
+    touch(const Pair &pair, const double shift, const double roll, ContactGeometry &contact)
+    {
+      const auto minima = minima_at(pair, shift, roll);
+      if (minima.empty())
+        return "the tread and the rail head do not lie above each other";
+      const GapMinimum &first = minima.front();
+
+      contact.lateral_shift = shift;
+      contact.roll          = roll;
+      contact.rail          = pair.rail_placement;
+      contact.wheel         = place_wheel(pair.track, shift, roll, pair.track.nominal_radius - first.gap);
+      contact.axle          = contact.wheel.to_track({0, pair.track.nominal_radius});
+
+      const FrameProfile wheel_heights(pair.wheel.tread, contact.wheel, ContactFrame(), steepest_slope);
+      const double wheel_t = wheel_heights.parameter(first.X), rail_t = pair.rail_heights.parameter(first.X);
+      if (wheel_t > pair.flank_end + 1e-6)
+        return "the flange stands on the rail";
+      if (!first.smooth)
+        return "the wheel rests on an edge of its profile or of the rail head";
+
+      const CurvePoint          on_wheel = pair.wheel.tread.at(wheel_t), on_rail = pair.rail.head.at(rail_t);
+      const FrameProfile::Value height = pair.rail_heights.at(first.X);
+      contact.frame                    = {{first.X, height.n}, std::atan(height.slope)};
+      contact.rail_x                   = on_rail.position.x;
+      contact.rail_y                   = on_rail.position.y;
+      contact.wheel_x                  = on_wheel.position.x;
+      contact.wheel_y                  = on_wheel.position.y;
+      contact.angle                    = -contact.frame.angle;
+      contact.rolling_radius           = pair.track.nominal_radius - contact.wheel_y;
+      contact.rail_curvature           = on_rail.curvature;
+      contact.wheel_curvature          = -on_wheel.curvature; // the wheel's steel lies to the right
+      contact.rail_segment             = pair.rail.head.segments()[on_rail.segment].name;
+      contact.wheel_segment            = pair.wheel.tread.segments()[on_wheel.segment].name;
+
+      contact.second_gap = -1;
+      for (std::size_t i = 1; i < minima.size() && contact.second_gap < 0; ++i)
+        if (minima[i].smooth)
+        {
+          contact.second_gap    = minima[i].gap - first.gap;
+          contact.second_rail_x = pair.rail.head.at(pair.rail_heights.parameter(minima[i].X)).position.x;
+        }
+      return "";
+    }
+
+    std::string
+    try_contact(const Pair &pair, const double shift, const RollMode mode, ContactGeometry &contact)
+    {
+      std::optional<double> roll = 0.;
+      if (mode == RollMode::from_contact)
+        roll = roll_from_contact(pair, shift);
+      if (!roll)
+        return "no roll of the wheelset lets both wheels touch their rails";
+      ContactGeometry   other;
+      const std::string here = touch(pair, shift, *roll, contact), there = touch(pair, -shift, -*roll, other);
+      if (!here.empty() || there.empty())
+        return here;
+      return "at the other wheel of the wheelset (shift of opposite sign) " + there;
+    }
+
+    /// The largest shift of one sign, to 0.1 mm, up to which there is contact from zero on; or
+    /// nothing.
+    std::optional<double>
+    last_possible(const Pair &pair, const RollMode mode, const double sign)
+    {
+      ContactGeometry ignored;
+      const auto      possible = [&](const int tenths)
+      { return try_contact(pair, sign * 1e-4 * tenths, mode, ignored).empty(); };
+      int good = 0, bad = 20;
+      if (!possible(good))
+        return {};
+      for (; bad < 600 && possible(bad); bad += 20)
+        good = bad;
+      while (bad - good > 1)
+        (possible((good + bad) / 2) ? good : bad) = (good + bad) / 2;
+      return sign * 1e-4 * good;
+    }
+  } // namespace
+
+
+  ContactGeometry
+  find_contact(const RailProfile     &rail,
+               const WheelProfile    &wheel,
+               const TrackDimensions &track,
+               const double           lateral_shift,
+               const RollMode         roll)
+  {
+    const Placement placed = place_rail(rail, track);
+    const Pair      pair{rail,
+                    wheel,
+                    track,
+                    placed,
+                    FrameProfile(rail.head, placed, ContactFrame(), steepest_slope),
+                    find_flank_end(wheel.tread)};
+
+    ContactGeometry   contact;
+    const std::string reason = std::isfinite(lateral_shift) ? try_contact(pair, lateral_shift, roll, contact)
+                                                            : "the shift is not a finite number";
+    if (reason.empty())
+      return contact;
+
+    std::ostringstream text;
+    text << "Wheel '" << wheel.name << "' and rail '" << rail.name
+         << "' have no contact point at a lateral shift of " << 1e3 * lateral_shift << " mm: " << reason
+         << ". ";
+    const auto most = last_possible(pair, roll, 1.), least = last_possible(pair, roll, -1.);
+    if (most && least)
+      text << "With this track, shifts from " << 1e3 * *least << " to " << 1e3 * *most
+           << " mm are possible; set Wheelset/Lateral shift within them.";
+    else
+      text << "Not even the centred wheelset has one; check Track/Gauge, Wheelset/Flange back distance and "
+              "the profiles.";
+    throw InputError(text.str());
+  }
+} // namespace wheelrail

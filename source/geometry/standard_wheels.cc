@@ -1,0 +1,109 @@
+#include <wheelrail/geometry/standard_wheels.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  namespace
+  {
+    // Dimensions in this file are those of the standard, in millimetres: F(x) is the radius
+    // increment, positive downwards, x is positive to the field side.
+
+    /// Zone F(x) = sum c_i x^i, run from the field side to the flange; a line when only c_0, c_1.
+    Segment
+    polynomial_zone(const char *name, const double x_start, const double x_end, const std::vector<double> &c)
+    {
+      Segment g;
+      g.name       = name;
+      g.kind       = c.size() > 2 ? Segment::Kind::polynomial : Segment::Kind::line;
+      double scale = 1e-3; // y[m] = -1e-3 F(1e3 x[m])
+      for (const double ci : c)
+      {
+        g.coefficients.push_back(-scale * ci);
+        scale *= 1e3;
+      }
+      g.start = {1e-3 * x_start, evaluate_polynomial(g.coefficients, 1e-3 * x_start).value};
+      g.end   = {1e-3 * x_end, evaluate_polynomial(g.coefficients, 1e-3 * x_end).value};
+      if (g.kind == Segment::Kind::line)
+        g.coefficients.clear();
+      return g;
+    }
+
+    /// Zone F(x) = zc + sign sqrt(R^2 - (x - xc)^2): sign +1 is the convex lower half of a circle
+    /// in the y-up frame, -1 the concave upper half.
+    Segment
+    arc_zone(const char  *name,
+             const double x_start,
+             const double x_end,
+             const double xc,
+             const double zc,
+             const double R,
+             const int    sign)
+    {
+      Segment g;
+      g.name           = name;
+      g.kind           = Segment::Kind::arc;
+      g.centre         = {1e-3 * xc, -1e-3 * zc};
+      g.radius         = 1e-3 * R;
+      const auto polar = [&](const double x) { return -sign * std::acos(std::clamp((x - xc) / R, -1., 1.)); };
+      g.angle_start    = polar(x_start);
+      g.angle_end      = polar(x_end);
+      const auto point = [&g](const double a) {
+        return g.centre + g.radius * Point2{std::cos(a), std::sin(a)};
+      };
+      g.start = point(g.angle_start);
+      g.end   = point(g.angle_end);
+      return g;
+    }
+  } // namespace
+
+
+  WheelProfile
+  wheel_S1002()
+  {
+    // Ends of the zones, from the field side of the tread to the flange back.
+    const double x_A = 60, x_B = 32.15796, x_C = -26, x_D = -35, x_E = -38.426669071, x_F = -39.764473993,
+                 x_G = -49.662510381, x_H = -62.764705882, x_back = -70;
+
+    const Segment tread_end = polynomial_zone("A", x_A, x_B, {1.364323640, -0.066666667});
+
+    Segment chamfer;
+    chamfer.name  = "chamfer 5 x 5";
+    chamfer.start = tread_end.start + Point2{5e-3, 5e-3};
+    chamfer.end   = tread_end.start;
+
+    WheelProfile wheel;
+    wheel.name  = "S1002";
+    wheel.tread = Curve({chamfer,
+                         tread_end,
+                         polynomial_zone("B",
+                                         x_B,
+                                         x_C,
+                                         {0,
+                                          -0.03358537058,
+                                          0.001565681624,
+                                          -2.810427944e-5,
+                                          5.844240864e-8,
+                                          -1.562379023e-8,
+                                          5.309217349e-15,
+                                          -5.957839843e-12,
+                                          2.646656573e-13}),
+                         polynomial_zone("C",
+                                         x_C,
+                                         x_D,
+                                         {-4320.221063,
+                                          -1038.384026,
+                                          -106.5501873,
+                                          -6.051367875,
+                                          -0.2054332446,
+                                          -0.004169739389,
+                                          -4.687195829e-5,
+                                          -2.25275554e-7}),
+                         arc_zone("D", x_D, x_E, -26.210665, 16.446, 13, -1),
+                         polynomial_zone("E", x_E, x_F, {-93.576667419, -2.747477419}),
+                         arc_zone("F", x_F, x_G, -58.558326413, 8.834924130, 20, 1),
+                         arc_zone("G", x_G, x_H, -55, 16, 12, 1),
+                         arc_zone("H", x_H, x_back, -49.5, 9.519259302, 20.5, 1)});
+    return wheel;
+  }
+} // namespace wheelrail

@@ -1,0 +1,91 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/mesh/fine_strip.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  namespace
+  {
+    // Last s on the way from 0 to `end` before the profile gets too steep.
+    double
+    steep_from(const FrameProfile &profile, const double end, const double max_slope)
+    {
+      const unsigned int n = 2000;
+      for (unsigned int i = 1; i <= n; ++i)
+        if (std::abs(profile.at(end * i / n).slope) >= max_slope)
+        {
+          double good = end * (i - 1) / n, bad = end * i / n;
+          for (unsigned int step = 0; step < 50; ++step)
+          {
+            const double middle                                           = 0.5 * (good + bad);
+            (std::abs(profile.at(middle).slope) < max_slope ? good : bad) = middle;
+          }
+          return good;
+        }
+      return end;
+    }
+
+    void
+    require(const bool good, const std::string &what, const double value)
+    {
+      if (!good)
+        throw InputError("The fine strip cannot be laid out with " + what + " = " +
+                         std::to_string(value * 1000) + " mm: a positive length is needed.");
+    }
+  } // namespace
+
+
+  Range
+  strip_limits(const FrameProfile &wheel, const FrameProfile &rail, const double max_slope)
+  {
+    return {std::max(steep_from(wheel, wheel.s_min(), max_slope), steep_from(rail, rail.s_min(), max_slope)),
+            std::min(steep_from(wheel, wheel.s_max(), max_slope), steep_from(rail, rail.s_max(), max_slope))};
+  }
+
+
+  FineStrip
+  make_fine_strip(const ContactGeometry &contact,
+                  const FrameProfile    &wheel,
+                  const FrameProfile    &rail,
+                  const double           approach,
+                  const double           margin,
+                  const double           block_size)
+  {
+    require(approach > 0, "an approach", approach);
+    require(margin >= 0, "a margin", margin);
+    require(block_size > 0, "a block size", block_size);
+
+    const std::vector<Range> parts = interpenetration(wheel, rail, approach);
+    Range                    hull;
+    for (const Range &range : parts)
+    {
+      hull.s0 = std::min(hull.s0, range.s0);
+      hull.s1 = std::max(hull.s1, range.s1);
+    }
+    hull.s0 -= margin;
+    hull.s1 += margin;
+
+    const double blocks = std::max(1., std::ceil((hull.s1 - hull.s0) / block_size - 1e-9));
+    const double middle = 0.5 * (hull.s0 + hull.s1);
+    const Range  limits = strip_limits(wheel, rail);
+    const Range  strip{std::max(limits.s0, middle - 0.5 * blocks * block_size),
+                      std::min(limits.s1, middle + 0.5 * blocks * block_size)};
+    if (!(strip.s1 - strip.s0 > 0.1 * block_size))
+      throw InputError(
+        "Wheel and rail are too steep at the contact point for a strip of fine cells: only " +
+        std::to_string((strip.s1 - strip.s0) * 1000) + " mm are left of " +
+        std::to_string(blocks * block_size * 1000) +
+        " mm. Choose a lateral shift without contact on the flange face, or a smaller cell size.");
+
+    // a block a quarter wider than wanted is better than two that are nearly half as wide: narrow
+    // cells cut the stable time step
+    const double       width = strip.s1 - strip.s0;
+    const unsigned int count = std::max(1., std::ceil(width / block_size - 0.25));
+
+    FineStrip result{contact.frame, {}};
+    for (unsigned int i = 0; i <= count; ++i)
+      result.s.push_back(strip.s0 + width * i / count);
+    return result;
+  }
+} // namespace wheelrail

@@ -1,0 +1,157 @@
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_accessor.h>
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/mesh/forest.h>
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Gives local numbers to global nodes in the order of their first use.
+    struct NodeNumbers
+    {
+      std::unordered_map<std::uint32_t, unsigned int> local;
+      std::vector<std::uint32_t>                      global;
+
+      unsigned int
+      operator()(const std::uint32_t node)
+      {
+        const auto [entry, fresh] = local.try_emplace(node, global.size());
+        if (fresh)
+          global.push_back(node);
+        return entry->second;
+      }
+    };
+
+    /// Finds the nodes that several ranks hold and the lowest rank that holds each.
+    void
+    find_neighbours(LocalMesh &mesh, MPI_Comm communicator)
+    {
+      const int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+      const auto all = dealii::Utilities::MPI::all_gather(communicator, mesh.global_node);
+      std::unordered_map<std::uint32_t, unsigned int> local;
+      for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+        local[mesh.global_node[n]] = n;
+      mesh.owned.assign(mesh.n_nodes(), 1);
+      for (int other = 0; other < static_cast<int>(all.size()); ++other)
+        if (other != rank)
+          {
+            Neighbour neighbour{other, {}};
+            for (const std::uint32_t node : all[other])
+              if (const auto found = local.find(node); found != local.end())
+                {
+                  neighbour.nodes.push_back(found->second);
+                  if (other < rank)
+                    mesh.owned[found->second] = 0;
+                }
+            std::sort(neighbour.nodes.begin(), neighbour.nodes.end(), [&](unsigned int a, unsigned int b) {
+              return mesh.global_node[a] < mesh.global_node[b];
+            });
+            if (!neighbour.nodes.empty())
+              mesh.neighbours.push_back(std::move(neighbour));
+          }
+    }
+  } // namespace
+
+
+
+  LocalMesh
+  Forest::local_mesh() const
+  {
+    LocalMesh                            mesh;
+    NodeNumbers                          number;
+    std::vector<std::array<double, 3>>   position;
+    std::vector<dealii::types::global_dof_index> dof(24);
+
+    const auto place = [&](const unsigned int node, const std::array<double, 3> &x, const Body body) {
+      if (node >= position.size())
+        {
+          position.resize(node + 1);
+          mesh.node_body.resize(node + 1);
+        }
+      position[node]       = x;
+      mesh.node_body[node] = body;
+    };
+
+    // positions of all nodes of own and ghost cells by global number: parents may lie on ghost cells
+    std::unordered_map<std::uint32_t, std::pair<std::array<double, 3>, Body>> known;
+    for (const auto &cell : dofs_.active_cell_iterators())
+      if (!cell->is_artificial())
+        {
+          const Body body = cell->material_id() == 0 ? Body::rail : Body::wheel;
+          cell->get_dof_indices(dof);
+          for (unsigned int v = 0; v < 8; ++v)
+            if (dof[3 * v] % 3 != 0 || dof[3 * v + 2] != dof[3 * v] + 2)
+              throw std::logic_error("the three components of a vertex are not numbered together");
+            else
+              known.try_emplace(dof[3 * v] / 3, vertex_position(*cell, v), body);
+        }
+
+    for (const auto &cell : dofs_.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const Body                  body = cell->material_id() == 0 ? Body::rail : Body::wheel;
+          std::array<unsigned int, 8> nodes;
+          cell->get_dof_indices(dof);
+          for (unsigned int v = 0; v < 8; ++v)
+            {
+              nodes[v] = number(dof[3 * v] / 3);
+              place(nodes[v], known.at(dof[3 * v] / 3).first, body);
+            }
+          mesh.cells.push_back(nodes);
+          mesh.cell_body.push_back(body);
+          mesh.cell_level.push_back(cell->level());
+          for (unsigned int f = 0; f < 6; ++f)
+            if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() != 0)
+              {
+                // lexicographic corners of the faces of a lexicographic hexahedron
+                constexpr unsigned int corner[6][4] = {{0, 2, 4, 6}, {1, 3, 5, 7}, {0, 1, 4, 5},
+                                                       {2, 3, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7}};
+                BoundaryFace face;
+                for (unsigned int v = 0; v < 4; ++v)
+                  face.nodes[v] = nodes[corner[f][v]];
+                face.mark   = static_cast<Boundary>(cell->face(f)->boundary_id());
+                face.body   = body;
+                face.finest = cell->level() == static_cast<int>(plan_.levels);
+                mesh.faces.push_back(face);
+              }
+        }
+
+    // hanging nodes: the list may grow by parents, which never hang themselves after close()
+    const unsigned int n_vertices = number.global.size();
+    mesh.hanging_begin.push_back(0);
+    for (unsigned int n = 0; n < n_vertices; ++n)
+      if (const auto *entries = constraints_.get_constraint_entries(3 * number.global[n]))
+        {
+          mesh.hanging.push_back(n);
+          for (const auto &[parent_dof, weight] : *entries)
+            {
+              const unsigned int parent = number(parent_dof / 3);
+              const auto        &data   = known.at(parent_dof / 3);
+              place(parent, data.first, data.second);
+              mesh.parents.push_back(parent);
+              mesh.weights.push_back(weight);
+            }
+          mesh.hanging_begin.push_back(mesh.parents.size());
+        }
+
+    mesh.global_node = number.global;
+    mesh.reference.assign(4 * mesh.n_nodes(), 0.);
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      std::copy(position[n].begin(), position[n].end(), &mesh.reference[4 * n]);
+    for (unsigned int k = 0; k < mesh.hanging.size(); ++k)
+      for (unsigned int i = 0; i < 3; ++i)
+        {
+          double mean = 0;
+          for (unsigned int p = mesh.hanging_begin[k]; p < mesh.hanging_begin[k + 1]; ++p)
+            mean += mesh.weights[p] * position[mesh.parents[p]][i];
+          mesh.reference[4 * mesh.hanging[k] + i] = mean;
+        }
+    find_neighbours(mesh, communicator());
+    return mesh;
+  }
+} // namespace wheelrail

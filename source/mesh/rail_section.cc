@@ -1,0 +1,296 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/mesh/rail_section.h>
+#include <wheelrail/mesh/running_layer.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double degree = 3.14159265358979323846 / 180;
+
+    // Places on one half of the outline, as parameters of it. The angles of the tangent that mark
+    // them are chosen in the middle of each rounding, so that blocks meet the profile there with
+    // similar angles on both sides. Each lies beyond the one before it and no earlier rounding
+    // passes through its angle.
+    struct Half
+    {
+      double head_corner = 0; ///< lower corner of the head (R3)
+      double neck        = 0; ///< fillet below the head
+      double foot_fillet = 0; ///< fillet above the foot
+      double toe_top     = 0;
+      double toe_bottom  = 0;
+    };
+
+    // `side` is +1 on the field side (left in the frame of the builder, the outline runs down) and
+    // -1 on the gauge side, which is walked backwards.
+    Half
+    find_half(const MirroredCurve &outline, const double side)
+    {
+      const double start = side > 0 ? 0 : outline.curve->parameter_end();
+      const double end   = 0.5 * outline.curve->parameter_end();
+      const auto   find  = [&](const double angle, const double from, const char *what)
+      { return outline.find_tangent(side * angle * degree, from, end, what); };
+
+      Half half;
+      half.head_corner = find(-55, start, "lower corner of the rail head");
+      half.neck        = find(-60, half.head_corner, "fillet between head and web");
+      half.foot_fillet = find(-125, half.neck, "fillet between web and foot");
+      half.toe_top     = find(-120, half.foot_fillet, "upper edge of the rail foot");
+      half.toe_bottom  = find(-45, half.toe_top, "lower edge of the rail foot");
+      return half;
+    }
+
+    // Everything the parts of the section share.
+    struct Rail
+    {
+      SectionBuilder builder;
+      MirroredCurve  head, outline;
+      Half           field, gauge;
+      double         block_size  = 0;
+      unsigned int   web_columns = 2;
+    };
+
+    // Where a ring corner in the middle of a rounded head corner has its inner corner: on the lower
+    // side of the top layer, and further out than the normal would lead, since the blocks beside it
+    // taper.
+    LayerEnd
+    ring_corner(const Rail &rail, const double parameter, const double depth)
+    {
+      const auto inner = [head = rail.head, depth](const double end)
+      {
+        const Point2 outer = head.position(end), n = 0.65 * head.normal(end) + Point2{0, 0.35};
+        return outer - ((outer.y + depth) / n.y) * n;
+      };
+      return {parameter, true, inner};
+    }
+
+    RunningLayer
+    make_top_layer(Rail &rail, const Placement &placement, const FineStrip &strip)
+    {
+      const double end   = rail.head.curve->parameter_end();
+      const double depth = std::min(0.95 * rail.block_size, 0.0155);
+      const double field =
+        rail.head.find_tangent(45 * degree, 0, end, "rounded upper corner on the field side");
+      const double gauge =
+        rail.head.find_tangent(-45 * degree, end, 0, "rounded upper corner on the gauge side");
+
+      RunningLayerInput input;
+      input.curve         = rail.head;
+      input.placement     = placement;
+      input.strip         = strip;
+      input.start         = ring_corner(rail, field, depth);
+      input.end           = ring_corner(rail, gauge, depth);
+      input.block_size    = rail.block_size;
+      input.depth         = depth;
+      input.minimum_count = rail.web_columns + 2;
+      return make_running_layer(rail.builder, input);
+    }
+
+    // A corner inside the material, at `distance` from a place on the outline in a direction turned
+    // from the running direction by `angle` (towards the material on both sides).
+    unsigned int
+    inside(Rail &rail, const double parameter, const double side, const double angle, const double distance)
+    {
+      const Point2 t = rail.outline.tangent(parameter), n = rail.outline.normal(parameter);
+      return rail.builder.corner(rail.outline.position(parameter) +
+                                 distance * (side * std::cos(angle) * t + std::sin(angle) * n));
+    }
+
+    // The head. Returns the line of corners across the neck, from field to gauge side.
+    Side
+    make_head(Rail &rail, const RunningLayer &layer)
+    {
+      SectionBuilder    &builder = rail.builder;
+      const unsigned int n       = layer.outer.size() - 1;
+      const double       depth   = std::min(0.85 * rail.block_size, 0.013);
+
+      Side inner;
+      for (const Point2 &p : layer.inner)
+        inner.push_back(builder.corner(p));
+      builder.patch(
+        "running layer", inner, layer.outer, {inner[0], layer.outer[0]}, {inner[n], layer.outer[n]});
+
+      const unsigned int field_corner = builder.corner(rail.outline.position(rail.field.head_corner));
+      const unsigned int gauge_corner = builder.corner(rail.outline.position(rail.gauge.head_corner));
+      const unsigned int field_neck   = builder.corner(rail.outline.position(rail.field.neck));
+      const unsigned int gauge_neck   = builder.corner(rail.outline.position(rail.gauge.neck));
+      const unsigned int low_field    = inside(rail, rail.field.head_corner, 1, 90 * degree, depth);
+      const unsigned int low_gauge    = inside(rail, rail.gauge.head_corner, -1, 90 * degree, depth);
+      const unsigned int over_field   = inside(rail, rail.field.neck, 1, 130 * degree, depth);
+      const unsigned int over_gauge   = inside(rail, rail.gauge.neck, -1, 130 * degree, depth);
+
+      const unsigned int web   = rail.web_columns;
+      const unsigned int left  = columns_left(layer.inner,
+                                             {{builder.point(low_field),
+                                                builder.point(over_field),
+                                                builder.point(over_gauge),
+                                                builder.point(low_gauge)}},
+                                             web);
+      const unsigned int right = n - left - web;
+
+      const Side low_left  = builder.straight(low_field, over_field, left);
+      const Side low_web   = builder.straight(over_field, over_gauge, web);
+      const Side low_right = builder.straight(over_gauge, low_gauge, right);
+      const Side low       = joined(joined(low_left, low_web), low_right);
+
+      // the sides: a chain on the outline and one inside, from the lower corner up
+      const double       length = 0.5 * (norm(builder.point(inner[0]) - builder.point(low_field)) +
+                                   norm(builder.point(layer.outer[0]) - builder.point(field_corner)));
+      const unsigned int rows   = block_count(length, 0.85 * rail.block_size);
+      const auto         side   = [&](const Half &half, const double head_parameter)
+      {
+        const double top = rail.outline.curve->closest(rail.head.curve->at(head_parameter).position);
+        return CurveStretch(rail.outline, half.head_corner, top);
+      };
+      const Side field_side =
+        builder.along(field_corner, layer.outer[0], side(rail.field, layer.start), rows);
+      const Side gauge_side = builder.along(gauge_corner, layer.outer[n], side(rail.gauge, layer.end), rows);
+      builder.mark(field_side, Boundary::running);
+      builder.mark(gauge_side, Boundary::running);
+      const Side field_inner = builder.straight(low_field, inner[0], rows);
+      const Side gauge_inner = builder.straight(low_gauge, inner[n], rows);
+
+      builder.patch("field side of the head",
+                    {field_corner, low_field},
+                    {layer.outer[0], inner[0]},
+                    field_side,
+                    field_inner);
+      builder.patch("gauge side of the head",
+                    {low_gauge, gauge_corner},
+                    {inner[n], layer.outer[n]},
+                    gauge_inner,
+                    gauge_side);
+      builder.patch("core of the head", low, inner, field_inner, gauge_inner);
+
+      // the underside, and the neck between its two halves
+      const CurveStretch field_under(rail.outline, rail.field.head_corner, rail.field.neck);
+      const CurveStretch gauge_under(rail.outline, rail.gauge.neck, rail.gauge.head_corner);
+      const Side         neck = builder.straight(field_neck, gauge_neck, web);
+      builder.patch("underside of the head, field side",
+                    builder.along(field_corner, field_neck, field_under, left),
+                    low_left,
+                    {field_corner, low_field},
+                    {field_neck, over_field});
+      builder.patch("underside of the head, gauge side",
+                    builder.along(gauge_neck, gauge_corner, gauge_under, right),
+                    low_right,
+                    {gauge_neck, over_gauge},
+                    {gauge_corner, low_gauge});
+      builder.patch("neck", neck, low_web, {field_neck, over_field}, {gauge_neck, over_gauge});
+      return neck;
+    }
+
+    // The web. Returns the line of corners across its lower end.
+    Side
+    make_web(Rail &rail, const Side &neck)
+    {
+      SectionBuilder    &builder = rail.builder;
+      const CurveStretch field(rail.outline, rail.field.foot_fillet, rail.field.neck);
+      const CurveStretch gauge(rail.outline, rail.gauge.foot_fillet, rail.gauge.neck);
+      const unsigned int rows = block_count(field.length(), rail.block_size);
+      const Side         bottom =
+        builder.straight(builder.corner(field(0)), builder.corner(gauge(0)), rail.web_columns);
+      builder.patch("web",
+                    bottom,
+                    neck,
+                    builder.along(bottom.front(), neck.front(), field, rows),
+                    builder.along(bottom.back(), neck.back(), gauge, rows));
+      return bottom;
+    }
+
+    // Parameter of the place on the base below the web, a little further out than the fillet.
+    double
+    base_below(const Rail &rail, const Half &half, const double height)
+    {
+      const double x = -1.2 * rail.outline.position(half.foot_fillet).x;
+      return rail.outline.curve->closest({x, -height});
+    }
+
+    void
+    make_foot(Rail &rail, const Side &web, const double height)
+    {
+      SectionBuilder    &builder    = rail.builder;
+      const double       field_base = base_below(rail, rail.field, height);
+      const double       gauge_base = base_below(rail, rail.gauge, height);
+      const CurveStretch middle(rail.outline, field_base, gauge_base);
+      const unsigned int field_low = builder.corner(middle(0)), gauge_low = builder.corner(middle(1));
+
+      const CurveStretch field_top(rail.outline, rail.field.toe_top, rail.field.foot_fillet);
+      const CurveStretch gauge_top(rail.outline, rail.gauge.foot_fillet, rail.gauge.toe_top);
+      const CurveStretch field_bottom(rail.outline, rail.field.toe_bottom, field_base);
+      const CurveStretch gauge_bottom(rail.outline, gauge_base, rail.gauge.toe_bottom);
+      const CurveStretch field_toe(rail.outline, rail.field.toe_bottom, rail.field.toe_top);
+      const CurveStretch gauge_toe(rail.outline, rail.gauge.toe_bottom, rail.gauge.toe_top);
+
+      // the foot never needs fine cells: two blocks for each arm at 16 mm
+      const unsigned int columns = block_count(field_top.length(), 1.75 * rail.block_size);
+      const unsigned int rows    = block_count(field_toe.length(), 1.75 * rail.block_size);
+      const Side         field   = builder.straight(field_low, web.front(), rows);
+      const Side         gauge   = builder.straight(gauge_low, web.back(), rows);
+
+      const unsigned int field_toe_low  = builder.corner(field_toe(0)),
+                         field_toe_high = builder.corner(field_toe(1));
+      const unsigned int gauge_toe_low  = builder.corner(gauge_toe(0)),
+                         gauge_toe_high = builder.corner(gauge_toe(1));
+
+      const Side field_base_side = builder.along(field_toe_low, field_low, field_bottom, columns);
+      const Side middle_base     = builder.along(field_low, gauge_low, middle, rail.web_columns);
+      const Side gauge_base_side = builder.along(gauge_low, gauge_toe_low, gauge_bottom, columns);
+      builder.mark(joined(joined(field_base_side, middle_base), gauge_base_side), Boundary::foot);
+
+      builder.patch("foot below the web", middle_base, web, field, gauge);
+      builder.patch("foot, field side",
+                    field_base_side,
+                    builder.along(field_toe_high, web.front(), field_top, columns),
+                    builder.along(field_toe_low, field_toe_high, field_toe, rows),
+                    field);
+      builder.patch("foot, gauge side",
+                    gauge_base_side,
+                    builder.along(web.back(), gauge_toe_high, gauge_top, columns),
+                    gauge,
+                    builder.along(gauge_toe_low, gauge_toe_high, gauge_toe, rows));
+    }
+
+    // The builder's frame is the profile's with x mirrored: placing it in the track is a rotation.
+    Section
+    placed(const Section &section, const Placement &placement)
+    {
+      const auto place  = [placement](const Point2 &p) { return placement.to_track({-p.x, p.y}); };
+      Section    result = section;
+      for (Point2 &p : result.corners)
+        p = place(p);
+      for (auto &edge : result.curved)
+        edge.second = [place, curve = edge.second](const double t) { return place(curve(t)); };
+      return result;
+    }
+  } // namespace
+
+
+  Section
+  make_rail_section(const RailProfile &profile,
+                    const Placement   &placement,
+                    const FineStrip   &strip,
+                    const double       block_size)
+  {
+    if (!(block_size > 0))
+      throw InputError("The rail section cannot be divided into blocks of " +
+                       std::to_string(block_size * 1000) +
+                       " mm: a positive block size is needed, 16 mm is usual.");
+
+    Rail rail;
+    rail.head        = {std::make_shared<const Curve>(profile.head), 1, 0};
+    rail.outline     = {std::make_shared<const Curve>(profile.outline), 1, 0};
+    rail.field       = find_half(rail.outline, 1);
+    rail.gauge       = find_half(rail.outline, -1);
+    rail.block_size  = block_size;
+    rail.web_columns = std::max(2u, block_count(0.016, block_size));
+
+    const RunningLayer layer = make_top_layer(rail, placement, strip);
+    const Side         neck  = make_head(rail, layer);
+    const Side         web   = make_web(rail, neck);
+    make_foot(rail, web, profile.height);
+    return placed(rail.builder.section(), placement);
+  }
+} // namespace wheelrail

@@ -1,0 +1,373 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/mesh/running_layer.h>
+#include <wheelrail/mesh/wheel_section.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double degree = 3.14159265358979323846 / 180;
+
+    // Everything the parts of the section share. In the frame of the builder, left is the field side.
+    struct Wheel
+    {
+      SectionBuilder  builder;
+      WheelDimensions dimensions;
+      MirroredCurve   rim;              ///< face, tread, flange and back, from lower left to lower right
+      double          tread_start = 0;  ///< parameter of `rim`
+      double          back        = 0;  ///< parameter of `rim` where the straight back begins
+      MirroredCurve   field, gauge;     ///< rim underside, disc side, hub: from the rim's end to the hub's
+      double          block_size   = 0; ///< [m]
+      double          depth        = 0; ///< of the running layer [m]
+      double          disc         = 0; ///< middle of the disc, lateral [m]
+      unsigned int    disc_columns = 2;
+    };
+
+    // Parameters of `field` and `gauge` in the middle of the fillets.
+    constexpr double rim_fillet = 1.5, hub_fillet = 3.5;
+
+    Segment
+    line(const char *name, const Point2 &start, const Point2 &end)
+    {
+      Segment segment;
+      segment.name  = name;
+      segment.start = start;
+      segment.end   = end;
+      return segment;
+    }
+
+    Segment
+    arc(const char   *name,
+        const Point2 &centre,
+        const double  radius,
+        const double  angle_start,
+        const double  angle_end)
+    {
+      Segment segment;
+      segment.kind        = Segment::Kind::arc;
+      segment.name        = name;
+      segment.centre      = centre;
+      segment.radius      = radius;
+      segment.angle_start = angle_start;
+      segment.angle_end   = angle_end;
+      segment.start       = centre + radius * Point2{std::cos(angle_start), std::sin(angle_start)};
+      segment.end         = centre + radius * Point2{std::cos(angle_end), std::sin(angle_end)};
+      return segment;
+    }
+
+    void
+    require(const bool good, const std::string &what)
+    {
+      if (!good)
+        throw InputError("The wheel section cannot be built: " + what);
+    }
+
+    void
+    check_dimensions(const WheelDimensions &d, const double tread_width)
+    {
+      const double f = d.fillet_radius, half = 0.5 * d.disc_thickness + f;
+      require(f > 0, "the fillet radius must be positive.");
+      require(d.disc_thickness > 0, "the disc thickness must be positive.");
+      require(d.bore_radius > 0 && d.bore_radius < d.hub_outer_radius,
+              "the bore radius must be positive and less than the outer radius of the hub.");
+      require(
+        d.hub_outer_radius + 2 * f < d.rim_inner_radius,
+        "hub and rim leave no room for the disc and its fillets; the outer radius of the hub plus two fillet "
+        "radii must be less than the inner radius of the rim.");
+      require(d.rim_inner_radius < d.nominal_radius - 0.02,
+              "the rim must be at least 20 mm thick at the running circle.");
+      require(d.disc_position - half > 0 && d.disc_position + half < d.rim_width,
+              "the disc with its fillets must lie within the width of the rim.");
+      require(std::abs(d.hub_position - d.disc_position) + half < 0.5 * d.hub_length,
+              "the disc with its fillets must lie within the length of the hub.");
+      require(tread_width < d.rim_width + 1e-4,
+              "the profile is " + std::to_string(tread_width * 1000) +
+                " mm wide, which is more than the rim width of " + std::to_string(d.rim_width * 1000) +
+                " mm. Shorten the profile or widen the rim.");
+    }
+
+    // Rim outline in the frame of the profile: up the field side, a 45 degree chamfer if the profile
+    // ends short of it, the profile, and down the flange back.
+    void
+    make_rim_outline(Wheel &wheel, const WheelProfile &profile)
+    {
+      const WheelDimensions &d     = wheel.dimensions;
+      const Point2           start = profile.tread.at(0).position;
+      const Point2           end   = profile.tread.at(profile.tread.parameter_end()).position;
+      const double           face  = end.x + d.rim_width;
+      const double           low   = d.nominal_radius - d.rim_inner_radius;
+
+      const bool           chamfer = face - start.x > 1e-4;
+      const Point2         top     = chamfer ? Point2{face, start.y + face - start.x} : start;
+      std::vector<Segment> segments{line("rim face", {top.x, low}, top)};
+      if (chamfer)
+        segments.push_back(line("chamfer", top, start));
+      segments.insert(segments.end(), profile.tread.segments().begin(), profile.tread.segments().end());
+      segments.push_back(line("flange back", end, {end.x, low}));
+
+      wheel.rim         = {std::make_shared<const Curve>(segments), -1, d.nominal_radius};
+      wheel.tread_start = 1;
+      wheel.back        = wheel.rim.curve->parameter_end() - 1;
+      wheel.disc        = -end.x - d.disc_position;
+    }
+
+    // Underside of the rim, disc and hub on one side (+1 field, -1 gauge), in a frame with the radius
+    // as y and x positive to the field side.
+    MirroredCurve
+    make_disc_outline(const Wheel &wheel, const double side)
+    {
+      const WheelDimensions &d      = wheel.dimensions;
+      const double           f      = d.fillet_radius;
+      const double           middle = -wheel.disc, surface = middle + side * 0.5 * d.disc_thickness;
+      const double           rim  = -wheel.rim.position(side > 0 ? 0 : wheel.back + 1).x;
+      const double           hub  = middle + d.disc_position - d.hub_position + side * 0.5 * d.hub_length;
+      const double           high = d.rim_inner_radius, low = d.hub_outer_radius;
+      const auto turned = [side](const double angle) { return (side > 0 ? angle : 180 - angle) * degree; };
+
+      const double centre = surface + side * f;
+      return {std::make_shared<const Curve>(
+                std::vector<Segment>{line("rim underside", {rim, high}, {centre, high}),
+                                     arc("rim fillet", {centre, high - f}, f, turned(90), turned(180)),
+                                     line("disc", {surface, high - f}, {surface, low + f}),
+                                     arc("hub fillet", {centre, low + f}, f, turned(180), turned(270)),
+                                     line("hub", {centre, low}, {hub, low})}),
+              1,
+              0};
+    }
+
+    // Layer below the tread from the field side to the flange root, with its corners inside.
+    struct Tread
+    {
+      RunningLayer layer;
+      Side         inner;
+    };
+
+    Tread
+    make_tread(Wheel &wheel, const Placement &placement, const FineStrip &strip, const double flange_top)
+    {
+      SectionBuilder &builder = wheel.builder;
+      const double    circle  = wheel.rim.curve->closest({0, 0});
+
+      // field side: the chamfer is the end of the layer; without one the end lies on the face
+      const double edge =
+        std::abs(wheel.rim.tangent(wheel.tread_start).y) > 0.5
+          ? wheel.rim.find_tangent(30 * degree, wheel.tread_start, circle, "edge of the chamfer")
+          : wheel.tread_start;
+      const double side_length = wheel.rim.curve->length(wheel.tread_start, edge);
+      const double corner      = side_length > 0.3 * wheel.depth
+                                   ? wheel.tread_start
+                                   : wheel.rim.curve->advance(wheel.tread_start, -(wheel.depth - side_length));
+
+      const double root = wheel.rim.find_tangent(42 * degree, circle, flange_top, "flange root");
+
+      RunningLayerInput input;
+      input.curve         = wheel.rim;
+      input.placement     = placement;
+      input.strip         = strip;
+      input.start         = {edge, false, [p = wheel.rim.position(corner)](double) { return p; }};
+      input.end           = {root, true, [rim = wheel.rim, depth = 0.85 * wheel.depth](const double end) {
+                     return rim.position(end) - depth * rim.normal(end);
+                   }};
+      input.block_size    = wheel.block_size;
+      input.depth         = wheel.depth;
+      input.minimum_count = wheel.disc_columns;
+
+      Tread tread;
+      tread.layer = make_running_layer(builder, input);
+      for (const Point2 &p : tread.layer.inner)
+        tread.inner.push_back(builder.corner(p));
+
+      const Side end =
+        builder.along(tread.inner[0], tread.layer.outer[0], CurveStretch(wheel.rim, corner, edge), 1);
+      builder.patch(
+        "running layer", tread.inner, tread.layer.outer, end, {tread.inner.back(), tread.layer.outer.back()});
+      return tread;
+    }
+
+    // Flange: a layer around a core. Returns the line of corners below it, from the root to the back.
+    Side
+    make_flange(Wheel &wheel, const Tread &tread, const double tip)
+    {
+      SectionBuilder &builder = wheel.builder;
+      const double    depth   = std::min(0.008, 0.6 * wheel.block_size);
+      const double    front =
+        wheel.rim.find_tangent(40 * degree, tip, tread.layer.end, "front of the flange tip");
+      const double rear = wheel.rim.find_tangent(-45 * degree, tip, wheel.back, "rear of the flange tip");
+      const unsigned int root = tread.layer.outer.back(), root_inner = tread.inner.back();
+
+      // the line below the flange: level with the inner corner at the root, on the straight back
+      const double back_x   = wheel.rim.position(wheel.back).x;
+      const double level    = std::min(builder.point(root_inner).y, wheel.rim.position(wheel.back).y);
+      const double low_back = wheel.rim.curve->advance(wheel.back, wheel.rim.position(wheel.back).y - level);
+
+      const unsigned int outer_front = builder.corner(wheel.rim.position(front));
+      const unsigned int outer_rear  = builder.corner(wheel.rim.position(rear));
+      const unsigned int inner_front =
+        builder.corner(wheel.rim.position(front) - depth * wheel.rim.normal(front));
+      const unsigned int inner_rear =
+        builder.corner(wheel.rim.position(rear) - depth * wheel.rim.normal(rear));
+      const unsigned int outer_back = builder.corner(wheel.rim.position(low_back));
+      const unsigned int inner_back = builder.corner({back_x - 1.2 * depth, level});
+
+      const CurveStretch face(wheel.rim, tread.layer.end, front), top(wheel.rim, front, rear);
+      const unsigned int rows    = block_count(face.length(), wheel.block_size);
+      const unsigned int columns = block_count(top.length(), wheel.block_size);
+
+      const Side face_outer = builder.along(root, outer_front, face, rows);
+      const Side top_outer  = builder.along(outer_front, outer_rear, top, columns);
+      const Side back_outer =
+        builder.along(outer_back, outer_rear, CurveStretch(wheel.rim, low_back, rear), rows);
+      const Side face_inner = builder.straight(root_inner, inner_front, rows);
+      const Side top_inner  = builder.straight(inner_front, inner_rear, columns);
+      const Side back_inner = builder.straight(inner_back, inner_rear, rows);
+      const Side low        = builder.straight(root_inner, inner_back, columns);
+      builder.mark(face_outer, Boundary::running);
+      builder.mark(top_outer, Boundary::running);
+
+      builder.patch("flange face", {root, root_inner}, {outer_front, inner_front}, face_outer, face_inner);
+      builder.patch("flange tip", top_inner, top_outer, {inner_front, outer_front}, {inner_rear, outer_rear});
+      builder.patch(
+        "flange back", {inner_back, outer_back}, {inner_rear, outer_rear}, back_inner, back_outer);
+      builder.patch("flange core", low, top_inner, face_inner, back_inner);
+      return joined(low, {inner_back, outer_back});
+    }
+
+    // The rim below the running layer and the flange. Returns the line across the top of the disc.
+    Side
+    make_rim(Wheel &wheel, const Side &top)
+    {
+      SectionBuilder    &builder    = wheel.builder;
+      const unsigned int field_low  = builder.corner(wheel.field.position(0));
+      const unsigned int gauge_low  = builder.corner(wheel.gauge.position(0));
+      const unsigned int field_disc = builder.corner(wheel.field.position(rim_fillet));
+      const unsigned int gauge_disc = builder.corner(wheel.gauge.position(rim_fillet));
+
+      std::vector<Point2> points;
+      for (const unsigned int corner : top)
+        points.push_back(builder.point(corner));
+      const unsigned int middle = wheel.disc_columns;
+      const unsigned int left   = columns_left(points,
+                                             {{builder.point(field_low),
+                                                 builder.point(field_disc),
+                                                 builder.point(gauge_disc),
+                                                 builder.point(gauge_low)}},
+                                             middle);
+      const unsigned int right  = top.size() - 1 - left - middle;
+      const double height = 0.5 * (points.front().y + points.back().y) - wheel.dimensions.rim_inner_radius;
+      const unsigned int rows = block_count(height, wheel.block_size);
+
+      const Side disc = builder.straight(field_disc, gauge_disc, middle);
+      const Side low_field =
+        builder.along(field_low, field_disc, CurveStretch(wheel.field, 0, rim_fillet), left);
+      const Side low_gauge =
+        builder.along(gauge_disc, gauge_low, CurveStretch(wheel.gauge, rim_fillet, 0), right);
+      builder.patch("rim",
+                    joined(joined(low_field, disc), low_gauge),
+                    top,
+                    builder.straight(field_low, top.front(), rows),
+                    builder.straight(gauge_low, top.back(), rows));
+      return disc;
+    }
+
+    void
+    make_disc_and_hub(Wheel &wheel, const Side &disc_top)
+    {
+      // disc and hub never need fine cells
+      SectionBuilder        &builder = wheel.builder;
+      const WheelDimensions &d       = wheel.dimensions;
+      const double           coarse  = 1.25 * wheel.block_size;
+      const CurveStretch     field(wheel.field, hub_fillet, rim_fillet),
+        gauge(wheel.gauge, hub_fillet, rim_fillet);
+      const unsigned int rows = block_count(field.length(), coarse);
+      const Side         disc_low =
+        builder.straight(builder.corner(field(0)), builder.corner(gauge(0)), wheel.disc_columns);
+      builder.patch("disc",
+                    disc_low,
+                    disc_top,
+                    builder.along(disc_low.front(), disc_top.front(), field, rows),
+                    builder.along(disc_low.back(), disc_top.back(), gauge, rows));
+
+      const CurveStretch field_hub(wheel.field, 5, hub_fillet), gauge_hub(wheel.gauge, hub_fillet, 5);
+      const unsigned int hub_rows = block_count(d.hub_outer_radius - d.bore_radius, coarse);
+      const unsigned int left     = block_count(field_hub.length(), coarse),
+                         right    = block_count(gauge_hub.length(), coarse);
+
+      const double       half       = 0.5 * d.disc_thickness + 0.4 * d.fillet_radius;
+      const unsigned int field_high = builder.corner(field_hub(0)), gauge_high = builder.corner(gauge_hub(1));
+      const unsigned int field_low  = builder.corner({builder.point(field_high).x, d.bore_radius});
+      const unsigned int gauge_low  = builder.corner({builder.point(gauge_high).x, d.bore_radius});
+      const unsigned int field_bore = builder.corner({wheel.disc - half, d.bore_radius});
+      const unsigned int gauge_bore = builder.corner({wheel.disc + half, d.bore_radius});
+
+      const Side bore_field  = builder.straight(field_low, field_bore, left);
+      const Side bore_middle = builder.straight(field_bore, gauge_bore, wheel.disc_columns);
+      const Side bore_gauge  = builder.straight(gauge_bore, gauge_low, right);
+      builder.mark(joined(joined(bore_field, bore_middle), bore_gauge), Boundary::bore);
+
+      const Side field_inside = builder.straight(field_bore, disc_low.front(), hub_rows);
+      const Side gauge_inside = builder.straight(gauge_bore, disc_low.back(), hub_rows);
+      builder.patch("hub below the disc", bore_middle, disc_low, field_inside, gauge_inside);
+      builder.patch("hub, field side",
+                    bore_field,
+                    builder.along(field_high, disc_low.front(), field_hub, left),
+                    builder.straight(field_low, field_high, hub_rows),
+                    field_inside);
+      builder.patch("hub, gauge side",
+                    bore_gauge,
+                    builder.along(disc_low.back(), gauge_high, gauge_hub, right),
+                    gauge_inside,
+                    builder.straight(gauge_low, gauge_high, hub_rows));
+    }
+
+    // Parameter of the highest point of the flange.
+    double
+    flange_tip(const Wheel &wheel)
+    {
+      const unsigned int n   = 64 * (wheel.back - wheel.tread_start);
+      double             tip = wheel.tread_start, highest = 0;
+      for (unsigned int i = 0; i <= n; ++i)
+      {
+        const double t = wheel.tread_start + (wheel.back - wheel.tread_start) * i / n;
+        const double y = wheel.rim.position(t).y;
+        if (y > highest)
+        {
+          highest = y;
+          tip     = t;
+        }
+      }
+      return tip;
+    }
+  } // namespace
+
+
+  Section
+  make_wheel_section(const WheelProfile    &profile,
+                     const WheelDimensions &dimensions,
+                     const Placement       &wheel_in_track,
+                     const FineStrip       &strip,
+                     const double           block_size)
+  {
+    require(block_size > 0, "a positive block size is needed, 16 mm is usual.");
+    check_dimensions(dimensions,
+                     profile.tread.at(0).position.x -
+                       profile.tread.at(profile.tread.parameter_end()).position.x);
+
+    Wheel wheel;
+    wheel.dimensions   = dimensions;
+    wheel.block_size   = block_size;
+    wheel.depth        = std::min(0.95 * block_size, 0.0155);
+    wheel.disc_columns = std::max(2u, block_count(dimensions.disc_thickness, block_size));
+    make_rim_outline(wheel, profile);
+    wheel.field = make_disc_outline(wheel, 1);
+    wheel.gauge = make_disc_outline(wheel, -1);
+
+    const double tip   = flange_tip(wheel);
+    const Tread  tread = make_tread(wheel, wheel_in_track, strip, tip);
+    const Side   below = make_flange(wheel, tread, tip);
+    const Side   disc  = make_rim(wheel, joined(tread.inner, below));
+    make_disc_and_hub(wheel, disc);
+    return wheel.builder.section();
+  }
+} // namespace wheelrail

@@ -1,0 +1,229 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/hdf5_handles.h>
+#include <wheelrail/output/replace_file.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+namespace wheelrail
+{
+  using namespace hdf5;
+
+  namespace
+  {
+    struct PatchColumn
+    {
+      const char         *name;
+      const char         *unit;
+      std::vector<double> PatchFields::*values;
+    };
+
+    const std::array<PatchColumn, 10> patch_columns = {{{"along", "m", &PatchFields::along},
+                                                        {"lateral", "m", &PatchFields::lateral},
+                                                        {"gap", "m", &PatchFields::gap},
+                                                        {"pressure", "Pa", &PatchFields::pressure},
+                                                        {"shear_along", "Pa", &PatchFields::shear_along},
+                                                        {"shear_lateral", "Pa", &PatchFields::shear_lateral},
+                                                        {"slip_along", "1", &PatchFields::slip_along},
+                                                        {"slip_lateral", "1", &PatchFields::slip_lateral},
+                                                        {"state", "1", &PatchFields::state},
+                                                        {"area", "m2", &PatchFields::area}}};
+
+    std::string
+    tick_name(const unsigned int tick)
+    {
+      char name[32];
+      std::snprintf(name, sizeof(name), "tick_%04u", tick);
+      return name;
+    }
+
+    /// Adds the name of the file to what went wrong in it.
+    template <typename Work>
+    auto
+    naming(const std::string &path, const Work &work)
+    {
+      try
+      {
+        return work();
+      }
+      catch (const RunError &error)
+      {
+        throw RunError("The HDF5 file \"" + path + "\": " + error.what());
+      }
+    }
+
+    unsigned int
+    count_ticks(const hid_t file)
+    {
+      unsigned int n = 0;
+      while (H5Lexists(file, tick_name(n).c_str(), H5P_DEFAULT) > 0)
+        ++n;
+      return n;
+    }
+
+    /// A file from the disk, in memory.
+    Handle
+    load(const std::string &path)
+    {
+      return Handle(open_in_memory(read_whole_file(path)), H5Fclose, "read it: it is no complete HDF5 file");
+    }
+
+    Handle
+    open_group(const hid_t file, const std::string &name)
+    {
+      return Handle(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, "find the group " + name);
+    }
+
+    herr_t
+    collect_name(hid_t, const char *name, const H5L_info_t *, void *names)
+    {
+      static_cast<std::vector<std::string> *>(names)->push_back(name);
+      return 0;
+    }
+  } // namespace
+
+  void
+  write_history(const History &history, const std::string &path)
+  {
+    const Quiet       quiet;
+    const std::size_t n = history.names.size();
+    if (history.units.size() != n || history.columns.size() != n)
+      throw RunError("The history for \"" + path + "\" has " + std::to_string(n) + " names, " +
+                     std::to_string(history.units.size()) + " units and " +
+                     std::to_string(history.columns.size()) + " columns; the numbers must agree.");
+
+    const auto bytes = naming(
+      path,
+      [&]()
+      {
+        const Handle  file(open_in_memory(), H5Fclose, "make a file in memory");
+        const hsize_t rows = n > 0 ? history.columns[0].size() : 0;
+        for (std::size_t c = 0; c < n; ++c)
+        {
+          write_dataset(file, history.names[c], {rows}, history.columns[c], history.units[c]);
+          const Handle set(H5Dopen2(file, history.names[c].c_str(), H5P_DEFAULT), H5Dclose, "mark a column");
+          write_attribute(set, "column", static_cast<unsigned int>(c));
+        }
+        return file_image(file);
+      });
+    replace_file(path, bytes.data(), bytes.size());
+  }
+
+  History
+  read_history(const std::string &path)
+  {
+    const Quiet quiet;
+    return naming(path,
+                  [&]()
+                  {
+                    const Handle             file = load(path);
+                    std::vector<std::string> names;
+                    require(H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect_name, &names),
+                            "list its columns");
+
+                    History history;
+                    history.names.resize(names.size());
+                    history.units.resize(names.size());
+                    history.columns.resize(names.size());
+                    for (const std::string &name : names)
+                    {
+                      const Handle set(
+                        H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "read the column " + name);
+                      const double column = read_number_attribute(set, "column");
+                      if (!(column >= 0 && column < names.size()))
+                        throw RunError("column " + name + " has a number outside the table.");
+                      const auto c       = static_cast<std::size_t>(column);
+                      history.names[c]   = name;
+                      history.units[c]   = read_text_attribute(set, "unit");
+                      history.columns[c] = read_dataset(file, name);
+                    }
+                    return history;
+                  });
+  }
+
+  PatchFile::PatchFile(std::string path)
+    : PatchFile(std::move(path), false, 0)
+  {
+  }
+
+  PatchFile::PatchFile(std::string path, const bool resume, const unsigned int keep_ticks)
+    : path_(std::move(path))
+    , file_(H5I_INVALID_HID)
+  {
+    const Quiet quiet;
+    naming(path_,
+           [&]()
+           {
+             const bool there = resume && std::filesystem::exists(path_);
+             file_            = open_in_memory(there ? read_whole_file(path_) : "");
+             require(file_ < 0 ? -1 : 0,
+                     there ? "read it: it is no complete HDF5 file" : "make a file in memory");
+             const unsigned int found = count_ticks(file_);
+             n_ticks_                 = std::min(found, keep_ticks);
+             for (unsigned int tick = n_ticks_; tick < found; ++tick)
+               H5Ldelete(file_, tick_name(tick).c_str(), H5P_DEFAULT);
+           });
+  }
+
+  PatchFile::~PatchFile()
+  {
+    const Quiet quiet;
+    if (file_ >= 0)
+      H5Fclose(file_);
+  }
+
+  void
+  PatchFile::append(const PatchFields &patch)
+  {
+    const Quiet       quiet;
+    const std::string name = tick_name(n_ticks_);
+    const auto        bytes =
+      naming(path_,
+             [&]()
+             {
+               for (const PatchColumn &column : patch_columns)
+                 if ((patch.*column.values).size() != std::size_t(patch.n_along) * patch.n_lateral)
+                   throw RunError("The field " + std::string(column.name) + " of " + name + " has " +
+                                  std::to_string((patch.*column.values).size()) + " values where " +
+                                  std::to_string(patch.n_along) + " x " + std::to_string(patch.n_lateral) +
+                                  " belong.");
+
+               const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                                  H5Gclose,
+                                  "make the group " + name);
+               write_attribute(group, "time_s", patch.time);
+               write_attribute(group, "rolled_distance_m", patch.rolled_distance);
+               write_attribute(group, "n_along", patch.n_along);
+               write_attribute(group, "n_lateral", patch.n_lateral);
+               for (const PatchColumn &column : patch_columns)
+                 write_dataset(
+                   group, column.name, {patch.n_along, patch.n_lateral}, patch.*column.values, column.unit);
+               return file_image(file_);
+             });
+    ++n_ticks_;
+    replace_file(path_, bytes.data(), bytes.size());
+  }
+
+  PatchFields
+  read_patch(const std::string &path, const unsigned int tick)
+  {
+    const Quiet quiet;
+    return naming(path,
+                  [&]()
+                  {
+                    const Handle file  = load(path);
+                    const Handle group = open_group(file, tick_name(tick));
+                    PatchFields  patch;
+                    patch.time            = read_number_attribute(group, "time_s");
+                    patch.rolled_distance = read_number_attribute(group, "rolled_distance_m");
+                    patch.n_along   = static_cast<unsigned int>(read_number_attribute(group, "n_along"));
+                    patch.n_lateral = static_cast<unsigned int>(read_number_attribute(group, "n_lateral"));
+                    for (const PatchColumn &column : patch_columns)
+                      patch.*column.values = read_dataset(group, column.name);
+                    return patch;
+                  });
+  }
+} // namespace wheelrail

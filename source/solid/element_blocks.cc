@@ -1,0 +1,227 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/solid/element_blocks.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Vector = std::array<double, 3>;
+    using Matrix = std::array<Vector, 3>;
+
+    constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
+                                {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
+
+    /// Values of the four hourglass patterns at node a.
+    std::array<double, 4>
+    hourglass(const int a)
+    {
+      const double xi = sign[a][0], eta = sign[a][1], zeta = sign[a][2];
+      return {eta * zeta, zeta * xi, xi * eta, xi * eta * zeta};
+    }
+
+    double
+    dot(const Vector &a, const Vector &b)
+    {
+      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    }
+
+    Vector
+    cross(const Vector &a, const Vector &b)
+    {
+      return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    }
+
+    /// Columns of the Jacobian dX/dxi at a point of the unit cell [-1, 1]^3.
+    Matrix
+    jacobian(const std::array<Vector, 8> &X, const Vector &xi)
+    {
+      Matrix J{};
+      for (int a = 0; a < 8; ++a)
+        for (int k = 0; k < 3; ++k)
+          {
+            double d = sign[a][k] / 8.;
+            for (int l = 0; l < 3; ++l)
+              if (l != k)
+                d *= 1 + sign[a][l] * xi[l];
+            for (int i = 0; i < 3; ++i)
+              J[k][i] += d * X[a][i];
+          }
+      return J;
+    }
+
+    /// Orthonormal axes closest to the columns of J: polar decomposition by Newton's iteration
+    /// Q <- (Q + Q^-T) / 2 (Higham 1986).
+    Matrix
+    closest_rotation(const Matrix &J)
+    {
+      Matrix Q = J;
+      for (int iteration = 0; iteration < 60; ++iteration)
+        {
+          const Matrix cofactor = {cross(Q[1], Q[2]), cross(Q[2], Q[0]), cross(Q[0], Q[1])};
+          const double det      = dot(Q[0], cofactor[0]);
+          // the scale det^(-1/3) makes the first steps large
+          const double scale  = iteration < 8 ? std::pow(std::abs(det), -1. / 3) : 1.;
+          double       change = 0;
+          for (int k = 0; k < 3; ++k)
+            for (int i = 0; i < 3; ++i)
+              {
+                const double value = 0.5 * (scale * Q[k][i] + cofactor[k][i] / (det * scale));
+                change             = std::max(change, std::abs(value - Q[k][i]));
+                Q[k][i]            = value;
+              }
+          if (change < 1e-14)
+            break;
+        }
+      return Q;
+    }
+
+    /// Adds the parts of B, volume and node volumes that one Gauss point contributes.
+    void
+    add_gauss_point(const std::array<Vector, 8> &X, const Vector &xi, ElementGeometry &g)
+    {
+      const Matrix J        = jacobian(X, xi);
+      const Matrix cofactor = {cross(J[1], J[2]), cross(J[2], J[0]), cross(J[0], J[1])};
+      const double det      = dot(J[0], cofactor[0]);
+      if (!(det > 0))
+        throw RunError("a cell of the mesh is folded near (" + std::to_string(X[0][0]) + ", " +
+                       std::to_string(X[0][1]) + ", " + std::to_string(X[0][2]) +
+                       ") m: its Jacobian is not positive; choose another coarse cell size");
+      g.volume += det;
+      for (int a = 0; a < 8; ++a)
+        {
+          double value = 1. / 8;
+          Vector d     = {sign[a][0] / 8., sign[a][1] / 8., sign[a][2] / 8.};
+          for (int k = 0; k < 3; ++k)
+            {
+              value *= 1 + sign[a][k] * xi[k];
+              for (int l = 0; l < 3; ++l)
+                if (l != k)
+                  d[k] *= 1 + sign[a][l] * xi[l];
+            }
+          g.node_volume[a] += value * det;
+          for (int i = 0; i < 3; ++i)
+            g.B[a][i] += d[0] * cofactor[0][i] + d[1] * cofactor[1][i] + d[2] * cofactor[2][i];
+        }
+    }
+  } // namespace
+
+
+
+  double
+  Elasticity::wave_speed() const
+  {
+    return std::sqrt((lame_lambda() + 2 * shear_modulus()) / density);
+  }
+
+
+
+  ElementGeometry
+  element_geometry(const std::array<Vector, 8> &vertices)
+  {
+    ElementGeometry g{};
+    const double    point = 1 / std::sqrt(3.);
+    for (const auto &s : sign)
+      add_gauss_point(vertices, {s[0] * point, s[1] * point, s[2] * point}, g);
+    for (auto &gradient : g.B)
+      for (double &component : gradient)
+        component /= g.volume;
+
+    for (int a = 0; a < 8; ++a)
+      for (int m = 0; m < 4; ++m)
+        for (int i = 0; i < 3; ++i)
+          g.hX[m][i] += hourglass(a)[m] * vertices[a][i];
+
+    const Matrix J = jacobian(vertices, {0, 0, 0});
+    g.frame        = closest_rotation(J);
+    for (int k = 0; k < 3; ++k)
+      g.half[k] = std::sqrt(dot(J[k], J[k]));
+    return g;
+  }
+
+
+
+  double
+  element_frequency_bound(const ElementGeometry &g, const Elasticity &material)
+  {
+    // The one-point stiffness V B C B^T has the eigenvalues of C restricted to strains; its largest
+    // against a uniform nodal volume is (lambda + 2 mu) times the largest eigenvalue of sum B B^T.
+    Matrix S{};
+    for (const auto &b : g.B)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          S[i][j] += b[i] * b[j];
+    // largest eigenvalue of a symmetric 3x3 matrix by the trigonometric formula (Smith 1961)
+    const double p1   = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
+    const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
+    const double p2   = std::pow(S[0][0] - mean, 2) + std::pow(S[1][1] - mean, 2) +
+                      std::pow(S[2][2] - mean, 2) + 2 * p1;
+    double largest = mean;
+    if (p2 > 0)
+      {
+        const double p = std::sqrt(p2 / 6);
+        Matrix       D = S;
+        for (int i = 0; i < 3; ++i)
+          {
+            D[i][i] -= mean;
+            for (int j = 0; j < 3; ++j)
+              D[i][j] /= p;
+          }
+        const double r = std::clamp(dot(D[0], cross(D[1], D[2])) / 2, -1., 1.);
+        largest += 2 * p * std::cos(std::acos(r) / 3);
+      }
+    const double smallest_share = *std::min_element(g.node_volume.begin(), g.node_volume.end());
+    return (material.lame_lambda() + 2 * material.shear_modulus()) * largest * g.volume /
+           (material.density * smallest_share);
+  }
+
+
+
+  ElementBlocks
+  pack_elements(const std::vector<ElementGeometry>             &geometry,
+                const std::vector<std::array<unsigned int, 8>> &cells,
+                const Elasticity                               &material,
+                const int                                       width)
+  {
+    ElementBlocks blocks;
+    blocks.width      = width;
+    blocks.material   = material;
+    blocks.n_elements = cells.size();
+    const std::size_t n_batches = (cells.size() + width - 1) / width;
+    blocks.data.assign(n_batches * ElementBlocks::fields * width, 0.);
+    blocks.nodes.resize(n_batches * 8 * width);
+    blocks.dilatation.assign(n_batches * width, 0.);
+
+    for (std::size_t slot = 0; slot < n_batches * width; ++slot)
+      {
+        const std::size_t batch = slot / width, lane = slot % width;
+        const bool        filler = slot >= cells.size();
+        const std::size_t e      = filler ? batch * width : slot;
+        double           *data   = blocks.data.data() + batch * ElementBlocks::fields * width + lane;
+        for (int a = 0; a < 8; ++a)
+          blocks.nodes[(batch * 8 + a) * width + lane] = cells[e][a];
+        if (filler)
+          continue; // zero gradients, volume and half lengths give zero force
+        const ElementGeometry &g     = geometry[e];
+        int                    field = 0;
+        const auto             put   = [&](const double value) { data[width * field++] = value; };
+        for (const auto &b : g.B)
+          for (const double component : b)
+            put(component);
+        put(g.volume);
+        for (const auto &x : g.hX)
+          for (const double component : x)
+            put(component);
+        for (const auto &axis : g.frame)
+          for (const double component : axis)
+            put(component);
+        // (1/8 h.u / half)^2 V/3 integrates a linear strain over the cell: see doc/element.md
+        for (const double half : g.half)
+          put(std::sqrt(g.volume / 3) / (8 * half));
+        put(std::cbrt(g.volume));
+      }
+    return blocks;
+  }
+} // namespace wheelrail

@@ -1,0 +1,102 @@
+#include <wheelrail/solid/element_blocks.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Vector = std::array<double, 3>;
+
+    /// Signs of the patterns eta zeta, zeta xi, xi eta, xi eta zeta at the lexicographic nodes.
+    constexpr int pattern[8][4] = {{1, 1, 1, -1},   {1, -1, -1, 1},  {-1, 1, -1, 1},  {-1, -1, 1, -1},
+                                   {-1, -1, 1, 1},  {-1, 1, -1, -1}, {1, -1, -1, -1}, {1, 1, 1, 1}};
+
+    /// Hourglass stresses of the amplitudes p in the cell's axes: the law of the kernel, for one element.
+    std::array<Vector, 4>
+    hourglass_law(const ElementGeometry &g, const Elasticity &material, const std::array<Vector, 4> &p)
+    {
+      const double          E = material.youngs_modulus, nu = material.poissons_ratio;
+      const double          plate = E / (1 - nu * nu), mu = material.shear_modulus();
+      std::array<Vector, 4> Q{};
+      Vector                c;
+      for (int k = 0; k < 3; ++k)
+        c[k] = 1 / (8 * g.half[k]);
+      for (int k = 0; k < 3; ++k)
+        {
+          const int    i = (k + 1) % 3, j = (k + 2) % 3;
+          const double ei = p[j][i] * c[i], ej = p[i][j] * c[j];
+          Q[j][i] += g.volume / 3 * plate * (ei + nu * ej) * c[i];
+          Q[i][j] += g.volume / 3 * plate * (ej + nu * ei) * c[j];
+          const double shear = g.volume / 3 * mu * (p[i][i] * c[j] + p[j][j] * c[i]);
+          Q[i][i] += shear * c[j];
+          Q[j][j] += shear * c[i];
+          Q[3][k] += g.volume / 9 * E * p[3][k] * c[k] * c[k];
+        }
+      return Q;
+    }
+
+    /// gamma_m(a) = h_m(a) - B_a . (h_m X).
+    std::array<std::array<double, 4>, 8>
+    blind_patterns(const ElementGeometry &g)
+    {
+      std::array<std::array<double, 4>, 8> gamma;
+      for (int a = 0; a < 8; ++a)
+        for (int m = 0; m < 4; ++m)
+          {
+            gamma[a][m] = pattern[a][m];
+            for (int i = 0; i < 3; ++i)
+              gamma[a][m] -= g.B[a][i] * g.hX[m][i];
+          }
+      return gamma;
+    }
+
+    /// Stress of a displacement gradient that has only row i: grad = e_i (x) b.
+    std::array<Vector, 3>
+    stress_of_row(const Elasticity &material, const int i, const Vector &b)
+    {
+      const double          mu = material.shear_modulus();
+      std::array<Vector, 3> S{};
+      for (int k = 0; k < 3; ++k)
+        {
+          S[i][k] += mu * b[k];
+          S[k][i] += mu * b[k];
+          S[k][k] += material.lame_lambda() * b[i];
+        }
+      return S;
+    }
+  } // namespace
+
+
+
+  std::array<double, 24 * 24>
+  element_stiffness(const ElementGeometry &g, const Elasticity &material)
+  {
+    std::array<double, 24 * 24> K{};
+    const auto                  gamma = blind_patterns(g);
+    for (int b = 0; b < 8; ++b)
+      for (int j = 0; j < 3; ++j)
+        {
+          const auto            S = stress_of_row(material, j, g.B[b]);
+          std::array<Vector, 4> p, Q;
+          for (int m = 0; m < 4; ++m)
+            for (int k = 0; k < 3; ++k)
+              p[m][k] = gamma[b][m] * g.frame[k][j];
+          Q = hourglass_law(g, material, p);
+          std::array<Vector, 4> G{};
+          for (int m = 0; m < 4; ++m)
+            for (int k = 0; k < 3; ++k)
+              for (int i = 0; i < 3; ++i)
+                G[m][i] += g.frame[k][i] * Q[m][k];
+          for (int a = 0; a < 8; ++a)
+            for (int i = 0; i < 3; ++i)
+              {
+                double value = 0;
+                for (int k = 0; k < 3; ++k)
+                  value += g.volume * S[i][k] * g.B[a][k];
+                for (int m = 0; m < 4; ++m)
+                  value += gamma[a][m] * G[m][i];
+                K[24 * (3 * a + i) + 3 * b + j] = value;
+              }
+        }
+    return K;
+  }
+} // namespace wheelrail

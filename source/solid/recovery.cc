@@ -1,0 +1,82 @@
+#include <wheelrail/solid/solid.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Volume-weighted nodal means of element values, `n` numbers an element.
+    template <std::size_t n>
+    std::vector<double>
+    nodal_means(const Solid &solid, const std::vector<std::array<double, n>> (&values)[2], MPI_Comm communicator)
+    {
+      const std::size_t     n_nodes = solid.mesh.n_nodes();
+      std::vector<double>   result(n * n_nodes);
+      AlignedVector<double> volume(4 * n_nodes, 0.), part(4 * n_nodes);
+      SharedSum             sum(solid.mesh, communicator);
+      const auto            for_each = [&](const auto &work) {
+        for (int body = 0; body < 2; ++body)
+          {
+            const ElementBlocks &blocks = solid.blocks[body];
+            for (std::size_t e = 0; e < blocks.n_elements; ++e)
+              {
+                const std::size_t batch = e / blocks.width, lane = e % blocks.width;
+                const double V = blocks.data[(batch * ElementBlocks::fields + 24) * blocks.width + lane];
+                for (const unsigned int node : solid.mesh.cells[solid.block_cells[body][e]])
+                  work(body, e, node, V);
+              }
+          }
+      };
+      for_each([&](int, std::size_t, unsigned int node, double V) { volume[4 * node] += V; });
+      sum(volume.data(), 1);
+      for (std::size_t first = 0; first < n; first += 3)
+        {
+          std::fill(part.begin(), part.end(), 0.);
+          for_each([&](int body, std::size_t e, unsigned int node, double V) {
+            for (std::size_t k = 0; k < 3; ++k)
+              part[4 * node + k] += V * values[body][e][first + k];
+          });
+          sum(part.data());
+          for (std::size_t node = 0; node < n_nodes; ++node)
+            for (std::size_t k = 0; k < 3; ++k)
+              result[n * node + first + k] = volume[4 * node] > 0 ? part[4 * node + k] / volume[4 * node] : 0;
+        }
+      return result;
+    }
+  } // namespace
+
+
+
+  std::vector<double>
+  nodal_gradient(const Solid &solid, MPI_Comm communicator)
+  {
+    std::vector<std::array<double, 9>> gradient[2];
+    for (int body = 0; body < 2; ++body)
+      {
+        const ElementBlocks &blocks = solid.blocks[body];
+        for (std::size_t e = 0; e < blocks.n_elements; ++e)
+          {
+            const std::size_t batch = e / blocks.width, lane = e % blocks.width;
+            const double     *B = &blocks.data[batch * ElementBlocks::fields * blocks.width + lane];
+            const auto       &cell = solid.mesh.cells[solid.block_cells[body][e]];
+            std::array<double, 9> H{};
+            for (int a = 0; a < 8; ++a)
+              for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j)
+                  H[3 * i + j] += solid.displacement[4 * cell[a] + i] * B[(3 * a + j) * blocks.width];
+            gradient[body].push_back(H);
+          }
+      }
+    return nodal_means<9>(solid, gradient, communicator);
+  }
+
+
+
+  std::vector<double>
+  nodal_stress(const Solid &solid, MPI_Comm communicator)
+  {
+    std::vector<std::array<double, 6>> stress[2];
+    for (int body = 0; body < 2; ++body)
+      stress[body] = element_stress(solid.blocks[body], solid.displacement.data());
+    return nodal_means<6>(solid, stress, communicator);
+  }
+} // namespace wheelrail

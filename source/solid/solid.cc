@@ -1,0 +1,190 @@
+#include <wheelrail/solid/solid.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// The rank's elements before packing.
+    struct Elements
+    {
+      std::vector<ElementGeometry>             geometry[2];
+      std::vector<std::array<unsigned int, 8>> cells[2];
+    };
+
+    std::array<Vector3, 8>
+    vertices(const LocalMesh &mesh, const std::array<unsigned int, 8> &cell)
+    {
+      std::array<Vector3, 8> X;
+      for (int a = 0; a < 8; ++a)
+        for (int i = 0; i < 3; ++i)
+          X[a][i] = mesh.reference[4 * cell[a] + i];
+      return X;
+    }
+
+    /// Smallest corner Jacobian over the mean Jacobian of a cell.
+    double
+    corner_quality(const std::array<Vector3, 8> &X, const double volume)
+    {
+      double worst = 1e300;
+      for (int a = 0; a < 8; ++a)
+        {
+          Vector3 edge[3];
+          for (int k = 0; k < 3; ++k)
+            {
+              const int other = a ^ (1 << k);
+              edge[k]         = (other > a ? 1. : -1.) * (X[other] - X[a]);
+            }
+          worst = std::min(worst, dot(edge[0], cross(edge[1], edge[2])) / volume);
+        }
+      return worst;
+    }
+
+    Elements
+    build_elements(Solid &solid)
+    {
+      Elements     elements;
+      MeshQuality &q = solid.quality;
+      q.smallest     = 1e300;
+      unsigned char finest = 0;
+      for (const auto level : solid.mesh.cell_level)
+        finest = std::max(finest, level);
+      for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
+        {
+          const int  body = static_cast<int>(solid.mesh.cell_body[c]);
+          const auto X    = vertices(solid.mesh, solid.mesh.cells[c]);
+          const auto g    = element_geometry(X);
+          elements.geometry[body].push_back(g);
+          elements.cells[body].push_back(solid.mesh.cells[c]);
+          solid.block_cells[body].push_back(c);
+          q.worst_jacobian = std::min(q.worst_jacobian, corner_quality(X, g.volume));
+          q.smallest       = std::min(q.smallest, std::cbrt(g.volume));
+          q.largest        = std::max(q.largest, std::cbrt(g.volume));
+          q.finest_elements += solid.mesh.cell_level[c] == finest;
+        }
+      q.rail_elements  = elements.cells[0].size();
+      q.wheel_elements = elements.cells[1].size();
+      q.elements       = q.rail_elements + q.wheel_elements;
+      q.hanging        = solid.mesh.hanging.size();
+      for (const auto owned : solid.mesh.owned)
+        q.nodes += owned;
+      return elements;
+    }
+
+    void
+    reduce_quality(MeshQuality &q, MPI_Comm communicator)
+    {
+      unsigned long counts[6] = {q.elements, q.nodes, q.hanging, q.rail_elements, q.wheel_elements, q.finest_elements};
+      MPI_Allreduce(MPI_IN_PLACE, counts, 6, MPI_UNSIGNED_LONG, MPI_SUM, communicator);
+      q.elements = counts[0], q.nodes = counts[1], q.hanging = counts[2];
+      q.rail_elements = counts[3], q.wheel_elements = counts[4], q.finest_elements = counts[5];
+      double low[2] = {q.worst_jacobian, q.smallest};
+      MPI_Allreduce(MPI_IN_PLACE, low, 2, MPI_DOUBLE, MPI_MIN, communicator);
+      q.worst_jacobian = low[0], q.smallest = low[1];
+      MPI_Allreduce(MPI_IN_PLACE, &q.largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
+    }
+
+    void
+    lump_mass(Solid &solid, const Elements &elements, MPI_Comm communicator)
+    {
+      AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
+      for (int body = 0; body < 2; ++body)
+        for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
+          for (int a = 0; a < 8; ++a)
+            mass[4 * elements.cells[body][e][a]] +=
+              solid.blocks[body].material.density * elements.geometry[body][e].node_volume[a];
+      condense(solid.mesh, mass.data());
+      SharedSum sum(solid.mesh, communicator);
+      sum(mass.data(), 1);
+      solid.mass.resize(solid.mesh.n_nodes());
+      for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+        solid.mass[n] = mass[4 * n];
+      for (const unsigned int n : solid.mesh.hanging)
+        solid.mass[n] = 0;
+    }
+
+    /// The stiffest element over all ranks. The linear bulk viscosity is a damping ratio of
+    /// `coefficient` at the highest frequency; taken at the half step behind it shortens the step.
+    StableStep
+    find_stable_step(const Solid &solid, const Elements &elements, const double coefficient, MPI_Comm communicator)
+    {
+      double     largest = 0;
+      StableStep stable;
+      for (int body = 0; body < 2; ++body)
+        for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
+          {
+            const double bound = element_frequency_bound(elements.geometry[body][e], solid.blocks[body].material);
+            if (bound > largest)
+              {
+                largest       = bound;
+                stable.body   = static_cast<Body>(body);
+                stable.length = std::cbrt(elements.geometry[body][e].volume);
+                stable.place  = {0, 0, 0};
+                for (const auto &x : vertices(solid.mesh, elements.cells[body][e]))
+                  add(stable.place, 1. / 8, x);
+              }
+          }
+      struct
+      {
+        double value;
+        int    rank;
+      } best;
+      best.value = largest;
+      MPI_Comm_rank(communicator, &best.rank);
+      MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator);
+      double data[5] = {double(stable.body), stable.length, stable.place[0], stable.place[1], stable.place[2]};
+      MPI_Bcast(data, 5, MPI_DOUBLE, best.rank, communicator);
+      stable.body   = static_cast<Body>(static_cast<int>(data[0]));
+      stable.length = data[1];
+      stable.place  = {data[2], data[3], data[4]};
+      stable.step   = 2 / std::sqrt(best.value) * (std::sqrt(1 + coefficient * coefficient) - coefficient);
+      return stable;
+    }
+  } // namespace
+
+
+
+  Solid
+  make_solid(LocalMesh         mesh,
+             const Elasticity &rail,
+             const Elasticity &wheel,
+             const double      bulk_viscosity,
+             MPI_Comm          communicator)
+  {
+    Solid solid;
+    solid.mesh                = std::move(mesh);
+    const Elements elements   = build_elements(solid);
+    solid.blocks[0]           = pack_elements(elements.geometry[0], elements.cells[0], rail);
+    solid.blocks[1]           = pack_elements(elements.geometry[1], elements.cells[1], wheel);
+    const std::size_t n_nodes = solid.mesh.n_nodes();
+    solid.added_mass.assign(n_nodes, 0.);
+    solid.displacement.assign(4 * n_nodes, 0.);
+    solid.velocity.assign(4 * n_nodes, 0.);
+    solid.force.assign(4 * n_nodes, 0.);
+    lump_mass(solid, elements, communicator);
+    solid.stable = find_stable_step(solid, elements, bulk_viscosity, communicator);
+    reduce_quality(solid.quality, communicator);
+    return solid;
+  }
+
+
+
+  MassProperties
+  mass_properties(const Solid &solid, const Body body, const Vector3 &about, MPI_Comm communicator)
+  {
+    double sum[5] = {0, 0, 0, 0, 0};
+    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+      if (solid.mesh.owned[n] && solid.mesh.node_body[n] == body)
+        {
+          const double *X = &solid.mesh.reference[4 * n];
+          sum[0] += solid.mass[n];
+          for (int i = 0; i < 3; ++i)
+            sum[1 + i] += solid.mass[n] * X[i];
+          sum[4] += solid.mass[n] * (std::pow(X[1] - about[1], 2) + std::pow(X[2] - about[2], 2));
+        }
+    MPI_Allreduce(MPI_IN_PLACE, sum, 5, MPI_DOUBLE, MPI_SUM, communicator);
+    return {sum[0], {sum[1] / sum[0], sum[2] / sum[0], sum[3] / sum[0]}, sum[4]};
+  }
+} // namespace wheelrail

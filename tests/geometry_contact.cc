@@ -1,0 +1,306 @@
+// Placement and 2D-Geo: contact points against the reference tables for all shifts and both roll
+// modes, profiles in the contact frame, interpenetration, refused shifts, speed.
+
+#include "check.h"
+#include "reference_table.h"
+
+#include <wheelrail/application/geometry_command.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/contact_geometry.h>
+
+#include <algorithm>
+#include <chrono>
+#include <sstream>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  const double degree = std::acos(-1.) / 180;
+
+  /// [m]: the terms of the polynomial of zone C reach 300 m and cancel to 5 mm.
+  const double round_off = 1e-13;
+
+  void
+  test_placement()
+  {
+    const TrackDimensions track;
+    const Placement a = place_rail(rail_profile("54E1"), track), b = place_rail(rail_profile("60E1"), track);
+    check_near((0.75 - a.origin.x) * 1e3, 752.066413, 1e-6, "54E1 crown from the track centre [mm]");
+    check_near(a.origin.y * 1e3, -0.093706, 1e-6, "54E1 crown below the highest point [mm]");
+    check_near((0.75 - b.origin.x) * 1e3, 753.034723, 1e-6, "60E1 crown from the track centre [mm]");
+    check_near(b.origin.y * 1e3, -0.093706, 1e-6, "60E1 crown below the highest point [mm]");
+    const Point2 p = {0.003, -0.02};
+    check_near(norm(a.to_section(a.to_track(p)) - p), 0, 1e-16, "to_section undoes to_track [m]");
+    check(a.to_track({0, 0.1}).x > a.to_track({0, 0}).x, "the rail leans towards the track centre");
+    check(a.to_track({0.01, 0}).x < a.to_track({0, 0}).x, "the field side lies at smaller X");
+  }
+
+  /// The tables hold a wheelset with the shift positive to the right. The modelled wheel is the
+  /// table's left wheel seen along its own X, which there points to the right; the table's right
+  /// wheel is its mirror image, with shift and roll of opposite sign.
+  void
+  test_reference_points()
+  {
+    const RailProfile     rail  = rail_profile("54E1");
+    const WheelProfile    wheel = wheel_profile("S1002");
+    const TrackDimensions track;
+    const auto            table = read_table("contact_points_54E1.csv");
+    check(table.size() == 36, "36 contact points in the table");
+
+    double point = 0, angle = 0, radius = 0, roll = 0, lift = 0, rail_radius = 0, wheel_radius = 0,
+           second = 0, place = 0;
+    for (const auto &row : table)
+    {
+      const auto            number = [&](const int column) { return std::stod(row[column]); };
+      const double          sign   = row[2] == "left" ? 1 : -1;
+      const RollMode        mode   = row[0] == "no_roll" ? RollMode::none : RollMode::from_contact;
+      const ContactGeometry c      = find_contact(rail, wheel, track, sign * 1e-3 * number(1), mode);
+      point                        = std::max({point,
+                                               std::abs(1e3 * c.wheel_x - number(5)),
+                                               std::abs(1e3 * c.wheel_y - number(6)),
+                                               std::abs(1e3 * c.rail_x - number(9)),
+                                               std::abs(1e3 * c.rail_y - number(10))});
+      angle                        = std::max(angle, std::abs(c.angle / degree - number(15)));
+      radius                       = std::max(radius, std::abs(1e3 * c.rolling_radius - number(8)));
+      roll                         = std::max(roll, std::abs(sign * c.roll - number(3)));
+      // The table gives the height of the axle's middle.
+      const double middle = c.axle.y + std::sin(c.roll) * running_circle_distance(track);
+      lift                = std::max(lift, std::abs(1e3 * (middle - track.nominal_radius) - number(4)));
+      place               = std::max({place,
+                                      std::abs(1e3 * (c.frame.origin.x - 0.75) - sign * number(12)),
+                                      std::abs(1e3 * c.frame.origin.y - number(13))});
+      rail_radius         = std::max(rail_radius, std::abs(1e3 / c.rail_curvature / number(16) - 1));
+      wheel_radius        = std::max(wheel_radius, std::abs(1e3 / c.wheel_curvature / number(17) - 1));
+      check(c.wheel_segment == row[7] && c.rail_segment == row[11],
+            "zone " + row[7] + " on '" + row[11] + "' at shift " + row[1] + " mm, " + row[0] + ", " + row[2]);
+      if (row.size() > 19 && row[19].size() > 1)
+      {
+        const auto at = row[19].find('@');
+        second        = std::max({second,
+                                  std::abs(1e3 * c.second_gap - std::stod(row[19].substr(0, at))),
+                                  std::abs(c.second_rail_x - 1e-3 * std::stod(row[19].substr(at + 1)))});
+      }
+    }
+    check_near(point, 0, 1e-4, "contact points, largest difference [mm] (asked: 0.02)");
+    check_near(angle, 0, 1e-4, "contact angle, largest difference [degrees] (asked: 0.05)");
+    check_near(radius, 0, 1e-5, "rolling radius, largest difference [mm] (asked: 0.001)");
+    check_near(roll, 0, 1e-8, "roll, largest difference [rad]");
+    check_near(lift, 0, 1e-5, "height of the axle, largest difference [mm]");
+    check_near(place, 0, 1e-4, "place in the track plane, largest difference [mm]");
+    check_near(rail_radius, 0, 1e-4, "lateral radius of the rail, largest relative difference");
+    check_near(wheel_radius, 0, 1e-3, "lateral radius of the wheel, largest relative difference");
+    check_near(second, 0, 1e-5, "second minimum: gap [mm], place [m]");
+  }
+
+  void
+  test_radius_differences()
+  {
+    const RailProfile     rail  = rail_profile("54E1");
+    const WheelProfile    wheel = wheel_profile("S1002");
+    const TrackDimensions track;
+    double                none = 0, both = 0;
+    for (const auto &row : read_table("rolling_radius_difference_54E1.csv"))
+    {
+      const double shift      = 1e-3 * std::stod(row[0]);
+      const auto   difference = [&](const RollMode mode)
+      {
+        // The table's right wheel is ours with the shift reversed.
+        return 1e3 * (find_contact(rail, wheel, track, -shift, mode).rolling_radius -
+                      find_contact(rail, wheel, track, shift, mode).rolling_radius);
+      };
+      none = std::max(none, std::abs(difference(RollMode::none) - std::stod(row[1])));
+      both = std::max(both, std::abs(difference(RollMode::from_contact) - std::stod(row[2])));
+    }
+    check_near(none, 0, 1e-4, "rolling radius difference 0 to 7 mm without roll, largest difference [mm]");
+    check_near(both, 0, 1e-4, "rolling radius difference 0 to 7 mm with roll, largest difference [mm]");
+  }
+
+  void
+  test_frame_profiles()
+  {
+    const RailProfile  rail  = rail_profile("54E1");
+    const WheelProfile wheel = wheel_profile("S1002");
+    for (const double shift : {0., -5.5e-3, 3.5e-3})
+    {
+      const std::string     where = " at shift " + std::to_string(shift * 1e3) + " mm";
+      const ContactGeometry c     = find_contact(rail, wheel, TrackDimensions(), shift, RollMode::none);
+      const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
+      check_near(undeformed_distance(w, r, 0), 0, round_off, "distance at the contact point [m]" + where);
+      check_near(w.at(0).slope - r.at(0).slope, 0, 1e-8, "difference of slopes at the contact point" + where);
+
+      double       off = 0, slope = 0, lowest = 0;
+      const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
+      for (int i = 0; i <= 1000; ++i)
+      {
+        const double s = low + (high - low) * i / 1000, h = 1e-7;
+        lowest = std::min(lowest, undeformed_distance(w, r, s));
+        for (const bool is_wheel : {true, false})
+        {
+          const FrameProfile &p         = is_wheel ? w : r;
+          const Curve        &curve     = is_wheel ? wheel.tread : rail.head;
+          const Placement    &placement = is_wheel ? c.wheel : c.rail;
+          const Point2        at = c.frame.to_frame(placement.to_track(curve.at(p.parameter(s)).position));
+          // Published coefficients jump by 0.12 micrometres between zones D and C.
+          const bool joint = std::any_of(
+            p.joints().begin(), p.joints().end(), [&](const double t) { return std::abs(t - s) < 1e-6; });
+          if (!joint)
+          {
+            off = std::max(off, norm(at - Point2{s, p.at(s).n}));
+            if (s - h > low && s + h < high)
+              slope = std::max(slope, std::abs((p.at(s + h).n - p.at(s - h).n) / (2 * h) - p.at(s).slope));
+          }
+        }
+      }
+      check_near(off, 0, round_off, "n(s) against the curve itself [m]" + where);
+      check_near(slope, 0, 1e-6, "dn/ds against difference quotient" + where);
+      check(lowest >= -round_off, "nothing interpenetrates in touch" + where);
+
+      const auto ranges = interpenetration(w, r, 1e-4);
+      check(!ranges.empty(), "there is interpenetration at 0.1 mm" + where);
+      double edges         = 0;
+      bool   holds_contact = false;
+      for (const Range &range : ranges)
+      {
+        edges         = std::max({edges,
+                                  std::abs(undeformed_distance(w, r, range.s0) - 1e-4),
+                                  std::abs(undeformed_distance(w, r, range.s1) - 1e-4)});
+        holds_contact = holds_contact || (range.s0 < 0 && range.s1 > 0);
+      }
+      check_near(edges, 0, round_off, "distance at the ends of interpenetration less 0.1 mm [m]" + where);
+      check(holds_contact, "the contact point lies in the interpenetration" + where);
+    }
+
+    const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), 0, RollMode::none);
+    const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
+    const double          kappa = c.rail_curvature + c.wheel_curvature;
+    check_near(undeformed_distance(w, r, 1e-4) / (0.5e-8 * kappa),
+               1,
+               0.05,
+               "distance near the point is kappa s^2 / 2, ratio");
+
+    const auto start = std::chrono::steady_clock::now();
+    double     sum   = 0;
+    for (int i = 0; i < 100000; ++i)
+      sum += undeformed_distance(w, r, -0.02 + 4e-7 * i);
+    const auto middle = std::chrono::steady_clock::now();
+    for (int i = 0; i < 10; ++i)
+      sum += find_contact(rail, wheel, TrackDimensions(), 1e-4 * i, RollMode::from_contact).rolling_radius;
+    const auto end = std::chrono::steady_clock::now();
+    check(std::isfinite(sum), "speed loops give numbers");
+    check_near(
+      std::chrono::duration<double>(middle - start).count(), 0, 1, "100 000 undeformed distances [s]");
+    check_near(std::chrono::duration<double>(end - middle).count() / 10, 0, 0.2, "one contact with roll [s]");
+  }
+
+  void
+  refused(const double shift, const RollMode mode)
+  {
+    try
+    {
+      find_contact(rail_profile("54E1"), wheel_profile("S1002"), TrackDimensions(), shift, mode);
+      check(false, "a shift of " + std::to_string(1e3 * shift) + " mm is refused");
+    }
+    catch (const InputError &e)
+    {
+      const std::string  text = e.what();
+      std::ostringstream number;
+      number << 1e3 * shift << " mm";
+      check(text.find(number.str()) != std::string::npos && text.find("are possible") != std::string::npos,
+            text);
+    }
+  }
+
+  void
+  test_other_pair()
+  {
+    // 60E1 has no table of points; the touching itself is checked.
+    const RailProfile  rail  = rail_profile("60E1");
+    const WheelProfile wheel = wheel_profile("S1002");
+    double             worst = 0, lowest = 0;
+    for (int i = -12; i <= 12; ++i)
+      for (const RollMode mode : {RollMode::none, RollMode::from_contact})
+      {
+        const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), 0.5e-3 * i, mode);
+        const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
+        worst = std::max(
+          worst, norm(c.wheel.to_track({c.wheel_x, c.wheel_y}) - c.rail.to_track({c.rail_x, c.rail_y})));
+        const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
+        for (int k = 0; k <= 400; ++k)
+          lowest = std::min(lowest, undeformed_distance(w, r, low + (high - low) * k / 400));
+      }
+    check_near(worst, 0, round_off, "60E1: wheel and rail points coincide over -6 to 6 mm [m]");
+    check_near(lowest, 0, round_off, "60E1: nothing interpenetrates over -6 to 6 mm [m]");
+  }
+
+  void
+  test_command()
+  {
+    Scene              scene;
+    std::ostringstream plain, wide;
+    check(run_geometry_command(scene, {}, plain) == 0, "the command returns 0");
+    const std::string text = plain.str();
+    check(text.find("-29.731   -26.076   19.628   463.8240") != std::string::npos,
+          "the command lists shift -5.5 mm");
+    check(text.find("at 0.672 mm: wheel x from") != std::string::npos,
+          "the command finds the jump near 0.67 mm");
+    check(text.find("undeformed distance at s = -10 mm") != std::string::npos,
+          "the command gives the details");
+    scene.lateral_shift = 0.06;
+    check(run_geometry_command(scene, {0.06, 0}, wide) == 1, "a scene without contact returns 1");
+    check(wide.str().find("no contact") != std::string::npos &&
+            wide.str().find("460.4288") != std::string::npos,
+          "a shift without contact gets its line, the others are listed");
+  }
+
+  /// Other tracks: wheel and rail touch in one point and nowhere overlap.
+  void
+  test_other_tracks()
+  {
+    const RailProfile  rail   = rail_profile("54E1");
+    const WheelProfile wheel  = wheel_profile("S1002");
+    double             lowest = 0, steps = 0;
+    for (const double inclination : {0., 1. / 20, 1. / 30})
+      for (const double gauge : {1.430, 1.445})
+      {
+        TrackDimensions track;
+        track.inclination = inclination;
+        track.gauge       = gauge;
+        double before     = 0;
+        for (int i = -8; i <= 8; ++i)
+        {
+          const ContactGeometry c = find_contact(rail, wheel, track, 0.5e-3 * i, RollMode::from_contact);
+          const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
+          const double          low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
+          for (int k = 0; k <= 400; ++k)
+            lowest = std::min(lowest, undeformed_distance(w, r, low + (high - low) * k / 400));
+          // To the field side the contact moves to smaller radii, by steps of either size.
+          if (i > -8)
+            steps = std::max(steps, c.rolling_radius - before);
+          before = c.rolling_radius;
+        }
+      }
+    check_near(lowest, 0, round_off, "other tracks: nothing interpenetrates [m]");
+    check_near(steps, 0, 1e-9, "other tracks: the rolling radius falls with the shift [m]");
+  }
+} // namespace
+
+
+int
+main()
+{
+  test_placement();
+  test_reference_points();
+  test_radius_differences();
+  test_frame_profiles();
+  test_other_pair();
+  test_other_tracks();
+  test_command();
+  refused(60e-3, RollMode::none);
+  refused(60e-3, RollMode::from_contact);
+  refused(-60e-3, RollMode::none);
+  refused(0.2, RollMode::none);
+  refused(-18e-3, RollMode::from_contact);
+  return report();
+}

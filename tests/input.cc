@@ -1,0 +1,335 @@
+// Reading and listing of parameter files: every entry, defaults, round trips, the ready scenes, the
+// manual, and the command line.
+
+#include "check.h"
+
+#include <wheelrail/application/commands.h>
+#include <wheelrail/application/entries.h>
+#include <wheelrail/application/parameters.h>
+#include <wheelrail/application/simulation.h>
+#include <wheelrail/base/errors.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_text;
+
+namespace
+{
+  /// A value other than the default for each entry; together a scene that passes the cross-checks.
+  const std::map<std::string, std::string> &
+  other_values()
+  {
+    static const std::map<std::string, std::string> values = {
+      {"Title", "other scene, 50 % slower"},
+      {"Profiles/Rail", "60E1"},
+      {"Track/Gauge", "1437 mm"},
+      {"Track/Gauge height", "15 mm"},
+      {"Track/Rail inclination", "1/20"},
+      {"Track/Rail length", "1.2 m"},
+      {"Wheelset/Nominal rolling radius", "420 mm"},
+      {"Wheelset/Flange back distance", "1361 mm"},
+      {"Wheelset/Lateral shift", "-3.5 mm"},
+      {"Wheelset/Roll", "from contact"},
+      {"Wheelset/Rim width", "136 mm"},
+      {"Wheelset/Rim inner radius", "365 mm"},
+      {"Wheelset/Disc thickness", "25 mm"},
+      {"Wheelset/Disc position", "70 mm"},
+      {"Wheelset/Hub length", "180 mm"},
+      {"Wheelset/Hub position", "71 mm"},
+      {"Wheelset/Hub outer radius", "125 mm"},
+      {"Wheelset/Bore radius", "90 mm"},
+      {"Wheelset/Fillet radius", "18 mm"},
+      {"Wheelset/Sprung mass", "9.5 t"},
+      {"Wheelset/Axle mass", "170 kg"},
+      {"Wheelset/Axle pitch inertia", "1.4 kg m2"},
+      {"Wheelset/Suspension stiffness", "1.2 MN/m"},
+      {"Wheelset/Suspension damping", "2600 N s/m"},
+      {"Wheelset/Velocity", "70 km/h"},
+      {"Wheelset/Drive", "rate"},
+      {"Wheelset/Traction coefficient", "-0.2"},
+      {"Wheelset/Creepage", "0.001"},
+      {"Contact/Friction coefficient", "0.3"},
+      {"Contact/Penalty scale", "3"},
+      {"Contact/Damping", "0.2"},
+      {"Rail material/Young's modulus", "206 GPa"},
+      {"Rail material/Poisson's ratio", "0.28"},
+      {"Rail material/Density", "7850 kg/m3"},
+      {"Rail material/Tangent modulus", "20 GPa"},
+      {"Rail material/Kinematic hardening fraction", "0.5"},
+      {"Wheel material/Young's modulus", "207 GPa"},
+      {"Wheel material/Poisson's ratio", "0.29"},
+      {"Wheel material/Density", "7800 kg/m3"},
+      {"Wheel material/Tangent modulus", "19 GPa"},
+      {"Wheel material/Kinematic hardening fraction", "1"},
+      {"Mesh/Solution cell size", "2 mm"},
+      {"Mesh/Coarse cell size", "32 mm"},
+      {"Mesh/Fine depth", "7 mm"},
+      {"Mesh/Fine margin", "6 mm"},
+      {"Run/Rolling distance", "260 mm"},
+      {"Run/Averaging distance", "50 mm"},
+      {"Run/Time step factor", "0.8"},
+      {"Run/Bulk viscosity", "0.03"},
+      {"Run/Energy limit", "0.02"},
+      {"Output/Folder", "output/other"},
+      {"Output/Ticks", "13"},
+      {"Output/Volume fields", "false"},
+    };
+    return values;
+  }
+
+  /// Entries for which this version accepts one value only.
+  const std::set<std::string> single_valued = {"Profiles/Wheel",
+                                               "Mesh/Element",
+                                               "Rail material/Yield stress",
+                                               "Wheel material/Yield stress"};
+
+  Scene
+  other_scene()
+  {
+    std::vector<std::string> sets;
+    for (const auto &value : other_values())
+      sets.push_back(value.first + " = " + value.second);
+    return scene_from_text("", "none", sets);
+  }
+
+  void
+  test_entries()
+  {
+    const Scene defaults = scene_from_text("", "none", {}), plain;
+    const Scene other    = other_scene();
+    for (const Entry &entry : entries())
+      {
+        const std::string path = entry.path();
+        check_text(entry.get(defaults), entry.default_text, path + ": default of the table");
+        check_text(entry.get(plain), entry.default_text, path + ": default of the struct");
+        const auto value = other_values().find(path);
+        if (value == other_values().end())
+          check(single_valued.count(path) == 1, path + ": has one value");
+        else
+          check_text(entry.get(other), value->second, path + ": set and read back");
+        check(!entry.meaning.empty() && entry.meaning.back() == '.', path + ": has a meaning");
+      }
+    check_near(static_cast<double>(other_values().size() + single_valued.size()),
+               static_cast<double>(entries().size()),
+               0,
+               "all entries are tested");
+  }
+
+  /// One entry changes one value: the others keep theirs.
+  void
+  test_independence()
+  {
+    for (const auto &value : other_values())
+      {
+        Scene        scene = scene_from_text("", "none", {});
+        const auto   slash = value.first.find('/');
+        const Entry *entry = slash == std::string::npos
+                               ? find_entry("", value.first)
+                               : find_entry(value.first.substr(0, slash), value.first.substr(slash + 1));
+        if (!check(entry != nullptr, value.first + ": is an entry"))
+          continue;
+        entry->set(scene, value.second);
+        std::string changed;
+        for (const Entry &any : entries())
+          if (any.get(scene) != any.default_text)
+            changed += any.path() + ";";
+        // "auto" is five cells: with other cells the depth of the defaults is a length
+        if (value.first == "Mesh/Solution cell size")
+          check_text(
+            changed, "Mesh/Solution cell size;Mesh/Fine depth;", value.first + ": changes itself and auto");
+        else
+          check_text(changed, value.first + ";", value.first + ": changes only itself");
+      }
+  }
+
+  void
+  test_fields()
+  {
+    const Scene s = other_scene();
+    check_text(s.title, "other scene, 50 % slower", "field title");
+    check_text(s.wheel_profile, "S1002", "field wheel_profile");
+    check_text(s.rail_profile, "60E1", "field rail_profile");
+    check_near(s.track.gauge, 1.437, 0, "field gauge");
+    check_near(s.track.gauge_height, 0.015, 0, "field gauge_height");
+    check_near(s.track.inclination, 0.05, 0, "field inclination");
+    check_near(s.rail_length, 1.2, 0, "field rail_length");
+    check_near(s.track.nominal_radius, 0.42, 0, "field track.nominal_radius");
+    check_near(s.wheel.nominal_radius, 0.42, 0, "field wheel.nominal_radius");
+    check_near(s.track.flange_back_distance, 1.361, 0, "field flange_back_distance");
+    check_near(s.lateral_shift, -0.0035, 0, "field lateral_shift");
+    check(s.roll == RollMode::from_contact, "field roll");
+    check_near(s.wheel.rim_width, 0.136, 0, "field rim_width");
+    check_near(s.wheel.rim_inner_radius, 0.365, 0, "field rim_inner_radius");
+    check_near(s.wheel.disc_thickness, 0.025, 0, "field disc_thickness");
+    check_near(s.wheel.disc_position, 0.07, 0, "field disc_position");
+    check_near(s.wheel.hub_length, 0.18, 0, "field hub_length");
+    check_near(s.wheel.hub_position, 0.071, 0, "field hub_position");
+    check_near(s.wheel.hub_outer_radius, 0.125, 0, "field hub_outer_radius");
+    check_near(s.wheel.bore_radius, 0.09, 0, "field bore_radius");
+    check_near(s.wheel.fillet_radius, 0.018, 0, "field fillet_radius");
+    check_near(s.sprung_mass, 9500, 0, "field sprung_mass");
+    check_near(s.axle_mass, 170, 0, "field axle_mass");
+    check_near(s.axle_pitch_inertia, 1.4, 0, "field axle_pitch_inertia");
+    check_near(s.suspension_stiffness, 1.2e6, 0, "field suspension_stiffness");
+    check_near(s.suspension_damping, 2600, 0, "field suspension_damping");
+    check_near(s.velocity, 70 / 3.6, 0, "field velocity");
+    check(s.drive == Drive::rate, "field drive");
+    check_near(s.traction_coefficient, -0.2, 0, "field traction_coefficient");
+    check_near(s.creepage, 0.001, 0, "field creepage");
+    check_near(s.friction_coefficient, 0.3, 0, "field friction_coefficient");
+    check_near(s.penalty_scale, 3, 0, "field penalty_scale");
+    check_near(s.contact_damping, 0.2, 0, "field contact_damping");
+    check_near(s.rail_material.youngs_modulus, 206e9, 0, "field rail youngs_modulus");
+    check_near(s.rail_material.poissons_ratio, 0.28, 0, "field rail poissons_ratio");
+    check_near(s.rail_material.density, 7850, 0, "field rail density");
+    check_near(s.rail_material.tangent_modulus, 20e9, 0, "field rail tangent_modulus");
+    check_near(s.rail_material.kinematic_hardening, 0.5, 0, "field rail kinematic_hardening");
+    check_near(s.wheel_material.youngs_modulus, 207e9, 0, "field wheel youngs_modulus");
+    check_near(s.wheel_material.poissons_ratio, 0.29, 0, "field wheel poissons_ratio");
+    check_near(s.wheel_material.density, 7800, 0, "field wheel density");
+    check_near(s.wheel_material.tangent_modulus, 19e9, 0, "field wheel tangent_modulus");
+    check_near(s.wheel_material.kinematic_hardening, 1, 0, "field wheel kinematic_hardening");
+    check_near(s.cell_size, 0.002, 0, "field cell_size");
+    check_near(s.coarse_cell_size, 0.032, 0, "field coarse_cell_size");
+    check_near(s.fine_depth, 0.007, 0, "field fine_depth");
+    check_near(s.fine_margin, 0.006, 0, "field fine_margin");
+    check_near(s.rolling_distance, 0.26, 0, "field rolling_distance");
+    check_near(s.averaging_distance, 0.05, 0, "field averaging_distance");
+    check_near(s.time_step_factor, 0.8, 0, "field time_step_factor");
+    check_near(s.bulk_viscosity, 0.03, 0, "field bulk_viscosity");
+    check_near(s.energy_limit, 0.02, 0, "field energy_limit");
+    check_text(s.folder, "output/other", "field folder");
+    check_near(s.ticks, 13, 0, "field ticks");
+    check(!s.volume_fields, "field volume_fields");
+    check_near(scene_from_text("", "none", {"Mesh/Solution cell size = 2 mm"}).fine_depth,
+               0.010,
+               1e-18,
+               "fine depth auto is five cells");
+  }
+
+  void
+  test_round_trip()
+  {
+    const std::string defaults = print_parameters(Scene());
+    check_text(print_parameters(scene_from_text(defaults, "listing", {})),
+               defaults,
+               "listing of the defaults reads back");
+    const std::string other = print_parameters(other_scene());
+    check_text(
+      print_parameters(scene_from_text(other, "listing", {})), other, "listing of another scene reads back");
+    check(other != defaults, "the listings differ");
+    const Scene odd  = scene_from_text("", "none", {"Wheelset/Velocity = 38.123456789012345 m/s"});
+    const Scene back = scene_from_text(print_parameters(odd), "listing", {});
+    check_near(back.velocity, odd.velocity, 1e-14, "a velocity of 17 digits reads back");
+    std::size_t        longest = 0;
+    std::istringstream lines(defaults);
+    for (std::string line; std::getline(lines, line);)
+      longest = std::max(longest, line.size());
+    check(longest <= 100, "no line of the listing is longer than 100 characters");
+  }
+
+  void
+  test_syntax()
+  {
+    const std::string text =
+      "set Title = a = b # remark\r\n\r\n# only a remark\r\nsubsection Run\r\n\tset Rolling "
+      "distance=30mm\r\nend # of Run\r\nsubsection Contact\nend\nsubsection Run\nset Energy "
+      "limit = 1/100\nend";
+    const Scene scene = scene_from_text(text, "t.prm", {"Contact/Friction coefficient=0.4", "Title = c # d"});
+    check_near(scene.rolling_distance, 0.03, 0, "CRLF, tabs and no blanks around =");
+    check_near(scene.energy_limit, 0.01, 0, "a subsection may come twice, the last line may lack its end");
+    check_near(scene.friction_coefficient, 0.4, 0, "--set of an entry");
+    check_text(scene.title, "c", "--set goes before the file");
+    check_text(scene_from_text(text, "t.prm", {}).title, "a = b", "= and remark in a value");
+    check_text(scene_from_text("\xEF\xBB\xBFset Title = mark", "t.prm", {}).title, "mark", "byte order mark");
+  }
+
+  void
+  test_ready_files()
+  {
+    const std::filesystem::path source = WHEELRAIL_SOURCE_DIR;
+    for (const auto &file : std::filesystem::directory_iterator(source / "prm"))
+      if (file.path().extension() == ".prm")
+        {
+          std::string message;
+          try
+            {
+              read_scene(file.path().string(), {});
+            }
+          catch (const InputError &error)
+            {
+              message = error.what();
+            }
+          check_text(message, "", "prm/" + file.path().filename().string() + " is valid");
+        }
+    std::ifstream      manual(source / "doc/input.md");
+    std::ostringstream text;
+    text << manual.rdbuf();
+    for (const Entry &entry : entries())
+      {
+        const std::string row =
+          "| " + entry.name + " | " +
+          (entry.default_text.empty() ? std::string() : "`" + entry.default_text + "`") + " | " +
+          entry.accepted + " | " + entry.meaning + " |";
+        check(text.str().find(row) != std::string::npos, "doc/input.md has the row: " + row);
+      }
+  }
+
+  void
+  test_commands()
+  {
+    const std::string file = std::string(WHEELRAIL_SOURCE_DIR) + "/prm/quickstart.prm";
+    Scene             scene;
+    RunOptions        options;
+    const RunFunction run = [&](const Scene &s, const RunOptions &o) {
+      scene   = s;
+      options = o;
+      return 3;
+    };
+    std::ostringstream out;
+    check_near(
+      execute({"run", file, "--set", "Title = x", "--set", "Contact/Damping = 0.1", "--overwrite"}, run, out),
+      3,
+      0,
+      "run hands on the exit code");
+    check_text(scene.title, "x", "run: --set");
+    check_near(scene.contact_damping, 0.1, 0, "run: second --set");
+    check(options.overwrite && !options.resume, "run: --overwrite");
+    const std::string tail = "# --set \"Title = x\"\n# --set \"Contact/Damping = 0.1\"\n";
+    check(options.prm_text.find("set Title = quick start") != std::string::npos &&
+            options.prm_text.substr(options.prm_text.size() - tail.size()) == tail,
+          "run: the file as given with the changes as remarks");
+    check_text(options.parameters_text, print_parameters(scene), "run: all entries in force");
+    check_near(execute({"parameters", file}, run, out), 0, 0, "parameters");
+    check_text(out.str(), print_parameters(read_scene(file, {})), "parameters prints the listing");
+    check(needs_mpi({"run", "x.prm"}) && !needs_mpi({"run", "x.prm", "--validate"}) &&
+            !needs_mpi({"geometry"}) && !needs_mpi({}),
+          "only a run needs MPI");
+    const std::vector<double> shifts = parse_shifts("-6:6:0.5");
+    check_near(static_cast<double>(shifts.size()), 25, 0, "shifts: number");
+    check_near(shifts.front(), -0.006, 0, "shifts: first");
+    check_near(shifts.back(), 0.006, 0, "shifts: last");
+    check_near(parse_shifts("-5.5,0,2").at(2), 0.002, 0, "shifts: list");
+    check_near(static_cast<double>(parse_shifts("0:0.3:0.1").size()), 4, 0, "shifts: 0.3 in steps of 0.1");
+  }
+} // namespace
+
+int
+main()
+{
+  test_entries();
+  test_independence();
+  test_fields();
+  test_round_trip();
+  test_syntax();
+  test_ready_files();
+  test_commands();
+  return test::report();
+}

@@ -1,0 +1,317 @@
+// Block meshes of rail and wheel sections: area, shape, conformity, vertices on the exact profiles,
+// and equal lateral positions on both bodies in the fine strip.
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/mesh/rail_section.h>
+#include <wheelrail/mesh/wheel_section.h>
+
+#include "check.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+using namespace wheelrail;
+
+namespace
+{
+  constexpr double pi = 3.14159265358979323846;
+
+  // Number of blocks at each edge.
+  std::map<Section::EdgeKey, unsigned int>
+  edge_use(const Section &section)
+  {
+    std::map<Section::EdgeKey, unsigned int> use;
+    for (const auto &b : section.blocks)
+      for (const auto &e : {std::array<unsigned int, 2>{{0, 1}}, {{1, 3}}, {{2, 3}}, {{0, 2}}})
+        ++use[{{std::min(b.corner[e[0]], b.corner[e[1]]), std::max(b.corner[e[0]], b.corner[e[1]])}}];
+    return use;
+  }
+
+  // Every edge is shared by two blocks or lies on the boundary, which is one closed chain per
+  // section; marks and curves belong to edges that exist, marks to edges of the boundary.
+  void
+  check_conformity(const Section &section, const std::string &name)
+  {
+    const auto                           use = edge_use(section);
+    std::map<unsigned int, unsigned int> ends;
+    bool                                 good        = true;
+    unsigned int                         on_boundary = 0;
+    for (const auto &[edge, count] : use)
+    {
+      good = good && (count == 1 || count == 2);
+      if (count == 1)
+      {
+        ++ends[edge[0]];
+        ++ends[edge[1]];
+        ++on_boundary;
+      }
+    }
+    for (const auto &[corner, count] : ends)
+      good = good && count == 2;
+    for (const auto &entry : section.curved)
+      good = good && use.count(entry.first) == 1;
+    for (const auto &entry : section.boundary)
+      good = good && use.count(entry.first) == 1 && use.at(entry.first) == 1;
+    // Euler's formula of a region without holes
+    good = good && section.corners.size() + section.blocks.size() == use.size() + 1;
+    test::check(good,
+                name + ": blocks fit together, " + std::to_string(section.blocks.size()) + " blocks, " +
+                  std::to_string(on_boundary) + " boundary edges");
+
+    double jump = 0;
+    for (const auto &[edge, curve] : section.curved)
+      jump = std::max(
+        {jump, norm(curve(0) - section.corners[edge[0]]), norm(curve(1) - section.corners[edge[1]])});
+    test::check_near(jump, 0, 1e-9, name + ": curved edges end in their corners");
+  }
+
+  // Largest distance of points on edges with a mark from a profile.
+  double
+  distance_from(const Section                               &section,
+                const Boundary                               boundary,
+                const Curve                                 &curve,
+                const std::function<Point2(const Point2 &)> &to_profile)
+  {
+    double largest = 0;
+    for (const auto &[edge, mark] : section.boundary)
+      if (mark == boundary)
+        for (unsigned int i = 0; i <= 16; ++i)
+        {
+          const Point2 p = to_profile(section.curved.at(edge)(i / 16.));
+          largest        = std::max(largest, norm(p - curve.at(curve.closest(p)).position));
+        }
+    return largest;
+  }
+
+  // Blocks with an edge in the strip, and the largest error of s along these edges: at the
+  // sixteenths of each edge, s must divide the strip's blocks evenly.
+  struct StripBlocks
+  {
+    std::vector<unsigned int> blocks;
+    double                    error = 0;
+  };
+
+  StripBlocks
+  strip_blocks(const Section                               &section,
+               const FineStrip                             &strip,
+               const std::function<Point2(const Point2 &)> &to_track)
+  {
+    StripBlocks  result;
+    const auto   use   = edge_use(section);
+    unsigned int found = 0;
+    for (unsigned int b = 0; b < section.blocks.size(); ++b)
+    {
+      const auto &c = section.blocks[b].corner;
+      for (const auto &e : {std::array<unsigned int, 2>{{0, 1}}, {{1, 3}}, {{2, 3}}, {{0, 2}}})
+      {
+        const Section::EdgeKey key{{std::min(c[e[0]], c[e[1]]), std::max(c[e[0]], c[e[1]])}};
+        const auto             mark = section.boundary.find(key);
+        if (mark == section.boundary.end() || mark->second != Boundary::running)
+          continue;
+        const auto s = [&](const double t)
+        { return strip.frame.to_frame(to_track(section.curved.at(key)(t))).x; };
+        for (unsigned int i = 0; i + 1 < strip.s.size(); ++i)
+        {
+          const double a = s(0) < s(1) ? strip.s[i] : strip.s[i + 1],
+                       z = s(0) < s(1) ? strip.s[i + 1] : strip.s[i];
+          if (std::abs(s(0) - a) > 1e-6 || std::abs(s(1) - z) > 1e-6)
+            continue;
+          ++found;
+          result.blocks.push_back(b);
+          for (unsigned int k = 0; k <= 16; ++k)
+            result.error = std::max(result.error, std::abs(s(k / 16.) - a - (z - a) * k / 16));
+        }
+      }
+    }
+    test::check(found + 1 == strip.s.size(), "  the strip has its blocks: " + std::to_string(found));
+    return result;
+  }
+
+  // Smallest scaled Jacobian at 16 x 16, without the blocks that form a corner of the outline alone.
+  // Such a corner is a rounding of 2 to 4 mm at the toe of the rail foot, where cells have angles
+  // that tend to 180 degrees as they shrink; these blocks are never refined.
+  double
+  quality_without_outline_corners(const Section &section)
+  {
+    const auto                           use = edge_use(section);
+    std::map<unsigned int, unsigned int> blocks_at;
+    for (const auto &b : section.blocks)
+      for (const unsigned int c : b.corner)
+        ++blocks_at[c];
+
+    double quality = 1;
+    for (unsigned int b = 0; b < section.blocks.size(); ++b)
+    {
+      const auto &c = section.blocks[b].corner;
+      if (std::none_of(c.begin(), c.end(), [&](const unsigned int k) { return blocks_at[k] == 1; }))
+        quality = std::min(quality, block_quality(section, b, 16).min_scaled_jacobian);
+    }
+    return quality;
+  }
+
+  // Shape: the strip and the whole section at 16 x 16, 4 x 4 and undivided. Blocks of 16 mm stay well
+  // shaped at 16 x 16 everywhere.
+  void
+  check_shape(const Section &section, const StripBlocks &strip, const double block, const std::string &name)
+  {
+    double strip_quality = 1, smallest = 1, largest = 0;
+    for (const unsigned int b : strip.blocks)
+    {
+      const SectionQuality q = block_quality(section, b, 16);
+      strip_quality          = std::min(strip_quality, q.min_scaled_jacobian);
+      smallest               = std::min(smallest, q.min_edge);
+      largest                = std::max(largest, q.max_edge);
+    }
+    const SectionQuality fine = section_quality(section, 16), coarse = section_quality(section, 4),
+                         blocks = section_quality(section, 1);
+    const double limit          = 0.3;
+    const bool   good           = strip_quality > 0.7 && quality_without_outline_corners(section) > limit &&
+                      (block < 0.015 || fine.min_scaled_jacobian > limit) &&
+                      coarse.min_scaled_jacobian > limit && blocks.min_scaled_jacobian > limit;
+    std::ostringstream text;
+    text << std::setprecision(3) << name << ": scaled Jacobian, strip " << strip_quality << ", 16 x 16 "
+         << fine.min_scaled_jacobian << ", 4 x 4 " << coarse.min_scaled_jacobian << ", blocks "
+         << blocks.min_scaled_jacobian << "; edges in the strip " << smallest * 1e3 << " to " << largest * 1e3
+         << " mm, block edges " << blocks.min_edge * 1e3 << " to " << blocks.max_edge * 1e3 << " mm";
+    test::check(good, text.str());
+  }
+
+  // Area of the wheel section from its parts: rim below the tread (by Gauss's rule on the curve),
+  // disc, hub, fillets.
+  double
+  wheel_area(const WheelProfile &wheel, const WheelDimensions &d)
+  {
+    std::vector<Segment> segments = wheel.tread.segments();
+    const Point2         first    = wheel.tread.at(0).position;
+    const Point2         last     = wheel.tread.at(wheel.tread.parameter_end()).position;
+    const double         low      = d.nominal_radius - d.rim_inner_radius;
+    const auto           add      = [&segments](const Point2 &a, const Point2 &b)
+    {
+      Segment segment;
+      segment.start = a;
+      segment.end   = b;
+      segments.push_back(segment);
+    };
+    add(last, {last.x, low});
+    add({last.x, low}, {first.x, low});
+    add({first.x, low}, first);
+    const double f = d.fillet_radius;
+    return section_properties(Curve(segments)).area +
+           d.disc_thickness * (d.rim_inner_radius - d.hub_outer_radius) +
+           d.hub_length * (d.hub_outer_radius - d.bore_radius) + 4 * (1 - pi / 4) * f * f;
+  }
+
+  void
+  check_pair(const std::string &rail_name, const double shift, const double block)
+  {
+    const RailProfile     rail  = rail_profile(rail_name);
+    const WheelProfile    wheel = wheel_profile("S1002");
+    const WheelDimensions dimensions;
+    const ContactGeometry contact = find_contact(rail, wheel, TrackDimensions(), shift, RollMode::none);
+    const FrameProfile    wheel_top(wheel.tread, contact.wheel, contact.frame),
+      rail_top(rail.head, contact.rail, contact.frame);
+    const FineStrip strip = make_fine_strip(contact, wheel_top, rail_top, 1e-4, 0.004, block);
+
+    std::ostringstream text;
+    text << rail_name << " at " << shift * 1e3 << " mm, blocks of " << block * 1e3 << " mm";
+    const std::string name = text.str();
+    std::cout << "\n" << name << ", strip in mm:";
+    for (const double s : strip.s)
+      std::cout << ' ' << s * 1e3;
+    const Range limits = strip_limits(wheel_top, rail_top);
+    std::cout << ", possible from " << limits.s0 * 1e3 << " to " << limits.s1 * 1e3 << std::endl;
+    for (const Range &range : interpenetration(wheel_top, rail_top, 1e-4))
+      test::check(strip.s.front() < range.s0 && strip.s.back() > range.s1,
+                  "  the strip covers an interpenetration");
+
+    const Section rail_section  = make_rail_section(rail, contact.rail, strip, block);
+    const Section wheel_section = make_wheel_section(wheel, dimensions, contact.wheel, strip, block);
+    check_conformity(rail_section, name + ", rail");
+    check_conformity(wheel_section, name + ", wheel");
+
+    const auto rail_to_track       = [](const Point2 &p) { return p; };
+    const auto wheel_profile_point = [&](const Point2 &p) {
+      return Point2{-p.x, dimensions.nominal_radius - p.y};
+    };
+    const auto wheel_to_track = [&](const Point2 &p)
+    { return contact.wheel.to_track(wheel_profile_point(p)); };
+    const auto        rail_profile_point = [&](const Point2 &p) { return contact.rail.to_section(p); };
+    const StripBlocks on_rail            = strip_blocks(rail_section, strip, rail_to_track);
+    const StripBlocks on_wheel           = strip_blocks(wheel_section, strip, wheel_to_track);
+    test::check_near(
+      std::max(on_rail.error, on_wheel.error), 0, 1e-9, name + ": vertices in the strip at equal s");
+    test::check_near(distance_from(rail_section, Boundary::running, rail.outline, rail_profile_point),
+                     0,
+                     1e-9,
+                     name + ", rail: running edges on the profile");
+    test::check_near(distance_from(rail_section, Boundary::foot, rail.outline, rail_profile_point),
+                     0,
+                     1e-9,
+                     name + ", rail: foot edges on the profile");
+    test::check_near(distance_from(wheel_section, Boundary::running, wheel.tread, wheel_profile_point),
+                     0,
+                     1e-9,
+                     name + ", wheel: running edges on the profile");
+
+    const double rail_area = section_properties(rail.outline).area, wheel_sum = wheel_area(wheel, dimensions);
+    test::check_near(section_quality(rail_section, 16).area / rail_area, 1, 2e-3, name + ", rail: area");
+    test::check_near(section_quality(wheel_section, 16).area / wheel_sum, 1, 2e-3, name + ", wheel: area");
+    check_shape(rail_section, on_rail, block, name + ", rail");
+    check_shape(wheel_section, on_wheel, block, name + ", wheel");
+  }
+
+  // Bad input is refused with a sentence.
+  void
+  check_errors()
+  {
+    const RailProfile     rail    = rail_profile("54E1");
+    const WheelProfile    wheel   = wheel_profile("S1002");
+    const ContactGeometry contact = find_contact(rail, wheel, TrackDimensions(), 0, RollMode::none);
+    const FineStrip       good{contact.frame, {-0.01, 0.006}}, wide{contact.frame, {-0.09, 0.006}};
+
+    const auto refused = [](const std::function<void()> &action)
+    {
+      try
+      {
+        action();
+      }
+      catch (const InputError &error)
+      {
+        std::cout << "        " << error.what() << std::endl;
+        return true;
+      }
+      return false;
+    };
+    WheelDimensions thin, hub;
+    thin.rim_width       = 0.1;
+    hub.hub_outer_radius = 0.38;
+    std::cout << std::endl;
+    test::check(refused([&] { make_rail_section(rail, contact.rail, wide, 0.016); }),
+                "strip wider than the head");
+    test::check(refused([&] { make_rail_section(rail, contact.rail, good, 0); }), "block size zero");
+    test::check(refused([&] { make_wheel_section(wheel, thin, contact.wheel, good, 0.016); }),
+                "rim too narrow");
+    test::check(refused([&] { make_wheel_section(wheel, hub, contact.wheel, good, 0.016); }),
+                "hub too large");
+  }
+} // namespace
+
+
+int
+main()
+{
+  for (const std::string rail : {"54E1", "60E1"})
+    for (const double shift : {0., 1e-3, 3.5e-3, -2e-3, -3.5e-3, -5.5e-3})
+      for (const double block : {16e-3, 8e-3})
+        try
+        {
+          check_pair(rail, shift, block);
+        }
+        catch (const std::exception &error)
+        {
+          test::check(false, rail + " at " + std::to_string(shift * 1e3) + " mm: " + error.what());
+        }
+  check_errors();
+  return test::report();
+}

@@ -1,0 +1,379 @@
+// ranks: 1 2
+
+// The output of a run: VTU files of all ranks, HDF5 tables, measures of a contact patch, summary,
+// output folder. The files are read back with VTK and h5py by read_output.py.
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/output/folder.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/patch_measures.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/output/root.h>
+#include <wheelrail/output/summary.h>
+#include <wheelrail/output/vtu.h>
+
+#include "check.h"
+#include "hertz_patch.h"
+
+#include <deal.II/base/mpi.h>
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <utility>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  /// A row of `n_cells` cubes (or of their top faces) along Z from z0, with known fields.
+  FieldMesh
+  make_mesh(const unsigned int points_per_cell, const unsigned int n_cells, const double z0)
+  {
+    FieldMesh mesh;
+    mesh.points_per_cell = points_per_cell;
+    for (unsigned int k = 0; k <= n_cells; ++k)
+      for (unsigned int j = 0; j < points_per_cell / 4; ++j)
+        for (unsigned int i = 0; i < 2; ++i)
+          mesh.points.push_back({{1e-3 * i, 1e-3 * j, z0 + 1e-3 * k}});
+    const unsigned int layer = points_per_cell / 2;
+    for (unsigned int k = 0; k < n_cells; ++k)
+      for (unsigned int q = 0; q < points_per_cell; ++q)
+        mesh.cells.push_back(k * layer + q);
+
+    PointField stress{"pressure", "Pa", 1, {}}, motion{"displacement", "m", 3, {}};
+    for (const auto &p : mesh.points)
+    {
+      stress.values.push_back(1e9 * p[2]);
+      for (unsigned int d = 0; d < 3; ++d)
+        motion.values.push_back((d + 1) * p[d]);
+    }
+    mesh.fields = {stress, motion};
+    return mesh;
+  }
+
+  /// Whether `work` throws an error of type Error whose text contains all of `parts`.
+  template <typename Error>
+  void
+  check_throws(const std::function<void()>    &work,
+               const std::vector<std::string> &parts,
+               const std::string              &text)
+  {
+    std::string message = "nothing was thrown";
+    bool        good    = false;
+    try
+    {
+      work();
+    }
+    catch (const Error &error)
+    {
+      message = error.what();
+      good    = true;
+      for (const std::string &part : parts)
+        good = good && message.find(part) != std::string::npos;
+    }
+    check(good, text + " [" + message + "]");
+  }
+
+  void
+  test_vtu(const std::string &folder, const unsigned int rank)
+  {
+    // the first rank has 2 cells, each other 3; the last surface part is empty on two ranks
+    write_vtu(make_mesh(8, 2 + (rank > 0), 0.01 * rank), folder, "volume", MPI_COMM_WORLD);
+    write_vtu(make_mesh(4, rank == 0 ? 4 : 0, 0), folder, "surface", MPI_COMM_WORLD);
+
+    FieldMesh wrong = make_mesh(8, 2, 0);
+    if (rank == 0)
+      wrong.fields[1].values.pop_back();
+    check_throws<RunError>([&]() { write_vtu(wrong, folder, "wrong", MPI_COMM_WORLD); },
+                           {"rank 0", "displacement", "35 values for 12 points"},
+                           "a field of the wrong length is refused on all ranks");
+    check_throws<RunError>([&]()
+                           { write_vtu(make_mesh(8, 1, 0), folder + "/missing", "volume", MPI_COMM_WORLD); },
+                           {"missing/volume.vtu", "No such file or directory"},
+                           "a missing folder is named on all ranks");
+  }
+
+  void
+  test_series(const std::string &folder)
+  {
+    PvdSeries series(folder + "/volume.pvd");
+    series.add(0, "volume.vtu");
+    series.add(0.002571234567, "volume.vtu");
+    series.add(0.004, "gone.vtu");
+
+    PvdSeries resumed(folder + "/volume.pvd");
+    resumed.load();
+    check(resumed.entries().size() == 3 && resumed.entries()[2].second == "gone.vtu",
+          "a series is read back with its names");
+    check_near(resumed.entries()[1].first, 0.002571234567, 1e-12, "time of the second entry [s]");
+    resumed.add(0.004, "volume.vtu");
+    check(resumed.entries().size() == 3, "a time that comes again replaces the entry");
+  }
+
+  void
+  test_hdf5(const std::string &folder)
+  {
+    History history{{"time", "normal_force"}, {"s", "N"}, {{0, 1e-3, 2e-3}, {100e3, 101e3, 102e3}}};
+    write_history(history, folder + "/history.h5");
+    const History back = read_history(folder + "/history.h5");
+    check(back.names == history.names && back.units == history.units && back.columns == history.columns,
+          "a history is read back as it was written");
+    history.columns[1].pop_back();
+    history.units.pop_back();
+    check_throws<RunError>([&]() { write_history(history, folder + "/history.h5"); },
+                           {"history.h5", "2 names, 1 units"},
+                           "a history with a unit too few is refused");
+
+    const PatchFields patch = hertz_patch(7.162e-3, 5.387e-3, 1e-3, 0.3, 0.4);
+    {
+      PatchFile file(folder + "/patch.h5");
+      for (unsigned int tick = 0; tick < 3; ++tick)
+        file.append(patch);
+    }
+    PatchFile resumed(folder + "/patch.h5", true, 2);
+    check(resumed.n_ticks() == 2, "a resumed patch file keeps the ticks asked for");
+    PatchFields later = patch;
+    later.time        = 0.25;
+    resumed.append(later);
+    const PatchFields read = read_patch(folder + "/patch.h5", 2);
+    check(read.n_along == patch.n_along && read.n_lateral == patch.n_lateral && read.time == 0.25 &&
+            read.pressure == patch.pressure && read.gap == patch.gap && read.state == patch.state,
+          "a patch is read back as it was written");
+    check_throws<RunError>([&]() { read_patch(folder + "/patch.h5", 7); },
+                           {"patch.h5", "tick_0007"},
+                           "a tick that is not there is named");
+
+    replace_file(folder + "/no.h5", std::string("no HDF5 at all"));
+    check_throws<RunError>([&]() { read_history(folder + "/no.h5"); },
+                           {"no.h5", "no complete HDF5 file"},
+                           "a file of another kind is named");
+  }
+
+  /// Files cannot grow beyond 10000 bytes: as good as a full disk, and it works for every user.
+  void
+  test_full_disk(const std::string &folder)
+  {
+    const std::string before = read_whole_file(folder + "/patch.h5");
+    const auto        patch  = hertz_patch(7.162e-3, 5.387e-3, 1e-3, 0, 0);
+    struct rlimit     old;
+    getrlimit(RLIMIT_FSIZE, &old);
+    struct rlimit small = old;
+    small.rlim_cur      = 10000;
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &small);
+    std::string message;
+    try
+    {
+      PatchFile file(folder + "/patch.h5", true, 3);
+      file.append(patch);
+    }
+    catch (const RunError &error)
+    {
+      message = error.what();
+    }
+    setrlimit(RLIMIT_FSIZE, &old);
+    check(message.find("patch.h5\" cannot be written: File too large") != std::string::npos,
+          "a file that cannot grow is named with the reason [" + message + "]");
+    check(read_whole_file(folder + "/patch.h5") == before, "the file written before is untouched");
+    check(!std::filesystem::exists(folder + "/patch.h5.part"), "no temporary file stays behind");
+  }
+
+  /// Largest errors over 30 positions of the grid against each ellipse.
+  void
+  test_hertz_extent(const std::vector<std::pair<double, double>> &ellipses,
+                    const double                                  tolerance,
+                    const std::string                            &text)
+  {
+    double area = 0, length = 0, width = 0;
+    int    n = 0;
+    for (const auto &[a, b] : ellipses)
+      for (int sample = 0; sample < 30; ++sample, ++n)
+      {
+        // a Kronecker sequence: offsets spread evenly over the cell, the same on all machines
+        const double u = std::fmod(0.5 + 0.754877666 * n, 1.), v = std::fmod(0.5 + 0.569840291 * n, 1.);
+        const auto   m = measure_patch(hertz_patch(a, b, 1e-3, u, v));
+        area           = std::max(area, std::abs(m.area / (M_PI * a * b) - 1));
+        length         = std::max(length, std::abs(m.length / (2 * a) - 1));
+        width          = std::max(width, std::abs(m.width / (2 * b) - 1));
+      }
+    check_near(area, 0, tolerance, "largest relative error of the area, " + text);
+    check_near(length, 0, tolerance, "largest relative error of the length, " + text);
+    check_near(width, 0, tolerance, "largest relative error of the width, " + text);
+  }
+
+  void
+  test_measures()
+  {
+    const double a = 7.162e-3, b = 5.387e-3, area = M_PI * a * b;
+
+    // required: semi-axes of 5 to 10 mm; narrower patches have too few nodes for the same accuracy
+    const std::vector<std::pair<double, double>> usual = {
+      {5e-3, 5e-3}, {7.162e-3, 5.387e-3}, {5e-3, 10e-3}, {7.9e-3, 5.9e-3}, {10e-3, 5e-3}, {10e-3, 10e-3}};
+    const std::vector<std::pair<double, double>> narrow = {{5e-3, 2.5e-3}, {2.5e-3, 5e-3}, {6.3e-3, 3.15e-3}};
+    test_hertz_extent(usual, 0.01, "semi-axes 5 to 10 mm on 1 mm cells");
+    test_hertz_extent(narrow, 0.02, "narrow, half width 2.5 to 3.15 mm on 1 mm cells");
+
+    const auto m = measure_patch(hertz_patch(a, b, 1e-3, 0.25, 0.4));
+    check_near(m.area, area, 0.01 * area, "area of the ellipse [m2]");
+    check_near(m.centre_along, 0, 2e-5, "centre along [m]");
+    check_near(m.centre_of_pressure_lateral, 0, 2e-5, "centre of pressure, lateral [m]");
+    check_near(
+      m.normal_force, 2. / 3. * hertz_peak * area, 0.01 * 2. / 3. * hertz_peak * area, "normal force [N]");
+    check_near(m.peak_pressure, hertz_peak, 0.006 * hertz_peak, "largest nodal pressure [Pa]");
+    check_near(m.peak_pressure_fitted, hertz_peak, 0.005 * hertz_peak, "fitted peak [Pa]");
+    check_near(
+      m.shear_force_along, -0.3 * m.normal_force, 1e-6 * m.normal_force, "shear force on the rail [N]");
+    check_near(m.max_shear, 0.3 * m.peak_pressure, 1, "largest shear traction [Pa]");
+    check(m.n_patches == 1 && !m.touches_border, "one whole patch");
+    check(m.stick_fraction > 0.3 && m.stick_fraction < 0.7, "stick fraction of a half-sticking patch");
+
+    const auto two = measure_patch(two_patches(hertz_patch(5e-3, 4e-3, 1e-3, 0.1, 0.2)));
+    check(two.n_patches == 2, "two separate patches are counted");
+    check_near(two.area, 2 * M_PI * 20e-6, 0.01 * 2 * M_PI * 20e-6, "area of two patches [m2]");
+
+    PatchFields empty = hertz_patch(a, b, 1e-3, 0, 0);
+    std::fill(empty.pressure.begin(), empty.pressure.end(), 0.);
+    const auto none = measure_patch(empty);
+    check(none.area == 0 && none.peak_pressure == 0 && none.n_loaded == 0 && none.width == 0,
+          "a patch without load gives zeros");
+    empty.gap.pop_back();
+    check_throws<RunError>([&]() { measure_patch(empty); }, {"values where"}, "a short field is refused");
+  }
+
+  void
+  test_summary(const std::string &folder)
+  {
+    Summary summary;
+    summary.title        = "a title with \"quotes\"";
+    summary.max_pressure = 1234.5e6;
+    summary.contact_area = 176.6e-6;
+    summary.elements     = 123456;
+    set_figure(summary, "normal_force_N", 103000.5);
+    set_figure(summary, "normal_force_std_N", 321);
+    summary.finished = true;
+    write_summary(summary, folder + "/summary.json");
+
+    const Summary back = read_summary(folder + "/summary.json");
+    check_near(back.normal_force, 103000.5, 0, "normal force read back [N]");
+    check_near(get_figure(back, "normal_force_std_N"), 321, 0, "a further figure read back [N]");
+    check(std::isnan(back.creepage) && back.finished && back.title == summary.title,
+          "a missing figure stays missing, text and state come back");
+    std::ostringstream table;
+    print_summary(summary, table);
+    check(table.str().find("peak pressure                             1234.5 MPa") != std::string::npos,
+          "the table shows the peak pressure");
+    check(table.str().find("nan") == std::string::npos, "the table shows no missing figures");
+  }
+
+  void
+  test_folder(const std::string &folder)
+  {
+    const std::string run    = folder + "/deep/run";
+    const auto        finish = [&](const bool finished)
+    {
+      Summary summary;
+      summary.finished = finished;
+      write_summary(summary, run + "/summary.json");
+    };
+    prepare_folder(run, FolderMode::fresh, "set Title = a\n", "all = a\n", MPI_COMM_WORLD);
+    check(read_whole_file(run + "/input.prm") == "set Title = a\n" &&
+            read_whole_file(run + "/parameters.prm") == "all = a\n",
+          "a new folder holds input and parameters");
+    MPI_Barrier(MPI_COMM_WORLD);
+
+    on_root(MPI_COMM_WORLD,
+            [&]()
+            {
+              finish(true);
+              replace_file(run + "/old.vtu", std::string("old"));
+              replace_file(run + "/notes.txt", std::string("mine"));
+            });
+    check_throws<InputError>([&]() { prepare_folder(run, FolderMode::fresh, "b", "b", MPI_COMM_WORLD); },
+                             {"deep/run", "holds a finished run", "--overwrite"},
+                             "the folder of a finished run is refused on all ranks");
+    check(std::filesystem::exists(run + "/old.vtu") &&
+            read_whole_file(run + "/parameters.prm") == "all = a\n",
+          "the refused folder is unchanged");
+    MPI_Barrier(MPI_COMM_WORLD);
+
+    prepare_folder(run, FolderMode::resume, "b", "b", MPI_COMM_WORLD);
+    check(std::filesystem::exists(run + "/old.vtu"), "resuming keeps all files");
+    MPI_Barrier(MPI_COMM_WORLD);
+    prepare_folder(run, FolderMode::overwrite, "c", "c", MPI_COMM_WORLD);
+    check(!std::filesystem::exists(run + "/old.vtu") && !std::filesystem::exists(run + "/summary.json"),
+          "overwriting removes the files of the earlier run");
+    check(read_whole_file(run + "/notes.txt") == "mine", "overwriting leaves the user's files alone");
+
+    check_throws<InputError>(
+      [&]() { prepare_folder(run + "/notes.txt/sub", FolderMode::fresh, "d", "d", MPI_COMM_WORLD); },
+      {"notes.txt\" is a file"},
+      "a file in the place of a folder is named");
+    check_throws<InputError>(
+      [&]() { prepare_folder("/proc/wheelrail/run", FolderMode::fresh, "d", "d", MPI_COMM_WORLD); },
+      {"/proc/wheelrail/run", "cannot be made"},
+      "a place without rights is named");
+    check_throws<InputError>([&]() { prepare_folder("", FolderMode::fresh, "d", "d", MPI_COMM_WORLD); },
+                             {"empty"},
+                             "an empty name is refused");
+  }
+
+  void
+  test_scripts(const std::string &folder, const unsigned int n_ranks)
+  {
+    const std::string python = "/usr/bin/python3 ", tests = WHEELRAIL_TEST_DIR;
+    std::cout << std::flush;
+    check(std::system(
+            (python + tests + "/read_output.py " + folder + " " + std::to_string(n_ranks)).c_str()) == 0,
+          "read_output.py finds what belongs in the files");
+    if (n_ranks == 1) // drawing takes seconds and does not depend on ranks
+      check(
+        std::system(
+          (python + tests + "/read_report.py " + WHEELRAIL_REPORT_DIR + "/report.py " + folder).c_str()) == 0,
+        "read_report.py finds pictures and page of the report");
+  }
+
+  std::string
+  make_temporary_folder()
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "wheelrail_output_XXXXXX").string();
+    on_root(MPI_COMM_WORLD,
+            [&]()
+            {
+              if (mkdtemp(&name[0]) == nullptr)
+                throw RunError("no temporary folder");
+            });
+    MPI_Bcast(&name[0], static_cast<int>(name.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
+    return name;
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const std::string  folder  = make_temporary_folder();
+
+  test_vtu(folder, rank);
+  test_folder(folder);
+  if (rank == 0)
+  {
+    test_series(folder);
+    test_hdf5(folder);
+    test_full_disk(folder);
+    test_measures();
+    test_summary(folder);
+    test_scripts(folder, n_ranks);
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  on_root(MPI_COMM_WORLD, [&]() { std::filesystem::remove_all(folder); });
+  return report();
+}

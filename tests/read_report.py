@@ -1,0 +1,53 @@
+"""Runs the report script on the folder that tests/output.cc wrote and checks what it makes and says.
+
+Usage: read_report.py REPORT.PY FOLDER
+"""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+
+failures = 0
+
+
+def check(condition, text):
+    global failures
+    failures += not condition
+    print("ok      " if condition else "FAILED  ", text, sep="", flush=True)
+
+
+def report(script, *arguments):
+    done = subprocess.run(["/usr/bin/python3", script, *arguments], capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout, done.stderr
+
+
+def check_sentence(result, *parts):
+    code, _, error = result
+    check(code == 1 and all(part in error for part in parts) and "Traceback" not in error, "says: " + error.strip())
+
+
+script, folder = sys.argv[1:3]
+code, out, error = report(script, folder, "--tick", "1")
+check(code == 0 and error == "", "the report is made without complaints " + error.strip())
+with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
+    page = file.read()
+names = ["pressure_surface", "pressure_contour", "shear_surface", "shear_contour", "stick_slip", "cut_along", "forces"]
+for name in names:
+    path = os.path.join(folder, "pictures", name + ".png")
+    check(os.path.exists(path) and os.path.getsize(path) > 5000, f"pictures/{name}.png")
+check(page.count("data:image/png;base64,") == len(names), "the page holds all pictures")
+check(not re.search(r"(src|href)=.?https?:", page), "the page needs no network")
+check("1234.5" in page and "Peak pressure" in page, "the page shows the peak pressure")
+check("friction coefficient is neither" in out, "a missing friction coefficient is told")
+
+check_sentence(report(script, folder, "--tick", "9"), "no tick 9", "from 0 to 2")
+check_sentence(report(script, os.path.join(folder, "none")), "There is no folder")
+with tempfile.TemporaryDirectory() as empty:
+    check_sentence(report(script, empty), "holds no results")
+    check(not os.listdir(empty), "a folder without results stays as it was")
+    with open(os.path.join(empty, "patch.h5"), "w", encoding="utf-8") as file:
+        file.write("no HDF5")
+    check_sentence(report(script, empty), "patch.h5", "cannot be read as HDF5")
+sys.exit(failures > 0)
