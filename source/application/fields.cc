@@ -71,6 +71,20 @@ namespace wheelrail
       std::vector<unsigned int>                      nodes_;
     };
 
+    /// Cells of the finest level whose first vertex lies within the contact window along the track.
+    void
+    add_window_cells(FieldBuilder &builder, const Solid &solid, const Axle &axle, const Contact &contact)
+    {
+      const double reach =
+        0.5 * (contact.window().rail_last - contact.window().rail_first) * contact.lattice().spacing_along;
+      for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
+        {
+          const Vector3 x = solid.position(solid.mesh.cells[c][0]);
+          if (solid.mesh.cell_level[c] == solid.finest_level && std::abs(x[2] - axle.travelled()) < reach)
+            builder.cell(solid.mesh.cells[c].data(), 8);
+        }
+    }
+
     void
     copy(const Vector3 &v, double *to)
     {
@@ -137,6 +151,8 @@ namespace wheelrail
     if (selection == Selection::all)
       for (const auto &cell : solid.mesh.cells)
         builder.cell(cell.data(), 8);
+    else if (selection == Selection::window)
+      add_window_cells(builder, solid, axle, contact);
     else
       {
         mesh.points_per_cell = 4;

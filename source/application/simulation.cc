@@ -1,3 +1,4 @@
+#include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/fields.h>
 #include <wheelrail/application/recorder.h>
 #include <wheelrail/application/simulation.h>
@@ -73,7 +74,7 @@ namespace wheelrail
       void
       tick(const Rolling &rolling, double loop_start);
       void
-      write_surfaces(const Rolling &rolling);
+      write_fields(const Rolling &rolling);
       void
       write_volume(const std::string &name);
       bool
@@ -100,7 +101,7 @@ namespace wheelrail
       std::unique_ptr<Axle>      axle_;
       std::unique_ptr<Recorder>  recorder_;
       std::unique_ptr<PatchFile> patch_file_;
-      std::unique_ptr<PvdSeries> surface_series_;
+      std::unique_ptr<PvdSeries> surface_series_, window_series_;
       unsigned int               tick_ = 0;
     };
 
@@ -132,6 +133,8 @@ namespace wheelrail
                       1e3 * s.place[2]));
       log_.value("contact", text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",
                                  model_.contact->law().stiffness, scene_.penalty_scale));
+      for (const auto &note : scene_notes(scene_))
+        log_.note(note);
       log_.value("set-up", format_duration(seconds() - start_));
     }
 
@@ -161,6 +164,7 @@ namespace wheelrail
         {
           patch_file_    = std::make_unique<PatchFile>(scene_.folder + "/patch.h5");
           surface_series_ = std::make_unique<PvdSeries>(scene_.folder + "/surface.pvd");
+          window_series_  = std::make_unique<PvdSeries>(scene_.folder + "/window.pvd");
         }
     }
 
@@ -245,20 +249,24 @@ namespace wheelrail
           patch_file_->append(patch_fields(*model_.contact, model_.axle, rolling.time(), axle_->travelled()));
           write_history(recorder_->history(), scene_.folder + "/history.h5");
         }
-      write_surfaces(rolling);
+      write_fields(rolling);
       ++tick_;
     }
 
 
 
     void
-    Simulation::write_surfaces(const Rolling &rolling)
+    Simulation::write_fields(const Rolling &rolling)
     {
-      const std::string name = text("surface_%04u", tick_);
-      write_vtu(field_mesh(model_.solid, *axle_, *model_.contact, Selection::surface, communicator_), scene_.folder, name,
-                communicator_);
-      if (root())
-        surface_series_->add(rolling.time(), name + ".vtu");
+      const auto write = [&](const char *kind, const Selection selection, PvdSeries *series) {
+        const std::string name = text("%s_%04u", kind, tick_);
+        write_vtu(field_mesh(model_.solid, *axle_, *model_.contact, selection, communicator_), scene_.folder, name,
+                  communicator_);
+        if (root())
+          series->add(rolling.time(), name + ".vtu");
+      };
+      write("surface", Selection::surface, surface_series_.get());
+      write("window", Selection::window, window_series_.get());
     }
 
 

@@ -164,10 +164,13 @@ namespace wheelrail
           const std::size_t     k    = lattice_.index(i, j);
           ContactNode          &node = nodes_[k];
           std::array<double, 4> weight;
-          if (project(node, state_[0].x[k], i + wheel_shift_))
+          if (project(node, state_[0].x[k], i + wheel_shift_, j))
             node.gap = true_gap(node, state_[0].x[k], weight);
           else
-            node = ContactNode();
+            {
+              sums.at_border = sums.at_border || node.pressure > 0;
+              node           = ContactNode();
+            }
           if (node.gap >= 0)
             {
               node.pressure = 0;
@@ -177,7 +180,8 @@ namespace wheelrail
             }
           apply_law(node, k, weight, time_step, sums);
           if (node.pressure > 0 && (i <= window_.rail_first + 1 || i >= window_.rail_last - 2 || j <= 1 ||
-                                    j + 2 >= lattice_.n_lateral))
+                                    j + 2 >= lattice_.n_lateral || node.facet_i <= window_.wheel_first ||
+                                    node.facet_i >= window_.wheel_last - 2))
             sums.at_border = true;
         }
     return sums;
@@ -195,16 +199,20 @@ namespace wheelrail
 
 
   bool
-  Contact::project(ContactNode &node, const Vector3 &x, const int station_guess) const
+  Contact::project(ContactNode &node, const Vector3 &x, const int station_guess, const int row_guess) const
   {
     const int last_i = window_.wheel_last - 2, last_j = static_cast<int>(lattice_.n_lateral) - 2;
     if (node.facet_i < window_.wheel_first || node.facet_i > last_i)
       {
         node.facet_i = std::clamp(station_guess, window_.wheel_first, last_i);
-        node.facet_j = std::clamp(node.facet_j, 0, last_j);
+        node.facet_j = std::clamp(row_guess, 0, last_j);
         node.xi = node.eta = 0.5;
       }
     const auto &y = state_[1].x;
+    // over a ridge between two facets the foot lies outside of both: a move that is taken back pins
+    // the foot to the edge
+    int  last_move[2] = {0, 0};
+    bool pinned[2]    = {false, false};
     for (int iteration = 0; iteration < 60; ++iteration)
       {
         const auto    c = corners(node);
@@ -215,22 +223,30 @@ namespace wheelrail
         add(r, -node.xi, a);
         add(r, -node.eta, t2);
         const double m11 = dot(t1, t1), m12 = dot(t1, t2), m22 = dot(t2, t2), r1 = dot(r, t1), r2 = dot(r, t2);
-        const double det = m11 * m22 - m12 * m12;
-        const double dxi = (r1 * m22 - r2 * m12) / det, deta = (r2 * m11 - r1 * m12) / det;
-        node.xi += dxi;
-        node.eta += deta;
-        // step to the neighbour when the foot lies outside
-        const int move_i = node.xi < 0 ? -1 : node.xi > 1 ? 1 : 0, move_j = node.eta < 0 ? -1 : node.eta > 1 ? 1 : 0;
-        const int i = std::clamp(node.facet_i + move_i, window_.wheel_first, last_i);
-        const int j = std::clamp(node.facet_j + move_j, 0, last_j);
-        if (i != node.facet_i || j != node.facet_j)
+        const double det    = m11 * m22 - m12 * m12;
+        double       place[2] = {node.xi + (r1 * m22 - r2 * m12) / det, node.eta + (r2 * m11 - r1 * m12) / det};
+        int         *facet[2] = {&node.facet_i, &node.facet_j};
+        const int    first[2] = {window_.wheel_first, 0}, last[2] = {last_i, last_j};
+        bool         moved    = false;
+        for (int k = 0; k < 2; ++k)
           {
-            node.xi -= i - node.facet_i;
-            node.eta -= j - node.facet_j;
-            node.facet_i = i;
-            node.facet_j = j;
+            const int move = place[k] < 0 ? -1 : place[k] > 1 ? 1 : 0;
+            if (move != 0 && !pinned[k] && move == -last_move[k])
+              pinned[k] = true;
+            if (pinned[k])
+              place[k] = std::clamp(place[k], 0., 1.);
+            else if (move != 0 && *facet[k] + move >= first[k] && *facet[k] + move <= last[k])
+              {
+                *facet[k] += move;
+                place[k] -= move;
+                last_move[k] = move;
+                moved        = true;
+              }
           }
-        else if (std::abs(dxi) + std::abs(deta) < 1e-9)
+        const double change = std::abs(place[0] - node.xi) + std::abs(place[1] - node.eta);
+        node.xi             = place[0];
+        node.eta            = place[1];
+        if (!moved && change < 1e-9)
           return node.xi > -1e-6 && node.xi < 1 + 1e-6 && node.eta > -1e-6 && node.eta < 1 + 1e-6;
       }
     return false;
@@ -297,9 +313,6 @@ namespace wheelrail
         const double factor = size > 0 ? bound / size : 0;
         total               = factor * total;
         trial               = total;
-        const double elastic = norm(trial);
-        if (elastic > bound && elastic > 0)
-          trial = (bound / elastic) * trial;
       }
     node.shear    = trial;
     node.traction = total;

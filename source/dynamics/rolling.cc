@@ -56,7 +56,7 @@ namespace wheelrail
           inverse_mass_[n] = 1 / mass;
         if (solid.mesh.node_body[n] == Body::wheel && solid.mass[n] > 0)
           wheel_nodes_.push_back(n);
-        if (solid.mesh.node_body[n] == Body::wheel && solid.added_mass[n] > 0)
+        if (solid.mesh.node_body[n] == Body::wheel && solid.mass[n] > 0 && solid.added_mass[n] > 0)
           added_nodes_.push_back(n);
       }
     support_force_.resize(added_nodes_.size());
@@ -78,7 +78,7 @@ namespace wheelrail
         subtract_internal_force(blocks, solid_.displacement.data(), solid_.force.data(), viscosity, with_energy, elements_);
       condense(solid_.mesh, solid_.force.data());
     }
-    // 2. sums over ranks, weight and the support of the added mass
+    // 2. sums over ranks
     {
       Stopwatch watch(timing_.exchange);
       sum_(solid_.force.data());
@@ -191,7 +191,7 @@ namespace wheelrail
                                 0};
     for (const unsigned int n : wheel_nodes_)
       if (solid_.mesh.owned[n])
-        // the displacement after the step and half a step back
+        // the displacement of the full step: the one after the step, taken back
         sums[5] += solid_.mass[n] * axle_.data().gravity *
                    (solid_.displacement[4 * n + 1] - time_step_ * solid_.velocity[4 * n + 1]);
     MPI_Allreduce(MPI_IN_PLACE, sums, 6, MPI_DOUBLE, MPI_SUM, communicator_);

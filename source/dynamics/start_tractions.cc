@@ -57,27 +57,38 @@ namespace wheelrail
     const Lattice &lattice = contact.lattice();
     StartTractions result;
     result.creepage = creepage;
-    result.along.assign(contact.nodes().size(), 0.);
+    result.shear.assign(contact.nodes().size(), {0, 0, 0});
     const Patch patch = loaded_patch(contact);
     if (patch.half_along == 0)
       return result;
     const double flexibility =
       8 * patch.half_along / (3 * creepage_coefficient(patch.half_along / patch.half_across) * shear_modulus);
     const RunningSurfaces &surfaces = contact.surfaces();
+    const double           growth   = lattice.spacing_along / flexibility;
     for (unsigned int j = 0; j < lattice.n_lateral; ++j)
       {
         const double s      = lattice.s_begin + j * lattice.spacing_lateral;
-        const double radius = surfaces.local_radius(s) / surfaces.rolling_radius;
-        // the wheel's surface runs backwards against the rail when it drives
-        const double slip     = -((1 + creepage) * radius - 1);
-        double       traction = 0;
+        const double radius = surfaces.local_radius(s);
+        const double turn   = (1 + creepage) / surfaces.rolling_radius; // omega / V
+        const double angle  = surfaces.frame.angle + std::atan(surfaces.wheel.at(s).slope);
+        double       along = 0, lateral = 0;
         for (int i = lattice.n_along - 1; i >= 0; --i)
           {
+            // slip of the wheel's surface against the rail over V: it runs backwards when the wheel
+            // drives, and ahead of the axle it still descends, which slides it along its inclination
+            const double z = (lattice.first_station + i) * lattice.spacing_along;
+            along += growth * (1 - turn * radius);
+            lateral -= growth * turn * z * std::sin(angle);
             const std::size_t k     = lattice.index(i, j);
             const double      bound = contact.law().friction * contact.nodes()[k].pressure;
-            traction                = std::clamp(traction + slip * lattice.spacing_along / flexibility, -bound, bound);
-            result.along[k]         = traction;
-            result.force -= traction * contact.rail().area[k];
+            const double      size  = std::hypot(along, lateral);
+            if (size > bound)
+              {
+                along *= bound / size;
+                lateral *= bound / size;
+              }
+            result.shear[k] = {lateral * std::cos(angle), lateral * std::sin(angle), along};
+            result.force -= along * contact.rail().area[k];
           }
       }
     return result;
@@ -88,12 +99,17 @@ namespace wheelrail
   StartTractions
   start_tractions(const Contact &contact, const double longitudinal_force, const double shear_modulus)
   {
-    constexpr double limit = 0.1;
-    double           low = -limit, high = limit;
+    // the last two per cent below full slip cost any creepage; a torque beyond them spins the wheel up
+    constexpr double limit = 0.1, full_slip = 0.98;
+    double           bound = 0;
+    for (std::size_t k = 0; k < contact.nodes().size(); ++k)
+      bound += full_slip * contact.law().friction * contact.nodes()[k].pressure * contact.rail().area[k];
+    const double wanted = std::clamp(longitudinal_force, -bound, bound);
+    double       low = -limit, high = limit;
     for (int k = 0; k < 60; ++k)
       {
         const double middle = 0.5 * (low + high);
-        if (start_tractions_at_creepage(contact, middle, shear_modulus).force < longitudinal_force)
+        if (start_tractions_at_creepage(contact, middle, shear_modulus).force < wanted)
           low = middle;
         else
           high = middle;

@@ -146,8 +146,8 @@ namespace wheelrail
   double
   element_frequency_bound(const ElementGeometry &g, const Elasticity &material)
   {
-    // The one-point stiffness V B C B^T has the eigenvalues of C restricted to strains; its largest
-    // against a uniform nodal volume is (lambda + 2 mu) times the largest eigenvalue of sum B B^T.
+    // A plane wave strains in one direction: (lambda + 2 mu) times the largest eigenvalue of sum B B^T.
+    // A free element alone could breathe in three, which no wave in a mesh does.
     Matrix S{};
     for (const auto &b : g.B)
       for (int i = 0; i < 3; ++i)

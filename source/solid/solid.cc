@@ -43,14 +43,14 @@ namespace wheelrail
     }
 
     Elements
-    build_elements(Solid &solid)
+    build_elements(Solid &solid, MPI_Comm communicator)
     {
       Elements     elements;
       MeshQuality &q = solid.quality;
       q.smallest     = 1e300;
-      unsigned char finest = 0;
       for (const auto level : solid.mesh.cell_level)
-        finest = std::max(finest, level);
+        solid.finest_level = std::max(solid.finest_level, level);
+      MPI_Allreduce(MPI_IN_PLACE, &solid.finest_level, 1, MPI_UNSIGNED_CHAR, MPI_MAX, communicator);
       for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
         {
           const int  body = static_cast<int>(solid.mesh.cell_body[c]);
@@ -62,7 +62,7 @@ namespace wheelrail
           q.worst_jacobian = std::min(q.worst_jacobian, corner_quality(X, g.volume));
           q.smallest       = std::min(q.smallest, std::cbrt(g.volume));
           q.largest        = std::max(q.largest, std::cbrt(g.volume));
-          q.finest_elements += solid.mesh.cell_level[c] == finest;
+          q.finest_elements += solid.mesh.cell_level[c] == solid.finest_level;
         }
       q.rail_elements  = elements.cells[0].size();
       q.wheel_elements = elements.cells[1].size();
@@ -155,7 +155,7 @@ namespace wheelrail
   {
     Solid solid;
     solid.mesh                = std::move(mesh);
-    const Elements elements   = build_elements(solid);
+    const Elements elements   = build_elements(solid, communicator);
     solid.blocks[0]           = pack_elements(elements.geometry[0], elements.cells[0], rail);
     solid.blocks[1]           = pack_elements(elements.geometry[1], elements.cells[1], wheel);
     const std::size_t n_nodes = solid.mesh.n_nodes();

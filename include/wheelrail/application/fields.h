@@ -14,11 +14,12 @@ namespace wheelrail
   enum class Selection
   {
     all,
+    window, ///< finest cells near the contact
     surface ///< faces of the finest cells on the running surfaces, as quadrilaterals
   };
 
-  /// Positions, displacement against the rigid motion of the body, velocity, and (for all cells) the
-  /// von Mises stress and the stress components. Collective.
+  /// Positions, displacement against the rigid motion of the body, and for cells the von Mises stress
+  /// and the stress components, for surfaces the contact tractions. Collective.
   FieldMesh
   field_mesh(const Solid &solid, const Axle &axle, const Contact &contact, Selection selection, MPI_Comm communicator);
 

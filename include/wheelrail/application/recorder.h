@@ -18,7 +18,7 @@ namespace wheelrail
     void
     add(const Rolling &rolling, const Axle &axle);
 
-    /// Adds the figures of a patch to the means (rows where this was not called hold the last value).
+    /// Adds the figures of a patch to the means; they have rows of their own.
     void
     add_patch(const PatchFields &patch);
 

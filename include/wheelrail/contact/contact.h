@@ -166,7 +166,7 @@ namespace wheelrail
     void
     wheel_normals();
     bool
-    project(ContactNode &node, const Vector3 &x, int station_guess) const;
+    project(ContactNode &node, const Vector3 &x, int station_guess, int row_guess) const;
     double
     true_gap(ContactNode &node, const Vector3 &x, std::array<double, 4> &weight) const;
     void

@@ -10,7 +10,7 @@ namespace wheelrail
     double creepage = 0;           ///< at the rolling radius of 2D-Geo, positive driving
     double force    = 0;           ///< longitudinal force on the wheel that the tractions give [N]
     bool   saturated = false;      ///< the wanted force exceeds the friction bound
-    std::vector<double> along;     ///< traction on the rail along Z at every lattice node [Pa]
+    std::vector<Vector3> shear;   ///< traction on the rail at every lattice node [Pa]
   };
 
   /// Kalker's linear creepage coefficient C11 for Poisson's ratio 0.3 and the ratio of the semi-axes
@@ -20,7 +20,8 @@ namespace wheelrail
 
   /// Steady shear tractions for a given longitudinal force [N, on the wheel] by Kalker's simplified
   /// theory (FASTSIM, 1982) on the pressures of `contact`: every lateral strip slides with its own
-  /// rolling radius, traction grows from the leading edge and is cut at the Coulomb bound. The
+  /// rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
+  /// turning wheel (together: creepage and spin), traction grows from the leading edge and is cut at the Coulomb bound. The
   /// creepage is found by bisection. A prediction to start from, not a result.
   StartTractions
   start_tractions(const Contact &contact, double longitudinal_force, double shear_modulus);

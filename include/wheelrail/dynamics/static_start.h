@@ -33,8 +33,8 @@ namespace wheelrail
   /// Static equilibrium of both bodies under contact, weight, suspension preload and the centrifugal
   /// load of the turning wheel, with the shear tractions that simplified theory predicts.
   ///
-  /// Newton's method on the explicit kernel's own forces: the stiffness matrix is assembled once and
-  /// preconditioned by ML, the contact springs of the moment are added in each product. The hub is
+  /// Newton's method on the explicit kernel's own forces: the stiffness matrix is assembled once,
+  /// the contact springs of the moment are added to a copy of it, which ML preconditions. The hub is
   /// moved; its height follows from the vertical balance in every step. Fills solid.displacement and
   /// the shear tractions of the contact. Throws RunError when it does not converge. Collective.
   StaticResult

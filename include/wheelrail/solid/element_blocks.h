@@ -56,8 +56,9 @@ namespace wheelrail
   ElementGeometry
   element_geometry(const std::array<std::array<double, 3>, 8> &vertices);
 
-  /// Largest squared angular frequency of the free element with its share `min_node_volume` of the
-  /// lumped volume at every node: a bound for any mesh of such elements (Irons' theorem) [1/s2].
+  /// Largest squared angular frequency of an endless regular mesh of such elements with the smallest
+  /// nodal share of the volume at every node [1/s2]. Exact for bricks inside a body and on smooth
+  /// surfaces; nodes at free edges go a few per cent beyond it, see doc/element.md.
   double
   element_frequency_bound(const ElementGeometry &geometry, const Elasticity &material);
 

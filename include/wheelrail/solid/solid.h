@@ -47,6 +47,7 @@ namespace wheelrail
     AlignedVector<double> velocity;     ///< 4 x n_nodes, at the half step behind [m/s]
     AlignedVector<double> force;        ///< 4 x n_nodes [N]
 
+    unsigned char finest_level = 0; ///< over all ranks
     StableStep  stable;
     MeshQuality quality;
 
