@@ -89,6 +89,7 @@ namespace
   struct StripBlocks
   {
     std::vector<unsigned int> blocks;
+    std::vector<unsigned int> edges; // on the running surface: bottom, right, top, left
     double                    error = 0;
   };
 
@@ -102,9 +103,11 @@ namespace
     unsigned int found = 0;
     for (unsigned int b = 0; b < section.blocks.size(); ++b)
     {
-      const auto &c = section.blocks[b].corner;
+      const auto  &c    = section.blocks[b].corner;
+      unsigned int edge = 0;
       for (const auto &e : {std::array<unsigned int, 2>{{0, 1}}, {{1, 3}}, {{2, 3}}, {{0, 2}}})
       {
+        const unsigned int     number = edge++;
         const Section::EdgeKey key{{std::min(c[e[0]], c[e[1]]), std::max(c[e[0]], c[e[1]])}};
         const auto             mark = section.boundary.find(key);
         if (mark == section.boundary.end() || mark->second != Boundary::running)
@@ -119,6 +122,7 @@ namespace
             continue;
           ++found;
           result.blocks.push_back(b);
+          result.edges.push_back(number);
           for (unsigned int k = 0; k <= 16; ++k)
             result.error = std::max(result.error, std::abs(s(k / 16.) - a - (z - a) * k / 16));
         }
@@ -126,6 +130,38 @@ namespace
     }
     test::check(found + 1 == strip.s.size(), "  the strip has its blocks: " + std::to_string(found));
     return result;
+  }
+
+  // Smallest width of the cells of the strip at 6 mm below the surface, at 16 x 16, as part of the width on
+  // the surface across the strip: narrower cells would cut the stable time step.
+  double
+  width_below(const Section &section, const StripBlocks &strip, const double surface_width)
+  {
+    constexpr unsigned int n        = 16;
+    double                 smallest = 1;
+    for (unsigned int k = 0; k < strip.blocks.size(); ++k)
+    {
+      const auto point = [&](const unsigned int i, const unsigned int row)
+      {
+        const double t = i / double(n), d = row / double(n);
+        switch (strip.edges[k])
+        {
+          case 0: return section.position(strip.blocks[k], t, d);
+          case 1: return section.position(strip.blocks[k], 1 - d, t);
+          case 2: return section.position(strip.blocks[k], t, 1 - d);
+          default: return section.position(strip.blocks[k], d, t);
+        }
+      };
+      const unsigned int row =
+        std::min<long>(n - 1, std::lround(n * 0.006 / norm(point(0, n) - point(0, 0))));
+      for (unsigned int i = 0; i < n; ++i)
+      {
+        const Point2 across = 0.5 * (point(i + 1, row) - point(i, row) + point(i + 1, row + 1) - point(i, row + 1));
+        const Point2 down   = point(i, row + 1) - point(i, row) + point(i + 1, row + 1) - point(i + 1, row);
+        smallest            = std::min(smallest, std::abs(cross(across, down)) / (norm(down) * surface_width));
+      }
+    }
+    return smallest;
   }
 
   // Smallest scaled Jacobian at 16 x 16, without the blocks that form a corner of the outline alone.
@@ -257,6 +293,13 @@ namespace
     const double rail_area = section_properties(rail.outline).area, wheel_sum = wheel_area(wheel, dimensions);
     test::check_near(section_quality(rail_section, 16).area / rail_area, 1, 2e-3, name + ", rail: area");
     test::check_near(section_quality(wheel_section, 16).area / wheel_sum, 1, 2e-3, name + ", wheel: area");
+    const double       cell       = (strip.s.back() - strip.s.front()) / (16 * (strip.s.size() - 1));
+    const double       rail_width = width_below(rail_section, on_rail, cell),
+                 wheel_width      = width_below(wheel_section, on_wheel, cell);
+    std::ostringstream widths;
+    widths << std::setprecision(3) << name << ": width of the strip's cells 6 mm deep, rail " << rail_width
+           << ", wheel " << wheel_width << " of that on the surface";
+    test::check(std::min(rail_width, wheel_width) > 0.85, widths.str());
     check_shape(rail_section, on_rail, block, name + ", rail");
     check_shape(wheel_section, on_wheel, block, name + ", wheel");
   }

@@ -1,3 +1,4 @@
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/grid/grid_tools.h>
@@ -212,19 +213,42 @@ namespace wheelrail
 
 
 
+  double
+  Forest::cell_width(const dealii::CellAccessor<3> &cell) const
+  {
+    dealii::Tensor<2, 3> J; // mean edges in the rows
+    for (unsigned int v = 0; v < 8; ++v)
+      {
+        const auto X = vertex_position(cell, v);
+        for (unsigned int k = 0; k < 3; ++k)
+          for (unsigned int i = 0; i < 3; ++i)
+            J[k][i] += (v >> k & 1 ? 0.25 : -0.25) * X[i];
+      }
+    const auto inverse = dealii::symmetrize(dealii::invert(J) * dealii::transpose(dealii::invert(J)));
+    return 1 / std::sqrt(dealii::eigenvalues(inverse)[0]);
+  }
+
+
+
   void
   Forest::refine()
   {
     const double block  = (plan_.strip.s.back() - plan_.strip.s.front()) / (plan_.strip.s.size() - 1);
     const double finest = block / std::pow(2., plan_.levels);
+    const double overlap = -1e-3 * finest; // distances below count as overlap with the box
     for (unsigned int level = 0; level < plan_.levels; ++level)
       {
         // cells of 2^k finest sizes may reach up to 4 (2^k - 1) finest sizes from the finest ones
         const unsigned int k     = plan_.levels - level - 1;
         const double       reach = 4 * finest * (std::pow(2., k) - 1) - 1e-3 * finest;
+        // a cell beside the box is not divided when its parts would be thinner than the finest cells
+        // and so cut the stable time step, or much thinner than wanted
+        const double thinnest = finest * std::max(0.95, 0.6 * std::pow(2., k));
         for (const auto &cell : triangulation_.active_cell_iterators_on_level(level))
-          if (cell->is_locally_owned() && distance_from_fine_box(*cell) < reach)
-            cell->set_refine_flag();
+          if (cell->is_locally_owned())
+            if (const double distance = distance_from_fine_box(*cell);
+                distance < reach && (distance < overlap || 0.5 * cell_width(*cell) > thinnest))
+              cell->set_refine_flag();
         triangulation_.execute_coarsening_and_refinement();
       }
   }

@@ -50,19 +50,15 @@ namespace wheelrail
       Half           field, gauge;
       double         block_size  = 0;
       unsigned int   web_columns = 2;
+      Side           layer_inner; ///< corners below those of the running layer
     };
 
-    // Where a ring corner in the middle of a rounded head corner has its inner corner: on the lower
-    // side of the top layer, and further out than the normal would lead, since the blocks beside it
-    // taper.
+    // A ring corner in the middle of a rounded head corner; the corner below it is smoothed later.
     LayerEnd
     ring_corner(const Rail &rail, const double parameter, const double depth)
     {
       const auto inner = [head = rail.head, depth](const double end)
-      {
-        const Point2 outer = head.position(end), n = 0.65 * head.normal(end) + Point2{0, 0.35};
-        return outer - ((outer.y + depth) / n.y) * n;
-      };
+      { return head.position(end) - depth * head.normal(end); };
       return {parameter, true, inner};
     }
 
@@ -70,11 +66,11 @@ namespace wheelrail
     make_top_layer(Rail &rail, const Placement &placement, const FineStrip &strip)
     {
       const double end   = rail.head.curve->parameter_end();
-      const double depth = std::min(0.95 * rail.block_size, 0.0155);
+      const double depth = running_layer_depth * rail.block_size;
       const double field =
-        rail.head.find_tangent(45 * degree, 0, end, "rounded upper corner on the field side");
+        rail.head.find_tangent(50 * degree, 0, end, "rounded upper corner on the field side");
       const double gauge =
-        rail.head.find_tangent(-45 * degree, end, 0, "rounded upper corner on the gauge side");
+        rail.head.find_tangent(-50 * degree, end, 0, "rounded upper corner on the gauge side");
 
       RunningLayerInput input;
       input.curve         = rail.head;
@@ -106,7 +102,7 @@ namespace wheelrail
       const unsigned int n       = layer.outer.size() - 1;
       const double       depth   = std::min(0.85 * rail.block_size, 0.013);
 
-      Side inner;
+      Side &inner = rail.layer_inner;
       for (const Point2 &p : layer.inner)
         inner.push_back(builder.corner(p));
       builder.patch(
@@ -291,6 +287,12 @@ namespace wheelrail
     const Side         neck  = make_head(rail, layer);
     const Side         web   = make_web(rail, neck);
     make_foot(rail, web, profile.height);
+
+    Side fixed = neck;
+    for (unsigned int i = layer.strip_begin; i <= layer.strip_end; ++i)
+      fixed.push_back(rail.layer_inner[i]);
+    rail.builder.smooth(0, web.front() - 1, fixed, block_size);
+    rail.builder.check();
     return placed(rail.builder.section(), placement);
   }
 } // namespace wheelrail

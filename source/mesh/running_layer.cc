@@ -17,16 +17,6 @@ namespace wheelrail
       return input.curve.y_factor * Point2{-d.x, input.curve.y_factor * d.y};
     }
 
-    // Outward direction of a block side below the strip.
-    Point2
-    side_direction(const Point2 &frame_normal, const Point2 &profile_normal)
-    {
-      const double limit = 18 * 3.14159265358979323846 / 180;
-      const double turn  = std::clamp(
-        std::atan2(cross(frame_normal, profile_normal), dot(frame_normal, profile_normal)), -limit, limit);
-      return std::cos(turn) * frame_normal + std::sin(turn) * Point2{-frame_normal.y, frame_normal.x};
-    }
-
     // Curve parameters of the strip's block boundaries.
     std::vector<double>
     strip_parameters(const FrameProfile &profile, const RunningLayerInput &input)
@@ -59,7 +49,7 @@ namespace wheelrail
       const Curve &curve = *input.curve.curve;
       const double rest  = sign * signed_length(curve, strip, end.parameter);
       if (end.movable)
-        return rest < 0.4 * input.block_size ? strip : end.parameter;
+        return rest < input.block_size ? curve.advance(strip, sign * input.block_size) : end.parameter;
       if (rest < 0.05 * input.block_size)
         throw InputError("The fine strip ends " + std::to_string(rest * 1000) +
                          " mm before the end of the running surface, which is too close or beyond it. Use a "
@@ -86,7 +76,8 @@ namespace wheelrail
       return n;
     }
 
-    // Corners below those of the layer; `first` to `last` belong to the strip.
+    // Corners below those of the layer; `first` to `last` belong to the strip. Parallel block sides there
+    // make cells that are as wide below as on the surface, and equal on both bodies.
     std::vector<Point2>
     inner_points(const SectionBuilder      &builder,
                  const Side                &outer,
@@ -97,24 +88,8 @@ namespace wheelrail
     {
       const Point2        n = frame_normal(input);
       std::vector<Point2> inner;
-      double              depth = input.depth;
-      for (unsigned int attempt = 0; attempt < 8; ++attempt, depth *= 0.93)
-      {
-        inner.clear();
-        for (unsigned int i = 0; i < outer.size(); ++i)
-        {
-          const bool in_strip = i >= first && i <= last;
-          inner.push_back(builder.point(outer[i]) -
-                          depth * (in_strip ? side_direction(n, normals[i]) : normals[i]));
-        }
-        double ratio = 1;
-        for (unsigned int i = first; i < last; ++i)
-          ratio = std::min(ratio,
-                           norm(inner[i + 1] - inner[i]) /
-                             norm(builder.point(outer[i + 1]) - builder.point(outer[i])));
-        if (ratio > 0.6)
-          break;
-      }
+      for (unsigned int i = 0; i < outer.size(); ++i)
+        inner.push_back(builder.point(outer[i]) - input.depth * (i >= first && i <= last ? n : normals[i]));
       return inner;
     }
   } // namespace
@@ -174,7 +149,9 @@ namespace wheelrail
     std::vector<Point2> normals;
     for (const double parameter : parameters)
       normals.push_back(input.curve.normal(parameter));
-    layer.inner = inner_points(builder, layer.outer, normals, n[0], n[0] + blocks, input);
+    layer.strip_begin = n[0];
+    layer.strip_end   = n[0] + blocks;
+    layer.inner       = inner_points(builder, layer.outer, normals, layer.strip_begin, layer.strip_end, input);
     if (n[0] > 0)
       layer.inner.front() = input.start.inner(layer.start);
     if (n[1] > 0)

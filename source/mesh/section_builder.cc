@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/mesh/section_builder.h>
+#include <wheelrail/mesh/section_smoothing.h>
 
 #include <algorithm>
 #include <limits>
@@ -27,9 +28,9 @@ namespace wheelrail
     }
 
     void
-    check_block(const Section &section, const std::string &name)
+    check_block(const Section &section, const unsigned int block, const std::string &name)
     {
-      const auto &c = section.blocks.back().corner;
+      const auto &c = section.blocks[block].corner;
       for (const auto &[origin, x, y] : {std::array<unsigned int, 3>{{c[0], c[1], c[2]}},
                                          {{c[1], c[3], c[0]}},
                                          {{c[3], c[2], c[1]}},
@@ -182,9 +183,39 @@ namespace wheelrail
       for (unsigned int i = 0; i < n; ++i)
       {
         section_.blocks.push_back({{{below[i], below[i + 1], row[i], row[i + 1]}}});
-        check_block(section_, name);
+        patch_of_block_.push_back(name);
       }
       below = row;
     }
+  }
+
+
+  void
+  SectionBuilder::smooth(const unsigned int first,
+                         const unsigned int last,
+                         const Side        &fixed,
+                         const double       block_size)
+  {
+    std::map<Section::EdgeKey, unsigned int> use;
+    for (const auto &block : section_.blocks)
+      for (const auto &[i, j] : {std::array<unsigned int, 2>{{0, 1}}, {{1, 3}}, {{2, 3}}, {{0, 2}}})
+        ++use[key(block.corner[i], block.corner[j])];
+
+    std::vector<bool> movable(section_.corners.size(), false);
+    std::fill(movable.begin() + first, movable.begin() + last + 1, true);
+    for (const unsigned int corner : fixed)
+      movable[corner] = false;
+    for (const auto &[edge, blocks] : use)
+      if (blocks == 1)
+        movable[edge[0]] = movable[edge[1]] = false;
+    smooth_section(section_, movable, block_size);
+  }
+
+
+  void
+  SectionBuilder::check() const
+  {
+    for (unsigned int block = 0; block < section_.blocks.size(); ++block)
+      check_block(section_, block, patch_of_block_[block]);
   }
 } // namespace wheelrail

@@ -277,7 +277,7 @@ namespace wheelrail
       // disc and hub never need fine cells
       SectionBuilder        &builder = wheel.builder;
       const WheelDimensions &d       = wheel.dimensions;
-      const double           coarse  = 1.25 * wheel.block_size;
+      const double           coarse  = 1.75 * wheel.block_size;
       const CurveStretch     field(wheel.field, hub_fillet, rim_fillet),
         gauge(wheel.gauge, hub_fillet, rim_fillet);
       const unsigned int rows = block_count(field.length(), coarse);
@@ -357,7 +357,7 @@ namespace wheelrail
     Wheel wheel;
     wheel.dimensions   = dimensions;
     wheel.block_size   = block_size;
-    wheel.depth        = std::min(0.95 * block_size, 0.0155);
+    wheel.depth        = running_layer_depth * block_size;
     wheel.disc_columns = std::max(2u, block_count(dimensions.disc_thickness, block_size));
     make_rim_outline(wheel, profile);
     wheel.field = make_disc_outline(wheel, 1);
@@ -367,7 +367,14 @@ namespace wheelrail
     const Tread  tread = make_tread(wheel, wheel_in_track, strip, tip);
     const Side   below = make_flange(wheel, tread, tip);
     const Side   disc  = make_rim(wheel, joined(tread.inner, below));
+    const unsigned int last_of_rim = wheel.builder.section().corners.size() - 1;
     make_disc_and_hub(wheel, disc);
+
+    Side fixed = disc;
+    for (unsigned int i = tread.layer.strip_begin; i <= tread.layer.strip_end; ++i)
+      fixed.push_back(tread.inner[i]);
+    wheel.builder.smooth(0, last_of_rim, fixed, block_size);
+    wheel.builder.check();
     return wheel.builder.section();
   }
 } // namespace wheelrail

@@ -35,6 +35,10 @@ namespace wheelrail
 
   /// Wheel and rail in one p4est forest, refined towards the strip where they touch.
   ///
+  /// All cells that overlap the box below the strip are of the finest level. Cells beside it grow with
+  /// the distance, and are not divided where the blocks are so thin that their parts would be thinner
+  /// than the finest cells: those alone should govern the stable time step.
+  ///
   /// The triangulation carries the topology only. Positions come from the exact sections: every
   /// vertex knows its place in its coarse block, hanging vertices lie at the mean of their parents.
   class Forest
@@ -90,6 +94,11 @@ namespace wheelrail
     /// Distances of a cell from the box of finest cells: across the strip, in depth, along the track.
     double
     distance_from_fine_box(const dealii::CellAccessor<3> &cell) const;
+
+    /// Smallest stretch of the unit cube onto a cell [m]: the edge of a cube, the thickness of a flat or
+    /// skewed cell. The stable time step is in proportion to it.
+    double
+    cell_width(const dealii::CellAccessor<3> &cell) const;
 
     std::array<double, 3>
     position(unsigned int coarse_cell, const std::array<double, 3> &xi) const;

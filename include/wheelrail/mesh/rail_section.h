@@ -9,7 +9,8 @@ namespace wheelrail
   /// `block_size` [m]: head (a layer that follows the running surface around a core), web, foot.
   /// The blocks of the fine strip have one edge on the running surface each and are about
   /// `block_size` deep. The head is a ring of blocks around a core: the ring's upper corners lie in
-  /// the middle of the rounded head corners, or at the end of the strip where it reaches that far.
+  /// the middle of the rounded head corners, or one block beyond the strip where it reaches that far.
+  /// Corners inside the head are smoothed (smooth_section).
   /// Edges on the head's sides and top are marked `running`, edges on the base `foot`.
   /// Throws InputError when the strip does not fit on the head, or the outline lacks one of the
   /// roundings that the blocks are fitted to; RunError when a block would be folded.

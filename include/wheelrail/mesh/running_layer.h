@@ -5,11 +5,15 @@
 
 namespace wheelrail
 {
+  /// Depth of the layer in block sizes. A little more than 1: where the profile slopes, cells are skewed
+  /// and the height makes up for the stable time step that costs.
+  constexpr double running_layer_depth = 1.06;
+
   /// One end of the layer of blocks below a running surface.
   struct LayerEnd
   {
     double parameter = 0;                ///< of the curve where the layer ends if the strip leaves room
-    bool   movable   = false;            ///< the end may move to the end of the strip
+    bool   movable   = false;            ///< the end may move away from the strip
     std::function<Point2(double)> inner; ///< the corner below an end at this parameter, frame of the builder
   };
 
@@ -17,9 +21,10 @@ namespace wheelrail
   /// the builder (surface from left to right, material below).
   struct RunningLayer
   {
-    Side                outer;              ///< corners on the profile, edges marked `running`
-    std::vector<Point2> inner;              ///< where the corners below are to be
-    double              start = 0, end = 0; ///< curve parameters of the two ends
+    Side                outer;                          ///< corners on the profile, edges marked `running`
+    std::vector<Point2> inner;                          ///< where the corners below are to be
+    double              start = 0, end = 0;             ///< curve parameters of the two ends
+    unsigned int        strip_begin = 0, strip_end = 0; ///< first and last corner of the strip
   };
 
   /// What make_running_layer() is given.
@@ -36,11 +41,12 @@ namespace wheelrail
 
   /// Divides the running surface into the blocks of the strip (exact boundaries, s linear along the
   /// edges) and blocks of about block_size beside it, adds their outer corners and edges to the
-  /// builder, and tells where the inner corners should be. The block sides leave the profile along
-  /// its normals; below the strip they turn by no more than 18 degrees from the normal of the contact
-  /// frame, or they would meet in the rail's gauge corner, whose radius is less than the depth.
-  /// An end of the layer that is movable goes to the end of the strip when the strip reaches
-  /// beyond it or leaves less than 0.4 block_size.
+  /// builder, and tells where the inner corners should be. The block sides of the strip are parallel to
+  /// the normal of the contact frame, as are the sides of the box of finest cells: these keep their
+  /// width in depth, and no cell beside the strip gets into the box. The corners below the strip are to
+  /// stay where they are; those beside it are first guesses along the profile's normals.
+  /// An end of the layer that is movable leaves room for a block beside the strip: it goes one
+  /// block_size beyond the end of the strip when it would be nearer.
   /// Throws InputError when the strip does not fit on the profile.
   RunningLayer
   make_running_layer(SectionBuilder &builder, const RunningLayerInput &input);

@@ -55,9 +55,18 @@ namespace wheelrail
 
     /// Fills the region between four chains (bottom and top from left to right, left and right
     /// from bottom to top) with blocks; corners inside are placed by transfinite interpolation of
-    /// the chains. Throws RunError when a block is folded, which names the patch.
+    /// the chains. Blocks may be folded until they are smoothed.
     void
     patch(const std::string &name, const Side &bottom, const Side &top, const Side &left, const Side &right);
+
+    /// Smooths the blocks of the finished section (smooth_section) by moving the corners from number
+    /// `first` to `last` that lie inside and are not in `fixed`.
+    void
+    smooth(unsigned int first, unsigned int last, const Side &fixed, double block_size);
+
+    /// Throws RunError when a block is folded, which names the patch.
+    void
+    check() const;
 
     /// The section as built so far.
     const Section &
@@ -67,6 +76,7 @@ namespace wheelrail
     }
 
   private:
-    Section section_;
+    Section                  section_;
+    std::vector<std::string> patch_of_block_;
   };
 } // namespace wheelrail
