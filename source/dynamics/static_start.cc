@@ -350,8 +350,12 @@ namespace wheelrail
     std::vector<unsigned int> preconditioned; // rail nodes whose springs the preconditioner knows
     double rate     = loads.axle.velocity / loads.rolling_radius;
     bool   sheared  = contact.law().friction == 0;
+    // the given tractions, set in every step: an iterate that unloads a node must not erase its own for good
+    std::vector<Vector3> shear;
     for (int step = 0; step < 60; ++step)
       {
+        for (std::size_t k = 0; k < shear.size(); ++k)
+          contact.set_shear(k, shear[k]);
         ContactSums sums;
         auto        force = out_of_balance(solid, contact, sum, loads.axle, rate, sums);
         if (sums.nodes == 0)
@@ -370,8 +374,7 @@ namespace wheelrail
             const auto   tractions = loads.rate_held ?
                                        start_tractions_at_creepage(contact, loads.creepage, G) :
                                        start_tractions(contact, loads.traction_coefficient * result.wheel_load, G);
-            for (std::size_t k = 0; k < tractions.shear.size(); ++k)
-              contact.set_shear(k, tractions.shear[k]);
+            shear           = tractions.shear;
             result.creepage = tractions.creepage;
             rate            = loads.axle.velocity / loads.rolling_radius * (1 + result.creepage);
             sheared         = true;

@@ -1,0 +1,260 @@
+// ranks: 1 2 3
+
+// The swept meshes of wheel and rail: hanging nodes, rigid rotation of the whole wheel, the lattices of the
+// running surfaces, equal sums on any number of ranks.
+
+#include <wheelrail/application/model.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+#include <algorithm>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  const std::string body_name[2] = {"rail", "wheel"};
+
+  /// The sums of this run against those of a mesh that one rank holds alone.
+  void
+  sums_do_not_depend_on_ranks(const Model &model)
+  {
+    const Model alone = make_model(small_scene(4e-3), MPI_COMM_SELF);
+    check(model.solid.quality.elements == alone.solid.quality.elements, "as many cells as on one rank");
+    check(model.solid.quality.nodes == alone.solid.quality.nodes, "as many nodes as on one rank");
+    check_near(model.solid.stable.step / alone.solid.stable.step, 1, 1e-12, "stable step of one rank");
+    for (const Body body : {Body::rail, Body::wheel})
+      {
+        const auto a = mass_properties(model.solid, body, model.axle.centre, MPI_COMM_WORLD);
+        const auto b = mass_properties(alone.solid, body, model.axle.centre, MPI_COMM_SELF);
+        const auto n = body_name[static_cast<int>(body)];
+        check_near(a.mass / b.mass, 1, 1e-13, n + ": mass of one rank");
+        check_near(a.inertia / b.inertia, 1, 1e-13, n + ": inertia of one rank");
+        check_near(norm(a.centre - b.centre), 0, 1e-13, n + ": centre of gravity of one rank");
+      }
+    const Surface *surfaces[2][2] = {{&model.contact->rail(), &alone.contact->rail()},
+                                     {&model.contact->wheel(), &alone.contact->wheel()}};
+    double         difference     = 0;
+    for (const auto &pair : surfaces)
+      for (std::size_t k = 0; k < pair[0]->reference.size(); ++k)
+        difference = std::max({difference,
+                               norm(pair[0]->reference[k] - pair[1]->reference[k]),
+                               std::abs(pair[0]->area[k] - pair[1]->area[k])});
+    check_near(difference, 0, 1e-14, "surface lattices of one rank: largest difference of places and areas");
+  }
+
+  /// Nodes of a rank that lie on any boundary of the bodies, its parents of hanging nodes included.
+  std::vector<bool>
+  outer_nodes(const Model &model)
+  {
+    const LocalMesh                             &mesh = model.solid.mesh;
+    std::map<std::uint32_t, unsigned int>        local;
+    AlignedVector<double>                        mark(4 * mesh.n_nodes(), 0.);
+    std::vector<dealii::types::global_dof_index> dofs(24);
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      local[mesh.global_node[n]] = n;
+    for (const auto &cell : model.forest->dofs().active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          cell->get_dof_indices(dofs);
+          for (unsigned int f = 0; f < 6; ++f)
+            for (unsigned int v = 0; v < 8; ++v)
+              if (cell->face(f)->at_boundary() && (v >> (f / 2) & 1) == f % 2)
+                mark[4 * local.at(dofs[3 * v] / 3)] = 1;
+        }
+    SharedSum sum(mesh, MPI_COMM_WORLD);
+    sum(mark.data(), 1);
+    std::vector<bool> outer(mesh.n_nodes());
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      outer[n] = mark[4 * n] > 0;
+    return outer;
+  }
+
+  void
+  hanging_nodes(Model &model)
+  {
+    Solid            &solid = model.solid;
+    const LocalMesh  &mesh  = solid.mesh;
+    double            error = 0, weight_error = 0;
+    bool              parents_free = true;
+    std::vector<bool> hangs(mesh.n_nodes());
+    for (const unsigned int n : mesh.hanging)
+      hangs[n] = true;
+    double count[2] = {0, 0};
+    for (std::size_t k = 0; k < mesh.hanging.size(); ++k)
+      {
+        Vector3 mean{};
+        double  sum = 0;
+        for (unsigned int p = mesh.hanging_begin[k]; p < mesh.hanging_begin[k + 1]; ++p)
+          {
+            const double *X = &mesh.reference[4 * mesh.parents[p]];
+            add(mean, mesh.weights[p], {X[0], X[1], X[2]});
+            sum += mesh.weights[p];
+            parents_free = parents_free && !hangs[mesh.parents[p]];
+          }
+        const double *X = &mesh.reference[4 * mesh.hanging[k]];
+        error           = std::max(error, norm(mean - Vector3{X[0], X[1], X[2]}));
+        weight_error    = std::max(weight_error, std::abs(sum - 1));
+        count[static_cast<int>(mesh.node_body[mesh.hanging[k]])] += 1;
+      }
+    MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    check(count[0] > 100 && count[1] > 100, "both bodies have hanging nodes");
+    check(parents_free, "no parent of a hanging node hangs");
+    check_near(weight_error, 0, 1e-14, "weights of the parents add up to 1");
+    check_near(error, 0, 1e-15, "hanging nodes lie at the mean of their parents [m]");
+
+    // an equal strain everywhere must leave no force on inner nodes, across all jumps of cell size
+    const double H[3][3] = {{1e-6, 2e-6, 0}, {-1e-6, 5e-7, 1e-6}, {3e-7, 0, 1e-6}};
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      for (int i = 0; i < 3; ++i)
+        {
+          solid.displacement[4 * n + i] = 0;
+          for (int j = 0; j < 3; ++j)
+            solid.displacement[4 * n + i] += H[i][j] * mesh.reference[4 * n + j];
+        }
+    std::fill(solid.force.begin(), solid.force.end(), 0.);
+    ElementEnergy energy;
+    for (auto &blocks : solid.blocks)
+      subtract_internal_force(
+        blocks, solid.displacement.data(), solid.force.data(), BulkViscosity(), false, energy);
+    condense(mesh, solid.force.data());
+    SharedSum sum(mesh, MPI_COMM_WORLD);
+    sum(solid.force.data());
+    const auto outer    = outer_nodes(model);
+    double     force[2] = {0, 0};
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      for (int i = 0; i < 3; ++i)
+        force[outer[n]] = std::max(force[outer[n]], std::abs(solid.force[4 * n + i]));
+    MPI_Allreduce(MPI_IN_PLACE, force, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    check_near(force[0] / force[1], 0, 1e-9, "equal strain: force on inner nodes over that on the surface");
+  }
+
+  void
+  rigid_rotation(Model &model)
+  {
+    Solid           &solid = model.solid;
+    const LocalMesh &mesh  = solid.mesh;
+    const double     angle = 10 * 2 * M_PI + 1;
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      {
+        const double *R = &mesh.reference[4 * n];
+        const Vector3 X = {R[0], R[1], R[2]};
+        const Vector3 x = mesh.node_body[n] == Body::rail
+                            ? X
+                            : model.axle.centre + rotated(X - model.axle.centre, model.axle.axis, angle);
+        for (int i = 0; i < 3; ++i)
+          solid.displacement[4 * n + i] = x[i] - X[i] + (i == 2 ? 29. : 0.);
+      }
+    double worst[2] = {0, 0};
+    for (const auto &blocks : solid.blocks)
+      for (const auto &s : element_stress(blocks, solid.displacement.data()))
+        for (const double x : s)
+          worst[0] = std::max(worst[0], std::abs(x));
+    std::fill(solid.force.begin(), solid.force.end(), 0.);
+    ElementEnergy energy;
+    for (auto &blocks : solid.blocks)
+      subtract_internal_force(
+        blocks, solid.displacement.data(), solid.force.data(), BulkViscosity(), true, energy);
+    condense(mesh, solid.force.data());
+    for (const double f : solid.force)
+      worst[1] = std::max(worst[1], std::abs(f));
+    MPI_Allreduce(MPI_IN_PLACE, worst, 2, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    check_near(worst[0], 0, 5, "ten turns of the wheel and 29 m of way: largest stress [Pa]");
+    check_near(worst[1], 0, 1e-3, "ten turns of the wheel and 29 m of way: largest nodal force [N]");
+    std::fill(solid.displacement.begin(), solid.displacement.end(), 0.);
+  }
+
+  /// Offsets between nodes of the lattice against the sagitta of the chords.
+  struct Sagitta
+  {
+    double nodes = 0, least = 1, error = 0; ///< largest at nodes [m], least between [m], relative to h^2/8R
+    int    compared = 0;
+  };
+
+  Sagitta
+  sagitta(const Model &model, const Surface &surface)
+  {
+    const Lattice         &lattice  = model.contact->lattice();
+    const RunningSurfaces &surfaces = model.contact->surfaces();
+    const bool             wheel    = surface.body == Body::wheel;
+    const auto             offset   = [&](const Vector3 &X) {
+      return wheel ? surfaces.wheel_offset(X) : surfaces.rail_offset(X);
+    };
+    const auto middle = [&](std::size_t a, std::size_t b) {
+      return 0.5 * (surface.reference[a] + surface.reference[b]);
+    };
+    const auto chord = [&](std::size_t a, std::size_t b) {
+      return norm(surface.reference[a] - surface.reference[b]);
+    };
+    Sagitta result;
+    // the outer lines hang on coarser cells
+    for (unsigned int i = 2; i + 3 < lattice.n_along; ++i)
+      for (unsigned int j = 1; j + 2 < lattice.n_lateral; ++j)
+        {
+          const std::size_t k = lattice.index(i, j), ahead = lattice.index(i + 1, j),
+                            beside = lattice.index(i, j + 1);
+          result.nodes             = std::max(result.nodes, std::abs(offset(surface.reference[k])));
+          if (wheel)
+            {
+              const double s     = lattice.s_begin + j * lattice.spacing_lateral;
+              const double slope = surfaces.wheel.at(s).slope, angle = surfaces.frame.angle;
+              const double radial   = std::cos(std::atan(slope) + angle - surfaces.wheel_placement.angle);
+              const double expected = std::pow(chord(k, ahead), 2) / (8 * surfaces.local_radius(s)) * radial;
+              const double found    = offset(middle(k, ahead));
+              result.least          = std::min(result.least, found);
+              result.error          = std::max(result.error, std::abs(found / expected - 1));
+              ++result.compared;
+              continue;
+            }
+          // the rail's curvature, where it does not change between the two nodes
+          const double s = lattice.s_begin + j * lattice.spacing_lateral, h = lattice.spacing_lateral;
+          const auto   kappa = [&](double x) {
+            const double d = 1e-5, slope = surfaces.rail.at(x).slope;
+            return (surfaces.rail.at(x - d).slope - surfaces.rail.at(x + d).slope) / (2 * d) /
+                   std::pow(1 + slope * slope, 1.5);
+          };
+          const double R0 = kappa(s + 0.01 * h), R1 = kappa(s + 0.5 * h), R2 = kappa(s + 0.99 * h);
+          const double found = offset(middle(k, beside));
+          result.least       = std::min(result.least, found);
+          if (std::abs(R0 / R1 - 1) > 1e-3 || std::abs(R2 / R1 - 1) > 1e-3)
+            continue;
+          result.error =
+            std::max(result.error, std::abs(found / (std::pow(chord(k, beside), 2) * R1 / 8) - 1));
+          ++result.compared;
+        }
+    return result;
+  }
+
+  void
+  running_lattices(const Model &model)
+  {
+    for (const Surface *surface : {&model.contact->rail(), &model.contact->wheel()})
+      {
+        const std::string &n = body_name[static_cast<int>(surface->body)];
+        const Sagitta      s = sagitta(model, *surface);
+        check_near(s.nodes, 0, 1e-9, n + ": offset of the true profile at nodes [m]");
+        check(s.least > 0,
+              n + ": offset between nodes is positive, least " + std::to_string(1e6 * s.least) + " um");
+        check_near(s.error,
+                   0,
+                   0.03,
+                   n + ": offset between nodes over h^2/8R, " + std::to_string(s.compared) + " chords");
+      }
+    const double step = 2 * M_PI * model.geometry.rolling_radius / model.forest->plan().sectors / 4;
+    check_near(model.contact->lattice().spacing_along, step, 1e-12, "stations at the wheel's arc [m]");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  Model    model = make_model(small_scene(4e-3), MPI_COMM_WORLD);
+  sums_do_not_depend_on_ranks(model);
+  running_lattices(model);
+  hanging_nodes(model);
+  rigid_rotation(model);
+  return parallel.report();
+}

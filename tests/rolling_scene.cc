@@ -1,0 +1,172 @@
+// ranks: 1 2
+
+// A few millimetres of rolling on coarse cells, from the static start on: forces, energy, friction, and the
+// same figures on any number of ranks.
+
+#include <wheelrail/application/model.h>
+#include <wheelrail/dynamics/rolling.h>
+#include <wheelrail/dynamics/static_start.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+#include <iomanip>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  /// What a run gives.
+  struct Run
+  {
+    StaticResult  start;
+    double        wheel_load = 0;
+    Vector3       first_force{}, mean_force{}, last_force{}; ///< on the wheel [N]
+    double        spread       = 0; ///< largest departure of the vertical force from its mean [N]
+    double        worst_energy = 0; ///< largest energy error
+    EnergyBalance energy;
+    double        last_pressure = 0, slip_share = 0, creepage = 0, axle_height = 0;
+    bool          at_border = false;
+    unsigned long steps     = 0;
+  };
+
+  Run
+  roll(const Scene &scene, MPI_Comm communicator)
+  {
+    Run         run;
+    Model       model = make_model(scene, communicator);
+    StaticLoads loads;
+    loads.axle                 = model.axle;
+    loads.rolling_radius       = model.geometry.rolling_radius;
+    loads.traction_coefficient = scene.traction_coefficient;
+    loads.rate_held            = scene.drive == Drive::rate;
+    loads.creepage             = scene.creepage;
+    loads.first_approach       = model.expected_approach;
+    run.wheel_load             = model.wheel_load;
+    run.start = static_start(*model.forest, model.solid, *model.contact, loads, [](const std::string &) {});
+    const double rate = scene.velocity / loads.rolling_radius * (1 + run.start.creepage);
+    rolling_velocities(model.solid, model.axle, rate, communicator);
+    Axle    axle(model.axle, model.solid, run.start.lift, rate, communicator);
+    Rolling rolling(model.solid, *model.contact, axle, model.time_step, scene.bulk_viscosity, communicator);
+    run.steps  = std::lround(scene.rolling_distance / scene.velocity / model.time_step);
+    double low = 1e300, high = -1e300;
+    for (unsigned long n = 1; n <= run.steps; ++n)
+      {
+        rolling.step(n % 5 == 0 || n == 1 || n == run.steps);
+        const ContactSums &sums = rolling.contact_sums();
+        if (n == 1)
+          run.first_force = sums.force;
+        add(run.mean_force, 1. / run.steps, sums.force);
+        low              = std::min(low, sums.force[1]);
+        high             = std::max(high, sums.force[1]);
+        run.worst_energy = std::max(run.worst_energy, rolling.energy().error);
+        run.at_border    = run.at_border || sums.at_border;
+      }
+    run.spread        = std::max(high - run.mean_force[1], run.mean_force[1] - low);
+    run.last_force    = rolling.contact_sums().force;
+    run.last_pressure = rolling.contact_sums().largest_pressure;
+    run.energy        = rolling.energy();
+    run.creepage      = axle.pitch_rate() * model.geometry.rolling_radius / scene.velocity - 1;
+    run.axle_height   = axle.height();
+    return run;
+  }
+
+  void
+  print(const Run &run)
+  {
+    const EnergyBalance &e = run.energy;
+    std::cout << std::setprecision(6) << "        " << run.steps << " steps, Newton "
+              << run.start.newton_steps << ", lift " << 1e6 * run.start.lift << " um, wheel load "
+              << run.wheel_load << " N\n        forces on the wheel [N] at the start " << run.first_force[0]
+              << ' ' << run.first_force[1] << ' ' << run.first_force[2] << ", mean " << run.mean_force[0]
+              << ' ' << run.mean_force[1] << ' ' << run.mean_force[2] << ", end " << run.last_force[0] << ' '
+              << run.last_force[1] << ' ' << run.last_force[2] << "\n        energies [J]: kinetic "
+              << e.kinetic << ", strain " << e.strain << ", stabilisation " << e.stabilisation << ", contact "
+              << e.contact << ", friction " << e.friction << ", viscous " << e.viscous << ", contact damping "
+              << e.contact_damping << ", suspension " << e.suspension << ", torque " << e.torque_work
+              << ", hold " << e.hold_work << ", support " << e.support_work << ", residual " << e.residual
+              << '\n';
+  }
+
+  Scene
+  scene()
+  {
+    return small_scene(4e-3);
+  }
+
+  /// A run on several ranks against that of one: they differ by what the static start leaves unsolved.
+  void
+  compare(const Run &run, const Run &alone)
+  {
+    const auto same =
+      [](const double value, const double expected, const double tolerance, const std::string &text) {
+        check_near(value / expected, 1, tolerance, text + " over that of one rank");
+      };
+    check(run.steps == alone.steps, "as many steps as on one rank");
+    same(run.wheel_load, alone.wheel_load, 1e-12, "wheel load");
+    same(run.start.lift, alone.start.lift, 1e-5, "lift of the axle");
+    same(run.start.creepage, alone.start.creepage, 1e-5, "predicted creepage");
+    same(run.creepage, alone.creepage, 2e-3, "creepage");
+    same(run.axle_height, alone.axle_height, 1e-5, "height of the axle");
+    same(run.mean_force[1], alone.mean_force[1], 1e-5, "vertical force");
+    same(run.mean_force[2], alone.mean_force[2], 2e-4, "longitudinal force");
+    same(run.last_pressure, alone.last_pressure, 1e-5, "largest pressure");
+    same(run.energy.strain, alone.energy.strain, 1e-5, "strain energy");
+    same(run.energy.friction, alone.energy.friction, 1e-3, "friction");
+  }
+
+  void
+  driving(const int size)
+  {
+    const Run    run  = roll(scene(), MPI_COMM_WORLD);
+    const double load = run.wheel_load, wanted = 0.25 * load;
+    print(run);
+    check(!run.at_border, "the patch stays inside the fine cells");
+    check_near(run.start.contact_force[1] / load, 1, 2e-5, "static start: vertical force over the weight");
+    check_near(run.first_force[1] / load, 1, 0.01, "first step: vertical force over the weight");
+    check_near(
+      run.start.contact_force[2] / wanted, 1, 0.005, "static start: longitudinal force over the wanted one");
+    // the velocities of the start are not those of the coarse cells: one step of elastic slip and damping
+    check_near(run.first_force[2] / wanted, 1, 0.04, "first step: longitudinal force over the wanted one");
+    check_near(run.mean_force[1] / load, 1, 0.01, "mean vertical force over the weight");
+    check_near(run.spread / load, 0, 0.03, "vertical force, largest departure from the mean over the weight");
+    check_near(run.worst_energy, 0, 0.01, "energy error, largest");
+    check(run.energy.friction > 0 && run.energy.viscous > 0 && run.energy.contact_damping >= 0,
+          "dissipation is positive");
+    check(run.creepage > 0 && run.creepage < 0.02, "driving: creepage is positive");
+    check(run.mean_force[2] > 0.5 * wanted, "driving: the wheel is pushed forward");
+
+    if (size > 1)
+      compare(run, roll(scene(), MPI_COMM_SELF));
+  }
+
+  void
+  frictionless()
+  {
+    Scene smooth                = scene();
+    smooth.friction_coefficient = 0;
+    smooth.traction_coefficient = 0;
+    smooth.rolling_distance     = 3e-3;
+    const Run run               = roll(smooth, MPI_COMM_WORLD);
+    print(run);
+    check_near(run.energy.friction, 0, 0, "no friction: no friction work [J]");
+    // the normal force leans along the track only as far as the surface does
+    check_near(
+      run.mean_force[2] / run.wheel_load, 0, 1e-3, "no friction: mean longitudinal force over the weight");
+    check_near(
+      run.mean_force[1] / run.wheel_load, 1, 0.015, "no friction: mean vertical force over the weight");
+    check_near(run.worst_energy, 0, 0.01, "no friction: energy error, largest");
+    check_near(run.creepage, 0, 1e-4, "no friction, no torque: the wheel keeps its rate");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  driving(parallel.size);
+  if (parallel.size == 1)
+    frictionless();
+  return parallel.report();
+}

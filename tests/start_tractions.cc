@@ -1,0 +1,217 @@
+// Tractions to start from: Kalker's linear theory for small creepage and spin, saturation, signs.
+
+#include <wheelrail/dynamics/start_tractions.h>
+
+#include "parallel.h"
+
+#include <numeric>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  constexpr double radius = 0.46, largest_pressure = 1e9, friction = 0.4, stiffness = 1e15;
+  constexpr double shear_modulus = 210e9 / 2.6;
+
+  HeightTable
+  flat_profile(const ContactFrame &frame)
+  {
+    Segment line;
+    line.name  = "line";
+    line.start = {0.03 * std::cos(frame.angle), -0.03 * std::sin(frame.angle)};
+    line.end   = {-line.start.x, -line.start.y};
+    return HeightTable(FrameProfile(Curve({line}), Placement(), frame), -0.02, 0.02);
+  }
+
+  /// A cone on a plane, both inclined by `angle` (a cylinder when it is zero), with rail nodes moved so
+  /// that the pressure is elliptic with semi-axes `along` and `across` [m].
+  Contact
+  elliptic_contact(const double along, const double across, const double angle = 0)
+  {
+    constexpr double spacing = 2.5e-4;
+    Lattice          lattice;
+    lattice.first_station = -static_cast<int>(along / spacing) - 6;
+    lattice.n_along       = 1 - 2 * lattice.first_station;
+    lattice.n_lateral     = 2 * static_cast<int>(across / spacing) + 9;
+    lattice.spacing_along = lattice.spacing_lateral = spacing;
+    lattice.s_begin                                 = -0.5 * (lattice.n_lateral - 1) * spacing;
+
+    RunningSurfaces surfaces;
+    surfaces.frame.angle = angle;
+    surfaces.rail = surfaces.wheel = flat_profile(surfaces.frame);
+    surfaces.nominal_radius = surfaces.rolling_radius = radius;
+    const std::size_t n                               = std::size_t(lattice.n_along) * lattice.n_lateral;
+    Surface           body[2];
+    for (int b = 0; b < 2; ++b)
+      {
+        body[b].body = b == 0 ? Body::rail : Body::wheel;
+        body[b].area.assign(n, spacing * spacing);
+        body[b].owner.assign(n, 0);
+        body[b].local.resize(n);
+        std::iota(body[b].local.begin(), body[b].local.end(), b * int(n));
+        body[b].global_node.assign(body[b].local.begin(), body[b].local.end());
+        for (unsigned int i = 0; i < lattice.n_along; ++i)
+          for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+            {
+              const double z = (lattice.first_station + int(i)) * spacing, s = lattice.s_begin + j * spacing,
+                           ahead = z / radius;
+              const double r     = radius - s * std::sin(angle);
+              if (b == 0)
+                body[b].reference.push_back({s * std::cos(angle), s * std::sin(angle), z});
+              else
+                body[b].reference.push_back(
+                  {s * std::cos(angle), radius - r * std::cos(ahead), r * std::sin(ahead)});
+            }
+      }
+    Contact contact(
+      body[0], body[1], surfaces, lattice, {stiffness, 0, friction}, along + 0.01, MPI_COMM_SELF);
+    std::vector<double> displacement(8 * n, 0.), velocity(8 * n, 0.);
+    contact.gather(displacement.data(), velocity.data());
+    contact.evaluate(0);
+    for (std::size_t k = 0; k < n; ++k)
+      {
+        const Vector3 &X      = body[0].reference[k];
+        const double   inside = 1 - std::pow(X[2] / along, 2) - std::pow(X[0] / std::cos(angle) / across, 2);
+        const double   gap    = inside > 0 ? -largest_pressure * std::sqrt(inside) / stiffness : 1e-6;
+        displacement[4 * k + 1] = (contact.nodes()[k].gap - gap) / std::cos(angle);
+      }
+    contact.gather(displacement.data(), velocity.data());
+    contact.evaluate(0);
+    return contact;
+  }
+
+  double
+  normal_force(const Contact &contact)
+  {
+    double sum = 0;
+    for (std::size_t k = 0; k < contact.nodes().size(); ++k)
+      sum += contact.nodes()[k].pressure * contact.rail().area[k];
+    return sum;
+  }
+
+  void
+  linear_theory(const double along, const double across)
+  {
+    const Contact     contact = elliptic_contact(along, across);
+    const double      N       = normal_force(contact);
+    const std::string name    = "a/b = " + std::to_string(along / across).substr(0, 4) + ": ";
+    check_near(
+      N / (2. / 3 * M_PI * along * across * largest_pressure), 1, 0.01, name + "elliptic pressure is there");
+
+    const double C11 = creepage_coefficient(along / across), slope = shear_modulus * along * across * C11;
+    const double small = 0.02 * friction * N / slope;
+    const auto   start = start_tractions_at_creepage(contact, small, shear_modulus);
+    // the strips are whole cells long: one cell in the length of the patch is the error
+    check_near(
+      start.force / (slope * small), 1, 0.08, name + "force at small creepage over G a b C11 creepage");
+
+    // Vermeulen and Johnson's curve of saturation is known to 10 % of the bound; the simplified theory
+    // with an elliptic bound must come as near to it
+    double worst = 0;
+    for (double k = 0.1; k < 2; k += 0.1)
+      {
+        const double expected = k < 1 ? 1 - std::pow(1 - k, 3) : 1;
+        const auto   at = start_tractions_at_creepage(contact, 3 * k * friction * N / slope, shear_modulus);
+        worst           = std::max(worst, std::abs(at.force / (friction * N) - expected));
+      }
+    check_near(worst, 0, 0.1, name + "largest distance from the curve of Vermeulen and Johnson");
+
+    const auto full = start_tractions_at_creepage(contact, 0.05, shear_modulus);
+    check_near(full.force / (friction * N), 1, 1e-3, name + "saturation at friction x normal force");
+    double excess = 0;
+    for (std::size_t k = 0; k < full.shear.size(); ++k)
+      excess = std::max(excess, norm(full.shear[k]) - friction * contact.nodes()[k].pressure);
+    check_near(excess / largest_pressure, 0, 1e-12, name + "no traction exceeds friction x pressure");
+  }
+
+  void
+  wanted_force()
+  {
+    Contact      contact = elliptic_contact(6e-3, 4e-3);
+    const double bound   = friction * normal_force(contact);
+    const auto   driving = start_tractions(contact, 0.5 * bound, shear_modulus),
+               braking   = start_tractions(contact, -0.5 * bound, shear_modulus);
+    check_near(driving.force / bound, 0.5, 1e-6, "the wanted force is met");
+    check(driving.creepage > 0 && !driving.saturated, "driving: creepage positive, not saturated");
+    check_near(braking.creepage / driving.creepage, -1, 1e-6, "braking mirrors driving");
+    double largest = 0, mirror = 0;
+    for (std::size_t k = 0; k < driving.shear.size(); ++k)
+      {
+        largest = std::max(largest, driving.shear[k][2]);
+        mirror  = std::max(mirror, std::abs(driving.shear[k][2] + braking.shear[k][2]));
+      }
+    check_near(largest, 0, 0, "driving: tractions on the rail point backwards");
+    check_near(mirror / largest_pressure, 0, 1e-6, "braking: tractions mirrored");
+
+    // traction builds up from the leading edge, which is ahead of the axle
+    const Lattice     &lattice = contact.lattice();
+    const unsigned int row = lattice.n_lateral / 2, middle = lattice.n_along / 2;
+    const double       ahead = driving.shear[lattice.index(middle + 16, row)][2],
+                 behind      = driving.shear[lattice.index(middle - 8, row)][2];
+    check(std::abs(ahead) < std::abs(behind), "traction grows from the leading edge to the rear");
+
+    for (std::size_t k = 0; k < driving.shear.size(); ++k)
+      contact.set_shear(k, driving.shear[k]);
+    const ContactSums sums = contact.evaluate(0);
+    check_near(sums.force[2] / driving.force,
+               1,
+               1e-3,
+               "the contact with these tractions drives the wheel forward by the force");
+
+    const auto beyond = start_tractions(contact, 1.2 * bound, shear_modulus);
+    check(beyond.saturated, "a force beyond the bound is flagged");
+    check_near(beyond.force / bound, 0.98, 1e-3, "and the bound less two per cent is given");
+    const auto none = start_tractions(contact, 0, shear_modulus);
+    check_near(none.force / bound, 0, 1e-6, "no force wanted: no force");
+    check_near(none.creepage, 0, 1e-9, "no force wanted: no creepage");
+  }
+
+  /// A cone that rolls freely slides sideways ahead of and behind the axle: spin.
+  void
+  spin()
+  {
+    const double  a = 4e-3, angle = 0.025, rate = std::sin(angle) / radius;
+    const Contact contact = elliptic_contact(a, a, angle);
+    const auto    start   = start_tractions(contact, 0, shear_modulus);
+    double        lateral = 0, inner = 0, outer = 0;
+    for (std::size_t k = 0; k < start.shear.size(); ++k)
+      {
+        const double f = contact.rail().area[k] / std::cos(angle);
+        lateral -= f * start.shear[k][0];
+        (contact.rail().reference[k][0] > 0 ? inner : outer) += f * start.shear[k][2];
+      }
+    // C23 of a circle at Poisson's ratio 0.3 is 1.5 (Kalker 1990, table E.3)
+    check_near(lateral / (1.5 * shear_modulus * std::pow(a, 3) * rate),
+               1,
+               0.25,
+               "spin: lateral force on the wheel over G (ab)^1.5 C23 spin");
+    check(inner > 0 && outer < 0, "spin: the smaller radius drags the rail forward, the larger one backward");
+    check_near(start.creepage, 0, 1e-4, "spin: no creepage without force");
+  }
+
+  void
+  coefficients()
+  {
+    // Kalker 1990, table E.3, linear between Poisson's ratios 0.25 and 0.5: 4.12 and 5.20 for a circle
+    check_near(
+      creepage_coefficient(1), 4.12 + 0.2 * (5.20 - 4.12), 0.05, "C11 of a circle at Poisson's ratio 0.3");
+    bool rises = true;
+    for (double ratio = 0.11; ratio < 9; ratio *= 1.1)
+      rises = rises && creepage_coefficient(ratio * 1.1) > creepage_coefficient(ratio);
+    check(rises, "C11 rises with the length of the patch");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  coefficients();
+  linear_theory(6e-3, 4e-3);
+  linear_theory(4e-3, 4e-3);
+  linear_theory(3e-3, 6e-3);
+  wanted_force();
+  spin();
+  return parallel.report();
+}
