@@ -38,9 +38,9 @@ main()
         AlignedVector<double> u(4 * nodes, 0.), f(4 * nodes, 0.);
         for (std::size_t k = 0; k < u.size(); ++k)
           u[k] = 1e-9 * ((k * 2654435761u) % 1000);
-        BulkViscosity viscosity{0.06, 1e-7};
-        ElementEnergy energy;
-        const int     repeat = 3000000 / cells.size();
+        BulkViscosity       viscosity{0.06, 1e-7};
+        ElementEnergy       energy;
+        const int           repeat = 3000000 / cells.size();
         std::vector<double> times;
         for (int sample = 0; sample < 7; ++sample)
           {
@@ -51,7 +51,11 @@ main()
           }
         std::sort(times.begin(), times.end());
         const double ns = times[times.size() / 2] / (double(repeat) * cells.size()) * 1e9;
-        std::printf("%10zu %6d %14.2f %12.1f %12zu\n", cells.size(), width, 1e3 / ns, ns,
+        std::printf("%10zu %6d %14.2f %12.1f %12zu\n",
+                    cells.size(),
+                    width,
+                    1e3 / ns,
+                    ns,
                     ElementBlocks::fields * sizeof(double) + 32 + 16 + 3 * 32);
       }
 }

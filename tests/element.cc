@@ -25,7 +25,9 @@ namespace
     Block                                  block;
     std::mt19937                           random(7);
     std::uniform_real_distribution<double> shift(-amount, amount);
-    const auto number = [n](unsigned int i, unsigned int j, unsigned int k) { return i + (n + 1) * (j + (n + 1) * k); };
+    const auto                             number = [n](unsigned int i, unsigned int j, unsigned int k) {
+      return i + (n + 1) * (j + (n + 1) * k);
+    };
     for (unsigned int k = 0; k <= n; ++k)
       for (unsigned int j = 0; j <= n; ++j)
         for (unsigned int i = 0; i <= n; ++i)
@@ -88,8 +90,8 @@ namespace
   void
   patch_test()
   {
-    const Block block = distorted_block(3, 0.25);
-    const auto  u     = nodal(block, [](const Vector &X) -> Vector {
+    const Block   block  = distorted_block(3, 0.25);
+    const auto    u      = nodal(block, [](const Vector &X) -> Vector {
       return {1e-3 * X[0] + 2e-3 * X[1], -1e-3 * X[1] + 5e-4 * X[2], 3e-4 * X[0] + 1e-3 * X[2]};
     });
     ElementBlocks blocks = pack_elements(block.geometry, block.cells, Elasticity());
@@ -98,9 +100,10 @@ namespace
     for (const auto &s : stress)
       for (int k = 0; k < 6; ++k)
         spread = std::max(spread, std::abs(s[k] - stress[0][k]));
-    test::check_near(spread / std::abs(stress[0][0]), 0, 1e-12, "patch test: equal stress in distorted cells");
+    test::check_near(
+      spread / std::abs(stress[0][0]), 0, 1e-12, "patch test: equal stress in distorted cells");
     ElementEnergy energy;
-    const auto    f = internal_force(block, u, native_width, energy);
+    const auto    f     = internal_force(block, u, native_width, energy);
     double        inner = 0;
     for (unsigned int k = 1; k < 3; ++k)
       for (unsigned int j = 1; j < 3; ++j)
@@ -114,10 +117,11 @@ namespace
   void
   rigid_rotation()
   {
-    const Block  block = distorted_block(3, 0.25);
-    const double angle = 10 * 2 * M_PI + 1;
-    const auto   u     = nodal(block, [angle](const Vector &X) -> Vector {
-      return {5, std::cos(angle) * X[1] - std::sin(angle) * X[2] - X[1],
+    const Block   block  = distorted_block(3, 0.25);
+    const double  angle  = 10 * 2 * M_PI + 1;
+    const auto    u      = nodal(block, [angle](const Vector &X) -> Vector {
+      return {5,
+              std::cos(angle) * X[1] - std::sin(angle) * X[2] - X[1],
               std::sin(angle) * X[1] + std::cos(angle) * X[2] - X[2]};
     });
     ElementBlocks blocks = pack_elements(block.geometry, block.cells, Elasticity());
@@ -127,7 +131,8 @@ namespace
         worst = std::max(worst, std::abs(x));
     test::check_near(worst / 210e9, 0, 1e-13, "ten turns: stress over Young's modulus");
     ElementEnergy energy;
-    test::check_near(largest(internal_force(block, u, native_width, energy)) / 210e9, 0, 1e-13, "ten turns: force");
+    test::check_near(
+      largest(internal_force(block, u, native_width, energy)) / 210e9, 0, 1e-13, "ten turns: force");
   }
 
   void
@@ -136,15 +141,15 @@ namespace
     const Block                            block = distorted_block(2, 0.25);
     std::mt19937                           random(3);
     std::uniform_real_distribution<double> value(-0.02, 0.02);
-    const auto rotated = nodal(block, [&](const Vector &X) -> Vector {
+    const auto                             rotated = nodal(block, [&](const Vector &X) -> Vector {
       // a large rotation with a rough deformation on top
       const Vector Y = {X[0] + value(random), X[1] + value(random), X[2] + value(random)};
       const double c = std::cos(2.), s = std::sin(2.);
       return {c * Y[0] - s * Y[1] - X[0], s * Y[0] + c * Y[1] - X[1], Y[2] - X[2]};
     });
-    ElementEnergy ignored;
-    const auto    f    = internal_force(block, rotated, native_width, ignored);
-    double        worst = 0;
+    ElementEnergy                          ignored;
+    const auto                             f     = internal_force(block, rotated, native_width, ignored);
+    double                                 worst = 0;
     for (std::size_t n = 0; n < block.vertices.size(); n += 4)
       for (int i = 0; i < 3; ++i)
         {
@@ -187,15 +192,18 @@ namespace
     const Block                            block = distorted_block(3, 0.2);
     std::mt19937                           random(5);
     std::uniform_real_distribution<double> value(-1, 1);
-    const auto   u = nodal(block, [&](const Vector &) -> Vector { return {value(random) * 1e-9, value(random) * 1e-9, value(random) * 1e-9}; });
-    ElementEnergy energy;
-    const auto    f1 = internal_force(block, u, 1, energy);
+    const auto                             u = nodal(block, [&](const Vector &) -> Vector {
+      return {value(random) * 1e-9, value(random) * 1e-9, value(random) * 1e-9};
+    });
+    ElementEnergy                          energy;
+    const auto                             f1 = internal_force(block, u, 1, energy);
     for (const int width : {2, 4, 8})
       {
         auto f = internal_force(block, u, width, energy);
         for (std::size_t k = 0; k < f.size(); ++k)
           f[k] -= f1[k];
-        test::check_near(largest(f) / largest(f1), 0, 1e-12, "width " + std::to_string(width) + " equals width 1");
+        test::check_near(
+          largest(f) / largest(f1), 0, 1e-12, "width " + std::to_string(width) + " equals width 1");
       }
     AlignedVector<double> linear(u.size(), 0.);
     for (std::size_t e = 0; e < block.cells.size(); ++e)
@@ -217,12 +225,12 @@ namespace
     for (const double nu : {0., 0.3, 0.49})
       {
         Elasticity material;
-        material.poissons_ratio = nu;
+        material.poissons_ratio    = nu;
         const Vector          size = {4e-3, 1e-3, 2e-3};
         std::array<Vector, 8> X;
         for (int a = 0; a < 8; ++a)
           X[a] = {(a & 1) * size[0], ((a >> 1 & 1) - 0.5) * size[1], ((a >> 2) - 0.5) * size[2]};
-        const auto   K     = element_stiffness(element_geometry(X), material);
+        const auto K = element_stiffness(element_geometry(X), material);
         // u_x = kappa x y - ..., u_z anticlastic: with the strains of a beam (plane stress both ways)
         const double kappa = 1e-3;
         double       u[24];

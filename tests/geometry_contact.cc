@@ -52,37 +52,38 @@ namespace
     double point = 0, angle = 0, radius = 0, roll = 0, lift = 0, rail_radius = 0, wheel_radius = 0,
            second = 0, place = 0;
     for (const auto &row : table)
-    {
-      const auto            number = [&](const int column) { return std::stod(row[column]); };
-      const double          sign   = row[2] == "left" ? 1 : -1;
-      const RollMode        mode   = row[0] == "no_roll" ? RollMode::none : RollMode::from_contact;
-      const ContactGeometry c      = find_contact(rail, wheel, track, sign * 1e-3 * number(1), mode);
-      point                        = std::max({point,
-                                               std::abs(1e3 * c.wheel_x - number(5)),
-                                               std::abs(1e3 * c.wheel_y - number(6)),
-                                               std::abs(1e3 * c.rail_x - number(9)),
-                                               std::abs(1e3 * c.rail_y - number(10))});
-      angle                        = std::max(angle, std::abs(c.angle / degree - number(15)));
-      radius                       = std::max(radius, std::abs(1e3 * c.rolling_radius - number(8)));
-      roll                         = std::max(roll, std::abs(sign * c.roll - number(3)));
-      // The table gives the height of the axle's middle.
-      const double middle = c.axle.y + std::sin(c.roll) * running_circle_distance(track);
-      lift                = std::max(lift, std::abs(1e3 * (middle - track.nominal_radius) - number(4)));
-      place               = std::max({place,
-                                      std::abs(1e3 * (c.frame.origin.x - 0.75) - sign * number(12)),
-                                      std::abs(1e3 * c.frame.origin.y - number(13))});
-      rail_radius         = std::max(rail_radius, std::abs(1e3 / c.rail_curvature / number(16) - 1));
-      wheel_radius        = std::max(wheel_radius, std::abs(1e3 / c.wheel_curvature / number(17) - 1));
-      check(c.wheel_segment == row[7] && c.rail_segment == row[11],
-            "zone " + row[7] + " on '" + row[11] + "' at shift " + row[1] + " mm, " + row[0] + ", " + row[2]);
-      if (row.size() > 19 && row[19].size() > 1)
       {
-        const auto at = row[19].find('@');
-        second        = std::max({second,
-                                  std::abs(1e3 * c.second_gap - std::stod(row[19].substr(0, at))),
-                                  std::abs(c.second_rail_x - 1e-3 * std::stod(row[19].substr(at + 1)))});
+        const auto            number = [&](const int column) { return std::stod(row[column]); };
+        const double          sign   = row[2] == "left" ? 1 : -1;
+        const RollMode        mode   = row[0] == "no_roll" ? RollMode::none : RollMode::from_contact;
+        const ContactGeometry c      = find_contact(rail, wheel, track, sign * 1e-3 * number(1), mode);
+        point                        = std::max({point,
+                                                 std::abs(1e3 * c.wheel_x - number(5)),
+                                                 std::abs(1e3 * c.wheel_y - number(6)),
+                                                 std::abs(1e3 * c.rail_x - number(9)),
+                                                 std::abs(1e3 * c.rail_y - number(10))});
+        angle                        = std::max(angle, std::abs(c.angle / degree - number(15)));
+        radius                       = std::max(radius, std::abs(1e3 * c.rolling_radius - number(8)));
+        roll                         = std::max(roll, std::abs(sign * c.roll - number(3)));
+        // The table gives the height of the axle's middle.
+        const double middle = c.axle.y + std::sin(c.roll) * running_circle_distance(track);
+        lift                = std::max(lift, std::abs(1e3 * (middle - track.nominal_radius) - number(4)));
+        place               = std::max({place,
+                                        std::abs(1e3 * (c.frame.origin.x - 0.75) - sign * number(12)),
+                                        std::abs(1e3 * c.frame.origin.y - number(13))});
+        rail_radius         = std::max(rail_radius, std::abs(1e3 / c.rail_curvature / number(16) - 1));
+        wheel_radius        = std::max(wheel_radius, std::abs(1e3 / c.wheel_curvature / number(17) - 1));
+        check(c.wheel_segment == row[7] && c.rail_segment == row[11],
+              "zone " + row[7] + " on '" + row[11] + "' at shift " + row[1] + " mm, " + row[0] + ", " +
+                row[2]);
+        if (row.size() > 19 && row[19].size() > 1)
+          {
+            const auto at = row[19].find('@');
+            second        = std::max({second,
+                                      std::abs(1e3 * c.second_gap - std::stod(row[19].substr(0, at))),
+                                      std::abs(c.second_rail_x - 1e-3 * std::stod(row[19].substr(at + 1)))});
+          }
       }
-    }
     check_near(point, 0, 1e-4, "contact points, largest difference [mm] (asked: 0.02)");
     check_near(angle, 0, 1e-4, "contact angle, largest difference [degrees] (asked: 0.05)");
     check_near(radius, 0, 1e-5, "rolling radius, largest difference [mm] (asked: 0.001)");
@@ -102,17 +103,16 @@ namespace
     const TrackDimensions track;
     double                none = 0, both = 0;
     for (const auto &row : read_table("rolling_radius_difference_54E1.csv"))
-    {
-      const double shift      = 1e-3 * std::stod(row[0]);
-      const auto   difference = [&](const RollMode mode)
       {
-        // The table's right wheel is ours with the shift reversed.
-        return 1e3 * (find_contact(rail, wheel, track, -shift, mode).rolling_radius -
-                      find_contact(rail, wheel, track, shift, mode).rolling_radius);
-      };
-      none = std::max(none, std::abs(difference(RollMode::none) - std::stod(row[1])));
-      both = std::max(both, std::abs(difference(RollMode::from_contact) - std::stod(row[2])));
-    }
+        const double shift      = 1e-3 * std::stod(row[0]);
+        const auto   difference = [&](const RollMode mode) {
+          // The table's right wheel is ours with the shift reversed.
+          return 1e3 * (find_contact(rail, wheel, track, -shift, mode).rolling_radius -
+                        find_contact(rail, wheel, track, shift, mode).rolling_radius);
+        };
+        none = std::max(none, std::abs(difference(RollMode::none) - std::stod(row[1])));
+        both = std::max(both, std::abs(difference(RollMode::from_contact) - std::stod(row[2])));
+      }
     check_near(none, 0, 1e-4, "rolling radius difference 0 to 7 mm without roll, largest difference [mm]");
     check_near(both, 0, 1e-4, "rolling radius difference 0 to 7 mm with roll, largest difference [mm]");
   }
@@ -123,54 +123,57 @@ namespace
     const RailProfile  rail  = rail_profile("54E1");
     const WheelProfile wheel = wheel_profile("S1002");
     for (const double shift : {0., -5.5e-3, 3.5e-3})
-    {
-      const std::string     where = " at shift " + std::to_string(shift * 1e3) + " mm";
-      const ContactGeometry c     = find_contact(rail, wheel, TrackDimensions(), shift, RollMode::none);
-      const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
-      check_near(undeformed_distance(w, r, 0), 0, round_off, "distance at the contact point [m]" + where);
-      check_near(w.at(0).slope - r.at(0).slope, 0, 1e-8, "difference of slopes at the contact point" + where);
-
-      double       off = 0, slope = 0, lowest = 0;
-      const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
-      for (int i = 0; i <= 1000; ++i)
       {
-        const double s = low + (high - low) * i / 1000, h = 1e-7;
-        lowest = std::min(lowest, undeformed_distance(w, r, s));
-        for (const bool is_wheel : {true, false})
-        {
-          const FrameProfile &p         = is_wheel ? w : r;
-          const Curve        &curve     = is_wheel ? wheel.tread : rail.head;
-          const Placement    &placement = is_wheel ? c.wheel : c.rail;
-          const Point2        at = c.frame.to_frame(placement.to_track(curve.at(p.parameter(s)).position));
-          // Published coefficients jump by 0.12 micrometres between zones D and C.
-          const bool joint = std::any_of(
-            p.joints().begin(), p.joints().end(), [&](const double t) { return std::abs(t - s) < 1e-6; });
-          if (!joint)
+        const std::string     where = " at shift " + std::to_string(shift * 1e3) + " mm";
+        const ContactGeometry c     = find_contact(rail, wheel, TrackDimensions(), shift, RollMode::none);
+        const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
+        check_near(undeformed_distance(w, r, 0), 0, round_off, "distance at the contact point [m]" + where);
+        check_near(
+          w.at(0).slope - r.at(0).slope, 0, 1e-8, "difference of slopes at the contact point" + where);
+
+        double       off = 0, slope = 0, lowest = 0;
+        const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
+        for (int i = 0; i <= 1000; ++i)
           {
-            off = std::max(off, norm(at - Point2{s, p.at(s).n}));
-            if (s - h > low && s + h < high)
-              slope = std::max(slope, std::abs((p.at(s + h).n - p.at(s - h).n) / (2 * h) - p.at(s).slope));
+            const double s = low + (high - low) * i / 1000, h = 1e-7;
+            lowest = std::min(lowest, undeformed_distance(w, r, s));
+            for (const bool is_wheel : {true, false})
+              {
+                const FrameProfile &p         = is_wheel ? w : r;
+                const Curve        &curve     = is_wheel ? wheel.tread : rail.head;
+                const Placement    &placement = is_wheel ? c.wheel : c.rail;
+                const Point2 at = c.frame.to_frame(placement.to_track(curve.at(p.parameter(s)).position));
+                // Published coefficients jump by 0.12 micrometres between zones D and C.
+                const bool joint = std::any_of(p.joints().begin(), p.joints().end(), [&](const double t) {
+                  return std::abs(t - s) < 1e-6;
+                });
+                if (!joint)
+                  {
+                    off = std::max(off, norm(at - Point2{s, p.at(s).n}));
+                    if (s - h > low && s + h < high)
+                      slope =
+                        std::max(slope, std::abs((p.at(s + h).n - p.at(s - h).n) / (2 * h) - p.at(s).slope));
+                  }
+              }
           }
-        }
-      }
-      check_near(off, 0, round_off, "n(s) against the curve itself [m]" + where);
-      check_near(slope, 0, 1e-6, "dn/ds against difference quotient" + where);
-      check(lowest >= -round_off, "nothing interpenetrates in touch" + where);
+        check_near(off, 0, round_off, "n(s) against the curve itself [m]" + where);
+        check_near(slope, 0, 1e-6, "dn/ds against difference quotient" + where);
+        check(lowest >= -round_off, "nothing interpenetrates in touch" + where);
 
-      const auto ranges = interpenetration(w, r, 1e-4);
-      check(!ranges.empty(), "there is interpenetration at 0.1 mm" + where);
-      double edges         = 0;
-      bool   holds_contact = false;
-      for (const Range &range : ranges)
-      {
-        edges         = std::max({edges,
-                                  std::abs(undeformed_distance(w, r, range.s0) - 1e-4),
-                                  std::abs(undeformed_distance(w, r, range.s1) - 1e-4)});
-        holds_contact = holds_contact || (range.s0 < 0 && range.s1 > 0);
+        const auto ranges = interpenetration(w, r, 1e-4);
+        check(!ranges.empty(), "there is interpenetration at 0.1 mm" + where);
+        double edges         = 0;
+        bool   holds_contact = false;
+        for (const Range &range : ranges)
+          {
+            edges         = std::max({edges,
+                                      std::abs(undeformed_distance(w, r, range.s0) - 1e-4),
+                                      std::abs(undeformed_distance(w, r, range.s1) - 1e-4)});
+            holds_contact = holds_contact || (range.s0 < 0 && range.s1 > 0);
+          }
+        check_near(edges, 0, round_off, "distance at the ends of interpenetration less 0.1 mm [m]" + where);
+        check(holds_contact, "the contact point lies in the interpenetration" + where);
       }
-      check_near(edges, 0, round_off, "distance at the ends of interpenetration less 0.1 mm [m]" + where);
-      check(holds_contact, "the contact point lies in the interpenetration" + where);
-    }
 
     const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), 0, RollMode::none);
     const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
@@ -198,18 +201,18 @@ namespace
   refused(const double shift, const RollMode mode)
   {
     try
-    {
-      find_contact(rail_profile("54E1"), wheel_profile("S1002"), TrackDimensions(), shift, mode);
-      check(false, "a shift of " + std::to_string(1e3 * shift) + " mm is refused");
-    }
+      {
+        find_contact(rail_profile("54E1"), wheel_profile("S1002"), TrackDimensions(), shift, mode);
+        check(false, "a shift of " + std::to_string(1e3 * shift) + " mm is refused");
+      }
     catch (const InputError &e)
-    {
-      const std::string  text = e.what();
-      std::ostringstream number;
-      number << 1e3 * shift << " mm";
-      check(text.find(number.str()) != std::string::npos && text.find("are possible") != std::string::npos,
-            text);
-    }
+      {
+        const std::string  text = e.what();
+        std::ostringstream number;
+        number << 1e3 * shift << " mm";
+        check(text.find(number.str()) != std::string::npos && text.find("are possible") != std::string::npos,
+              text);
+      }
   }
 
   void
@@ -221,15 +224,15 @@ namespace
     double             worst = 0, lowest = 0;
     for (int i = -12; i <= 12; ++i)
       for (const RollMode mode : {RollMode::none, RollMode::from_contact})
-      {
-        const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), 0.5e-3 * i, mode);
-        const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
-        worst = std::max(
-          worst, norm(c.wheel.to_track({c.wheel_x, c.wheel_y}) - c.rail.to_track({c.rail_x, c.rail_y})));
-        const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
-        for (int k = 0; k <= 400; ++k)
-          lowest = std::min(lowest, undeformed_distance(w, r, low + (high - low) * k / 400));
-      }
+        {
+          const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), 0.5e-3 * i, mode);
+          const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
+          worst = std::max(
+            worst, norm(c.wheel.to_track({c.wheel_x, c.wheel_y}) - c.rail.to_track({c.rail_x, c.rail_y})));
+          const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
+          for (int k = 0; k <= 400; ++k)
+            lowest = std::min(lowest, undeformed_distance(w, r, low + (high - low) * k / 400));
+        }
     check_near(worst, 0, round_off, "60E1: wheel and rail points coincide over -6 to 6 mm [m]");
     check_near(lowest, 0, round_off, "60E1: nothing interpenetrates over -6 to 6 mm [m]");
   }
@@ -263,24 +266,24 @@ namespace
     double             lowest = 0, steps = 0;
     for (const double inclination : {0., 1. / 20, 1. / 30})
       for (const double gauge : {1.430, 1.445})
-      {
-        TrackDimensions track;
-        track.inclination = inclination;
-        track.gauge       = gauge;
-        double before     = 0;
-        for (int i = -8; i <= 8; ++i)
         {
-          const ContactGeometry c = find_contact(rail, wheel, track, 0.5e-3 * i, RollMode::from_contact);
-          const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
-          const double          low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
-          for (int k = 0; k <= 400; ++k)
-            lowest = std::min(lowest, undeformed_distance(w, r, low + (high - low) * k / 400));
-          // To the field side the contact moves to smaller radii, by steps of either size.
-          if (i > -8)
-            steps = std::max(steps, c.rolling_radius - before);
-          before = c.rolling_radius;
+          TrackDimensions track;
+          track.inclination = inclination;
+          track.gauge       = gauge;
+          double before     = 0;
+          for (int i = -8; i <= 8; ++i)
+            {
+              const ContactGeometry c = find_contact(rail, wheel, track, 0.5e-3 * i, RollMode::from_contact);
+              const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
+              const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
+              for (int k = 0; k <= 400; ++k)
+                lowest = std::min(lowest, undeformed_distance(w, r, low + (high - low) * k / 400));
+              // To the field side the contact moves to smaller radii, by steps of either size.
+              if (i > -8)
+                steps = std::max(steps, c.rolling_radius - before);
+              before = c.rolling_radius;
+            }
         }
-      }
     check_near(lowest, 0, round_off, "other tracks: nothing interpenetrates [m]");
     check_near(steps, 0, 1e-9, "other tracks: the rolling radius falls with the shift [m]");
   }

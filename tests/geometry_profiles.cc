@@ -30,12 +30,12 @@ namespace
     double    jump = 0, kink = 0;
     const int n = curve.segments().size();
     for (int i = closed ? 0 : 1; i < n; ++i)
-    {
-      const int        before = (i + n - 1) % n;
-      const CurvePoint a = curve.at(before + 1 - 1e-13), b = curve.at(i);
-      jump = std::max(jump, norm(curve.segments()[before].end - curve.segments()[i].start));
-      kink = std::max(kink, std::abs(degrees_between(a.tangent, b.tangent)));
-    }
+      {
+        const int        before = (i + n - 1) % n;
+        const CurvePoint a = curve.at(before + 1 - 1e-13), b = curve.at(i);
+        jump = std::max(jump, norm(curve.segments()[before].end - curve.segments()[i].start));
+        kink = std::max(kink, std::abs(degrees_between(a.tangent, b.tangent)));
+      }
     return {jump, kink};
   }
 
@@ -50,18 +50,18 @@ namespace
 
     double worst_point = 0, worst_centre = 0, worst_radius = 0;
     for (std::size_t i = 0; i < table.size(); ++i)
-    {
-      const auto number = [&](const int column) { return 1e-3 * std::stod(table[i][column]); };
-      check(s[i].name == table[i][2], name + " segment '" + s[i].name + "' has its name");
-      worst_point = std::max({worst_point,
-                              norm(s[i].start - Point2{number(3), number(4)}),
-                              norm(s[i].end - Point2{number(5), number(6)})});
-      if (s[i].kind == Segment::Kind::arc)
       {
-        worst_centre = std::max(worst_centre, norm(s[i].centre - Point2{number(7), number(8)}));
-        worst_radius = std::max(worst_radius, std::abs(s[i].radius - number(9)));
+        const auto number = [&](const int column) { return 1e-3 * std::stod(table[i][column]); };
+        check(s[i].name == table[i][2], name + " segment '" + s[i].name + "' has its name");
+        worst_point = std::max({worst_point,
+                                norm(s[i].start - Point2{number(3), number(4)}),
+                                norm(s[i].end - Point2{number(5), number(6)})});
+        if (s[i].kind == Segment::Kind::arc)
+          {
+            worst_centre = std::max(worst_centre, norm(s[i].centre - Point2{number(7), number(8)}));
+            worst_radius = std::max(worst_radius, std::abs(s[i].radius - number(9)));
+          }
       }
-    }
     check_near(worst_point, 0, 1e-12, name + " joints against the table [m]");
     check_near(worst_centre, 0, 1e-12, name + " centres against the table [m]");
     check_near(worst_radius, 0, 1e-15, name + " radii against the table [m]");
@@ -121,30 +121,31 @@ namespace
       norm(s[0].start - Point2{0.065, 7.635676380e-3}), 0, 1e-12, "chamfer starts at (65, 7.6357) mm [m]");
     double worst = 0;
     for (std::size_t i = 1; i < s.size(); ++i)
-    {
-      const auto &row    = table[table.size() - i];
-      const auto  number = [&](const int column) { return 1e-3 * std::stod(row[column]); };
-      check(s[i].name == row[0], "S1002 zone " + row[0]);
-      worst = std::max({worst,
-                        norm(s[i].start - Point2{number(3), -number(18)}),
-                        norm(s[i].end - Point2{number(2), -number(17)})});
-      if (i > 1) // the joint with the zone at the larger x
       {
-        const Point2 a = tread.at(i - 1e-13).tangent, b = tread.at(i).tangent;
-        check_near(1e3 * (s[i].start.y - s[i - 1].end.y),
-                   1e3 * number(19),
-                   1e-9 + std::abs(number(19)), // four digits in the table
-                   "joint " + row[0] + "|" + s[i - 1].name + ": jump [mm]");
-        check_near(degrees_between(a, b),
-                   1e3 * number(20),
-                   1e-9 + std::abs(number(20)),
-                   "joint " + row[0] + "|" + s[i - 1].name + ": kink [deg]");
+        const auto &row    = table[table.size() - i];
+        const auto  number = [&](const int column) { return 1e-3 * std::stod(row[column]); };
+        check(s[i].name == row[0], "S1002 zone " + row[0]);
+        worst = std::max({worst,
+                          norm(s[i].start - Point2{number(3), -number(18)}),
+                          norm(s[i].end - Point2{number(2), -number(17)})});
+        if (i > 1) // the joint with the zone at the larger x
+          {
+            const Point2 a = tread.at(i - 1e-13).tangent, b = tread.at(i).tangent;
+            check_near(1e3 * (s[i].start.y - s[i - 1].end.y),
+                       1e3 * number(19),
+                       1e-9 + std::abs(number(19)), // four digits in the table
+                       "joint " + row[0] + "|" + s[i - 1].name + ": jump [mm]");
+            check_near(degrees_between(a, b),
+                       1e3 * number(20),
+                       1e-9 + std::abs(number(20)),
+                       "joint " + row[0] + "|" + s[i - 1].name + ": kink [deg]");
+          }
       }
-    }
     check_near(worst, 0, 1e-12, "S1002 zone ends against the table [m]");
 
-    const auto at_height = [&](const double F)
-    { return tread.at(tread.roots([F](const Point2 &p) { return p.y + F; }, 4, 7.5).front()).position.x; };
+    const auto at_height = [&](const double F) {
+      return tread.at(tread.roots([F](const Point2 &p) { return p.y + F; }, 4, 7.5).front()).position.x;
+    };
     const auto tip = tread.roots([](const Point2 &p) { return p.x + 0.055; }, 1, 9);
     check_near(-tread.at(tip.at(0)).position.y * 1e3, 28, 1e-9, "flange height [mm]");
     check_near((at_height(0.010) + 0.070) * 1e3, 32.5, 5e-4, "flange thickness [mm]");
@@ -160,32 +161,32 @@ namespace
     double tangent_error = 0, curvature_error = 0, closest_error = 0, advance_error = 0, length_error = 0;
     const double total = curve.length(0, curve.parameter_end());
     for (int i = 0; i < 400; ++i)
-    {
-      const double t = curve.parameter_end() * (i + 0.5) / 400;
-      if (t - std::floor(t) < 2 * h || t - std::floor(t) > 1 - 2 * h)
-        continue;
-      const CurvePoint p = curve.at(t);
-      const CurvePoint a = curve.at(t - h), b = curve.at(t + h);
-      tangent_error =
-        std::max(tangent_error, std::abs(degrees_between(b.position - a.position, p.tangent)) * pi / 180);
-      const double ds = curve.length(t - h, t + h);
-      curvature_error = std::max(curvature_error,
-                                 std::abs(std::asin(cross(a.tangent, b.tangent)) / ds - p.curvature) /
-                                   (1 + std::abs(p.curvature)));
-      if (curve.segments()[p.segment].name.find("chamfer") == 0 ||
-          norm(p.position - Point2{0.06, 0.0026}) < 1e-3)
-        continue; // the kink of the chamfer is nearer to a point beside it
-      const double side  = (i % 2 ? 1. : -1.) * 5e-4;
-      const Point2 off   = p.position + side * Point2{-p.tangent.y, p.tangent.x};
-      const Point2 found = curve.at(curve.closest(off)).position;
-      closest_error      = std::max(closest_error, norm(found - p.position));
-      const double t2    = curve.advance(t, 0.3 * (total - curve.length(0, t)));
-      advance_error =
-        std::max(advance_error, std::abs(curve.length(t, t2) - 0.3 * (total - curve.length(0, t))) / total);
-      length_error =
-        std::max(length_error, std::abs(curve.length(0, t) + curve.length(t, 1e9) - total) / total);
-      advance_error = std::max(advance_error, std::abs(curve.advance(t, -curve.length(t / 3, t)) - t / 3));
-    }
+      {
+        const double t = curve.parameter_end() * (i + 0.5) / 400;
+        if (t - std::floor(t) < 2 * h || t - std::floor(t) > 1 - 2 * h)
+          continue;
+        const CurvePoint p = curve.at(t);
+        const CurvePoint a = curve.at(t - h), b = curve.at(t + h);
+        tangent_error =
+          std::max(tangent_error, std::abs(degrees_between(b.position - a.position, p.tangent)) * pi / 180);
+        const double ds = curve.length(t - h, t + h);
+        curvature_error = std::max(curvature_error,
+                                   std::abs(std::asin(cross(a.tangent, b.tangent)) / ds - p.curvature) /
+                                     (1 + std::abs(p.curvature)));
+        if (curve.segments()[p.segment].name.find("chamfer") == 0 ||
+            norm(p.position - Point2{0.06, 0.0026}) < 1e-3)
+          continue; // the kink of the chamfer is nearer to a point beside it
+        const double side  = (i % 2 ? 1. : -1.) * 5e-4;
+        const Point2 off   = p.position + side * Point2{-p.tangent.y, p.tangent.x};
+        const Point2 found = curve.at(curve.closest(off)).position;
+        closest_error      = std::max(closest_error, norm(found - p.position));
+        const double t2    = curve.advance(t, 0.3 * (total - curve.length(0, t)));
+        advance_error =
+          std::max(advance_error, std::abs(curve.length(t, t2) - 0.3 * (total - curve.length(0, t))) / total);
+        length_error =
+          std::max(length_error, std::abs(curve.length(0, t) + curve.length(t, 1e9) - total) / total);
+        advance_error = std::max(advance_error, std::abs(curve.advance(t, -curve.length(t / 3, t)) - t / 3));
+      }
     check_near(tangent_error, 0, 1e-6, name + ": tangent against difference quotient [rad]");
     check_near(curvature_error, 0, 1e-6, name + ": curvature against turning of the tangent, relative");
     check_near(closest_error, 0, 1e-13, name + ": closest point to a point 0.5 mm beside the curve [m]");
@@ -200,18 +201,18 @@ namespace
     // Arc length of zone B by Richardson extrapolation of inscribed polygons, as an independent way.
     double a = 0, b = 0;
     for (const int n : {1000, 2000})
-    {
-      double sum  = 0;
-      Point2 last = tread.segments()[2].start;
-      for (int i = 1; i <= n; ++i)
       {
-        const Point2 next = i == n ? tread.segments()[2].end : tread.at(2. + double(i) / n).position;
-        sum += norm(next - last);
-        last = next;
+        double sum  = 0;
+        Point2 last = tread.segments()[2].start;
+        for (int i = 1; i <= n; ++i)
+          {
+            const Point2 next = i == n ? tread.segments()[2].end : tread.at(2. + double(i) / n).position;
+            sum += norm(next - last);
+            last = next;
+          }
+        a = b;
+        b = sum;
       }
-      a = b;
-      b = sum;
-    }
     check_near(tread.length(2, 3) / (b + (b - a) / 3), 1, 1e-12, "length of zone B against polygons, ratio");
 
     const auto start = std::chrono::steady_clock::now();
@@ -233,29 +234,29 @@ namespace
   test_errors()
   {
     try
-    {
-      rail_profile("55E1");
-      check(false, "an unknown rail is refused");
-    }
+      {
+        rail_profile("55E1");
+        check(false, "an unknown rail is refused");
+      }
     catch (const InputError &e)
-    {
-      const std::string text = e.what();
-      check(text.find("55E1") != std::string::npos && text.find("54E1, 60E1") != std::string::npos,
-            "an unknown rail is refused with the known names: " + text);
-    }
+      {
+        const std::string text = e.what();
+        check(text.find("55E1") != std::string::npos && text.find("54E1, 60E1") != std::string::npos,
+              "an unknown rail is refused with the known names: " + text);
+      }
     Segment a, b;
     a.end   = {1, 0};
     b.start = {1, 0.1};
     b.end   = {2, 0};
     try
-    {
-      Curve curve({a, b});
-      check(false, "segments that do not join are refused");
-    }
+      {
+        Curve curve({a, b});
+        check(false, "segments that do not join are refused");
+      }
     catch (const InputError &e)
-    {
-      check(true, std::string("segments that do not join are refused: ") + e.what());
-    }
+      {
+        check(true, std::string("segments that do not join are refused: ") + e.what());
+      }
   }
 } // namespace
 

@@ -27,11 +27,11 @@ namespace test
     const int    n     = 400;
     double       sum   = 0;
     for (int k = 0; k < n; ++k)
-    {
-      const double w = std::pow(upper * (k + 0.5) / n, 2);
-      sum += 2 * upper / n * (x * x / (a * a + w) + y * y / (b * b + w) - 1) /
-             std::sqrt((a * a + w) * (b * b + w));
-    }
+      {
+        const double w = std::pow(upper * (k + 0.5) / n, 2);
+        sum += 2 * upper / n * (x * x / (a * a + w) + y * y / (b * b + w) - 1) /
+               std::sqrt((a * a + w) * (b * b + w));
+      }
     return hertz_peak * a * b / (2 * hertz_modulus) * sum;
   }
 
@@ -46,20 +46,20 @@ namespace test
     patch.n_along = 2 * n + 1, patch.n_lateral = 2 * m + 1;
     for (int i = -n; i <= n; ++i)
       for (int j = -m; j <= m; ++j)
-      {
-        const double x = (i + u) * h, y = (j + v) * h, r = 1 - x * x / (a * a) - y * y / (b * b);
-        const double p = r > 0 ? hertz_peak * std::sqrt(r) : 0;
-        patch.along.push_back(x);
-        patch.lateral.push_back(y);
-        patch.gap.push_back(r > 0 ? -p / penalty_spring : hertz_gap(a, b, x, y));
-        patch.pressure.push_back(p);
-        patch.shear_along.push_back(-0.3 * p);
-        patch.shear_lateral.push_back(0);
-        patch.slip_along.push_back(p > 0 && x < 0 ? 2e-3 : 0);
-        patch.slip_lateral.push_back(0);
-        patch.state.push_back(p > 0 ? (x < 0 ? 2 : 1) : 0);
-        patch.area.push_back(h * h);
-      }
+        {
+          const double x = (i + u) * h, y = (j + v) * h, r = 1 - x * x / (a * a) - y * y / (b * b);
+          const double p = r > 0 ? hertz_peak * std::sqrt(r) : 0;
+          patch.along.push_back(x);
+          patch.lateral.push_back(y);
+          patch.gap.push_back(r > 0 ? -p / penalty_spring : hertz_gap(a, b, x, y));
+          patch.pressure.push_back(p);
+          patch.shear_along.push_back(-0.3 * p);
+          patch.shear_lateral.push_back(0);
+          patch.slip_along.push_back(p > 0 && x < 0 ? 2e-3 : 0);
+          patch.slip_lateral.push_back(0);
+          patch.state.push_back(p > 0 ? (x < 0 ? 2 : 1) : 0);
+          patch.area.push_back(h * h);
+        }
     return patch;
   }
 
@@ -82,14 +82,14 @@ namespace test
                               &P::slip_lateral,
                               &P::state,
                               &P::area})
-    {
-      (two.*field).clear();
-      for (unsigned int i = 0; i < one.n_along; ++i)
-        for (unsigned int j = 0; j < two.n_lateral; ++j)
-          (two.*field)
-            .push_back((one.*field)[i * one.n_lateral + j % one.n_lateral] +
-                       (field == &P::lateral && j >= one.n_lateral ? shift : 0));
-    }
+      {
+        (two.*field).clear();
+        for (unsigned int i = 0; i < one.n_along; ++i)
+          for (unsigned int j = 0; j < two.n_lateral; ++j)
+            (two.*field)
+              .push_back((one.*field)[i * one.n_lateral + j % one.n_lateral] +
+                         (field == &P::lateral && j >= one.n_lateral ? shift : 0));
+      }
     return two;
   }
 } // namespace test

@@ -38,15 +38,15 @@ namespace
     bool                                 good        = true;
     unsigned int                         on_boundary = 0;
     for (const auto &[edge, count] : use)
-    {
-      good = good && (count == 1 || count == 2);
-      if (count == 1)
       {
-        ++ends[edge[0]];
-        ++ends[edge[1]];
-        ++on_boundary;
+        good = good && (count == 1 || count == 2);
+        if (count == 1)
+          {
+            ++ends[edge[0]];
+            ++ends[edge[1]];
+            ++on_boundary;
+          }
       }
-    }
     for (const auto &[corner, count] : ends)
       good = good && count == 2;
     for (const auto &entry : section.curved)
@@ -77,10 +77,10 @@ namespace
     for (const auto &[edge, mark] : section.boundary)
       if (mark == boundary)
         for (unsigned int i = 0; i <= 16; ++i)
-        {
-          const Point2 p = to_profile(section.curved.at(edge)(i / 16.));
-          largest        = std::max(largest, norm(p - curve.at(curve.closest(p)).position));
-        }
+          {
+            const Point2 p = to_profile(section.curved.at(edge)(i / 16.));
+            largest        = std::max(largest, norm(p - curve.at(curve.closest(p)).position));
+          }
     return largest;
   }
 
@@ -102,32 +102,33 @@ namespace
     const auto   use   = edge_use(section);
     unsigned int found = 0;
     for (unsigned int b = 0; b < section.blocks.size(); ++b)
-    {
-      const auto  &c    = section.blocks[b].corner;
-      unsigned int edge = 0;
-      for (const auto &e : {std::array<unsigned int, 2>{{0, 1}}, {{1, 3}}, {{2, 3}}, {{0, 2}}})
       {
-        const unsigned int     number = edge++;
-        const Section::EdgeKey key{{std::min(c[e[0]], c[e[1]]), std::max(c[e[0]], c[e[1]])}};
-        const auto             mark = section.boundary.find(key);
-        if (mark == section.boundary.end() || mark->second != Boundary::running)
-          continue;
-        const auto s = [&](const double t)
-        { return strip.frame.to_frame(to_track(section.curved.at(key)(t))).x; };
-        for (unsigned int i = 0; i + 1 < strip.s.size(); ++i)
-        {
-          const double a = s(0) < s(1) ? strip.s[i] : strip.s[i + 1],
-                       z = s(0) < s(1) ? strip.s[i + 1] : strip.s[i];
-          if (std::abs(s(0) - a) > 1e-6 || std::abs(s(1) - z) > 1e-6)
-            continue;
-          ++found;
-          result.blocks.push_back(b);
-          result.edges.push_back(number);
-          for (unsigned int k = 0; k <= 16; ++k)
-            result.error = std::max(result.error, std::abs(s(k / 16.) - a - (z - a) * k / 16));
-        }
+        const auto  &c    = section.blocks[b].corner;
+        unsigned int edge = 0;
+        for (const auto &e : {std::array<unsigned int, 2>{{0, 1}}, {{1, 3}}, {{2, 3}}, {{0, 2}}})
+          {
+            const unsigned int     number = edge++;
+            const Section::EdgeKey key{{std::min(c[e[0]], c[e[1]]), std::max(c[e[0]], c[e[1]])}};
+            const auto             mark = section.boundary.find(key);
+            if (mark == section.boundary.end() || mark->second != Boundary::running)
+              continue;
+            const auto s = [&](const double t) {
+              return strip.frame.to_frame(to_track(section.curved.at(key)(t))).x;
+            };
+            for (unsigned int i = 0; i + 1 < strip.s.size(); ++i)
+              {
+                const double a = s(0) < s(1) ? strip.s[i] : strip.s[i + 1],
+                             z = s(0) < s(1) ? strip.s[i + 1] : strip.s[i];
+                if (std::abs(s(0) - a) > 1e-6 || std::abs(s(1) - z) > 1e-6)
+                  continue;
+                ++found;
+                result.blocks.push_back(b);
+                result.edges.push_back(number);
+                for (unsigned int k = 0; k <= 16; ++k)
+                  result.error = std::max(result.error, std::abs(s(k / 16.) - a - (z - a) * k / 16));
+              }
+          }
       }
-    }
     test::check(found + 1 == strip.s.size(), "  the strip has its blocks: " + std::to_string(found));
     return result;
   }
@@ -140,27 +141,31 @@ namespace
     constexpr unsigned int n        = 16;
     double                 smallest = 1;
     for (unsigned int k = 0; k < strip.blocks.size(); ++k)
-    {
-      const auto point = [&](const unsigned int i, const unsigned int row)
       {
-        const double t = i / double(n), d = row / double(n);
-        switch (strip.edges[k])
-        {
-          case 0: return section.position(strip.blocks[k], t, d);
-          case 1: return section.position(strip.blocks[k], 1 - d, t);
-          case 2: return section.position(strip.blocks[k], t, 1 - d);
-          default: return section.position(strip.blocks[k], d, t);
-        }
-      };
-      const unsigned int row =
-        std::min<long>(n - 1, std::lround(n * 0.006 / norm(point(0, n) - point(0, 0))));
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        const Point2 across = 0.5 * (point(i + 1, row) - point(i, row) + point(i + 1, row + 1) - point(i, row + 1));
-        const Point2 down   = point(i, row + 1) - point(i, row) + point(i + 1, row + 1) - point(i + 1, row);
-        smallest            = std::min(smallest, std::abs(cross(across, down)) / (norm(down) * surface_width));
+        const auto point = [&](const unsigned int i, const unsigned int row) {
+          const double t = i / double(n), d = row / double(n);
+          switch (strip.edges[k])
+            {
+              case 0:
+                return section.position(strip.blocks[k], t, d);
+              case 1:
+                return section.position(strip.blocks[k], 1 - d, t);
+              case 2:
+                return section.position(strip.blocks[k], t, 1 - d);
+              default:
+                return section.position(strip.blocks[k], d, t);
+            }
+        };
+        const unsigned int row =
+          std::min<long>(n - 1, std::lround(n * 0.006 / norm(point(0, n) - point(0, 0))));
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            const Point2 across =
+              0.5 * (point(i + 1, row) - point(i, row) + point(i + 1, row + 1) - point(i, row + 1));
+            const Point2 down = point(i, row + 1) - point(i, row) + point(i + 1, row + 1) - point(i + 1, row);
+            smallest = std::min(smallest, std::abs(cross(across, down)) / (norm(down) * surface_width));
+          }
       }
-    }
     return smallest;
   }
 
@@ -178,11 +183,11 @@ namespace
 
     double quality = 1;
     for (unsigned int b = 0; b < section.blocks.size(); ++b)
-    {
-      const auto &c = section.blocks[b].corner;
-      if (std::none_of(c.begin(), c.end(), [&](const unsigned int k) { return blocks_at[k] == 1; }))
-        quality = std::min(quality, block_quality(section, b, 16).min_scaled_jacobian);
-    }
+      {
+        const auto &c = section.blocks[b].corner;
+        if (std::none_of(c.begin(), c.end(), [&](const unsigned int k) { return blocks_at[k] == 1; }))
+          quality = std::min(quality, block_quality(section, b, 16).min_scaled_jacobian);
+      }
     return quality;
   }
 
@@ -193,12 +198,12 @@ namespace
   {
     double strip_quality = 1, smallest = 1, largest = 0;
     for (const unsigned int b : strip.blocks)
-    {
-      const SectionQuality q = block_quality(section, b, 16);
-      strip_quality          = std::min(strip_quality, q.min_scaled_jacobian);
-      smallest               = std::min(smallest, q.min_edge);
-      largest                = std::max(largest, q.max_edge);
-    }
+      {
+        const SectionQuality q = block_quality(section, b, 16);
+        strip_quality          = std::min(strip_quality, q.min_scaled_jacobian);
+        smallest               = std::min(smallest, q.min_edge);
+        largest                = std::max(largest, q.max_edge);
+      }
     const SectionQuality fine = section_quality(section, 16), coarse = section_quality(section, 4),
                          blocks = section_quality(section, 1);
     const double limit          = 0.3;
@@ -222,8 +227,7 @@ namespace
     const Point2         first    = wheel.tread.at(0).position;
     const Point2         last     = wheel.tread.at(wheel.tread.parameter_end()).position;
     const double         low      = d.nominal_radius - d.rim_inner_radius;
-    const auto           add      = [&segments](const Point2 &a, const Point2 &b)
-    {
+    const auto           add      = [&segments](const Point2 &a, const Point2 &b) {
       Segment segment;
       segment.start = a;
       segment.end   = b;
@@ -270,8 +274,9 @@ namespace
     const auto wheel_profile_point = [&](const Point2 &p) {
       return Point2{-p.x, dimensions.nominal_radius - p.y};
     };
-    const auto wheel_to_track = [&](const Point2 &p)
-    { return contact.wheel.to_track(wheel_profile_point(p)); };
+    const auto wheel_to_track = [&](const Point2 &p) {
+      return contact.wheel.to_track(wheel_profile_point(p));
+    };
     const auto        rail_profile_point = [&](const Point2 &p) { return contact.rail.to_section(p); };
     const StripBlocks on_rail            = strip_blocks(rail_section, strip, rail_to_track);
     const StripBlocks on_wheel           = strip_blocks(wheel_section, strip, wheel_to_track);
@@ -293,9 +298,9 @@ namespace
     const double rail_area = section_properties(rail.outline).area, wheel_sum = wheel_area(wheel, dimensions);
     test::check_near(section_quality(rail_section, 16).area / rail_area, 1, 2e-3, name + ", rail: area");
     test::check_near(section_quality(wheel_section, 16).area / wheel_sum, 1, 2e-3, name + ", wheel: area");
-    const double       cell       = (strip.s.back() - strip.s.front()) / (16 * (strip.s.size() - 1));
-    const double       rail_width = width_below(rail_section, on_rail, cell),
-                 wheel_width      = width_below(wheel_section, on_wheel, cell);
+    const double cell        = (strip.s.back() - strip.s.front()) / (16 * (strip.s.size() - 1));
+    const double rail_width  = width_below(rail_section, on_rail, cell),
+                 wheel_width = width_below(wheel_section, on_wheel, cell);
     std::ostringstream widths;
     widths << std::setprecision(3) << name << ": width of the strip's cells 6 mm deep, rail " << rail_width
            << ", wheel " << wheel_width << " of that on the surface";
@@ -313,17 +318,16 @@ namespace
     const ContactGeometry contact = find_contact(rail, wheel, TrackDimensions(), 0, RollMode::none);
     const FineStrip       good{contact.frame, {-0.01, 0.006}}, wide{contact.frame, {-0.09, 0.006}};
 
-    const auto refused = [](const std::function<void()> &action)
-    {
+    const auto refused = [](const std::function<void()> &action) {
       try
-      {
-        action();
-      }
+        {
+          action();
+        }
       catch (const InputError &error)
-      {
-        std::cout << "        " << error.what() << std::endl;
-        return true;
-      }
+        {
+          std::cout << "        " << error.what() << std::endl;
+          return true;
+        }
       return false;
     };
     WheelDimensions thin, hub;
@@ -348,13 +352,13 @@ main()
     for (const double shift : {0., 1e-3, 3.5e-3, -2e-3, -3.5e-3, -5.5e-3})
       for (const double block : {16e-3, 8e-3})
         try
-        {
-          check_pair(rail, shift, block);
-        }
+          {
+            check_pair(rail, shift, block);
+          }
         catch (const std::exception &error)
-        {
-          test::check(false, rail + " at " + std::to_string(shift * 1e3) + " mm: " + error.what());
-        }
+          {
+            test::check(false, rail + " at " + std::to_string(shift * 1e3) + " mm: " + error.what());
+          }
   check_errors();
   return test::report();
 }

@@ -49,11 +49,11 @@ namespace
 
     PointField stress{"pressure", "Pa", 1, {}}, motion{"displacement", "m", 3, {}};
     for (const auto &p : mesh.points)
-    {
-      stress.values.push_back(1e9 * p[2]);
-      for (unsigned int d = 0; d < 3; ++d)
-        motion.values.push_back((d + 1) * p[d]);
-    }
+      {
+        stress.values.push_back(1e9 * p[2]);
+        for (unsigned int d = 0; d < 3; ++d)
+          motion.values.push_back((d + 1) * p[d]);
+      }
     mesh.fields = {stress, motion};
     return mesh;
   }
@@ -68,16 +68,16 @@ namespace
     std::string message = "nothing was thrown";
     bool        good    = false;
     try
-    {
-      work();
-    }
+      {
+        work();
+      }
     catch (const Error &error)
-    {
-      message = error.what();
-      good    = true;
-      for (const std::string &part : parts)
-        good = good && message.find(part) != std::string::npos;
-    }
+      {
+        message = error.what();
+        good    = true;
+        for (const std::string &part : parts)
+          good = good && message.find(part) != std::string::npos;
+      }
     check(good, text + " [" + message + "]");
   }
 
@@ -94,10 +94,10 @@ namespace
     check_throws<RunError>([&]() { write_vtu(wrong, folder, "wrong", MPI_COMM_WORLD); },
                            {"rank 0", "displacement", "35 values for 12 points"},
                            "a field of the wrong length is refused on all ranks");
-    check_throws<RunError>([&]()
-                           { write_vtu(make_mesh(8, 1, 0), folder + "/missing", "volume", MPI_COMM_WORLD); },
-                           {"missing/volume.vtu", "No such file or directory"},
-                           "a missing folder is named on all ranks");
+    check_throws<RunError>(
+      [&]() { write_vtu(make_mesh(8, 1, 0), folder + "/missing", "volume", MPI_COMM_WORLD); },
+      {"missing/volume.vtu", "No such file or directory"},
+      "a missing folder is named on all ranks");
   }
 
   void
@@ -170,14 +170,14 @@ namespace
     setrlimit(RLIMIT_FSIZE, &small);
     std::string message;
     try
-    {
-      PatchFile file(folder + "/patch.h5", true, 3);
-      file.append(patch);
-    }
+      {
+        PatchFile file(folder + "/patch.h5", true, 3);
+        file.append(patch);
+      }
     catch (const RunError &error)
-    {
-      message = error.what();
-    }
+      {
+        message = error.what();
+      }
     setrlimit(RLIMIT_FSIZE, &old);
     check(message.find("patch.h5\" cannot be written: File too large") != std::string::npos,
           "a file that cannot grow is named with the reason [" + message + "]");
@@ -195,14 +195,14 @@ namespace
     int    n = 0;
     for (const auto &[a, b] : ellipses)
       for (int sample = 0; sample < 30; ++sample, ++n)
-      {
-        // a Kronecker sequence: offsets spread evenly over the cell, the same on all machines
-        const double u = std::fmod(0.5 + 0.754877666 * n, 1.), v = std::fmod(0.5 + 0.569840291 * n, 1.);
-        const auto   m = measure_patch(hertz_patch(a, b, 1e-3, u, v));
-        area           = std::max(area, std::abs(m.area / (M_PI * a * b) - 1));
-        length         = std::max(length, std::abs(m.length / (2 * a) - 1));
-        width          = std::max(width, std::abs(m.width / (2 * b) - 1));
-      }
+        {
+          // a Kronecker sequence: offsets spread evenly over the cell, the same on all machines
+          const double u = std::fmod(0.5 + 0.754877666 * n, 1.), v = std::fmod(0.5 + 0.569840291 * n, 1.);
+          const auto   m = measure_patch(hertz_patch(a, b, 1e-3, u, v));
+          area           = std::max(area, std::abs(m.area / (M_PI * a * b) - 1));
+          length         = std::max(length, std::abs(m.length / (2 * a) - 1));
+          width          = std::max(width, std::abs(m.width / (2 * b) - 1));
+        }
     check_near(area, 0, tolerance, "largest relative error of the area, " + text);
     check_near(length, 0, tolerance, "largest relative error of the length, " + text);
     check_near(width, 0, tolerance, "largest relative error of the width, " + text);
@@ -276,8 +276,7 @@ namespace
   test_folder(const std::string &folder)
   {
     const std::string run    = folder + "/deep/run";
-    const auto        finish = [&](const bool finished)
-    {
+    const auto        finish = [&](const bool finished) {
       Summary summary;
       summary.finished = finished;
       write_summary(summary, run + "/summary.json");
@@ -288,13 +287,11 @@ namespace
           "a new folder holds input and parameters");
     MPI_Barrier(MPI_COMM_WORLD);
 
-    on_root(MPI_COMM_WORLD,
-            [&]()
-            {
-              finish(true);
-              replace_file(run + "/old.vtu", std::string("old"));
-              replace_file(run + "/notes.txt", std::string("mine"));
-            });
+    on_root(MPI_COMM_WORLD, [&]() {
+      finish(true);
+      replace_file(run + "/old.vtu", std::string("old"));
+      replace_file(run + "/notes.txt", std::string("mine"));
+    });
     check_throws<InputError>([&]() { prepare_folder(run, FolderMode::fresh, "b", "b", MPI_COMM_WORLD); },
                              {"deep/run", "holds a finished run", "--overwrite"},
                              "the folder of a finished run is refused on all ranks");
@@ -343,12 +340,10 @@ namespace
   make_temporary_folder()
   {
     std::string name = (std::filesystem::temp_directory_path() / "wheelrail_output_XXXXXX").string();
-    on_root(MPI_COMM_WORLD,
-            [&]()
-            {
-              if (mkdtemp(&name[0]) == nullptr)
-                throw RunError("no temporary folder");
-            });
+    on_root(MPI_COMM_WORLD, [&]() {
+      if (mkdtemp(&name[0]) == nullptr)
+        throw RunError("no temporary folder");
+    });
     MPI_Bcast(&name[0], static_cast<int>(name.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
     return name;
   }
@@ -365,14 +360,14 @@ main(int argc, char **argv)
   test_vtu(folder, rank);
   test_folder(folder);
   if (rank == 0)
-  {
-    test_series(folder);
-    test_hdf5(folder);
-    test_full_disk(folder);
-    test_measures();
-    test_summary(folder);
-    test_scripts(folder, n_ranks);
-  }
+    {
+      test_series(folder);
+      test_hdf5(folder);
+      test_full_disk(folder);
+      test_measures();
+      test_summary(folder);
+      test_scripts(folder, n_ranks);
+    }
   MPI_Barrier(MPI_COMM_WORLD);
   on_root(MPI_COMM_WORLD, [&]() { std::filesystem::remove_all(folder); });
   return report();

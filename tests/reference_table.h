@@ -20,15 +20,15 @@ namespace test
     check(in.good(), "tests/reference/" + file + " can be read");
     std::vector<std::vector<std::string>> rows;
     for (std::string text; std::getline(in, text);)
-    {
-      if (text.empty() || text[0] == '#')
-        continue;
-      std::vector<std::string> row;
-      std::istringstream       cells(text);
-      for (std::string cell; std::getline(cells, cell, ',');)
-        row.push_back(cell);
-      rows.push_back(row);
-    }
+      {
+        if (text.empty() || text[0] == '#')
+          continue;
+        std::vector<std::string> row;
+        std::istringstream       cells(text);
+        for (std::string cell; std::getline(cells, cell, ',');)
+          row.push_back(cell);
+        rows.push_back(row);
+      }
     if (!rows.empty())
       rows.erase(rows.begin()); // column names
     return rows;

@@ -34,7 +34,8 @@ namespace wheelrail
     public:
       explicit FieldBuilder(FieldMesh &mesh)
         : mesh_(mesh)
-      {}
+      {
+      }
 
       void
       cell(const unsigned int *nodes, const unsigned int n)
@@ -51,7 +52,10 @@ namespace wheelrail
       /// Adds a field given by a function of the node that fills `components` numbers.
       template <typename Function>
       void
-      field(const std::string &name, const std::string &unit, const unsigned int components, const Function &value)
+      field(const std::string &name,
+            const std::string &unit,
+            const unsigned int components,
+            const Function    &value)
       {
         PointField field{name, unit, components, std::vector<double>(components * nodes_.size())};
         for (std::size_t k = 0; k < nodes_.size(); ++k)
@@ -103,12 +107,17 @@ namespace wheelrail
         if (const auto found = lattice_node.find(n); found != lattice_node.end())
           use(contact.nodes()[found->second]);
       };
-      builder.field("pressure", "Pa", 1, [&](unsigned int n, double *v) { with(n, [&](const ContactNode &c) { *v = c.pressure; }); });
-      builder.field("shear_traction", "Pa", 3, [&](unsigned int n, double *v) { with(n, [&](const ContactNode &c) { copy(c.traction, v); }); });
-      builder.field("slip_velocity", "m/s", 3, [&](unsigned int n, double *v) { with(n, [&](const ContactNode &c) { copy(c.slip, v); }); });
+      builder.field("pressure", "Pa", 1, [&](unsigned int n, double *v) {
+        with(n, [&](const ContactNode &c) { *v = c.pressure; });
+      });
+      builder.field("shear_traction", "Pa", 3, [&](unsigned int n, double *v) {
+        with(n, [&](const ContactNode &c) { copy(c.traction, v); });
+      });
+      builder.field("slip_velocity", "m/s", 3, [&](unsigned int n, double *v) {
+        with(n, [&](const ContactNode &c) { copy(c.slip, v); });
+      });
     }
   } // namespace
-
 
 
   PatchFields
@@ -127,7 +136,8 @@ namespace wheelrail
         {
           const std::size_t  k    = lattice.index(i, j);
           const ContactNode &node = contact.nodes()[k];
-          patch.along.push_back((lattice.first_station + i) * lattice.spacing_along - axle.centre[2] - travelled);
+          patch.along.push_back((lattice.first_station + i) * lattice.spacing_along - axle.centre[2] -
+                                travelled);
           patch.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
           patch.gap.push_back(node.gap);
           patch.pressure.push_back(node.pressure);
@@ -142,9 +152,12 @@ namespace wheelrail
   }
 
 
-
   FieldMesh
-  field_mesh(const Solid &solid, const Axle &axle, const Contact &contact, const Selection selection, MPI_Comm communicator)
+  field_mesh(const Solid    &solid,
+             const Axle     &axle,
+             const Contact  &contact,
+             const Selection selection,
+             MPI_Comm        communicator)
   {
     FieldMesh    mesh;
     FieldBuilder builder(mesh);
@@ -162,19 +175,23 @@ namespace wheelrail
       }
     for (const unsigned int n : builder.nodes())
       mesh.points.push_back(solid.position(n));
-    builder.field("displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
+    builder.field(
+      "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
     if (selection == Selection::surface)
       {
         add_contact_fields(builder, contact);
         return mesh;
       }
     const auto stress = nodal_stress(solid, communicator);
-    builder.field("von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
-    builder.field("normal_stress", "Pa", 3, [&](unsigned int n, double *v) { std::copy_n(&stress[6 * n], 3, v); });
-    builder.field("shear_stress_yz_xz_xy", "Pa", 3, [&](unsigned int n, double *v) { std::copy_n(&stress[6 * n + 3], 3, v); });
+    builder.field(
+      "von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
+    builder.field(
+      "normal_stress", "Pa", 3, [&](unsigned int n, double *v) { std::copy_n(&stress[6 * n], 3, v); });
+    builder.field("shear_stress_yz_xz_xy", "Pa", 3, [&](unsigned int n, double *v) {
+      std::copy_n(&stress[6 * n + 3], 3, v);
+    });
     return mesh;
   }
-
 
 
   double

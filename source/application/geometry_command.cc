@@ -26,14 +26,14 @@ namespace wheelrail
     contact_at(const Pair &pair, const double shift, std::string &reason)
     {
       try
-      {
-        return find_contact(pair.rail, pair.wheel, pair.track, shift, pair.roll);
-      }
+        {
+          return find_contact(pair.rail, pair.wheel, pair.track, shift, pair.roll);
+        }
       catch (const InputError &error)
-      {
-        reason = error.what();
-        return {};
-      }
+        {
+          reason = error.what();
+          return {};
+        }
     }
 
     std::string
@@ -74,17 +74,17 @@ namespace wheelrail
       const double least_jump = 0.5e-3;
       std::string  ignored;
       for (int i = 0; i < 14; ++i)
-      {
-        if (std::abs(b.wheel_x - a.wheel_x) < least_jump)
-          return false;
-        const auto middle = contact_at(pair, 0.5 * (a.lateral_shift + b.lateral_shift), ignored);
-        if (!middle)
-          return false;
-        if (std::abs(middle->wheel_x - a.wheel_x) > std::abs(b.wheel_x - middle->wheel_x))
-          b = *middle;
-        else
-          a = *middle;
-      }
+        {
+          if (std::abs(b.wheel_x - a.wheel_x) < least_jump)
+            return false;
+          const auto middle = contact_at(pair, 0.5 * (a.lateral_shift + b.lateral_shift), ignored);
+          if (!middle)
+            return false;
+          if (std::abs(middle->wheel_x - a.wheel_x) > std::abs(b.wheel_x - middle->wheel_x))
+            b = *middle;
+          else
+            a = *middle;
+        }
       return std::abs(b.wheel_x - a.wheel_x) >= least_jump;
     }
 
@@ -126,33 +126,33 @@ namespace wheelrail
       std::vector<std::string>       jumps;
       std::optional<ContactGeometry> before;
       for (const double shift : shifts)
-      {
-        std::string reason;
-        const auto  here = contact_at(pair, shift, reason);
-        if (!here)
         {
-          out << std::setw(9) << fixed(1e3 * shift, 2) << "  no contact: " << reason << '\n';
-          before.reset();
-          continue;
+          std::string reason;
+          const auto  here = contact_at(pair, shift, reason);
+          if (!here)
+            {
+              out << std::setw(9) << fixed(1e3 * shift, 2) << "  no contact: " << reason << '\n';
+              before.reset();
+              continue;
+            }
+          // Its absence would mean that the shift is refused for one of the wheels only.
+          const auto other = contact_at(pair, -shift, reason);
+          auto       row   = row_of(*here, other ? other->rolling_radius : std::nan(""));
+          if (before && std::abs(here->wheel_x - before->wheel_x) > 0.5e-3)
+            {
+              ContactGeometry a = *before, b = *here;
+              if (narrow_jump(pair, a, b))
+                {
+                  row.back() += " *";
+                  jumps.push_back("  at " + fixed(500 * (a.lateral_shift + b.lateral_shift), 3) +
+                                  " mm: wheel x from " + fixed(1e3 * a.wheel_x, 2) + " to " +
+                                  fixed(1e3 * b.wheel_x, 2) + " mm, rail x from " + fixed(1e3 * a.rail_x, 2) +
+                                  " to " + fixed(1e3 * b.rail_x, 2) + " mm");
+                }
+            }
+          print_row(out, row);
+          before = here;
         }
-        // Its absence would mean that the shift is refused for one of the wheels only.
-        const auto other = contact_at(pair, -shift, reason);
-        auto       row   = row_of(*here, other ? other->rolling_radius : std::nan(""));
-        if (before && std::abs(here->wheel_x - before->wheel_x) > 0.5e-3)
-        {
-          ContactGeometry a = *before, b = *here;
-          if (narrow_jump(pair, a, b))
-          {
-            row.back() += " *";
-            jumps.push_back("  at " + fixed(500 * (a.lateral_shift + b.lateral_shift), 3) +
-                            " mm: wheel x from " + fixed(1e3 * a.wheel_x, 2) + " to " +
-                            fixed(1e3 * b.wheel_x, 2) + " mm, rail x from " + fixed(1e3 * a.rail_x, 2) +
-                            " to " + fixed(1e3 * b.rail_x, 2) + " mm");
-          }
-        }
-        print_row(out, row);
-        before = here;
-      }
       if (!jumps.empty())
         out
           << "\nThe contact point jumps (in the order of the table; a step with several shows the largest)\n";
@@ -163,8 +163,9 @@ namespace wheelrail
     void
     print_details(const Pair &pair, const ContactGeometry &c, std::ostream &out)
     {
-      const auto line = [&out](const std::string &name, const std::string &value)
-      { out << "  " << std::left << std::setw(37) << name << std::right << value << '\n'; };
+      const auto line = [&out](const std::string &name, const std::string &value) {
+        out << "  " << std::left << std::setw(37) << name << std::right << value << '\n';
+      };
       out << "\nThe scene's own shift: " << fixed(1e3 * c.lateral_shift, 3) << " mm, roll "
           << (pair.roll == RollMode::none ? "none" : "from contact") << "\n\n";
       line("roll", fixed(1e3 * c.roll, 5) + " mrad");
@@ -193,11 +194,11 @@ namespace wheelrail
                                  : fixed(1e6 * undeformed_distance(wheel, rail, s), 3) + " um");
       double width = 0;
       for (const Range &range : interpenetration(wheel, rail, 1e-4))
-      {
-        width += range.s1 - range.s0;
-        line("interpenetration at 0.1 mm approach",
-             "s from " + fixed(1e3 * range.s0, 3) + " to " + fixed(1e3 * range.s1, 3) + " mm");
-      }
+        {
+          width += range.s1 - range.s0;
+          line("interpenetration at 0.1 mm approach",
+               "s from " + fixed(1e3 * range.s0, 3) + " to " + fixed(1e3 * range.s1, 3) + " mm");
+        }
       line("its width", fixed(1e3 * width, 3) + " mm");
     }
   } // namespace
@@ -237,10 +238,10 @@ namespace wheelrail
            "radius less that of the other wheel. R: lateral radii, negative when concave.\n";
 
     for (const RollMode mode : {RollMode::none, RollMode::from_contact})
-    {
-      pair.roll = mode;
-      print_table(pair, shifts.empty() ? default_geometry_shifts() : shifts, out);
-    }
+      {
+        pair.roll = mode;
+        print_table(pair, shifts.empty() ? default_geometry_shifts() : shifts, out);
+      }
 
     pair.roll = scene.roll;
     std::string reason;

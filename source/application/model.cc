@@ -18,15 +18,20 @@ namespace wheelrail
     /// Block borders along the rail: the wheel's spacing where it rolls, stretched to the given ends
     /// elsewhere.
     std::vector<double>
-    rail_stations(const double begin, const double end, const double fine_begin, const double fine_end, const double spacing)
+    rail_stations(const double begin,
+                  const double end,
+                  const double fine_begin,
+                  const double fine_end,
+                  const double spacing)
     {
       const long first = static_cast<long>(std::floor(fine_begin / spacing)) - 1;
       const long last  = static_cast<long>(std::ceil(fine_end / spacing)) + 1;
       if (first * spacing < begin + spacing || last * spacing > end - spacing)
-        throw InputError("Track/Rail length is too short: the rolled stretch with its fine cells reaches from " +
-                         std::to_string(1e3 * first * spacing) + " to " + std::to_string(1e3 * last * spacing) +
-                         " mm, the rail from " + std::to_string(1e3 * begin) + " to " + std::to_string(1e3 * end) +
-                         " mm; take a longer rail or a shorter Run/Rolling distance");
+        throw InputError(
+          "Track/Rail length is too short: the rolled stretch with its fine cells reaches from " +
+          std::to_string(1e3 * first * spacing) + " to " + std::to_string(1e3 * last * spacing) +
+          " mm, the rail from " + std::to_string(1e3 * begin) + " to " + std::to_string(1e3 * end) +
+          " mm; take a longer rail or a shorter Run/Rolling distance");
       std::vector<double> stations;
       const auto          fill = [&](const double from, const double to) {
         const int n = std::max(1, static_cast<int>(std::lround((to - from) / spacing)));
@@ -54,9 +59,10 @@ namespace wheelrail
       const double       parts  = std::pow(2., plan.levels);
       const unsigned int blocks = plan.strip.s.size() - 1;
       Lattice            lattice;
-      lattice.spacing_along   = 2 * M_PI * plan.surfaces.rolling_radius / (plan.sectors * parts);
-      lattice.first_station   = static_cast<int>(std::ceil(plan.fine_begin / lattice.spacing_along));
-      lattice.n_along         = static_cast<int>(std::floor(plan.fine_end / lattice.spacing_along)) - lattice.first_station + 1;
+      lattice.spacing_along = 2 * M_PI * plan.surfaces.rolling_radius / (plan.sectors * parts);
+      lattice.first_station = static_cast<int>(std::ceil(plan.fine_begin / lattice.spacing_along));
+      lattice.n_along =
+        static_cast<int>(std::floor(plan.fine_end / lattice.spacing_along)) - lattice.first_station + 1;
       lattice.s_begin         = plan.strip.s.front();
       lattice.n_lateral       = blocks * static_cast<unsigned int>(parts) + 1;
       lattice.spacing_lateral = (plan.strip.s.back() - plan.strip.s.front()) / (lattice.n_lateral - 1);
@@ -70,7 +76,8 @@ namespace wheelrail
     ContactLaw
     make_law(const Scene &scene, Solid &solid, const Surface &rail, const Surface &wheel)
     {
-      const double K = 0.5 * (elasticity(scene.rail_material).bulk_modulus() + elasticity(scene.wheel_material).bulk_modulus());
+      const double K = 0.5 * (elasticity(scene.rail_material).bulk_modulus() +
+                              elasticity(scene.wheel_material).bulk_modulus());
       const double z = scene.contact_damping;
       ContactLaw   law;
       law.stiffness      = scene.penalty_scale * K / scene.cell_size;
@@ -87,13 +94,11 @@ namespace wheelrail
   } // namespace
 
 
-
   Elasticity
   elasticity(const MaterialData &material)
   {
     return {material.youngs_modulus, material.poissons_ratio, material.density};
   }
-
 
 
   SweepPlan
@@ -107,13 +112,16 @@ namespace wheelrail
     SweepPlan plan;
     plan.levels        = std::max(0L, std::lround(std::log2(scene.coarse_cell_size / scene.cell_size)));
     const double block = scene.cell_size * std::pow(2., plan.levels);
-    plan.strip         = make_fine_strip(geometry, wheel_frame, rail_frame, expected_approach, scene.fine_margin, block);
+    plan.strip =
+      make_fine_strip(geometry, wheel_frame, rail_frame, expected_approach, scene.fine_margin, block);
     plan.surfaces.frame           = geometry.frame;
     plan.surfaces.wheel_placement = geometry.wheel;
     plan.surfaces.nominal_radius  = scene.track.nominal_radius;
     plan.surfaces.rolling_radius  = geometry.rolling_radius;
-    const double s0 = std::max({plan.strip.s.front() - scene.cell_size, rail_frame.s_min(), wheel_frame.s_min()});
-    const double s1 = std::min({plan.strip.s.back() + scene.cell_size, rail_frame.s_max(), wheel_frame.s_max()});
+    const double s0 =
+      std::max({plan.strip.s.front() - scene.cell_size, rail_frame.s_min(), wheel_frame.s_min()});
+    const double s1 =
+      std::min({plan.strip.s.back() + scene.cell_size, rail_frame.s_max(), wheel_frame.s_max()});
     plan.surfaces.rail  = HeightTable(rail_frame, s0, s1);
     plan.surfaces.wheel = HeightTable(wheel_frame, s0, s1);
 
@@ -124,42 +132,53 @@ namespace wheelrail
     plan.fine_depth      = scene.fine_depth;
     const double spacing = 2 * M_PI * geometry.rolling_radius / plan.sectors;
     const double middle  = 0.5 * scene.rolling_distance;
-    plan.rail_stations   = rail_stations(middle - 0.5 * scene.rail_length, middle + 0.5 * scene.rail_length,
-                                         plan.fine_begin, plan.fine_end, spacing);
+    plan.rail_stations   = rail_stations(middle - 0.5 * scene.rail_length,
+                                       middle + 0.5 * scene.rail_length,
+                                       plan.fine_begin,
+                                       plan.fine_end,
+                                       spacing);
 
     WheelDimensions dimensions = scene.wheel;
     dimensions.nominal_radius  = scene.track.nominal_radius;
-    plan.rail  = make_rail_section(rail, geometry.rail, plan.strip, block);
-    plan.wheel = make_wheel_section(wheel, dimensions, geometry.wheel, plan.strip, block);
+    plan.rail                  = make_rail_section(rail, geometry.rail, plan.strip, block);
+    plan.wheel                 = make_wheel_section(wheel, dimensions, geometry.wheel, plan.strip, block);
     return plan;
   }
-
 
 
   Model
   make_model(const Scene &scene, MPI_Comm communicator)
   {
     Model model;
-    model.geometry = find_contact(rail_profile(scene.rail_profile), wheel_profile(scene.wheel_profile), scene.track,
-                                  scene.lateral_shift, scene.roll);
+    model.geometry = find_contact(rail_profile(scene.rail_profile),
+                                  wheel_profile(scene.wheel_profile),
+                                  scene.track,
+                                  scene.lateral_shift,
+                                  scene.roll);
     // Hertz: the approach goes like (F^2 / (R E*^2))^(1/3); steel, 460 mm and 100 kN have about 0.1 mm
-    const double weight   = (scene.sprung_mass + scene.axle_mass + 320) * scene.gravity;
-    const double modulus  = 2 / (plane_compliance(scene.rail_material) + plane_compliance(scene.wheel_material));
+    const double weight = (scene.sprung_mass + scene.axle_mass + 320) * scene.gravity;
+    const double modulus =
+      2 / (plane_compliance(scene.rail_material) + plane_compliance(scene.wheel_material));
     model.expected_approach = 1e-4 * std::pow(weight / 1e5 * 230.8e9 / modulus, 2. / 3) *
                               std::pow(0.46 / model.geometry.rolling_radius, 1. / 3);
 
     SweepPlan     plan    = sweep_plan(scene, model.geometry, model.expected_approach);
     const Lattice lattice = make_lattice(plan);
     model.forest          = std::make_unique<Forest>(communicator, std::move(plan));
-    model.solid = make_solid(model.forest->local_mesh(), elasticity(scene.rail_material), elasticity(scene.wheel_material),
-                             scene.bulk_viscosity, communicator);
+    model.solid           = make_solid(model.forest->local_mesh(),
+                             elasticity(scene.rail_material),
+                             elasticity(scene.wheel_material),
+                             scene.bulk_viscosity,
+                             communicator);
 
     const RunningSurfaces &surfaces = model.forest->plan().surfaces;
-    Surface                rail     = make_surface(model.solid.mesh, Body::rail, surfaces, lattice, communicator);
-    Surface                wheel    = make_surface(model.solid.mesh, Body::wheel, surfaces, lattice, communicator);
-    const ContactLaw       law      = make_law(scene, model.solid, rail, wheel);
-    const double half_window = half_length_bound(model.expected_approach, surfaces.rolling_radius) + 2 * scene.cell_size;
-    model.contact = std::make_unique<Contact>(std::move(rail), std::move(wheel), surfaces, lattice, law, half_window, communicator);
+    Surface                rail = make_surface(model.solid.mesh, Body::rail, surfaces, lattice, communicator);
+    Surface          wheel = make_surface(model.solid.mesh, Body::wheel, surfaces, lattice, communicator);
+    const ContactLaw law   = make_law(scene, model.solid, rail, wheel);
+    const double     half_window =
+      half_length_bound(model.expected_approach, surfaces.rolling_radius) + 2 * scene.cell_size;
+    model.contact = std::make_unique<Contact>(
+      std::move(rail), std::move(wheel), surfaces, lattice, law, half_window, communicator);
 
     AxleData &axle     = model.axle;
     axle.centre        = {model.geometry.axle.x, model.geometry.axle.y, 0};
@@ -177,8 +196,9 @@ namespace wheelrail
                        scene.gravity;
     axle.torque = scene.traction_coefficient * model.wheel_load * surfaces.rolling_radius;
 
-    const double steps = std::ceil(scene.rolling_distance / (scene.velocity * scene.time_step_factor * model.solid.stable.step));
-    model.time_step    = scene.rolling_distance / (scene.velocity * steps);
+    const double steps =
+      std::ceil(scene.rolling_distance / (scene.velocity * scene.time_step_factor * model.solid.stable.step));
+    model.time_step = scene.rolling_distance / (scene.velocity * steps);
     return model;
   }
 } // namespace wheelrail

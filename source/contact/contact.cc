@@ -34,7 +34,6 @@ namespace wheelrail
   }
 
 
-
   void
   Contact::move_window(const double along, const double wheel_ahead)
   {
@@ -61,7 +60,6 @@ namespace wheelrail
   }
 
 
-
   void
   Contact::share_window()
   {
@@ -72,8 +70,8 @@ namespace wheelrail
     for (unsigned int body = 0; body < 2; ++body)
       {
         const Surface &surface = body == 0 ? rail_ : wheel_;
-        const int      first = body == 0 ? window_.rail_first : window_.wheel_first;
-        const int      last  = body == 0 ? window_.rail_last : window_.wheel_last;
+        const int      first   = body == 0 ? window_.rail_first : window_.wheel_first;
+        const int      last    = body == 0 ? window_.rail_last : window_.wheel_last;
         for (int i = first; i < last; ++i)
           for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
             {
@@ -96,7 +94,6 @@ namespace wheelrail
   }
 
 
-
   void
   Contact::gather(const double *displacement, const double *velocity)
   {
@@ -110,8 +107,14 @@ namespace wheelrail
           *out++ = velocity[4 * node + i];
       }
     if (share_.counts.size() > 1)
-      MPI_Allgatherv(send_.data(), send_.size(), MPI_DOUBLE, receive_.data(), share_.counts.data(), share_.begin.data(),
-                     MPI_DOUBLE, communicator_);
+      MPI_Allgatherv(send_.data(),
+                     send_.size(),
+                     MPI_DOUBLE,
+                     receive_.data(),
+                     share_.counts.data(),
+                     share_.begin.data(),
+                     MPI_DOUBLE,
+                     communicator_);
     else
       receive_ = send_;
     const double *in = receive_.data();
@@ -127,7 +130,6 @@ namespace wheelrail
   }
 
 
-
   void
   Contact::wheel_normals()
   {
@@ -135,17 +137,17 @@ namespace wheelrail
     const int   n = lattice_.n_lateral;
     for (int i = window_.wheel_first; i < window_.wheel_last; ++i)
       {
-        const int before = std::max(i - 1, window_.wheel_first), after = std::min(i + 1, window_.wheel_last - 1);
+        const int before = std::max(i - 1, window_.wheel_first),
+                  after  = std::min(i + 1, window_.wheel_last - 1);
         for (int j = 0; j < n; ++j)
           {
             const int     left = std::max(j - 1, 0), right = std::min(j + 1, n - 1);
-            const Vector3 along   = x[lattice_.index(after, j)] - x[lattice_.index(before, j)];
-            const Vector3 lateral = x[lattice_.index(i, right)] - x[lattice_.index(i, left)];
+            const Vector3 along                 = x[lattice_.index(after, j)] - x[lattice_.index(before, j)];
+            const Vector3 lateral               = x[lattice_.index(i, right)] - x[lattice_.index(i, left)];
             wheel_normal_[lattice_.index(i, j)] = normalised(cross(along, lateral));
           }
       }
   }
-
 
 
   ContactSums
@@ -188,14 +190,14 @@ namespace wheelrail
   }
 
 
-
   std::array<std::size_t, 4>
   Contact::corners(const ContactNode &node) const
   {
-    return {lattice_.index(node.facet_i, node.facet_j), lattice_.index(node.facet_i + 1, node.facet_j),
-            lattice_.index(node.facet_i, node.facet_j + 1), lattice_.index(node.facet_i + 1, node.facet_j + 1)};
+    return {lattice_.index(node.facet_i, node.facet_j),
+            lattice_.index(node.facet_i + 1, node.facet_j),
+            lattice_.index(node.facet_i, node.facet_j + 1),
+            lattice_.index(node.facet_i + 1, node.facet_j + 1)};
   }
-
 
 
   bool
@@ -222,12 +224,13 @@ namespace wheelrail
         Vector3       r = x - y[c[0]];
         add(r, -node.xi, a);
         add(r, -node.eta, t2);
-        const double m11 = dot(t1, t1), m12 = dot(t1, t2), m22 = dot(t2, t2), r1 = dot(r, t1), r2 = dot(r, t2);
-        const double det    = m11 * m22 - m12 * m12;
-        double       place[2] = {node.xi + (r1 * m22 - r2 * m12) / det, node.eta + (r2 * m11 - r1 * m12) / det};
-        int         *facet[2] = {&node.facet_i, &node.facet_j};
-        const int    first[2] = {window_.wheel_first, 0}, last[2] = {last_i, last_j};
-        bool         moved    = false;
+        const double m11 = dot(t1, t1), m12 = dot(t1, t2), m22 = dot(t2, t2), r1 = dot(r, t1),
+                     r2    = dot(r, t2);
+        const double det   = m11 * m22 - m12 * m12;
+        double    place[2] = {node.xi + (r1 * m22 - r2 * m12) / det, node.eta + (r2 * m11 - r1 * m12) / det};
+        int      *facet[2] = {&node.facet_i, &node.facet_j};
+        const int first[2] = {window_.wheel_first, 0}, last[2] = {last_i, last_j};
+        bool      moved = false;
         for (int k = 0; k < 2; ++k)
           {
             const int move = place[k] < 0 ? -1 : place[k] > 1 ? 1 : 0;
@@ -253,13 +256,12 @@ namespace wheelrail
   }
 
 
-
   double
   Contact::true_gap(ContactNode &node, const Vector3 &x, std::array<double, 4> &weight) const
   {
     const double xi = node.xi, eta = node.eta;
-    weight          = {(1 - xi) * (1 - eta), xi * (1 - eta), (1 - xi) * eta, xi * eta};
-    const auto c    = corners(node);
+    weight       = {(1 - xi) * (1 - eta), xi * (1 - eta), (1 - xi) * eta, xi * eta};
+    const auto c = corners(node);
     Vector3    foot{}, normal{}, X{};
     for (int m = 0; m < 4; ++m)
       {
@@ -271,7 +273,6 @@ namespace wheelrail
     // both facets hide a part of the true profiles; the rail node itself lies on its profile
     return dot(foot - x, node.normal) - surfaces_.wheel_offset(X);
   }
-
 
 
   void
@@ -338,7 +339,6 @@ namespace wheelrail
   }
 
 
-
   void
   Contact::add_forces(double *force) const
   {
@@ -352,7 +352,6 @@ namespace wheelrail
   }
 
 
-
   double
   Contact::work(const double time_step) const
   {
@@ -361,7 +360,6 @@ namespace wheelrail
       work += dot(state_[body].f[k], state_[body].v_before[k] + state_[body].v[k]);
     return 0.5 * time_step * work;
   }
-
 
 
   std::vector<Contact::Spring>
@@ -376,8 +374,8 @@ namespace wheelrail
           if (node.pressure <= 0)
             continue;
           Spring spring;
-          spring.rail   = k;
-          const auto c  = corners(node);
+          spring.rail     = k;
+          const auto   c  = corners(node);
           const double xi = node.xi, eta = node.eta;
           spring.weight    = {(1 - xi) * (1 - eta), xi * (1 - eta), (1 - xi) * eta, xi * eta};
           spring.wheel     = {unsigned(c[0]), unsigned(c[1]), unsigned(c[2]), unsigned(c[3])};
@@ -387,7 +385,6 @@ namespace wheelrail
         }
     return springs;
   }
-
 
 
   void

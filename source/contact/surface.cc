@@ -11,10 +11,10 @@ namespace wheelrail
     /// What a rank tells about one lattice node.
     struct Entry
     {
-      double        index;
-      double        global_node;
-      double        owner;
-      double        X[3];
+      double index;
+      double global_node;
+      double owner;
+      double X[3];
     };
     constexpr int entry_size = sizeof(Entry) / sizeof(double);
 
@@ -28,7 +28,8 @@ namespace wheelrail
       for (int r = 0; r < size; ++r)
         begin[r + 1] = begin[r] + counts[r];
       std::vector<double> all(begin[size]);
-      MPI_Allgatherv(own.data(), n, MPI_DOUBLE, all.data(), counts.data(), begin.data(), MPI_DOUBLE, communicator);
+      MPI_Allgatherv(
+        own.data(), n, MPI_DOUBLE, all.data(), counts.data(), begin.data(), MPI_DOUBLE, communicator);
       return all;
     }
 
@@ -40,17 +41,18 @@ namespace wheelrail
       for (unsigned int i = 0; i + 1 < lattice.n_along; ++i)
         for (unsigned int j = 0; j + 1 < lattice.n_lateral; ++j)
           {
-            const std::size_t corner[4] = {lattice.index(i, j), lattice.index(i + 1, j), lattice.index(i, j + 1),
+            const std::size_t corner[4] = {lattice.index(i, j),
+                                           lattice.index(i + 1, j),
+                                           lattice.index(i, j + 1),
                                            lattice.index(i + 1, j + 1)};
-            const auto       &X = surface.reference;
-            const Vector3     diagonal1 = X[corner[3]] - X[corner[0]], diagonal2 = X[corner[2]] - X[corner[1]];
-            const double      quarter   = norm(cross(diagonal1, diagonal2)) / 8;
+            const auto       &X         = surface.reference;
+            const Vector3 diagonal1 = X[corner[3]] - X[corner[0]], diagonal2 = X[corner[2]] - X[corner[1]];
+            const double  quarter = norm(cross(diagonal1, diagonal2)) / 8;
             for (const auto c : corner)
               surface.area[c] += quarter;
           }
     }
   } // namespace
-
 
 
   Surface
@@ -87,7 +89,8 @@ namespace wheelrail
               const std::size_t k = lattice.index(i, j);
               surface.local[k]    = node;
               // several ranks may hold the node: the lowest wins below
-              own.insert(own.end(), {double(k), double(mesh.global_node[node]), double(rank), X[0], X[1], X[2]});
+              own.insert(own.end(),
+                         {double(k), double(mesh.global_node[node]), double(rank), X[0], X[1], X[2]});
             }
     const auto all = gather_all(own, communicator);
     for (std::size_t e = 0; e < all.size(); e += entry_size)
@@ -111,8 +114,10 @@ namespace wheelrail
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t k = 0; k < n; ++k)
       {
-        const auto found = std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(surface.global_node[k], 0u));
-        surface.local[k] = found != sorted.end() && found->first == surface.global_node[k] ? int(found->second) : -1;
+        const auto found =
+          std::lower_bound(sorted.begin(), sorted.end(), std::make_pair(surface.global_node[k], 0u));
+        surface.local[k] =
+          found != sorted.end() && found->first == surface.global_node[k] ? int(found->second) : -1;
       }
     add_areas(surface, lattice);
     return surface;

@@ -40,7 +40,6 @@ namespace wheelrail
   } // namespace
 
 
-
   ContactPose
   fit_pose(const Solid &solid, const PoseQuery &query, MPI_Comm communicator)
   {
@@ -58,7 +57,8 @@ namespace wheelrail
         const Vector3 away  = place - query.contact;
         if (std::abs(away[2]) > query.slab || std::hypot(away[0], away[1]) < query.keep_away)
           continue;
-        if (rail ? away[1] < -query.head_depth : norm(arm - dot(arm, query.axis) * query.axis) < query.rim_inner_radius)
+        if (rail ? away[1] < -query.head_depth
+                 : norm(arm - dot(arm, query.axis) * query.axis) < query.rim_inner_radius)
           continue;
         if (!rail && away[1] > 0.1)
           continue;

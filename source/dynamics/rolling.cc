@@ -14,7 +14,8 @@ namespace wheelrail
       explicit Stopwatch(double &total)
         : total_(total)
         , start_(std::chrono::steady_clock::now())
-      {}
+      {
+      }
       ~Stopwatch()
       {
         total_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -25,7 +26,6 @@ namespace wheelrail
       std::chrono::steady_clock::time_point start_;
     };
   } // namespace
-
 
 
   Rolling::Rolling(Solid       &solid,
@@ -63,7 +63,6 @@ namespace wheelrail
   }
 
 
-
   void
   Rolling::step(const bool with_energy)
   {
@@ -75,7 +74,8 @@ namespace wheelrail
       std::fill(solid_.force.begin(), solid_.force.end(), 0.);
       elements_ = ElementEnergy();
       for (auto &blocks : solid_.blocks)
-        subtract_internal_force(blocks, solid_.displacement.data(), solid_.force.data(), viscosity, with_energy, elements_);
+        subtract_internal_force(
+          blocks, solid_.displacement.data(), solid_.force.data(), viscosity, with_energy, elements_);
       condense(solid_.mesh, solid_.force.data());
     }
     // 2. sums over ranks
@@ -85,7 +85,7 @@ namespace wheelrail
     }
     // 3. contact
     {
-      Stopwatch watch(timing_.contact);
+      Stopwatch    watch(timing_.contact);
       const double wheel_ahead = contact_.surfaces().rolling_radius * axle_.pitch_angle() - axle_.travelled();
       contact_.move_window(axle_.travelled(), wheel_ahead);
       contact_.gather(solid_.displacement.data(), solid_.velocity.data());
@@ -111,7 +111,6 @@ namespace wheelrail
   }
 
 
-
   void
   Rolling::add_loads()
   {
@@ -131,7 +130,6 @@ namespace wheelrail
           solid_.force[4 * n + i] += support_force_[k][i];
       }
   }
-
 
 
   void
@@ -162,6 +160,35 @@ namespace wheelrail
   }
 
 
+  Rolling::State
+  Rolling::state() const
+  {
+    return {time_,
+            steps_,
+            viscous_,
+            support_work_,
+            friction_,
+            contact_damping_,
+            balance_started_,
+            energy_.start,
+            energy_.error};
+  }
+
+
+  void
+  Rolling::set_state(const State &state)
+  {
+    time_            = state.time;
+    steps_           = state.steps;
+    viscous_         = state.viscous;
+    friction_        = state.friction;
+    contact_damping_ = state.contact_damping;
+    support_work_    = state.support_work;
+    balance_started_ = state.balance_started;
+    energy_.start    = state.energy_at_start;
+    energy_.error    = state.energy_error;
+  }
+
 
   double
   Rolling::kinetic_energy() const
@@ -177,12 +204,11 @@ namespace wheelrail
   }
 
 
-
   void
   Rolling::balance(const double kinetic_before, const AxleEnergy &axle_before, const double support_before)
   {
     // states belong to the full step, kinetic energy and works to the half steps around it: their means
-    const AxleEnergy axle = axle_.energy();
+    const AxleEnergy axle    = axle_.energy();
     double           sums[6] = {0.5 * (kinetic_before + kinetic_energy()),
                                 elements_.strain,
                                 elements_.stabilisation,
@@ -207,7 +233,7 @@ namespace wheelrail
     energy_.suspension      = 0.5 * (axle_before.damped + axle.damped);
     energy_.torque_work     = 0.5 * (axle_before.torque_work + axle.torque_work);
     energy_.hold_work       = 0.5 * (axle_before.hold_work + axle.hold_work);
-    const double total = energy_.kinetic + energy_.strain + energy_.stabilisation + energy_.potential +
+    const double total      = energy_.kinetic + energy_.strain + energy_.stabilisation + energy_.potential +
                          energy_.contact + energy_.dissipated() - energy_.torque_work - energy_.hold_work -
                          energy_.support_work;
     if (!balance_started_)

@@ -32,23 +32,35 @@ namespace wheelrail
   } // namespace
 
 
-
   double
   creepage_coefficient(const double ratio)
   {
     // logarithm of a/b against C11 at Poisson's ratio 0.3
-    constexpr double a_over_b[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1 / 0.6, 2.5, 5, 10};
-    constexpr double C11[]      = {3.535, 3.585, 3.647, 3.730, 3.813, 3.911, 3.996, 4.095,
-                                   4.192, 4.300, 4.537, 4.955, 5.744, 7.968, 11.92};
-    constexpr int    n          = sizeof(C11) / sizeof(double);
-    const double     x          = std::log(std::clamp(ratio, a_over_b[0], a_over_b[n - 1]));
-    int              k          = 0;
+    constexpr double a_over_b[] = {
+      0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25, 1 / 0.6, 2.5, 5, 10};
+    constexpr double C11[] = {3.535,
+                              3.585,
+                              3.647,
+                              3.730,
+                              3.813,
+                              3.911,
+                              3.996,
+                              4.095,
+                              4.192,
+                              4.300,
+                              4.537,
+                              4.955,
+                              5.744,
+                              7.968,
+                              11.92};
+    constexpr int    n     = sizeof(C11) / sizeof(double);
+    const double     x     = std::log(std::clamp(ratio, a_over_b[0], a_over_b[n - 1]));
+    int              k     = 0;
     while (k < n - 2 && x > std::log(a_over_b[k + 1]))
       ++k;
     const double x0 = std::log(a_over_b[k]), x1 = std::log(a_over_b[k + 1]);
     return C11[k] + (C11[k + 1] - C11[k]) * (x - x0) / (x1 - x0);
   }
-
 
 
   StartTractions
@@ -95,7 +107,6 @@ namespace wheelrail
   }
 
 
-
   StartTractions
   start_tractions(const Contact &contact, const double longitudinal_force, const double shear_modulus)
   {
@@ -115,7 +126,7 @@ namespace wheelrail
           high = middle;
       }
     StartTractions result = start_tractions_at_creepage(contact, 0.5 * (low + high), shear_modulus);
-    result.saturated      = std::abs(result.force - longitudinal_force) > 0.01 * std::abs(longitudinal_force) + 1;
+    result.saturated = std::abs(result.force - longitudinal_force) > 0.01 * std::abs(longitudinal_force) + 1;
     return result;
   }
 } // namespace wheelrail

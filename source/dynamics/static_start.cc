@@ -58,7 +58,10 @@ namespace wheelrail
 
       /// Adds factor x (increment + constraints, bore raised by `lift`) to the nodal values.
       void
-      add_to_nodes(const LocalMesh &mesh, const Vector &increment, const double lift, AlignedVector<double> &nodal) const
+      add_to_nodes(const LocalMesh       &mesh,
+                   const Vector          &increment,
+                   const double           lift,
+                   AlignedVector<double> &nodal) const
       {
         Vector ghosted(owned_, forest_.relevant_dofs(), forest_.communicator());
         ghosted = increment;
@@ -82,14 +85,15 @@ namespace wheelrail
         for (const auto &spring : springs)
           {
             const std::array<unsigned int, 5> nodes = spring_nodes(contact, spring);
-            const std::array<double, 5>       w     = {1, -spring.weight[0], -spring.weight[1], -spring.weight[2],
-                                                       -spring.weight[3]};
+            const std::array<double, 5>       w     = {
+                        1, -spring.weight[0], -spring.weight[1], -spring.weight[2], -spring.weight[3]};
             for (unsigned int a = 0; a < 5; ++a)
               if (owned_.is_element(3 * nodes[a]))
                 for (unsigned int b = 0; b < 5; ++b)
                   for (unsigned int i = 0; i < 3; ++i)
                     for (unsigned int j = 0; j < 3; ++j)
-                      loaded_.add(3 * nodes[a] + i, 3 * nodes[b] + j,
+                      loaded_.add(3 * nodes[a] + i,
+                                  3 * nodes[b] + j,
                                   spring.stiffness * w[a] * w[b] * spring.normal[i] * spring.normal[j]);
           }
         loaded_.compress(dealii::VectorOperation::add);
@@ -107,8 +111,9 @@ namespace wheelrail
           }
         catch (const dealii::SolverControl::NoConvergence &)
           {
-            throw RunError("the static start did not converge: conjugate gradients stopped after 2000 steps; "
-                           "look at the mesh quality in the log, or lower Contact/Penalty scale");
+            throw RunError(
+              "the static start did not converge: conjugate gradients stopped after 2000 steps; "
+              "look at the mesh quality in the log, or lower Contact/Penalty scale");
           }
         return control.last_step();
       }
@@ -165,13 +170,15 @@ namespace wheelrail
       make_constraints()
       {
         constraints_.reinit(forest_.relevant_dofs());
-        constraints_.merge(forest_.constraints(), dealii::AffineConstraints<double>::no_conflicts_allowed, true);
+        constraints_.merge(
+          forest_.constraints(), dealii::AffineConstraints<double>::no_conflicts_allowed, true);
         const dealii::Functions::ZeroFunction<3>     zero(3);
         const dealii::Functions::ConstantFunction<3> raised(std::vector<double>{0., 1., 0.});
         for (const Boundary mark : {Boundary::foot, Boundary::end})
-          dealii::VectorTools::interpolate_boundary_values(forest_.dofs(), static_cast<unsigned int>(mark), zero, constraints_);
-        dealii::VectorTools::interpolate_boundary_values(forest_.dofs(), static_cast<unsigned int>(Boundary::bore), raised,
-                                                         constraints_);
+          dealii::VectorTools::interpolate_boundary_values(
+            forest_.dofs(), static_cast<unsigned int>(mark), zero, constraints_);
+        dealii::VectorTools::interpolate_boundary_values(
+          forest_.dofs(), static_cast<unsigned int>(Boundary::bore), raised, constraints_);
         constraints_.close();
       }
 
@@ -180,7 +187,8 @@ namespace wheelrail
       {
         dealii::DynamicSparsityPattern pattern(forest_.relevant_dofs());
         dealii::DoFTools::make_sparsity_pattern(forest_.dofs(), pattern, constraints_, false);
-        dealii::SparsityTools::distribute_sparsity_pattern(pattern, owned_, forest_.communicator(), forest_.relevant_dofs());
+        dealii::SparsityTools::distribute_sparsity_pattern(
+          pattern, owned_, forest_.communicator(), forest_.relevant_dofs());
         add_contact_pairs(pattern, contact);
         stiffness_.reinit(owned_, owned_, pattern, forest_.communicator());
         lift_load_ = owned_vector();
@@ -196,8 +204,8 @@ namespace wheelrail
               for (int a = 0; a < 8; ++a)
                 for (int i = 0; i < 3; ++i)
                   X[a][i] = solid.mesh.reference[4 * solid.mesh.cells[c][a] + i];
-              const auto k = element_stiffness(element_geometry(X),
-                                               solid.blocks[static_cast<int>(solid.mesh.cell_body[c])].material);
+              const auto k = element_stiffness(
+                element_geometry(X), solid.blocks[static_cast<int>(solid.mesh.cell_body[c])].material);
               K.fill(k.data());
               cell->get_dof_indices(dofs);
               constraints_.distribute_local_to_global(K, zero, dofs, stiffness_, lift_load_, true);
@@ -252,13 +260,13 @@ namespace wheelrail
       }
 
     private:
-      const Forest                               &forest_;
-      dealii::IndexSet                            owned_;
-      dealii::AffineConstraints<double>           constraints_;
-      dealii::TrilinosWrappers::SparseMatrix      stiffness_, loaded_;
-      dealii::TrilinosWrappers::PreconditionAMG   preconditioner_;
-      Vector                                      lift_load_;
-      std::vector<double>                         modes_; ///< ML keeps a pointer to them
+      const Forest                             &forest_;
+      dealii::IndexSet                          owned_;
+      dealii::AffineConstraints<double>         constraints_;
+      dealii::TrilinosWrappers::SparseMatrix    stiffness_, loaded_;
+      dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
+      Vector                                    lift_load_;
+      std::vector<double>                       modes_; ///< ML keeps a pointer to them
     };
 
     /// Weight and centrifugal load of the wheel, per node.
@@ -279,12 +287,18 @@ namespace wheelrail
 
     /// Contact, internal and external forces of the present displacement, condensed and summed.
     AlignedVector<double>
-    out_of_balance(Solid &solid, Contact &contact, SharedSum &sum, const AxleData &axle, const double rate, ContactSums &sums)
+    out_of_balance(Solid          &solid,
+                   Contact        &contact,
+                   SharedSum      &sum,
+                   const AxleData &axle,
+                   const double    rate,
+                   ContactSums    &sums)
     {
       AlignedVector<double> force(solid.force.size(), 0.);
       ElementEnergy         ignored;
       for (auto &blocks : solid.blocks)
-        subtract_internal_force(blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
+        subtract_internal_force(
+          blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
       condense(solid.mesh, force.data());
       sum(force.data());
       add_wheel_loads(solid, axle, rate, force);
@@ -296,8 +310,11 @@ namespace wheelrail
 
     /// Vertical contact force on the wheel that the springs lose in an increment.
     double
-    vertical_change(const Contact &contact, const std::vector<Contact::Spring> &springs, const Vector &increment,
-                    const dealii::IndexSet &owned, MPI_Comm communicator)
+    vertical_change(const Contact                      &contact,
+                    const std::vector<Contact::Spring> &springs,
+                    const Vector                       &increment,
+                    const dealii::IndexSet             &owned,
+                    MPI_Comm                            communicator)
     {
       double change = 0;
       for (const auto &spring : springs)
@@ -320,7 +337,6 @@ namespace wheelrail
   } // namespace
 
 
-
   StaticResult
   static_start(const Forest                           &forest,
                Solid                                  &solid,
@@ -337,19 +353,19 @@ namespace wheelrail
 
     report("static start: assembling the stiffness");
     StaticSystem system(forest, solid, contact);
-    const auto        &owned = forest.dofs().locally_owned_dofs();
+    const auto  &owned = forest.dofs().locally_owned_dofs();
 
     // begin with the bodies pressed into each other rigidly; the part of the undeformed profiles that
     // dips in by some 0.55 of the approach is close to the true patch
     Vector increment = system.owned_vector(), lifted = system.owned_vector();
-    result.lift      = -0.55 * loads.first_approach;
+    result.lift = -0.55 * loads.first_approach;
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       if (solid.mesh.node_body[n] == Body::wheel)
         solid.displacement[4 * n + 1] = result.lift;
 
     std::vector<unsigned int> preconditioned; // rail nodes whose springs the preconditioner knows
-    double rate     = loads.axle.velocity / loads.rolling_radius;
-    bool   sheared  = contact.law().friction == 0;
+    double                    rate    = loads.axle.velocity / loads.rolling_radius;
+    bool                      sheared = contact.law().friction == 0;
     // the given tractions, set in every step: an iterate that unloads a node must not erase its own for good
     std::vector<Vector3> shear;
     for (int step = 0; step < 60; ++step)
@@ -359,7 +375,8 @@ namespace wheelrail
         ContactSums sums;
         auto        force = out_of_balance(solid, contact, sum, loads.axle, rate, sums);
         if (sums.nodes == 0)
-          throw RunError("the static start lost the contact between wheel and rail; give a smaller first approach");
+          throw RunError(
+            "the static start lost the contact between wheel and rail; give a smaller first approach");
         const Vector residual = system.to_dofs(solid.mesh, force);
         result.residual       = residual.linfty_norm() / result.wheel_load;
         result.contact_force  = sums.force;
@@ -370,10 +387,10 @@ namespace wheelrail
             if (sheared)
               break;
             // normal contact has settled: add the shear tractions and go on
-            const double G        = solid.blocks[0].material.shear_modulus();
-            const auto   tractions = loads.rate_held ?
-                                       start_tractions_at_creepage(contact, loads.creepage, G) :
-                                       start_tractions(contact, loads.traction_coefficient * result.wheel_load, G);
+            const double G = solid.blocks[0].material.shear_modulus();
+            const auto   tractions =
+              loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, G)
+                                : start_tractions(contact, loads.traction_coefficient * result.wheel_load, G);
             shear           = tractions.shear;
             result.creepage = tractions.creepage;
             rate            = loads.axle.velocity / loads.rolling_radius * (1 + result.creepage);
@@ -394,7 +411,7 @@ namespace wheelrail
         if (changed)
           system.make_preconditioner(solid.mesh);
         preconditioned = active;
-        increment          = 0;
+        increment      = 0;
         // Newton's steps need no more than they can use while the patch still changes
         result.cg_steps += system.solve(residual, increment, result.residual > 1e-3 ? 1e-2 : 1e-3);
         result.cg_steps += system.solve(system.lift_load(), lifted, 1e-2);
@@ -417,7 +434,6 @@ namespace wheelrail
       result.creepage = loads.rate_held ? loads.creepage : 0;
     return result;
   }
-
 
 
   void

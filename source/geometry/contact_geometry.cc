@@ -40,19 +40,19 @@ namespace wheelrail
       const int n      = 64 * static_cast<int>(tread.segments().size());
       double    lowest = std::numeric_limits<double>::max(), found = 0, candidate = 0;
       for (int i = 0; i <= n; ++i)
-      {
-        const double     t = tread.parameter_end() * i / n;
-        const CurvePoint p = tread.at(t);
-        if (p.position.x > 0 || p.tangent.x >= 0)
-          continue;
-        if (p.tangent.y / p.tangent.x >= 1)
-          candidate = t;
-        if (p.position.y < lowest)
         {
-          lowest = p.position.y;
-          found  = candidate;
+          const double     t = tread.parameter_end() * i / n;
+          const CurvePoint p = tread.at(t);
+          if (p.position.x > 0 || p.tangent.x >= 0)
+            continue;
+          if (p.tangent.y / p.tangent.x >= 1)
+            candidate = t;
+          if (p.position.y < lowest)
+            {
+              lowest = p.position.y;
+              found  = candidate;
+            }
         }
-      }
       return found;
     }
 
@@ -80,17 +80,17 @@ namespace wheelrail
       if (rising)
         minima.push_back(entry(low));
       for (std::size_t i = 1; i < points.size(); ++i)
-      {
-        const bool now = slope(points[i]) > 0;
-        if (now && !rising)
         {
-          double a = points[i - 1], b = points[i];
-          for (double m = 0.5 * (a + b); m > a && m < b; m = 0.5 * (a + b))
-            (slope(m) > 0 ? b : a) = m;
-          minima.push_back(entry(a));
+          const bool now = slope(points[i]) > 0;
+          if (now && !rising)
+            {
+              double a = points[i - 1], b = points[i];
+              for (double m = 0.5 * (a + b); m > a && m < b; m = 0.5 * (a + b))
+                (slope(m) > 0 ? b : a) = m;
+              minima.push_back(entry(a));
+            }
+          rising = now;
         }
-        rising = now;
-      }
       if (!rising)
         minima.push_back(entry(high));
       std::sort(minima.begin(), minima.end(), [](const auto &a, const auto &b) { return a.gap < b.gap; });
@@ -128,8 +128,7 @@ namespace wheelrail
     std::optional<double>
     roll_from_contact(const Pair &pair, const double shift)
     {
-      const auto difference = [&](const double roll) -> std::optional<double>
-      {
+      const auto difference = [&](const double roll) -> std::optional<double> {
         const auto a = axle_height(pair, shift, roll), b = axle_height(pair, -shift, -roll);
         if (!a || !b)
           return {};
@@ -144,43 +143,43 @@ namespace wheelrail
         return 0.;
       double f_low = *at_zero, f_high = *at_zero;
       for (double step = 1e-4; f_low > 0 || f_high < 0; step *= 2)
-      {
-        if (step > 0.05)
-          return {};
-        double    &end   = *at_zero > 0 ? low : high;
-        const auto value = difference(*at_zero > 0 ? end - step : end + step);
-        if (!value)
-          return {};
-        (*at_zero > 0 ? high : low)     = end;
-        (*at_zero > 0 ? f_high : f_low) = *at_zero > 0 ? f_low : f_high;
-        end += *at_zero > 0 ? -step : step;
-        (*at_zero > 0 ? f_low : f_high) = *value;
-      }
+        {
+          if (step > 0.05)
+            return {};
+          double    &end   = *at_zero > 0 ? low : high;
+          const auto value = difference(*at_zero > 0 ? end - step : end + step);
+          if (!value)
+            return {};
+          (*at_zero > 0 ? high : low)     = end;
+          (*at_zero > 0 ? f_high : f_low) = *at_zero > 0 ? f_low : f_high;
+          end += *at_zero > 0 ? -step : step;
+          (*at_zero > 0 ? f_low : f_high) = *value;
+        }
 
       // Illinois variant of the false position, which keeps the bracket.
       for (int i = 0; i < 100 && high - low > 1e-16; ++i)
-      {
-        double middle = high - f_high * (high - low) / (f_high - f_low);
-        if (!(middle > low && middle < high))
-          middle = 0.5 * (low + high);
-        const auto value = difference(middle);
-        if (!value)
-          return {};
-        if (std::abs(*value) < 1e-17 || middle == low || middle == high)
-          return middle;
-        if (*value > 0)
         {
-          high   = middle;
-          f_high = *value;
-          f_low *= 0.5;
+          double middle = high - f_high * (high - low) / (f_high - f_low);
+          if (!(middle > low && middle < high))
+            middle = 0.5 * (low + high);
+          const auto value = difference(middle);
+          if (!value)
+            return {};
+          if (std::abs(*value) < 1e-17 || middle == low || middle == high)
+            return middle;
+          if (*value > 0)
+            {
+              high   = middle;
+              f_high = *value;
+              f_low *= 0.5;
+            }
+          else
+            {
+              low   = middle;
+              f_low = *value;
+              f_high *= 0.5;
+            }
         }
-        else
-        {
-          low   = middle;
-          f_low = *value;
-          f_high *= 0.5;
-        }
-      }
       return 0.5 * (low + high);
     }
 
@@ -223,10 +222,10 @@ namespace wheelrail
       contact.second_gap = -1;
       for (std::size_t i = 1; i < minima.size() && contact.second_gap < 0; ++i)
         if (minima[i].smooth)
-        {
-          contact.second_gap    = minima[i].gap - first.gap;
-          contact.second_rail_x = pair.rail.head.at(pair.rail_heights.parameter(minima[i].X)).position.x;
-        }
+          {
+            contact.second_gap    = minima[i].gap - first.gap;
+            contact.second_rail_x = pair.rail.head.at(pair.rail_heights.parameter(minima[i].X)).position.x;
+          }
       return "";
     }
 
@@ -251,8 +250,9 @@ namespace wheelrail
     last_possible(const Pair &pair, const RollMode mode, const double sign)
     {
       ContactGeometry ignored;
-      const auto      possible = [&](const int tenths)
-      { return try_contact(pair, sign * 1e-4 * tenths, mode, ignored).empty(); };
+      const auto      possible = [&](const int tenths) {
+        return try_contact(pair, sign * 1e-4 * tenths, mode, ignored).empty();
+      };
       int good = 0, bad = 20;
       if (!possible(good))
         return {};

@@ -24,10 +24,10 @@ namespace wheelrail
       if (g.kind == Segment::Kind::line)
         return g.start + f * (g.end - g.start);
       if (g.kind == Segment::Kind::arc)
-      {
-        const double a = g.angle_start + f * (g.angle_end - g.angle_start);
-        return {g.centre.x + g.radius * std::cos(a), g.centre.y + g.radius * std::sin(a)};
-      }
+        {
+          const double a = g.angle_start + f * (g.angle_end - g.angle_start);
+          return {g.centre.x + g.radius * std::cos(a), g.centre.y + g.radius * std::sin(a)};
+        }
       const double x = abscissa(g, f);
       return {x, evaluate_polynomial(g.coefficients, x).value};
     }
@@ -38,30 +38,30 @@ namespace wheelrail
     {
       CurvePoint point;
       if (g.kind == Segment::Kind::line)
-      {
-        const Point2 d = g.end - g.start;
-        point.position = g.start + f * d;
-        point.tangent  = (1. / norm(d)) * d;
-      }
+        {
+          const Point2 d = g.end - g.start;
+          point.position = g.start + f * d;
+          point.tangent  = (1. / norm(d)) * d;
+        }
       else if (g.kind == Segment::Kind::arc)
-      {
-        const double a = g.angle_start + f * (g.angle_end - g.angle_start);
-        const double c = std::cos(a), s = std::sin(a);
-        const double turn = g.angle_end > g.angle_start ? 1. : -1.;
-        point.position    = {g.centre.x + g.radius * c, g.centre.y + g.radius * s};
-        point.tangent     = {-turn * s, turn * c};
-        point.curvature   = turn / g.radius;
-      }
+        {
+          const double a = g.angle_start + f * (g.angle_end - g.angle_start);
+          const double c = std::cos(a), s = std::sin(a);
+          const double turn = g.angle_end > g.angle_start ? 1. : -1.;
+          point.position    = {g.centre.x + g.radius * c, g.centre.y + g.radius * s};
+          point.tangent     = {-turn * s, turn * c};
+          point.curvature   = turn / g.radius;
+        }
       else
-      {
-        const double          x    = abscissa(g, f);
-        const PolynomialValue p    = evaluate_polynomial(g.coefficients, x);
-        const double          sign = g.end.x > g.start.x ? 1. : -1.;
-        const double          w    = std::sqrt(1. + p.slope * p.slope);
-        point.position             = {x, p.value};
-        point.tangent              = {sign / w, sign * p.slope / w};
-        point.curvature            = sign * p.second / (w * w * w);
-      }
+        {
+          const double          x    = abscissa(g, f);
+          const PolynomialValue p    = evaluate_polynomial(g.coefficients, x);
+          const double          sign = g.end.x > g.start.x ? 1. : -1.;
+          const double          w    = std::sqrt(1. + p.slope * p.slope);
+          point.position             = {x, p.value};
+          point.tangent              = {sign / w, sign * p.slope / w};
+          point.curvature            = sign * p.second / (w * w * w);
+        }
       return point;
     }
 
@@ -74,8 +74,7 @@ namespace wheelrail
       if (g.kind == Segment::Kind::arc)
         return (f1 - f0) * g.radius * std::abs(g.angle_end - g.angle_start);
 
-      const auto speed = [&g](const double x)
-      {
+      const auto speed = [&g](const double x) {
         const double slope = evaluate_polynomial(g.coefficients, x).slope;
         return std::sqrt(1. + slope * slope);
       };
@@ -83,12 +82,12 @@ namespace wheelrail
       const int n   = 4;
       double    sum = 0;
       for (int i = 0; i < n; ++i)
-      {
-        const double x0 = abscissa(g, f0 + (f1 - f0) * i / n);
-        const double x1 = abscissa(g, f0 + (f1 - f0) * (i + 1) / n);
-        sum +=
-          boost::math::quadrature::gauss<double, 20>::integrate(speed, std::min(x0, x1), std::max(x0, x1));
-      }
+        {
+          const double x0 = abscissa(g, f0 + (f1 - f0) * i / n);
+          const double x1 = abscissa(g, f0 + (f1 - f0) * (i + 1) / n);
+          sum +=
+            boost::math::quadrature::gauss<double, 20>::integrate(speed, std::min(x0, x1), std::max(x0, x1));
+        }
       return sum;
     }
 
@@ -104,14 +103,14 @@ namespace wheelrail
       const double width = std::abs(g.end.x - g.start.x);
       double       f     = std::clamp(f0 + distance / length_on(g, 0, 1), 0., 1.);
       for (int i = 0; i < 20; ++i)
-      {
-        const double reached = f >= f0 ? length_on(g, f0, f) : -length_on(g, f, f0);
-        const double slope   = evaluate_polynomial(g.coefficients, abscissa(g, f)).slope;
-        const double step    = (distance - reached) / (width * std::sqrt(1. + slope * slope));
-        f                    = std::clamp(f + step, 0., 1.);
-        if (std::abs(step) < 1e-15)
-          break;
-      }
+        {
+          const double reached = f >= f0 ? length_on(g, f0, f) : -length_on(g, f, f0);
+          const double slope   = evaluate_polynomial(g.coefficients, abscissa(g, f)).slope;
+          const double step    = (distance - reached) / (width * std::sqrt(1. + slope * slope));
+          f                    = std::clamp(f + step, 0., 1.);
+          if (std::abs(step) < 1e-15)
+            break;
+        }
       return f;
     }
 
@@ -120,14 +119,12 @@ namespace wheelrail
     double
     closest_on_polynomial(const Segment &g, const Point2 &p)
     {
-      const auto condition = [&](const double x, double &derivative)
-      {
+      const auto condition = [&](const double x, double &derivative) {
         const PolynomialValue q = evaluate_polynomial(g.coefficients, x);
         derivative              = 1. + q.slope * q.slope + (q.value - p.y) * q.second;
         return x - p.x + (q.value - p.y) * q.slope;
       };
-      const auto distance2 = [&](const double x)
-      {
+      const auto distance2 = [&](const double x) {
         const Point2 d = Point2{x, evaluate_polynomial(g.coefficients, x).value} - p;
         return dot(d, d);
       };
@@ -139,35 +136,35 @@ namespace wheelrail
       const int n  = 24;
       double    xa = low, va = condition(low, unused);
       for (int i = 1; i <= n; ++i)
-      {
-        const double xb = low + (high - low) * i / n;
-        const double vb = condition(xb, unused);
-        if (va < 0 && vb >= 0)
         {
-          double a = xa, b = xb, x = 0.5 * (xa + xb);
-          for (int k = 0; k < 80; ++k)
-          {
-            double       derivative;
-            const double v  = condition(x, derivative);
-            (v < 0 ? a : b) = x;
-            double next     = derivative > 0 ? x - v / derivative : 0.5 * (a + b);
-            if (!(next > a && next < b))
-              next = 0.5 * (a + b);
-            const bool done = std::abs(next - x) < 1e-17 || next == x || b - a < 1e-17;
-            x               = next;
-            if (done)
-              break;
-          }
-          const double d = distance2(x);
-          if (d < best)
-          {
-            best   = d;
-            best_x = x;
-          }
+          const double xb = low + (high - low) * i / n;
+          const double vb = condition(xb, unused);
+          if (va < 0 && vb >= 0)
+            {
+              double a = xa, b = xb, x = 0.5 * (xa + xb);
+              for (int k = 0; k < 80; ++k)
+                {
+                  double       derivative;
+                  const double v  = condition(x, derivative);
+                  (v < 0 ? a : b) = x;
+                  double next     = derivative > 0 ? x - v / derivative : 0.5 * (a + b);
+                  if (!(next > a && next < b))
+                    next = 0.5 * (a + b);
+                  const bool done = std::abs(next - x) < 1e-17 || next == x || b - a < 1e-17;
+                  x               = next;
+                  if (done)
+                    break;
+                }
+              const double d = distance2(x);
+              if (d < best)
+                {
+                  best   = d;
+                  best_x = x;
+                }
+            }
+          xa = xb;
+          va = vb;
         }
-        xa = xb;
-        va = vb;
-      }
       return std::clamp((best_x - g.start.x) / (g.end.x - g.start.x), 0., 1.);
     }
 
@@ -175,17 +172,17 @@ namespace wheelrail
     closest_on(const Segment &g, const Point2 &p)
     {
       if (g.kind == Segment::Kind::line)
-      {
-        const Point2 d = g.end - g.start;
-        return std::clamp(dot(p - g.start, d) / dot(d, d), 0., 1.);
-      }
+        {
+          const Point2 d = g.end - g.start;
+          return std::clamp(dot(p - g.start, d) / dot(d, d), 0., 1.);
+        }
       if (g.kind == Segment::Kind::arc)
-      {
-        const double half  = 0.5 * (g.angle_end - g.angle_start);
-        const double mid   = 0.5 * (g.angle_end + g.angle_start);
-        const double delta = std::remainder(std::atan2(p.y - g.centre.y, p.x - g.centre.x) - mid, 2. * pi);
-        return std::clamp(0.5 * (1. + delta / half), 0., 1.);
-      }
+        {
+          const double half  = 0.5 * (g.angle_end - g.angle_start);
+          const double mid   = 0.5 * (g.angle_end + g.angle_start);
+          const double delta = std::remainder(std::atan2(p.y - g.centre.y, p.x - g.centre.x) - mid, 2. * pi);
+          return std::clamp(0.5 * (1. + delta / half), 0., 1.);
+        }
       return closest_on_polynomial(g, p);
     }
   } // namespace
@@ -197,11 +194,11 @@ namespace wheelrail
     PolynomialValue p;
     double          half_second = 0;
     for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c)
-    {
-      half_second = half_second * x + p.slope;
-      p.slope     = p.slope * x + p.value;
-      p.value     = p.value * x + *c;
-    }
+      {
+        half_second = half_second * x + p.slope;
+        p.slope     = p.slope * x + p.value;
+        p.value     = p.value * x + *c;
+      }
     p.second = 2. * half_second;
     return p;
   }
@@ -238,31 +235,31 @@ namespace wheelrail
     : segments_(std::move(segments))
   {
     for (std::size_t i = 0; i < segments_.size(); ++i)
-    {
-      const Segment &g = segments_[i];
-      const double   l = length_on(g, 0, 1);
-      if (!(l > 0))
-        throw InputError("Segment " + std::to_string(i) + " '" + g.name +
-                         "' of a profile has no length. Leave it out or correct its end points.");
-      if (i > 0 && norm(g.start - segments_[i - 1].end) > 1e-6)
-        throw InputError("Segments " + std::to_string(i - 1) + " '" + segments_[i - 1].name + "' and " +
-                         std::to_string(i) + " '" + g.name + "' of a profile are " +
-                         std::to_string(1e3 * norm(g.start - segments_[i - 1].end)) +
-                         " mm apart; at most 0.001 mm is accepted. Correct their end points.");
-      lengths_.push_back(l);
-
-      // A sampled box enlarged by the sagitta that a sample interval can hide.
-      Box       box{g.start, g.start};
-      const int n = 32;
-      for (int k = 0; k <= n; ++k)
       {
-        const Point2 p = position_on(g, static_cast<double>(k) / n);
-        box.low        = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high       = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+        const Segment &g = segments_[i];
+        const double   l = length_on(g, 0, 1);
+        if (!(l > 0))
+          throw InputError("Segment " + std::to_string(i) + " '" + g.name +
+                           "' of a profile has no length. Leave it out or correct its end points.");
+        if (i > 0 && norm(g.start - segments_[i - 1].end) > 1e-6)
+          throw InputError("Segments " + std::to_string(i - 1) + " '" + segments_[i - 1].name + "' and " +
+                           std::to_string(i) + " '" + g.name + "' of a profile are " +
+                           std::to_string(1e3 * norm(g.start - segments_[i - 1].end)) +
+                           " mm apart; at most 0.001 mm is accepted. Correct their end points.");
+        lengths_.push_back(l);
+
+        // A sampled box enlarged by the sagitta that a sample interval can hide.
+        Box       box{g.start, g.start};
+        const int n = 32;
+        for (int k = 0; k <= n; ++k)
+          {
+            const Point2 p = position_on(g, static_cast<double>(k) / n);
+            box.low        = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+            box.high       = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+          }
+        const double margin = l / n;
+        boxes_.push_back({box.low - Point2{margin, margin}, box.high + Point2{margin, margin}});
       }
-      const double margin = l / n;
-      boxes_.push_back({box.low - Point2{margin, margin}, box.high + Point2{margin, margin}});
-    }
   }
 
 
@@ -283,13 +280,13 @@ namespace wheelrail
   {
     double sum = 0;
     for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
-    {
-      const double f0 = std::clamp(t0 - i, 0., 1.), f1 = std::clamp(t1 - i, 0., 1.);
-      if (f0 == 0 && f1 == 1)
-        sum += lengths_[i];
-      else if (f1 > f0)
-        sum += length_on(segments_[i], f0, f1);
-    }
+      {
+        const double f0 = std::clamp(t0 - i, 0., 1.), f1 = std::clamp(t1 - i, 0., 1.);
+        if (f0 == 0 && f1 == 1)
+          sum += lengths_[i];
+        else if (f1 > f0)
+          sum += length_on(segments_[i], f0, f1);
+      }
     return sum;
   }
 
@@ -304,20 +301,20 @@ namespace wheelrail
     double       rest    = distance;
     if (rest >= 0)
       for (; i < n; ++i, f = 0)
-      {
-        const double available = f == 0 ? lengths_[i] : length_on(segments_[i], f, 1);
-        if (rest <= available)
-          return i + advance_on(segments_[i], f, rest);
-        rest -= available;
-      }
+        {
+          const double available = f == 0 ? lengths_[i] : length_on(segments_[i], f, 1);
+          if (rest <= available)
+            return i + advance_on(segments_[i], f, rest);
+          rest -= available;
+        }
     else
       for (; i >= 0; --i, f = 1)
-      {
-        const double available = f == 1 ? lengths_[i] : length_on(segments_[i], 0, f);
-        if (-rest <= available)
-          return i + advance_on(segments_[i], f, rest);
-        rest += available;
-      }
+        {
+          const double available = f == 1 ? lengths_[i] : length_on(segments_[i], 0, f);
+          if (-rest <= available)
+            return i + advance_on(segments_[i], f, rest);
+          rest += available;
+        }
     return distance >= 0 ? parameter_end() : 0.;
   }
 
@@ -327,20 +324,20 @@ namespace wheelrail
   {
     double best = std::numeric_limits<double>::max(), t = 0;
     for (std::size_t i = 0; i < segments_.size(); ++i)
-    {
-      const Box   &b  = boxes_[i];
-      const double dx = std::max({b.low.x - p.x, 0., p.x - b.high.x});
-      const double dy = std::max({b.low.y - p.y, 0., p.y - b.high.y});
-      if (dx * dx + dy * dy >= best)
-        continue;
-      const double f = closest_on(segments_[i], p);
-      const Point2 d = position_on(segments_[i], f) - p;
-      if (dot(d, d) < best)
       {
-        best = dot(d, d);
-        t    = static_cast<double>(i) + f;
+        const Box   &b  = boxes_[i];
+        const double dx = std::max({b.low.x - p.x, 0., p.x - b.high.x});
+        const double dy = std::max({b.low.y - p.y, 0., p.y - b.high.y});
+        if (dx * dx + dy * dy >= best)
+          continue;
+        const double f = closest_on(segments_[i], p);
+        const Point2 d = position_on(segments_[i], f) - p;
+        if (dot(d, d) < best)
+          {
+            best = dot(d, d);
+            t    = static_cast<double>(i) + f;
+          }
       }
-    }
     return t;
   }
 
@@ -352,31 +349,31 @@ namespace wheelrail
     const int           intervals = 64;
     bool                first = true, positive_before = false;
     for (int i = 0; i < static_cast<int>(segments_.size()); ++i)
-    {
-      const double f0 = std::clamp(t0 - i, 0., 1.), f1 = std::clamp(t1 - i, 0., 1.);
-      if (f1 <= f0)
-        continue;
-      double fa = f0;
-      bool   pa = level(position_on(segments_[i], fa)) >= 0;
-      if (!first && pa != positive_before)
-        result.push_back(i); // the change sits in the jump of the joint
-      for (int k = 1; k <= intervals; ++k)
       {
-        const double fb = k == intervals ? f1 : f0 + (f1 - f0) * k / intervals;
-        const bool   pb = level(position_on(segments_[i], fb)) >= 0;
-        if (pa != pb)
-        {
-          double a = fa, b = fb;
-          for (double m = 0.5 * (a + b); m > a && m < b; m = 0.5 * (a + b))
-            ((level(position_on(segments_[i], m)) >= 0) == pa ? a : b) = m;
-          result.push_back(i + b);
-        }
-        fa = fb;
-        pa = pb;
+        const double f0 = std::clamp(t0 - i, 0., 1.), f1 = std::clamp(t1 - i, 0., 1.);
+        if (f1 <= f0)
+          continue;
+        double fa = f0;
+        bool   pa = level(position_on(segments_[i], fa)) >= 0;
+        if (!first && pa != positive_before)
+          result.push_back(i); // the change sits in the jump of the joint
+        for (int k = 1; k <= intervals; ++k)
+          {
+            const double fb = k == intervals ? f1 : f0 + (f1 - f0) * k / intervals;
+            const bool   pb = level(position_on(segments_[i], fb)) >= 0;
+            if (pa != pb)
+              {
+                double a = fa, b = fb;
+                for (double m = 0.5 * (a + b); m > a && m < b; m = 0.5 * (a + b))
+                  ((level(position_on(segments_[i], m)) >= 0) == pa ? a : b) = m;
+                result.push_back(i + b);
+              }
+            fa = fb;
+            pa = pb;
+          }
+        positive_before = pa;
+        first           = false;
       }
-      positive_before = pa;
-      first           = false;
-    }
     return result;
   }
 } // namespace wheelrail

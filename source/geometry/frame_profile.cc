@@ -18,28 +18,28 @@ namespace wheelrail
       const int samples = 64;
       double    inside  = start;
       for (int i = std::min(static_cast<int>(start), n - 1); i >= 0 && i < n; i += direction)
-      {
-        // Alone, so that a joint shows the tangent of this segment.
-        const Curve  alone({curve.segments()[i]});
-        const double from = std::clamp(inside - i, 0., 1.), to = direction > 0 ? 1. : 0.;
-        double       good = from;
-        for (int k = 0; k <= samples; ++k)
         {
-          const double f = k == samples ? to : from + (to - from) * k / samples;
-          if (allowed(alone.at(f).tangent))
-          {
-            good = f;
-            continue;
-          }
-          if (k == 0)
-            return inside;
-          double bad = f;
-          for (double m = 0.5 * (good + bad); m != good && m != bad; m = 0.5 * (good + bad))
-            (allowed(alone.at(m).tangent) ? good : bad) = m;
-          return i + good;
+          // Alone, so that a joint shows the tangent of this segment.
+          const Curve  alone({curve.segments()[i]});
+          const double from = std::clamp(inside - i, 0., 1.), to = direction > 0 ? 1. : 0.;
+          double       good = from;
+          for (int k = 0; k <= samples; ++k)
+            {
+              const double f = k == samples ? to : from + (to - from) * k / samples;
+              if (allowed(alone.at(f).tangent))
+                {
+                  good = f;
+                  continue;
+                }
+              if (k == 0)
+                return inside;
+              double bad = f;
+              for (double m = 0.5 * (good + bad); m != good && m != bad; m = 0.5 * (good + bad))
+                (allowed(alone.at(m).tangent) ? good : bad) = m;
+              return i + good;
+            }
+          inside = i + to;
         }
-        inside = i + to;
-      }
       return inside;
     }
   } // namespace
@@ -56,8 +56,7 @@ namespace wheelrail
     ex_                 = {-std::cos(angle), -std::sin(angle)};
     ey_                 = {-std::sin(angle), std::cos(angle)};
     const auto in_frame = [this](const Point2 &p) { return origin_ + p.x * ex_ + p.y * ey_; };
-    const auto allowed  = [&](const Point2 &tangent)
-    {
+    const auto allowed  = [&](const Point2 &tangent) {
       const Point2 d = tangent.x * ex_ + tangent.y * ey_;
       return d.x > 0 && std::abs(d.y) <= max_slope * d.x;
     };
@@ -65,14 +64,14 @@ namespace wheelrail
     double start = -1, nearest = std::numeric_limits<double>::max();
     for (const double t :
          curve_.roots([&](const Point2 &p) { return in_frame(p).x; }, 0, curve_.parameter_end()))
-    {
-      const CurvePoint p = curve_.at(t);
-      if (allowed(p.tangent) && std::abs(in_frame(p.position).y) < nearest)
       {
-        start   = t;
-        nearest = std::abs(in_frame(p.position).y);
+        const CurvePoint p = curve_.at(t);
+        if (allowed(p.tangent) && std::abs(in_frame(p.position).y) < nearest)
+          {
+            start   = t;
+            nearest = std::abs(in_frame(p.position).y);
+          }
       }
-    }
     if (start < 0)
       throw InputError("A profile does not pass over the contact point (lateral coordinate " +
                        std::to_string(1e3 * frame.origin.x) + " mm in the track plane) with a slope below " +
@@ -83,22 +82,22 @@ namespace wheelrail
 
     const int n = static_cast<int>(curve_.segments().size());
     for (int i = static_cast<int>(t_min); i < n && i < t_max; ++i)
-    {
-      const Segment &g = curve_.segments()[i];
-      Piece          piece;
-      piece.segment = i;
-      piece.start   = in_frame(g.start);
-      piece.end     = in_frame(g.end);
-      if (g.kind == Segment::Kind::arc)
       {
-        piece.centre = in_frame(g.centre);
-        // Running towards +s, a clockwise arc of the frame lies above its centre; the mirroring
-        // makes it counter-clockwise in the section.
-        piece.side = g.angle_end > g.angle_start ? 1. : -1.;
+        const Segment &g = curve_.segments()[i];
+        Piece          piece;
+        piece.segment = i;
+        piece.start   = in_frame(g.start);
+        piece.end     = in_frame(g.end);
+        if (g.kind == Segment::Kind::arc)
+          {
+            piece.centre = in_frame(g.centre);
+            // Running towards +s, a clockwise arc of the frame lies above its centre; the mirroring
+            // makes it counter-clockwise in the section.
+            piece.side = g.angle_end > g.angle_start ? 1. : -1.;
+          }
+        joints_.push_back(in_frame(curve_.at(std::max<double>(t_min, i)).position).x);
+        pieces_.push_back(piece);
       }
-      joints_.push_back(in_frame(curve_.at(std::max<double>(t_min, i)).position).x);
-      pieces_.push_back(piece);
-    }
     const Segment &last = curve_.segments()[pieces_.back().segment];
     joints_.push_back(in_frame(Curve({last}).at(t_max - pieces_.back().segment).position).x);
     s_min_ = joints_.front();
@@ -120,16 +119,16 @@ namespace wheelrail
     const Segment &g = curve_.segments()[piece.segment];
     double x = g.start.x + (s - piece.start.x) / (piece.end.x - piece.start.x) * (g.end.x - g.start.x);
     for (int i = 0; i < 50; ++i)
-    {
-      const PolynomialValue p = evaluate_polynomial(g.coefficients, x);
-      // ds/dx is never zero, since the slope in the frame is bounded.
-      const double step = (s - origin_.x - ex_.x * x - ey_.x * p.value) / (ex_.x + ey_.x * p.slope);
-      x += step;
-      if (std::abs(step) < 1e-17)
-        break;
-      if (i > 6 && std::abs(step) < 1e-15)
-        break;
-    }
+      {
+        const PolynomialValue p = evaluate_polynomial(g.coefficients, x);
+        // ds/dx is never zero, since the slope in the frame is bounded.
+        const double step = (s - origin_.x - ex_.x * x - ey_.x * p.value) / (ex_.x + ey_.x * p.slope);
+        x += step;
+        if (std::abs(step) < 1e-17)
+          break;
+        if (i > 6 && std::abs(step) < 1e-15)
+          break;
+      }
     return x;
   }
 
@@ -141,17 +140,17 @@ namespace wheelrail
     const Piece   &piece = piece_at(s);
     const Segment &g     = curve_.segments()[piece.segment];
     if (g.kind == Segment::Kind::line)
-    {
-      const Point2 d     = piece.end - piece.start;
-      const double slope = d.y / d.x;
-      return {piece.start.y + slope * (s - piece.start.x), slope};
-    }
+      {
+        const Point2 d     = piece.end - piece.start;
+        const double slope = d.y / d.x;
+        return {piece.start.y + slope * (s - piece.start.x), slope};
+      }
     if (g.kind == Segment::Kind::arc)
-    {
-      const double ds     = s - piece.centre.x;
-      const double height = piece.side * std::sqrt(std::max((g.radius - ds) * (g.radius + ds), 0.));
-      return {piece.centre.y + height, -ds / height};
-    }
+      {
+        const double ds     = s - piece.centre.x;
+        const double height = piece.side * std::sqrt(std::max((g.radius - ds) * (g.radius + ds), 0.));
+        return {piece.centre.y + height, -ds / height};
+      }
     const double          x = abscissa(piece, s);
     const PolynomialValue p = evaluate_polynomial(g.coefficients, x);
     return {origin_.y + ex_.y * x + ey_.y * p.value, (ex_.y + ey_.y * p.slope) / (ex_.x + ey_.x * p.slope)};
@@ -170,12 +169,12 @@ namespace wheelrail
     else if (g.kind == Segment::Kind::polynomial)
       f = (abscissa(piece, s) - g.start.x) / (g.end.x - g.start.x);
     else
-    {
-      const Point2 d     = Point2{s, at(s).n} - piece.centre;
-      const double half  = 0.5 * (g.angle_end - g.angle_start);
-      const double angle = std::atan2(dot(d, ey_), dot(d, ex_)) - 0.5 * (g.angle_start + g.angle_end);
-      f                  = 0.5 * (1. + std::remainder(angle, 2. * std::acos(-1.)) / half);
-    }
+      {
+        const Point2 d     = Point2{s, at(s).n} - piece.centre;
+        const double half  = 0.5 * (g.angle_end - g.angle_start);
+        const double angle = std::atan2(dot(d, ey_), dot(d, ex_)) - 0.5 * (g.angle_start + g.angle_end);
+        f                  = 0.5 * (1. + std::remainder(angle, 2. * std::acos(-1.)) / half);
+      }
     return piece.segment + std::clamp(f, 0., 1.);
   }
 
@@ -205,21 +204,21 @@ namespace wheelrail
     std::vector<Range> ranges;
     bool               inside = false;
     for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const bool now = overlaps(points[i]);
-      if (now != inside)
       {
-        double edge = points[i];
-        if (i > 0)
-          for (double a = points[i - 1], m = 0.5 * (a + edge); m > a && m < edge; m = 0.5 * (a + edge))
-            (overlaps(m) == inside ? a : edge) = m;
-        if (now)
-          ranges.push_back({edge, high});
-        else
-          ranges.back().s1 = edge;
+        const bool now = overlaps(points[i]);
+        if (now != inside)
+          {
+            double edge = points[i];
+            if (i > 0)
+              for (double a = points[i - 1], m = 0.5 * (a + edge); m > a && m < edge; m = 0.5 * (a + edge))
+                (overlaps(m) == inside ? a : edge) = m;
+            if (now)
+              ranges.push_back({edge, high});
+            else
+              ranges.back().s1 = edge;
+          }
+        inside = now;
       }
-      inside = now;
-    }
     return ranges;
   }
 } // namespace wheelrail

@@ -5,7 +5,10 @@
 
 namespace wheelrail
 {
-  HeightTable::HeightTable(const FrameProfile &profile, const double s0, const double s1, const double spacing)
+  HeightTable::HeightTable(const FrameProfile &profile,
+                           const double        s0,
+                           const double        s1,
+                           const double        spacing)
     : begin_(s0)
   {
     const int n = std::max(1, static_cast<int>(std::ceil((s1 - s0) / spacing)));
@@ -17,7 +20,6 @@ namespace wheelrail
         slope_.push_back(value.slope);
       }
   }
-
 
 
   FrameProfile::Value
@@ -33,14 +35,12 @@ namespace wheelrail
   }
 
 
-
   RunningSurfaces::Place
   RunningSurfaces::rail_place(const Vector3 &X) const
   {
     const Point2 q = frame.to_frame({X[0], X[1]});
     return {q.x, q.y, X[2]};
   }
-
 
 
   RunningSurfaces::Place
@@ -52,7 +52,6 @@ namespace wheelrail
     const Point2 q      = frame.to_frame(wheel_placement.to_track({own.x, nominal_radius - radius}));
     return {q.x, q.y, rolling_radius * std::atan2(X[2], down)};
   }
-
 
 
   double
@@ -67,7 +66,6 @@ namespace wheelrail
   }
 
 
-
   double
   RunningSurfaces::rail_offset(const Vector3 &X) const
   {
@@ -75,7 +73,6 @@ namespace wheelrail
     const auto   value = rail.at(q.x);
     return (value.n - q.y) / std::sqrt(1 + value.slope * value.slope);
   }
-
 
 
   double

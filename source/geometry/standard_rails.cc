@@ -134,11 +134,11 @@ namespace wheelrail
       std::vector<Segment> right;
       Point2               from = {0, 0};
       for (std::size_t i = 0; i < half.size(); ++i)
-      {
-        const Point2 to = i + 1 < half.size() ? joint(half[i], half[i + 1]) : Point2{0, -height};
-        right.push_back(segment_on(half[i], from, to));
-        from = to;
-      }
+        {
+          const Point2 to = i + 1 < half.size() ? joint(half[i], half[i + 1]) : Point2{0, -height};
+          right.push_back(segment_on(half[i], from, to));
+          from = to;
+        }
 
       std::vector<Segment> outline = right, head;
       for (auto g = right.rbegin(); g != right.rend(); ++g)

@@ -18,10 +18,10 @@ namespace wheelrail
       g.kind       = c.size() > 2 ? Segment::Kind::polynomial : Segment::Kind::line;
       double scale = 1e-3; // y[m] = -1e-3 F(1e3 x[m])
       for (const double ci : c)
-      {
-        g.coefficients.push_back(-scale * ci);
-        scale *= 1e3;
-      }
+        {
+          g.coefficients.push_back(-scale * ci);
+          scale *= 1e3;
+        }
       g.start = {1e-3 * x_start, evaluate_polynomial(g.coefficients, 1e-3 * x_start).value};
       g.end   = {1e-3 * x_end, evaluate_polynomial(g.coefficients, 1e-3 * x_end).value};
       if (g.kind == Segment::Kind::line)

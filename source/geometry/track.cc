@@ -25,23 +25,22 @@ namespace wheelrail
     const double c = std::cos(placement.angle), s = std::sin(placement.angle);
     double       top = -std::numeric_limits<double>::max();
     for (const Segment &g : head.segments())
-    {
-      top = std::max({top, placement.to_track(g.start).y, placement.to_track(g.end).y});
-      if (g.kind == Segment::Kind::line)
-        continue;
-      const Curve alone({g});
-      double      t0 = 0, t1 = 1;
-      const auto  climb = [&](const double t)
       {
-        const Point2 tangent = alone.at(t).tangent;
-        return -s * tangent.x + c * tangent.y;
-      };
-      if (!(climb(t0) > 0 && climb(t1) < 0))
-        continue;
-      for (double t = 0.5; t > t0 && t < t1; t = 0.5 * (t0 + t1))
-        (climb(t) > 0 ? t0 : t1) = t;
-      top = std::max(top, placement.to_track(alone.at(t0).position).y);
-    }
+        top = std::max({top, placement.to_track(g.start).y, placement.to_track(g.end).y});
+        if (g.kind == Segment::Kind::line)
+          continue;
+        const Curve alone({g});
+        double      t0 = 0, t1 = 1;
+        const auto  climb = [&](const double t) {
+          const Point2 tangent = alone.at(t).tangent;
+          return -s * tangent.x + c * tangent.y;
+        };
+        if (!(climb(t0) > 0 && climb(t1) < 0))
+          continue;
+        for (double t = 0.5; t > t0 && t < t1; t = 0.5 * (t0 + t1))
+          (climb(t) > 0 ? t0 : t1) = t;
+        top = std::max(top, placement.to_track(alone.at(t0).position).y);
+      }
 
     const auto above = [&](const Point2 &p) { return placement.to_track(p).y - (top - track.gauge_height); };
     double     gauge_side = -std::numeric_limits<double>::max();

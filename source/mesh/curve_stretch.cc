@@ -57,22 +57,22 @@ namespace wheelrail
 
     double a = t0, fa = turn(angle, direction(tangent(t0)));
     for (unsigned int i = 1; i <= n; ++i)
-    {
-      double b = t0 + (t1 - t0) * i / n, fb = turn(angle, direction(tangent(b)));
-      if (fa == 0)
-        return a;
-      if (fa * fb <= 0 && std::abs(fa - fb) < pi)
       {
-        for (unsigned int step = 0; step < 60; ++step)
-        {
-          const double m = 0.5 * (a + b), fm = turn(angle, direction(tangent(m)));
-          (fa * fm <= 0 ? b : a) = m;
-        }
-        return b;
+        double b = t0 + (t1 - t0) * i / n, fb = turn(angle, direction(tangent(b)));
+        if (fa == 0)
+          return a;
+        if (fa * fb <= 0 && std::abs(fa - fb) < pi)
+          {
+            for (unsigned int step = 0; step < 60; ++step)
+              {
+                const double m = 0.5 * (a + b), fm = turn(angle, direction(tangent(m)));
+                (fa * fm <= 0 ? b : a) = m;
+              }
+            return b;
+          }
+        a  = b;
+        fa = fb;
       }
-      a  = b;
-      fa = fb;
-    }
     throw InputError("The profile has no " + std::string(what) + ": its tangent nowhere has the angle of " +
                      std::to_string(angle * 180 / pi) +
                      " degrees that marks this place. A section needs the complete outline of a rail, or a "

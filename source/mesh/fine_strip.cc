@@ -14,15 +14,15 @@ namespace wheelrail
       const unsigned int n = 2000;
       for (unsigned int i = 1; i <= n; ++i)
         if (std::abs(profile.at(end * i / n).slope) >= max_slope)
-        {
-          double good = end * (i - 1) / n, bad = end * i / n;
-          for (unsigned int step = 0; step < 50; ++step)
           {
-            const double middle                                           = 0.5 * (good + bad);
-            (std::abs(profile.at(middle).slope) < max_slope ? good : bad) = middle;
+            double good = end * (i - 1) / n, bad = end * i / n;
+            for (unsigned int step = 0; step < 50; ++step)
+              {
+                const double middle                                           = 0.5 * (good + bad);
+                (std::abs(profile.at(middle).slope) < max_slope ? good : bad) = middle;
+              }
+            return good;
           }
-          return good;
-        }
       return end;
     }
 
@@ -59,10 +59,10 @@ namespace wheelrail
     const std::vector<Range> parts = interpenetration(wheel, rail, approach);
     Range                    hull;
     for (const Range &range : parts)
-    {
-      hull.s0 = std::min(hull.s0, range.s0);
-      hull.s1 = std::max(hull.s1, range.s1);
-    }
+      {
+        hull.s0 = std::min(hull.s0, range.s0);
+        hull.s1 = std::max(hull.s1, range.s1);
+      }
     hull.s0 -= margin;
     hull.s1 += margin;
 

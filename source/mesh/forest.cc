@@ -57,8 +57,11 @@ namespace wheelrail
       dealii::SubCellData              faces;
 
       void
-      sweep(const Section &section, const unsigned int stations, const bool closed, const unsigned int first_vertex,
-            const Body body)
+      sweep(const Section     &section,
+            const unsigned int stations,
+            const bool         closed,
+            const unsigned int first_vertex,
+            const Body         body)
       {
         const unsigned int layer = section.corners.size();
         const unsigned int n     = closed ? stations : stations - 1;
@@ -66,8 +69,9 @@ namespace wheelrail
           for (const auto &block : section.blocks)
             {
               dealii::CellData<3> cell;
-              cell.material_id          = static_cast<unsigned int>(body);
-              const unsigned int base[2] = {first_vertex + k * layer, first_vertex + (k + 1) % stations * layer};
+              cell.material_id           = static_cast<unsigned int>(body);
+              const unsigned int base[2] = {first_vertex + k * layer,
+                                            first_vertex + (k + 1) % stations * layer};
               for (unsigned int v = 0; v < 8; ++v)
                 cell.vertices[v] = base[v / 4] + block.corner[v % 4];
               cells.push_back(cell);
@@ -95,7 +99,6 @@ namespace wheelrail
   } // namespace
 
 
-
   Forest::Forest(MPI_Comm communicator, SweepPlan plan)
     : plan_(std::move(plan))
     , triangulation_(communicator)
@@ -110,14 +113,13 @@ namespace wheelrail
   }
 
 
-
   void
   Forest::make_coarse_mesh()
   {
     const unsigned int n_rail = plan_.rail_stations.size();
     CoarseMesh         coarse;
     coarse.sweep(plan_.rail, n_rail, false, 0, Body::rail);
-    n_rail_cells_ = coarse.cells.size();
+    n_rail_cells_                  = coarse.cells.size();
     const unsigned int first_wheel = n_rail * plan_.rail.corners.size();
     coarse.sweep(plan_.wheel, plan_.sectors, true, first_wheel, Body::wheel);
 
@@ -131,7 +133,6 @@ namespace wheelrail
         }
     triangulation_.create_triangulation(vertices, coarse.cells, coarse.faces);
   }
-
 
 
   std::array<double, 3>
@@ -154,7 +155,6 @@ namespace wheelrail
   }
 
 
-
   Forest::Box
   Forest::box(const dealii::CellId &id) const
   {
@@ -169,7 +169,6 @@ namespace wheelrail
   }
 
 
-
   std::array<double, 3>
   Forest::vertex_position(const dealii::CellAccessor<3> &cell, const unsigned int vertex) const
   {
@@ -180,10 +179,10 @@ namespace wheelrail
     while (ancestor->level() > 0)
       ancestor = ancestor->parent();
     return position(ancestor->index(),
-                    {b.corner[0] + (vertex & 1) * b.size, b.corner[1] + (vertex >> 1 & 1) * b.size,
+                    {b.corner[0] + (vertex & 1) * b.size,
+                     b.corner[1] + (vertex >> 1 & 1) * b.size,
                      b.corner[2] + (vertex >> 2) * b.size});
   }
-
 
 
   double
@@ -195,11 +194,12 @@ namespace wheelrail
     std::fill(high, high + 3, std::numeric_limits<double>::lowest());
     for (unsigned int v = 0; v < 8; ++v)
       {
-        const Vector3 X      = vertex_position(cell, v);
-        const auto    place  = rail ? plan_.surfaces.rail_place(X) : plan_.surfaces.wheel_place(X);
-        const double  s      = std::clamp(place.s, plan_.strip.s.front(), plan_.strip.s.back());
-        const double  depth  = rail ? plan_.surfaces.rail.at(s).n - place.n : place.n - plan_.surfaces.wheel.at(s).n;
-        const double  value[3] = {place.s, depth, place.along};
+        const Vector3 X     = vertex_position(cell, v);
+        const auto    place = rail ? plan_.surfaces.rail_place(X) : plan_.surfaces.wheel_place(X);
+        const double  s     = std::clamp(place.s, plan_.strip.s.front(), plan_.strip.s.back());
+        const double  depth =
+          rail ? plan_.surfaces.rail.at(s).n - place.n : place.n - plan_.surfaces.wheel.at(s).n;
+        const double value[3] = {place.s, depth, place.along};
         for (unsigned int k = 0; k < 3; ++k)
           {
             low[k]  = std::min(low[k], value[k]);
@@ -210,7 +210,6 @@ namespace wheelrail
     const double along  = std::max(low[2] - plan_.fine_end, plan_.fine_begin - high[2]);
     return std::max({across, low[1] - plan_.fine_depth, along});
   }
-
 
 
   double
@@ -229,12 +228,11 @@ namespace wheelrail
   }
 
 
-
   void
   Forest::refine()
   {
-    const double block  = (plan_.strip.s.back() - plan_.strip.s.front()) / (plan_.strip.s.size() - 1);
-    const double finest = block / std::pow(2., plan_.levels);
+    const double block   = (plan_.strip.s.back() - plan_.strip.s.front()) / (plan_.strip.s.size() - 1);
+    const double finest  = block / std::pow(2., plan_.levels);
     const double overlap = -1e-3 * finest; // distances below count as overlap with the box
     for (unsigned int level = 0; level < plan_.levels; ++level)
       {
@@ -252,7 +250,6 @@ namespace wheelrail
         triangulation_.execute_coarsening_and_refinement();
       }
   }
-
 
 
   void

@@ -31,8 +31,8 @@ namespace wheelrail
     void
     find_neighbours(LocalMesh &mesh, MPI_Comm communicator)
     {
-      const int rank = dealii::Utilities::MPI::this_mpi_process(communicator);
-      const auto all = dealii::Utilities::MPI::all_gather(communicator, mesh.global_node);
+      const int  rank = dealii::Utilities::MPI::this_mpi_process(communicator);
+      const auto all  = dealii::Utilities::MPI::all_gather(communicator, mesh.global_node);
       std::unordered_map<std::uint32_t, unsigned int> local;
       for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
         local[mesh.global_node[n]] = n;
@@ -58,13 +58,12 @@ namespace wheelrail
   } // namespace
 
 
-
   LocalMesh
   Forest::local_mesh() const
   {
-    LocalMesh                            mesh;
-    NodeNumbers                          number;
-    std::vector<std::array<double, 3>>   position;
+    LocalMesh                                    mesh;
+    NodeNumbers                                  number;
+    std::vector<std::array<double, 3>>           position;
     std::vector<dealii::types::global_dof_index> dof(24);
 
     const auto place = [&](const unsigned int node, const std::array<double, 3> &x, const Body body) {
@@ -109,8 +108,8 @@ namespace wheelrail
             if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() != 0)
               {
                 // lexicographic corners of the faces of a lexicographic hexahedron
-                constexpr unsigned int corner[6][4] = {{0, 2, 4, 6}, {1, 3, 5, 7}, {0, 1, 4, 5},
-                                                       {2, 3, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7}};
+                constexpr unsigned int corner[6][4] = {
+                  {0, 2, 4, 6}, {1, 3, 5, 7}, {0, 1, 4, 5}, {2, 3, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7}};
                 BoundaryFace face;
                 for (unsigned int v = 0; v < 4; ++v)
                   face.nodes[v] = nodes[corner[f][v]];

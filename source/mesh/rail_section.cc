@@ -30,8 +30,9 @@ namespace wheelrail
     {
       const double start = side > 0 ? 0 : outline.curve->parameter_end();
       const double end   = 0.5 * outline.curve->parameter_end();
-      const auto   find  = [&](const double angle, const double from, const char *what)
-      { return outline.find_tangent(side * angle * degree, from, end, what); };
+      const auto   find  = [&](const double angle, const double from, const char *what) {
+        return outline.find_tangent(side * angle * degree, from, end, what);
+      };
 
       Half half;
       half.head_corner = find(-55, start, "lower corner of the rail head");
@@ -57,8 +58,9 @@ namespace wheelrail
     LayerEnd
     ring_corner(const Rail &rail, const double parameter, const double depth)
     {
-      const auto inner = [head = rail.head, depth](const double end)
-      { return head.position(end) - depth * head.normal(end); };
+      const auto inner = [head = rail.head, depth](const double end) {
+        return head.position(end) - depth * head.normal(end);
+      };
       return {parameter, true, inner};
     }
 
@@ -135,8 +137,7 @@ namespace wheelrail
       const double       length = 0.5 * (norm(builder.point(inner[0]) - builder.point(low_field)) +
                                    norm(builder.point(layer.outer[0]) - builder.point(field_corner)));
       const unsigned int rows   = block_count(length, 0.85 * rail.block_size);
-      const auto         side   = [&](const Half &half, const double head_parameter)
-      {
+      const auto         side   = [&](const Half &half, const double head_parameter) {
         const double top = rail.outline.curve->closest(rail.head.curve->at(head_parameter).position);
         return CurveStretch(rail.outline, half.head_corner, top);
       };

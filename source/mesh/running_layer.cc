@@ -65,14 +65,15 @@ namespace wheelrail
       for (unsigned int i = 0; i < 2; ++i)
         n[i] = rest[i] > 0 ? block_count(rest[i], input.block_size) : 0;
       while (n[0] + n[1] + strip < input.minimum_count)
-      {
-        if (n[0] + n[1] == 0)
-          throw InputError("With blocks of " + std::to_string(input.block_size * 1000) +
-                           " mm the fine strip covers the whole running surface with " +
-                           std::to_string(strip) + " blocks, where the section needs at least " +
-                           std::to_string(input.minimum_count) + ". Use smaller blocks or a narrower strip.");
-        ++n[n[1] == 0 || (n[0] > 0 && rest[0] / n[0] > rest[1] / n[1]) ? 0 : 1];
-      }
+        {
+          if (n[0] + n[1] == 0)
+            throw InputError("With blocks of " + std::to_string(input.block_size * 1000) +
+                             " mm the fine strip covers the whole running surface with " +
+                             std::to_string(strip) + " blocks, where the section needs at least " +
+                             std::to_string(input.minimum_count) +
+                             ". Use smaller blocks or a narrower strip.");
+          ++n[n[1] == 0 || (n[0] > 0 && rest[0] / n[0] > rest[1] / n[1]) ? 0 : 1];
+        }
       return n;
     }
 
@@ -122,28 +123,28 @@ namespace wheelrail
     for (const double parameter : t)
       strip.push_back(builder.corner(input.curve.position(parameter)));
     for (unsigned int i = 0; i < blocks; ++i)
-      builder.curve(strip[i],
-                    strip[i + 1],
-                    [profile, mirrored = input.curve, s0 = s[i], s1 = s[i + 1]](const double u)
-                    { return mirrored.position(profile->parameter((1 - u) * s0 + u * s1)); });
+      builder.curve(
+        strip[i], strip[i + 1], [profile, mirrored = input.curve, s0 = s[i], s1 = s[i + 1]](const double u) {
+          return mirrored.position(profile->parameter((1 - u) * s0 + u * s1));
+        });
 
     layer.outer                    = strip;
     std::vector<double> parameters = t;
     if (n[0] > 0)
-    {
-      const CurveStretch stretch(input.curve, layer.start, t.front());
-      layer.outer = joined(builder.along(builder.corner(stretch(0)), strip.front(), stretch, n[0]), strip);
-      for (unsigned int i = n[0]; i-- > 0;)
-        parameters.insert(parameters.begin(), stretch.parameter(double(i) / n[0]));
-    }
+      {
+        const CurveStretch stretch(input.curve, layer.start, t.front());
+        layer.outer = joined(builder.along(builder.corner(stretch(0)), strip.front(), stretch, n[0]), strip);
+        for (unsigned int i = n[0]; i-- > 0;)
+          parameters.insert(parameters.begin(), stretch.parameter(double(i) / n[0]));
+      }
     if (n[1] > 0)
-    {
-      const CurveStretch stretch(input.curve, t.back(), layer.end);
-      layer.outer =
-        joined(layer.outer, builder.along(strip.back(), builder.corner(stretch(1)), stretch, n[1]));
-      for (unsigned int i = 1; i <= n[1]; ++i)
-        parameters.push_back(stretch.parameter(double(i) / n[1]));
-    }
+      {
+        const CurveStretch stretch(input.curve, t.back(), layer.end);
+        layer.outer =
+          joined(layer.outer, builder.along(strip.back(), builder.corner(stretch(1)), stretch, n[1]));
+        for (unsigned int i = 1; i <= n[1]; ++i)
+          parameters.push_back(stretch.parameter(double(i) / n[1]));
+      }
     builder.mark(layer.outer, Boundary::running);
 
     std::vector<Point2> normals;
@@ -151,7 +152,7 @@ namespace wheelrail
       normals.push_back(input.curve.normal(parameter));
     layer.strip_begin = n[0];
     layer.strip_end   = n[0] + blocks;
-    layer.inner       = inner_points(builder, layer.outer, normals, layer.strip_begin, layer.strip_end, input);
+    layer.inner = inner_points(builder, layer.outer, normals, layer.strip_begin, layer.strip_end, input);
     if (n[0] > 0)
       layer.inner.front() = input.start.inner(layer.start);
     if (n[1] > 0)

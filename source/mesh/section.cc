@@ -21,15 +21,15 @@ namespace wheelrail
     add_quadrilateral(const std::array<Point2, 4> &p, SectionQuality &quality)
     {
       for (unsigned int i = 0; i < 4; ++i)
-      {
-        const Point2 ahead = p[(i + 1) % 4] - p[i], behind = p[(i + 3) % 4] - p[i];
-        const double a = norm(ahead), b = norm(behind);
-        quality.area += 0.5 * cross(p[i], p[(i + 1) % 4]);
-        quality.min_edge = std::min(quality.min_edge, a);
-        quality.max_edge = std::max(quality.max_edge, a);
-        quality.min_scaled_jacobian =
-          std::min(quality.min_scaled_jacobian, a * b > 0 ? cross(ahead, behind) / (a * b) : 0.);
-      }
+        {
+          const Point2 ahead = p[(i + 1) % 4] - p[i], behind = p[(i + 3) % 4] - p[i];
+          const double a = norm(ahead), b = norm(behind);
+          quality.area += 0.5 * cross(p[i], p[(i + 1) % 4]);
+          quality.min_edge = std::min(quality.min_edge, a);
+          quality.max_edge = std::max(quality.max_edge, a);
+          quality.min_scaled_jacobian =
+            std::min(quality.min_scaled_jacobian, a * b > 0 ? cross(ahead, behind) / (a * b) : 0.);
+        }
     }
   } // namespace
 
@@ -61,10 +61,10 @@ namespace wheelrail
 
     for (unsigned int j = 0; j < subdivisions; ++j)
       for (unsigned int i = 0; i < subdivisions; ++i)
-      {
-        const unsigned int k = j * n + i;
-        add_quadrilateral({{points[k], points[k + 1], points[k + n + 1], points[k + n]}}, quality);
-      }
+        {
+          const unsigned int k = j * n + i;
+          add_quadrilateral({{points[k], points[k + 1], points[k + n + 1], points[k + n]}}, quality);
+        }
     return quality;
   }
 
@@ -75,13 +75,13 @@ namespace wheelrail
     SectionQuality total;
     total.min_edge = std::numeric_limits<double>::max();
     for (unsigned int block = 0; block < section.blocks.size(); ++block)
-    {
-      const SectionQuality quality = block_quality(section, block, subdivisions);
-      total.area += quality.area;
-      total.min_scaled_jacobian = std::min(total.min_scaled_jacobian, quality.min_scaled_jacobian);
-      total.min_edge            = std::min(total.min_edge, quality.min_edge);
-      total.max_edge            = std::max(total.max_edge, quality.max_edge);
-    }
+      {
+        const SectionQuality quality = block_quality(section, block, subdivisions);
+        total.area += quality.area;
+        total.min_scaled_jacobian = std::min(total.min_scaled_jacobian, quality.min_scaled_jacobian);
+        total.min_edge            = std::min(total.min_edge, quality.min_edge);
+        total.max_edge            = std::max(total.max_edge, quality.max_edge);
+      }
     return total;
   }
 } // namespace wheelrail

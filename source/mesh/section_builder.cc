@@ -35,15 +35,15 @@ namespace wheelrail
                                          {{c[1], c[3], c[0]}},
                                          {{c[3], c[2], c[1]}},
                                          {{c[2], c[0], c[3]}}})
-      {
-        const Point2 &p = section.corners[origin];
-        if (!(cross(section.corners[x] - p, section.corners[y] - p) > 0))
-          throw RunError(
-            "The section mesh has a folded block in its part '" + name + "' at (" +
-            std::to_string(p.x * 1000) + ", " + std::to_string(p.y * 1000) +
-            ") mm. The fine strip or the dimensions leave too little room there: reduce the block "
-            "size, narrow the strip, or check the dimensions of the section.");
-      }
+        {
+          const Point2 &p = section.corners[origin];
+          if (!(cross(section.corners[x] - p, section.corners[y] - p) > 0))
+            throw RunError(
+              "The section mesh has a folded block in its part '" + name + "' at (" +
+              std::to_string(p.x * 1000) + ", " + std::to_string(p.y * 1000) +
+              ") mm. The fine strip or the dimensions leave too little room there: reduce the block "
+              "size, narrow the strip, or check the dimensions of the section.");
+        }
     }
   } // namespace
 
@@ -71,21 +71,21 @@ namespace wheelrail
     unsigned int       best = 1;
     double             cost = std::numeric_limits<double>::max();
     for (unsigned int left = 1; left + middle < n; ++left)
-    {
-      const std::array<unsigned int, 3> count{{left, middle, n - left - middle}};
-      double                            sum = 0;
-      for (unsigned int part = 0, k = 0; part < 3; ++part)
-        for (unsigned int i = 0; i < count[part]; ++i, ++k)
-        {
-          const double x = bottom[part].x + (bottom[part + 1].x - bottom[part].x) * i / count[part];
-          sum += (top[k].x - x) * (top[k].x - x);
-        }
-      if (sum < cost)
       {
-        cost = sum;
-        best = left;
+        const std::array<unsigned int, 3> count{{left, middle, n - left - middle}};
+        double                            sum = 0;
+        for (unsigned int part = 0, k = 0; part < 3; ++part)
+          for (unsigned int i = 0; i < count[part]; ++i, ++k)
+            {
+              const double x = bottom[part].x + (bottom[part + 1].x - bottom[part].x) * i / count[part];
+              sum += (top[k].x - x) * (top[k].x - x);
+            }
+        if (sum < cost)
+          {
+            cost = sum;
+            best = left;
+          }
       }
-    }
     return best;
   }
 
@@ -137,10 +137,10 @@ namespace wheelrail
   {
     Side side{first};
     for (unsigned int i = 1; i < n; ++i)
-    {
-      const double t = double(i) / n;
-      side.push_back(corner((1 - t) * point(first) + t * point(last)));
-    }
+      {
+        const double t = double(i) / n;
+        side.push_back(corner((1 - t) * point(first) + t * point(last)));
+      }
     side.push_back(last);
     return side;
   }
@@ -164,29 +164,29 @@ namespace wheelrail
 
     Side below = bottom;
     for (unsigned int j = 1; j <= m; ++j)
-    {
-      Side row{left[j]};
-      for (unsigned int i = 1; i < n && j < m; ++i)
       {
-        // where the lines that join equal fractions of opposite sides cross
-        const double dx = t[i] - b[i], dy = r[j] - l[j];
-        const double x = (b[i] + l[j] * dx) / (1 - dx * dy), y = l[j] + x * dy;
+        Side row{left[j]};
+        for (unsigned int i = 1; i < n && j < m; ++i)
+          {
+            // where the lines that join equal fractions of opposite sides cross
+            const double dx = t[i] - b[i], dy = r[j] - l[j];
+            const double x = (b[i] + l[j] * dx) / (1 - dx * dy), y = l[j] + x * dy;
 
-        const Point2 bilinear = (1 - y) * ((1 - x) * point(bottom[0]) + x * point(bottom[n])) +
-                                y * ((1 - x) * point(top[0]) + x * point(top[n]));
-        row.push_back(corner((1 - y) * point(bottom[i]) + y * point(top[i]) + (1 - x) * point(left[j]) +
-                             x * point(right[j]) - bilinear));
+            const Point2 bilinear = (1 - y) * ((1 - x) * point(bottom[0]) + x * point(bottom[n])) +
+                                    y * ((1 - x) * point(top[0]) + x * point(top[n]));
+            row.push_back(corner((1 - y) * point(bottom[i]) + y * point(top[i]) + (1 - x) * point(left[j]) +
+                                 x * point(right[j]) - bilinear));
+          }
+        row.push_back(right[j]);
+        if (j == m)
+          row = top;
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            section_.blocks.push_back({{{below[i], below[i + 1], row[i], row[i + 1]}}});
+            patch_of_block_.push_back(name);
+          }
+        below = row;
       }
-      row.push_back(right[j]);
-      if (j == m)
-        row = top;
-      for (unsigned int i = 0; i < n; ++i)
-      {
-        section_.blocks.push_back({{{below[i], below[i + 1], row[i], row[i + 1]}}});
-        patch_of_block_.push_back(name);
-      }
-      below = row;
-    }
   }
 
 

@@ -328,15 +328,15 @@ namespace wheelrail
       const unsigned int n   = 64 * (wheel.back - wheel.tread_start);
       double             tip = wheel.tread_start, highest = 0;
       for (unsigned int i = 0; i <= n; ++i)
-      {
-        const double t = wheel.tread_start + (wheel.back - wheel.tread_start) * i / n;
-        const double y = wheel.rim.position(t).y;
-        if (y > highest)
         {
-          highest = y;
-          tip     = t;
+          const double t = wheel.tread_start + (wheel.back - wheel.tread_start) * i / n;
+          const double y = wheel.rim.position(t).y;
+          if (y > highest)
+            {
+              highest = y;
+              tip     = t;
+            }
         }
-      }
       return tip;
     }
   } // namespace
@@ -363,10 +363,10 @@ namespace wheelrail
     wheel.field = make_disc_outline(wheel, 1);
     wheel.gauge = make_disc_outline(wheel, -1);
 
-    const double tip   = flange_tip(wheel);
-    const Tread  tread = make_tread(wheel, wheel_in_track, strip, tip);
-    const Side   below = make_flange(wheel, tread, tip);
-    const Side   disc  = make_rim(wheel, joined(tread.inner, below));
+    const double       tip         = flange_tip(wheel);
+    const Tread        tread       = make_tread(wheel, wheel_in_track, strip, tip);
+    const Side         below       = make_flange(wheel, tread, tip);
+    const Side         disc        = make_rim(wheel, joined(tread.inner, below));
     const unsigned int last_of_rim = wheel.builder.section().corners.size() - 1;
     make_disc_and_hub(wheel, disc);
 

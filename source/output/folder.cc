@@ -59,26 +59,27 @@ namespace wheelrail
       fs::path        topmost;
       std::error_code error;
       for (fs::path path = fs::absolute(folder).lexically_normal(); !path.empty(); path = path.parent_path())
-      {
-        const fs::file_status status = fs::status(path, error);
-        if (fs::exists(status) && !fs::is_directory(status))
-          refuse(folder,
-                 "\"" + path.string() + "\" is a file, where a folder is needed. Choose another name.");
-        if (fs::exists(status) || path == path.root_path())
-          break;
-        if (path.has_filename())
-          topmost = path;
-      }
+        {
+          const fs::file_status status = fs::status(path, error);
+          if (fs::exists(status) && !fs::is_directory(status))
+            refuse(folder,
+                   "\"" + path.string() + "\" is a file, where a folder is needed. Choose another name.");
+          if (fs::exists(status) || path == path.root_path())
+            break;
+          if (path.has_filename())
+            topmost = path;
+        }
       fs::create_directories(folder, error);
       if (error)
-      {
-        // nothing half made may stay behind
-        std::error_code ignored;
-        if (!topmost.empty())
-          fs::remove_all(topmost, ignored);
-        refuse(folder,
-               "the folder cannot be made: " + error.message() + ". Choose a place in which you may write.");
-      }
+        {
+          // nothing half made may stay behind
+          std::error_code ignored;
+          if (!topmost.empty())
+            fs::remove_all(topmost, ignored);
+          refuse(folder,
+                 "the folder cannot be made: " + error.message() +
+                   ". Choose a place in which you may write.");
+        }
       return topmost;
     }
 
@@ -99,14 +100,14 @@ namespace wheelrail
     {
       const std::string path = folder + "/.wheelrail-write-test";
       try
-      {
-        replace_file(path, std::string("test\n"));
-        fs::remove(path);
-      }
+        {
+          replace_file(path, std::string("test\n"));
+          fs::remove(path);
+        }
       catch (const std::exception &error)
-      {
-        refuse(folder, "no files can be made there. " + std::string(error.what()));
-      }
+        {
+          refuse(folder, "no files can be made there. " + std::string(error.what()));
+        }
     }
   } // namespace
 
@@ -118,13 +119,13 @@ namespace wheelrail
     if (!fs::is_regular_file(path, error))
       return false;
     try
-    {
-      return read_summary(path).finished;
-    }
+      {
+        return read_summary(path).finished;
+      }
     catch (const RunError &)
-    {
-      return false; // not a summary: no run of ours reached its end here
-    }
+      {
+        return false; // not a summary: no run of ours reached its end here
+      }
   }
 
   void
@@ -134,36 +135,33 @@ namespace wheelrail
                  const std::string &parameters,
                  MPI_Comm           comm)
   {
-    on_root(comm,
-            [&]()
-            {
-              if (folder.empty())
-                throw InputError(
-                  "Output/Folder is empty; give the name of a folder, such as output/rolling.");
-              if (mode == FolderMode::fresh && holds_finished_run(folder))
-                refuse(folder,
-                       "the folder holds a finished run, which is kept. Choose another Output/Folder, or "
-                       "give --overwrite to replace it.");
-              if (mode != FolderMode::resume)
-                protect_foreign_input(folder, input);
+    on_root(comm, [&]() {
+      if (folder.empty())
+        throw InputError("Output/Folder is empty; give the name of a folder, such as output/rolling.");
+      if (mode == FolderMode::fresh && holds_finished_run(folder))
+        refuse(folder,
+               "the folder holds a finished run, which is kept. Choose another Output/Folder, or "
+               "give --overwrite to replace it.");
+      if (mode != FolderMode::resume)
+        protect_foreign_input(folder, input);
 
-              const fs::path made = make_folders(folder);
-              try
-              {
-                try_to_write(folder);
-                if (mode != FolderMode::resume && fs::exists(folder + "/parameters.prm"))
-                  remove_earlier_run(folder);
-                if (mode != FolderMode::resume || !fs::exists(folder + "/input.prm"))
-                  replace_file(folder + "/input.prm", input);
-                replace_file(folder + "/parameters.prm", parameters);
-              }
-              catch (...)
-              {
-                std::error_code ignored;
-                if (!made.empty())
-                  fs::remove_all(made, ignored);
-                throw;
-              }
-            });
+      const fs::path made = make_folders(folder);
+      try
+        {
+          try_to_write(folder);
+          if (mode != FolderMode::resume && fs::exists(folder + "/parameters.prm"))
+            remove_earlier_run(folder);
+          if (mode != FolderMode::resume || !fs::exists(folder + "/input.prm"))
+            replace_file(folder + "/input.prm", input);
+          replace_file(folder + "/parameters.prm", parameters);
+        }
+      catch (...)
+        {
+          std::error_code ignored;
+          if (!made.empty())
+            fs::remove_all(made, ignored);
+          throw;
+        }
+    });
   }
 } // namespace wheelrail

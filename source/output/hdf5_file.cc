@@ -46,13 +46,13 @@ namespace wheelrail
     naming(const std::string &path, const Work &work)
     {
       try
-      {
-        return work();
-      }
+        {
+          return work();
+        }
       catch (const RunError &error)
-      {
-        throw RunError("The HDF5 file \"" + path + "\": " + error.what());
-      }
+        {
+          throw RunError("The HDF5 file \"" + path + "\": " + error.what());
+        }
     }
 
     unsigned int
@@ -95,20 +95,17 @@ namespace wheelrail
                      std::to_string(history.units.size()) + " units and " +
                      std::to_string(history.columns.size()) + " columns; the numbers must agree.");
 
-    const auto bytes = naming(
-      path,
-      [&]()
-      {
-        const Handle  file(open_in_memory(), H5Fclose, "make a file in memory");
-        const hsize_t rows = n > 0 ? history.columns[0].size() : 0;
-        for (std::size_t c = 0; c < n; ++c)
+    const auto bytes = naming(path, [&]() {
+      const Handle  file(open_in_memory(), H5Fclose, "make a file in memory");
+      const hsize_t rows = n > 0 ? history.columns[0].size() : 0;
+      for (std::size_t c = 0; c < n; ++c)
         {
           write_dataset(file, history.names[c], {rows}, history.columns[c], history.units[c]);
           const Handle set(H5Dopen2(file, history.names[c].c_str(), H5P_DEFAULT), H5Dclose, "mark a column");
           write_attribute(set, "column", static_cast<unsigned int>(c));
         }
-        return file_image(file);
-      });
+      return file_image(file);
+    });
     replace_file(path, bytes.data(), bytes.size());
   }
 
@@ -116,32 +113,29 @@ namespace wheelrail
   read_history(const std::string &path)
   {
     const Quiet quiet;
-    return naming(path,
-                  [&]()
-                  {
-                    const Handle             file = load(path);
-                    std::vector<std::string> names;
-                    require(H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect_name, &names),
-                            "list its columns");
+    return naming(path, [&]() {
+      const Handle             file = load(path);
+      std::vector<std::string> names;
+      require(H5Literate(file, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, collect_name, &names),
+              "list its columns");
 
-                    History history;
-                    history.names.resize(names.size());
-                    history.units.resize(names.size());
-                    history.columns.resize(names.size());
-                    for (const std::string &name : names)
-                    {
-                      const Handle set(
-                        H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "read the column " + name);
-                      const double column = read_number_attribute(set, "column");
-                      if (!(column >= 0 && column < names.size()))
-                        throw RunError("column " + name + " has a number outside the table.");
-                      const auto c       = static_cast<std::size_t>(column);
-                      history.names[c]   = name;
-                      history.units[c]   = read_text_attribute(set, "unit");
-                      history.columns[c] = read_dataset(file, name);
-                    }
-                    return history;
-                  });
+      History history;
+      history.names.resize(names.size());
+      history.units.resize(names.size());
+      history.columns.resize(names.size());
+      for (const std::string &name : names)
+        {
+          const Handle set(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "read the column " + name);
+          const double column = read_number_attribute(set, "column");
+          if (!(column >= 0 && column < names.size()))
+            throw RunError("column " + name + " has a number outside the table.");
+          const auto c       = static_cast<std::size_t>(column);
+          history.names[c]   = name;
+          history.units[c]   = read_text_attribute(set, "unit");
+          history.columns[c] = read_dataset(file, name);
+        }
+      return history;
+    });
   }
 
   PatchFile::PatchFile(std::string path)
@@ -154,18 +148,15 @@ namespace wheelrail
     , file_(H5I_INVALID_HID)
   {
     const Quiet quiet;
-    naming(path_,
-           [&]()
-           {
-             const bool there = resume && std::filesystem::exists(path_);
-             file_            = open_in_memory(there ? read_whole_file(path_) : "");
-             require(file_ < 0 ? -1 : 0,
-                     there ? "read it: it is no complete HDF5 file" : "make a file in memory");
-             const unsigned int found = count_ticks(file_);
-             n_ticks_                 = std::min(found, keep_ticks);
-             for (unsigned int tick = n_ticks_; tick < found; ++tick)
-               H5Ldelete(file_, tick_name(tick).c_str(), H5P_DEFAULT);
-           });
+    naming(path_, [&]() {
+      const bool there = resume && std::filesystem::exists(path_);
+      file_            = open_in_memory(there ? read_whole_file(path_) : "");
+      require(file_ < 0 ? -1 : 0, there ? "read it: it is no complete HDF5 file" : "make a file in memory");
+      const unsigned int found = count_ticks(file_);
+      n_ticks_                 = std::min(found, keep_ticks);
+      for (unsigned int tick = n_ticks_; tick < found; ++tick)
+        H5Ldelete(file_, tick_name(tick).c_str(), H5P_DEFAULT);
+    });
   }
 
   PatchFile::~PatchFile()
@@ -179,30 +170,27 @@ namespace wheelrail
   PatchFile::append(const PatchFields &patch)
   {
     const Quiet       quiet;
-    const std::string name = tick_name(n_ticks_);
-    const auto        bytes =
-      naming(path_,
-             [&]()
-             {
-               for (const PatchColumn &column : patch_columns)
-                 if ((patch.*column.values).size() != std::size_t(patch.n_along) * patch.n_lateral)
-                   throw RunError("The field " + std::string(column.name) + " of " + name + " has " +
-                                  std::to_string((patch.*column.values).size()) + " values where " +
-                                  std::to_string(patch.n_along) + " x " + std::to_string(patch.n_lateral) +
-                                  " belong.");
+    const std::string name  = tick_name(n_ticks_);
+    const auto        bytes = naming(path_, [&]() {
+      for (const PatchColumn &column : patch_columns)
+        if ((patch.*column.values).size() != std::size_t(patch.n_along) * patch.n_lateral)
+          throw RunError("The field " + std::string(column.name) + " of " + name + " has " +
+                         std::to_string((patch.*column.values).size()) + " values where " +
+                         std::to_string(patch.n_along) + " x " + std::to_string(patch.n_lateral) +
+                         " belong.");
 
-               const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                                  H5Gclose,
-                                  "make the group " + name);
-               write_attribute(group, "time_s", patch.time);
-               write_attribute(group, "rolled_distance_m", patch.rolled_distance);
-               write_attribute(group, "n_along", patch.n_along);
-               write_attribute(group, "n_lateral", patch.n_lateral);
-               for (const PatchColumn &column : patch_columns)
-                 write_dataset(
-                   group, column.name, {patch.n_along, patch.n_lateral}, patch.*column.values, column.unit);
-               return file_image(file_);
-             });
+      const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                         H5Gclose,
+                         "make the group " + name);
+      write_attribute(group, "time_s", patch.time);
+      write_attribute(group, "rolled_distance_m", patch.rolled_distance);
+      write_attribute(group, "n_along", patch.n_along);
+      write_attribute(group, "n_lateral", patch.n_lateral);
+      for (const PatchColumn &column : patch_columns)
+        write_dataset(
+          group, column.name, {patch.n_along, patch.n_lateral}, patch.*column.values, column.unit);
+      return file_image(file_);
+    });
     ++n_ticks_;
     replace_file(path_, bytes.data(), bytes.size());
   }
@@ -211,19 +199,17 @@ namespace wheelrail
   read_patch(const std::string &path, const unsigned int tick)
   {
     const Quiet quiet;
-    return naming(path,
-                  [&]()
-                  {
-                    const Handle file  = load(path);
-                    const Handle group = open_group(file, tick_name(tick));
-                    PatchFields  patch;
-                    patch.time            = read_number_attribute(group, "time_s");
-                    patch.rolled_distance = read_number_attribute(group, "rolled_distance_m");
-                    patch.n_along   = static_cast<unsigned int>(read_number_attribute(group, "n_along"));
-                    patch.n_lateral = static_cast<unsigned int>(read_number_attribute(group, "n_lateral"));
-                    for (const PatchColumn &column : patch_columns)
-                      patch.*column.values = read_dataset(group, column.name);
-                    return patch;
-                  });
+    return naming(path, [&]() {
+      const Handle file  = load(path);
+      const Handle group = open_group(file, tick_name(tick));
+      PatchFields  patch;
+      patch.time            = read_number_attribute(group, "time_s");
+      patch.rolled_distance = read_number_attribute(group, "rolled_distance_m");
+      patch.n_along         = static_cast<unsigned int>(read_number_attribute(group, "n_along"));
+      patch.n_lateral       = static_cast<unsigned int>(read_number_attribute(group, "n_lateral"));
+      for (const PatchColumn &column : patch_columns)
+        patch.*column.values = read_dataset(group, column.name);
+      return patch;
+    });
   }
 } // namespace wheelrail

@@ -55,8 +55,7 @@ namespace wheelrail
     double
     from_pressure(const Grid &grid, const int i, const int j, const int di, const int dj)
     {
-      const auto square = [&](const int n)
-      {
+      const auto square = [&](const int n) {
         const double p = grid.patch.pressure[grid.index(i - n * di, j - n * dj)];
         return p * p;
       };
@@ -68,12 +67,12 @@ namespace wheelrail
       const double slope01 = (q0 - q1) / h1; // outwards, negative
       double       slope = slope01, curvature = 0;
       if (grid.loaded(i - 2 * di, j - 2 * dj))
-      {
-        const double h2      = grid.distance(i - di, j - dj, i - 2 * di, j - 2 * dj);
-        const double slope12 = (q1 - square(2)) / h2;
-        curvature            = std::min(0., (slope01 - slope12) / (h1 + h2));
-        slope                = slope01 + curvature * h1;
-      }
+        {
+          const double h2      = grid.distance(i - di, j - dj, i - 2 * di, j - 2 * dj);
+          const double slope12 = (q1 - square(2)) / h2;
+          curvature            = std::min(0., (slope01 - slope12) / (h1 + h2));
+          slope                = slope01 + curvature * h1;
+        }
       // root of q0 + slope t + curvature t^2 in the form that has no cancellation
       return -2 * q0 / (slope - std::sqrt(slope * slope - 4 * curvature * q0));
     }
@@ -86,8 +85,9 @@ namespace wheelrail
       const int i1 = i + di, j1 = j + dj, i2 = i1 + di, j2 = j1 + dj;
       if (!grid.has(i2, j2) || grid.loaded(i2, j2))
         return nan;
-      const auto power = [&](const int k, const int l)
-      { return std::cbrt(std::pow(std::max(0., grid.patch.gap[grid.index(k, l)]), 2)); };
+      const auto power = [&](const int k, const int l) {
+        return std::cbrt(std::pow(std::max(0., grid.patch.gap[grid.index(k, l)]), 2));
+      };
       const double g1 = power(i1, j1), g2 = power(i2, j2);
       if (!(std::isfinite(g2) && g2 > g1))
         return nan;
@@ -118,10 +118,10 @@ namespace wheelrail
     {
       double sum = 0;
       for (std::size_t k = 0; k < polygon.size(); ++k)
-      {
-        const Point &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
-        sum += a.x * b.y - a.y * b.x;
-      }
+        {
+          const Point &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+          sum += a.x * b.y - a.y * b.x;
+        }
       return sum;
     }
 
@@ -136,38 +136,38 @@ namespace wheelrail
       std::vector<Point> ends;
       int                n_loaded = 0;
       for (int k = 0; k < 4; ++k)
-      {
-        const int *a = corner[k], *b = corner[k + 1];
-        const bool la = grid.loaded(a[0], a[1]), lb = grid.loaded(b[0], b[1]);
-        n_loaded += la;
-        if (la)
-          polygon.push_back(grid.at(a[0], a[1]));
-        if (la != lb)
         {
-          const int  *from = la ? a : b, *to = la ? b : a;
-          const Point end = edge_point(grid, from[0], from[1], to[0] - from[0], to[1] - from[1]);
-          polygon.push_back(end);
-          ends.push_back(end);
+          const int *a = corner[k], *b = corner[k + 1];
+          const bool la = grid.loaded(a[0], a[1]), lb = grid.loaded(b[0], b[1]);
+          n_loaded += la;
+          if (la)
+            polygon.push_back(grid.at(a[0], a[1]));
+          if (la != lb)
+            {
+              const int  *from = la ? a : b, *to = la ? b : a;
+              const Point end = edge_point(grid, from[0], from[1], to[0] - from[0], to[1] - from[1]);
+              polygon.push_back(end);
+              ends.push_back(end);
+            }
         }
-      }
 
       const auto add_chord = [&](const Point &a, const Point &b) {
         edge.chords.push_back({{a.x, a.y, b.x, b.y}});
       };
       if (n_loaded == 2 && ends.size() == 4)
-      {
-        // one triangle around each loaded corner
-        const bool  first = grid.loaded(i, j);
-        const Point c[2]  = {first ? grid.at(i, j) : grid.at(i + 1, j),
-                            first ? grid.at(i + 1, j + 1) : grid.at(i, j + 1)};
-        const unsigned int e[4] = {first ? 3u : 0u, first ? 0u : 1u, first ? 1u : 2u, first ? 2u : 3u};
-        for (int t = 0; t < 2; ++t)
         {
-          area += 0.5 * std::abs(twice_area({c[t], ends[e[2 * t]], ends[e[2 * t + 1]]}));
-          add_chord(ends[e[2 * t]], ends[e[2 * t + 1]]);
+          // one triangle around each loaded corner
+          const bool  first = grid.loaded(i, j);
+          const Point c[2]  = {first ? grid.at(i, j) : grid.at(i + 1, j),
+                              first ? grid.at(i + 1, j + 1) : grid.at(i, j + 1)};
+          const unsigned int e[4] = {first ? 3u : 0u, first ? 0u : 1u, first ? 1u : 2u, first ? 2u : 3u};
+          for (int t = 0; t < 2; ++t)
+            {
+              area += 0.5 * std::abs(twice_area({c[t], ends[e[2 * t]], ends[e[2 * t + 1]]}));
+              add_chord(ends[e[2 * t]], ends[e[2 * t + 1]]);
+            }
+          return;
         }
-        return;
-      }
       area += 0.5 * std::abs(twice_area(polygon));
       if (ends.size() == 2)
         add_chord(ends[0], ends[1]);
@@ -181,10 +181,10 @@ namespace wheelrail
       for (int i = 0; i < int(grid.patch.n_along); ++i)
         for (int j = 0; j < int(grid.patch.n_lateral); ++j)
           if (grid.loaded(i, j))
-          {
-            const bool right = grid.loaded(i + 1, j), up = grid.loaded(i, j + 1);
-            sum += 1 - right - up + (right && up && grid.loaded(i + 1, j + 1));
-          }
+            {
+              const bool right = grid.loaded(i + 1, j), up = grid.loaded(i, j + 1);
+              sum += 1 - right - up + (right && up && grid.loaded(i + 1, j + 1));
+            }
       return sum;
     }
 
@@ -196,11 +196,11 @@ namespace wheelrail
     {
       double sum1 = 0, sum3 = 0;
       for (const auto &c : edge.chords)
-      {
-        const double length = std::hypot(c[2] - c[0], c[3] - c[1]);
-        sum1 += length;
-        sum3 += length * length * length;
-      }
+        {
+          const double length = std::hypot(c[2] - c[0], c[3] - c[1]);
+          sum1 += length;
+          sum3 += length * length * length;
+        }
       return sum1 > 0 ? pi / 6 * int(edge.n_patches) * sum3 / sum1 : 0;
     }
 
@@ -213,10 +213,10 @@ namespace wheelrail
       double      best = -std::numeric_limits<double>::max();
       for (std::size_t n = 0; n < values.size(); ++n)
         if (values[n] > best)
-        {
-          best = values[n];
-          k    = n;
-        }
+          {
+            best = values[n];
+            k    = n;
+          }
       if (k == 0 || k + 1 >= values.size())
         return best;
       const double slope = (values[k + 1] - values[k - 1]) / 2;
@@ -237,21 +237,21 @@ namespace wheelrail
 
       for (int line = 0; line < m; ++line)
         for (int k = 0; k < n; ++k)
-        {
-          const int i = di ? k : line, j = dj ? k : line;
-          if (!grid.loaded(i, j))
-            continue;
-          for (const int sign : {-1, 1})
           {
-            Point end = grid.at(i, j);
-            if (grid.loaded(i + sign * di, j + sign * dj))
+            const int i = di ? k : line, j = dj ? k : line;
+            if (!grid.loaded(i, j))
               continue;
-            if (grid.has(i + sign * di, j + sign * dj))
-              end = edge_point(grid, i, j, sign * di, sign * dj);
-            highest[line]        = std::fmax(highest[line], coordinate(end));
-            lowest_negated[line] = std::fmax(lowest_negated[line], -coordinate(end));
+            for (const int sign : {-1, 1})
+              {
+                Point end = grid.at(i, j);
+                if (grid.loaded(i + sign * di, j + sign * dj))
+                  continue;
+                if (grid.has(i + sign * di, j + sign * dj))
+                  end = edge_point(grid, i, j, sign * di, sign * dj);
+                highest[line]        = std::fmax(highest[line], coordinate(end));
+                lowest_negated[line] = std::fmax(lowest_negated[line], -coordinate(end));
+              }
           }
-        }
       high = smooth_maximum(highest);
       low  = -smooth_maximum(lowest_negated);
     }
@@ -270,11 +270,11 @@ namespace wheelrail
     for (int i = 0; i < int(patch.n_along); ++i)
       for (int j = 0; j < int(patch.n_lateral); ++j)
         if (grid.loaded(i, j))
-        {
-          ++edge.n_loaded;
-          if (i == 0 || j == 0 || i + 1 == int(patch.n_along) || j + 1 == int(patch.n_lateral))
-            edge.touches_border = true;
-        }
+          {
+            ++edge.n_loaded;
+            if (i == 0 || j == 0 || i + 1 == int(patch.n_along) || j + 1 == int(patch.n_lateral))
+              edge.touches_border = true;
+          }
     edge.n_patches = static_cast<unsigned int>(std::max(0, euler_characteristic(grid)));
 
     for (int i = 0; i + 1 < int(patch.n_along); ++i)

@@ -41,17 +41,17 @@ namespace wheelrail
       double sum = 0, su = 0, sv = 0, suu = 0, suv = 0, svv = 0;
       for (int u = -1; u <= 1; ++u)
         for (int v = -1; v <= 1; ++v)
-        {
-          const double value = p(u, v);
-          if (value <= 0) // beyond the edge the pressure is no longer smooth
-            return peak;
-          sum += value;
-          su += u * value;
-          sv += v * value;
-          suu += u * u * value;
-          suv += u * v * value;
-          svv += v * v * value;
-        }
+          {
+            const double value = p(u, v);
+            if (value <= 0) // beyond the edge the pressure is no longer smooth
+              return peak;
+            sum += value;
+            su += u * value;
+            sv += v * value;
+            suu += u * u * value;
+            suv += u * v * value;
+            svv += v * v * value;
+          }
       const double c0 = (5 * sum - 3 * (suu + svv)) / 9, c1 = su / 6, c2 = sv / 6;
       const double c3 = suu / 2 - sum / 3, c4 = suv / 4, c5 = svv / 2 - sum / 3;
       const double det = 4 * c3 * c5 - c4 * c4;
@@ -68,29 +68,29 @@ namespace wheelrail
     {
       double loaded_area = 0, stick_area = 0, moment_along = 0, moment_lateral = 0;
       for (std::size_t k = 0; k < patch.pressure.size(); ++k)
-      {
-        const double force = patch.pressure[k] * patch.area[k];
-        measures.normal_force += force;
-        moment_along += force * patch.along[k];
-        moment_lateral += force * patch.lateral[k];
-        measures.shear_force_along += patch.shear_along[k] * patch.area[k];
-        measures.shear_force_lateral += patch.shear_lateral[k] * patch.area[k];
-        measures.max_shear =
-          std::max(measures.max_shear, std::hypot(patch.shear_along[k], patch.shear_lateral[k]));
-        if (patch.pressure[k] > 0)
         {
-          loaded_area += patch.area[k];
-          if (patch.state[k] == 1)
-            stick_area += patch.area[k];
+          const double force = patch.pressure[k] * patch.area[k];
+          measures.normal_force += force;
+          moment_along += force * patch.along[k];
+          moment_lateral += force * patch.lateral[k];
+          measures.shear_force_along += patch.shear_along[k] * patch.area[k];
+          measures.shear_force_lateral += patch.shear_lateral[k] * patch.area[k];
+          measures.max_shear =
+            std::max(measures.max_shear, std::hypot(patch.shear_along[k], patch.shear_lateral[k]));
+          if (patch.pressure[k] > 0)
+            {
+              loaded_area += patch.area[k];
+              if (patch.state[k] == 1)
+                stick_area += patch.area[k];
+            }
         }
-      }
       if (loaded_area > 0)
         measures.stick_fraction = stick_area / loaded_area;
       if (measures.normal_force > 0)
-      {
-        measures.centre_of_pressure_along   = moment_along / measures.normal_force;
-        measures.centre_of_pressure_lateral = moment_lateral / measures.normal_force;
-      }
+        {
+          measures.centre_of_pressure_along   = moment_along / measures.normal_force;
+          measures.centre_of_pressure_lateral = moment_lateral / measures.normal_force;
+        }
     }
   } // namespace
 

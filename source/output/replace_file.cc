@@ -18,18 +18,18 @@ namespace wheelrail
     advice(const int reason)
     {
       switch (reason)
-      {
-        case ENOSPC:
-        case EDQUOT:
-        case EFBIG:
-          return "Free some space there, or choose another Output/Folder.";
-        case EACCES:
-        case EPERM:
-        case EROFS:
-          return "Choose an Output/Folder in which you may write.";
-        default:
-          return "Check that the folder still exists and may be written to.";
-      }
+        {
+          case ENOSPC:
+          case EDQUOT:
+          case EFBIG:
+            return "Free some space there, or choose another Output/Folder.";
+          case EACCES:
+          case EPERM:
+          case EROFS:
+            return "Choose an Output/Folder in which you may write.";
+          default:
+            return "Check that the folder still exists and may be written to.";
+        }
     }
 
     [[noreturn]] void
@@ -44,15 +44,15 @@ namespace wheelrail
     write_all(const int file, const char *bytes, std::size_t size)
     {
       while (size > 0)
-      {
-        const ssize_t written = ::write(file, bytes, size);
-        if (written < 0 && errno == EINTR)
-          continue;
-        if (written <= 0)
-          return written < 0 ? errno : ENOSPC;
-        bytes += written;
-        size -= static_cast<std::size_t>(written);
-      }
+        {
+          const ssize_t written = ::write(file, bytes, size);
+          if (written < 0 && errno == EINTR)
+            continue;
+          if (written <= 0)
+            return written < 0 ? errno : ENOSPC;
+          bytes += written;
+          size -= static_cast<std::size_t>(written);
+        }
       return 0;
     }
   } // namespace
@@ -74,10 +74,10 @@ namespace wheelrail
     if (reason == 0 && std::rename(part.c_str(), path.c_str()) != 0)
       reason = errno;
     if (reason != 0)
-    {
-      ::unlink(part.c_str());
-      fail(path, reason);
-    }
+      {
+        ::unlink(part.c_str());
+        fail(path, reason);
+      }
   }
 
   void

@@ -18,20 +18,20 @@ namespace wheelrail
     attempt(const std::function<void()> &work, std::string &message)
     {
       try
-      {
-        work();
-        return good;
-      }
+        {
+          work();
+          return good;
+        }
       catch (const InputError &error)
-      {
-        message = error.what();
-        return bad_input;
-      }
+        {
+          message = error.what();
+          return bad_input;
+        }
       catch (const std::exception &error)
-      {
-        message = error.what();
-        return bad_run;
-      }
+        {
+          message = error.what();
+          return bad_run;
+        }
     }
   } // namespace
 
@@ -48,10 +48,10 @@ namespace wheelrail
     std::string message;
     int         header[2] = {good, 0};
     if (rank == 0)
-    {
-      header[0] = attempt(work, message);
-      header[1] = static_cast<int>(message.size());
-    }
+      {
+        header[0] = attempt(work, message);
+        header[1] = static_cast<int>(message.size());
+      }
     MPI_Bcast(header, 2, MPI_INT, 0, comm);
     message.resize(header[1]);
     MPI_Bcast(&message[0], header[1], MPI_CHAR, 0, comm);

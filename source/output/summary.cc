@@ -119,16 +119,16 @@ namespace wheelrail
   {
     for (const Figure &figure : figures)
       if (key == figure.key)
-      {
-        summary.*figure.value = value;
-        return;
-      }
+        {
+          summary.*figure.value = value;
+          return;
+        }
     for (auto &figure : summary.further)
       if (figure.first == key)
-      {
-        figure.second = value;
-        return;
-      }
+        {
+          figure.second = value;
+          return;
+        }
     summary.further.emplace_back(key, value);
   }
 
@@ -191,21 +191,21 @@ namespace wheelrail
     if (!summary.title.empty())
       stream << summary.title << '\n';
     for (const Figure &figure : figures)
-    {
-      const double value = summary.*figure.value * figure.factor;
-      if (!std::isfinite(value))
-        continue;
-      char text[64];
-      std::snprintf(text, sizeof(text), "%.*f", figure.decimals, value);
-      print_line(stream, figure.label, text, figure.unit);
-    }
+      {
+        const double value = summary.*figure.value * figure.factor;
+        if (!std::isfinite(value))
+          continue;
+        char text[64];
+        std::snprintf(text, sizeof(text), "%.*f", figure.decimals, value);
+        print_line(stream, figure.label, text, figure.unit);
+      }
     for (const auto &figure : summary.further)
       if (std::isfinite(figure.second))
-      {
-        char text[64];
-        std::snprintf(text, sizeof(text), "%.6g", figure.second);
-        print_line(stream, figure.first, text, "");
-      }
+        {
+          char text[64];
+          std::snprintf(text, sizeof(text), "%.6g", figure.second);
+          print_line(stream, figure.first, text, "");
+        }
     print_line(stream, "finished", summary.finished ? "yes" : "no", "");
     if (!summary.stop_reason.empty())
       stream << "  " << summary.stop_reason << '\n';

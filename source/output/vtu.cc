@@ -37,14 +37,14 @@ namespace wheelrail
           return "a cell that uses point " + std::to_string(point) + " of " +
                  std::to_string(mesh.points.size());
       for (const PointField &field : mesh.fields)
-      {
-        if (field.components != 1 && field.components != 3)
-          return "field " + field.name + " with " + std::to_string(field.components) +
-                 " components (accepted: 1 or 3)";
-        if (field.values.size() != field.components * mesh.points.size())
-          return "field " + field.name + " with " + std::to_string(field.values.size()) + " values for " +
-                 std::to_string(mesh.points.size()) + " points";
-      }
+        {
+          if (field.components != 1 && field.components != 3)
+            return "field " + field.name + " with " + std::to_string(field.components) +
+                   " components (accepted: 1 or 3)";
+          if (field.values.size() != field.components * mesh.points.size())
+            return "field " + field.name + " with " + std::to_string(field.values.size()) + " values for " +
+                   std::to_string(mesh.points.size()) + " points";
+        }
       return "";
     }
 
@@ -60,24 +60,24 @@ namespace wheelrail
 
       std::vector<dealii::DataOutBase::Patch<dim, 3>> patches(n_cells);
       for (std::size_t cell = 0; cell < n_cells; ++cell)
-      {
-        auto &patch          = patches[cell];
-        patch.patch_index    = static_cast<unsigned int>(cell);
-        patch.n_subdivisions = 1;
-        patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
-        patch.data.reinit(n_values, n_points);
-        for (unsigned int q = 0; q < n_points; ++q)
         {
-          const unsigned int point = mesh.cells[cell * n_points + q];
-          for (unsigned int d = 0; d < 3; ++d)
-            patch.vertices[q][d] = mesh.points[point][d];
-          unsigned int row = 0;
-          for (const PointField &field : mesh.fields)
-            for (unsigned int c = 0; c < field.components; ++c)
-              patch.data(row++, q) =
-                static_cast<float>(field.values[std::size_t(point) * field.components + c]);
+          auto &patch          = patches[cell];
+          patch.patch_index    = static_cast<unsigned int>(cell);
+          patch.n_subdivisions = 1;
+          patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
+          patch.data.reinit(n_values, n_points);
+          for (unsigned int q = 0; q < n_points; ++q)
+            {
+              const unsigned int point = mesh.cells[cell * n_points + q];
+              for (unsigned int d = 0; d < 3; ++d)
+                patch.vertices[q][d] = mesh.points[point][d];
+              unsigned int row = 0;
+              for (const PointField &field : mesh.fields)
+                for (unsigned int c = 0; c < field.components; ++c)
+                  patch.data(row++, q) =
+                    static_cast<float>(field.values[std::size_t(point) * field.components + c]);
+            }
         }
-      }
       return patches;
     }
 
@@ -91,14 +91,14 @@ namespace wheelrail
       std::vector<std::string> names;
       Ranges                   vectors;
       for (const PointField &field : mesh.fields)
-      {
-        if (field.components == 3)
-          vectors.emplace_back(names.size(),
-                               names.size() + 2,
-                               field.name,
-                               dealii::DataComponentInterpretation::component_is_part_of_vector);
-        names.insert(names.end(), field.components, field.name);
-      }
+        {
+          if (field.components == 3)
+            vectors.emplace_back(names.size(),
+                                 names.size() + 2,
+                                 field.name,
+                                 dealii::DataComponentInterpretation::component_is_part_of_vector);
+          names.insert(names.end(), field.components, field.name);
+        }
       std::ostringstream piece;
       dealii::DataOutBase::write_vtu_main(make_patches<dim>(mesh), names, vectors, flags, piece);
       return piece.str();
@@ -125,16 +125,14 @@ namespace wheelrail
     // full disk is reported with its reason.
     const auto pieces = dealii::Utilities::MPI::gather(
       comm, mesh.points_per_cell == 8 ? make_piece<3>(mesh, flags) : make_piece<2>(mesh, flags));
-    on_root(comm,
-            [&]()
-            {
-              std::ostringstream file;
-              dealii::DataOutBase::write_vtu_header(file, flags);
-              for (const std::string &piece : pieces)
-                file << piece;
-              dealii::DataOutBase::write_vtu_footer(file);
-              replace_file(path, file.str());
-            });
+    on_root(comm, [&]() {
+      std::ostringstream file;
+      dealii::DataOutBase::write_vtu_header(file, flags);
+      for (const std::string &piece : pieces)
+        file << piece;
+      dealii::DataOutBase::write_vtu_footer(file);
+      replace_file(path, file.str());
+    });
   }
 
   PvdSeries::PvdSeries(std::string path)
@@ -155,7 +153,7 @@ namespace wheelrail
   }
 
   void
-  PvdSeries::load()
+  PvdSeries::load(const std::size_t keep)
   {
     entries_.clear();
     if (!std::filesystem::exists(path_))
@@ -163,17 +161,17 @@ namespace wheelrail
     std::istringstream          text(read_whole_file(path_));
     boost::property_tree::ptree tree;
     try
-    {
-      boost::property_tree::read_xml(text, tree);
-      for (const auto &child : tree.get_child("VTKFile.Collection"))
-        if (child.first == "DataSet")
-          entries_.emplace_back(child.second.get<double>("<xmlattr>.timestep"),
-                                child.second.get<std::string>("<xmlattr>.file"));
-    }
+      {
+        boost::property_tree::read_xml(text, tree);
+        for (const auto &child : tree.get_child("VTKFile.Collection"))
+          if (child.first == "DataSet" && entries_.size() < keep)
+            entries_.emplace_back(child.second.get<double>("<xmlattr>.timestep"),
+                                  child.second.get<std::string>("<xmlattr>.file"));
+      }
     catch (const boost::property_tree::ptree_error &error)
-    {
-      throw RunError("The series file \"" + path_ + "\" is not a readable .pvd file: " + error.what() +
-                     ". Delete it, or start without --resume.");
-    }
+      {
+        throw RunError("The series file \"" + path_ + "\" is not a readable .pvd file: " + error.what() +
+                       ". Delete it, or start without --resume.");
+      }
   }
 } // namespace wheelrail

@@ -11,8 +11,8 @@ namespace wheelrail
     using Vector = std::array<double, 3>;
     using Matrix = std::array<Vector, 3>;
 
-    constexpr int sign[8][3] = {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1},
-                                {-1, -1, 1},  {1, -1, 1},  {-1, 1, 1},  {1, 1, 1}};
+    constexpr int sign[8][3] =
+      {{-1, -1, -1}, {1, -1, -1}, {-1, 1, -1}, {1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {-1, 1, 1}, {1, 1, 1}};
 
     /// Values of the four hourglass patterns at node a.
     std::array<double, 4>
@@ -109,13 +109,11 @@ namespace wheelrail
   } // namespace
 
 
-
   double
   Elasticity::wave_speed() const
   {
     return std::sqrt((lame_lambda() + 2 * shear_modulus()) / density);
   }
-
 
 
   ElementGeometry
@@ -142,7 +140,6 @@ namespace wheelrail
   }
 
 
-
   double
   element_frequency_bound(const ElementGeometry &g, const Elasticity &material)
   {
@@ -156,8 +153,8 @@ namespace wheelrail
     // largest eigenvalue of a symmetric 3x3 matrix by the trigonometric formula (Smith 1961)
     const double p1   = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
     const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
-    const double p2   = std::pow(S[0][0] - mean, 2) + std::pow(S[1][1] - mean, 2) +
-                      std::pow(S[2][2] - mean, 2) + 2 * p1;
+    const double p2 =
+      std::pow(S[0][0] - mean, 2) + std::pow(S[1][1] - mean, 2) + std::pow(S[2][2] - mean, 2) + 2 * p1;
     double largest = mean;
     if (p2 > 0)
       {
@@ -178,7 +175,6 @@ namespace wheelrail
   }
 
 
-
   ElementBlocks
   pack_elements(const std::vector<ElementGeometry>             &geometry,
                 const std::vector<std::array<unsigned int, 8>> &cells,
@@ -186,9 +182,9 @@ namespace wheelrail
                 const int                                       width)
   {
     ElementBlocks blocks;
-    blocks.width      = width;
-    blocks.material   = material;
-    blocks.n_elements = cells.size();
+    blocks.width                = width;
+    blocks.material             = material;
+    blocks.n_elements           = cells.size();
     const std::size_t n_batches = (cells.size() + width - 1) / width;
     blocks.data.assign(n_batches * ElementBlocks::fields * width, 0.);
     blocks.nodes.resize(n_batches * 8 * width);

@@ -7,8 +7,14 @@ namespace wheelrail
     using Vector = std::array<double, 3>;
 
     /// Signs of the patterns eta zeta, zeta xi, xi eta, xi eta zeta at the lexicographic nodes.
-    constexpr int pattern[8][4] = {{1, 1, 1, -1},   {1, -1, -1, 1},  {-1, 1, -1, 1},  {-1, -1, 1, -1},
-                                   {-1, -1, 1, 1},  {-1, 1, -1, -1}, {1, -1, -1, -1}, {1, 1, 1, 1}};
+    constexpr int pattern[8][4] = {{1, 1, 1, -1},
+                                   {1, -1, -1, 1},
+                                   {-1, 1, -1, 1},
+                                   {-1, -1, 1, -1},
+                                   {-1, -1, 1, 1},
+                                   {-1, 1, -1, -1},
+                                   {1, -1, -1, -1},
+                                   {1, 1, 1, 1}};
 
     /// Hourglass stresses of the amplitudes p in the cell's axes: the law of the kernel, for one element.
     std::array<Vector, 4>
@@ -64,7 +70,6 @@ namespace wheelrail
       return S;
     }
   } // namespace
-
 
 
   std::array<double, 24 * 24>

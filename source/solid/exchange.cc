@@ -19,7 +19,6 @@ namespace wheelrail
   }
 
 
-
   void
   SharedSum::operator()(double *values, const int components)
   {
@@ -72,7 +71,6 @@ namespace wheelrail
   }
 
 
-
   void
   condense(const LocalMesh &mesh, double *values)
   {
@@ -85,7 +83,6 @@ namespace wheelrail
         from[0] = from[1] = from[2] = 0;
       }
   }
-
 
 
   void

@@ -132,10 +132,10 @@ namespace wheelrail
                     d3 = u[7][i] - u[6][i];
       const Simd<W> e0 = u[1][i] + u[0][i], e1 = u[3][i] + u[2][i], e2 = u[5][i] + u[4][i],
                     e3 = u[7][i] + u[6][i];
-      s[0] = (e3 - e2) - (e1 - e0); // eta zeta
-      s[1] = (d3 + d2) - (d1 + d0); // zeta xi
-      s[2] = (d3 - d2) + (d1 - d0); // xi eta
-      s[3] = (d3 - d2) - (d1 - d0); // xi eta zeta
+      s[0]             = (e3 - e2) - (e1 - e0); // eta zeta
+      s[1]             = (d3 + d2) - (d1 + d0); // zeta xi
+      s[2]             = (d3 - d2) + (d1 - d0); // xi eta
+      s[3]             = (d3 - d2) - (d1 - d0); // xi eta zeta
     }
 
     /// H = sum u_a (x) B_a and q_m = sum h_m u - H (h_m X).
@@ -215,7 +215,7 @@ namespace wheelrail
           Q[j][j] += shear * c[i];
           const Simd<W> bar = p[3][k] * c[k];
           const Simd<W> sb  = (youngs_modulus / 3) * bar;
-          Q[3][k] = sb * c[k];
+          Q[3][k]           = sb * c[k];
           energy += 0.5 * (si * ei + sj * ej + shear * twist + sb * bar);
         }
       return energy;
@@ -226,7 +226,11 @@ namespace wheelrail
     /// f_a = P B_a + sum_m h_m(a) g_m, subtracted from the node array.
     template <int W>
     inline void
-    apply_forces(const Packed<W> &g, const std::uint32_t *nodes, const V3<W> (&P)[3], const V3<W> (&G)[4], double *force)
+    apply_forces(const Packed<W>     &g,
+                 const std::uint32_t *nodes,
+                 const V3<W> (&P)[3],
+                 const V3<W> (&G)[4],
+                 double *force)
     {
       V3<W> f[8];
       for (int i = 0; i < 3; ++i)
@@ -252,8 +256,12 @@ namespace wheelrail
     /// The work of one batch.
     template <int W, bool with_energy>
     inline void
-    batch_force(ElementBlocks &blocks, const std::size_t batch, const double *displacement, double *force,
-                const BulkViscosity &viscosity, LaneEnergy<W> &energy)
+    batch_force(ElementBlocks       &blocks,
+                const std::size_t    batch,
+                const double        *displacement,
+                double              *force,
+                const BulkViscosity &viscosity,
+                LaneEnergy<W>       &energy)
     {
       const Elasticity    &material = blocks.material;
       const std::uint32_t *nodes    = blocks.nodes.data() + batch * 8 * W;
@@ -269,7 +277,8 @@ namespace wheelrail
       stress<W>(H, material.lame_lambda(), material.shear_modulus(), E, S);
       if constexpr (with_energy)
         {
-          const Simd<W> density = 0.5 * (S[0] * E[0] + S[1] * E[1] + S[2] * E[2]) + S[3] * E[3] + S[4] * E[4] + S[5] * E[5];
+          const Simd<W> density =
+            0.5 * (S[0] * E[0] + S[1] * E[1] + S[2] * E[2]) + S[3] * E[3] + S[4] * E[4] + S[5] * E[5];
           energy.strain += g.volume() * density;
         }
       if (viscosity.time_step > 0)
@@ -304,7 +313,8 @@ namespace wheelrail
       for (int m = 0; m < 4; ++m)
         for (int k = 0; k < 3; ++k)
           p[m][k] = FA[k][0] * q[m][0] + FA[k][1] * q[m][1] + FA[k][2] * q[m][2];
-      const Simd<W> hourglass_energy = hourglass_stress<W>(g, p, material.youngs_modulus, material.poissons_ratio, Q);
+      const Simd<W> hourglass_energy =
+        hourglass_stress<W>(g, p, material.youngs_modulus, material.poissons_ratio, Q);
       if constexpr (with_energy)
         energy.stabilisation += hourglass_energy;
 
@@ -326,8 +336,11 @@ namespace wheelrail
 
     template <int W, bool with_energy>
     void
-    all_batches(ElementBlocks &blocks, const double *displacement, double *force, const BulkViscosity &viscosity,
-                ElementEnergy &energy)
+    all_batches(ElementBlocks       &blocks,
+                const double        *displacement,
+                double              *force,
+                const BulkViscosity &viscosity,
+                ElementEnergy       &energy)
     {
       const std::size_t n_batches = blocks.n_batches();
       LaneEnergy<W>     sum;
@@ -340,8 +353,11 @@ namespace wheelrail
 
     template <bool with_energy>
     void
-    choose_width(ElementBlocks &blocks, const double *displacement, double *force, const BulkViscosity &viscosity,
-                 ElementEnergy &energy)
+    choose_width(ElementBlocks       &blocks,
+                 const double        *displacement,
+                 double              *force,
+                 const BulkViscosity &viscosity,
+                 ElementEnergy       &energy)
     {
       switch (blocks.width)
         {
@@ -358,7 +374,6 @@ namespace wheelrail
   } // namespace
 
 
-
   void
   subtract_internal_force(ElementBlocks       &blocks,
                           const double        *displacement,
@@ -372,7 +387,6 @@ namespace wheelrail
     else
       choose_width<false>(blocks, displacement, force, viscosity, energy);
   }
-
 
 
   std::vector<std::array<double, 6>>
@@ -397,7 +411,8 @@ namespace wheelrail
         Simd<1> E[6], S[6];
         stress<1>(H, blocks.material.lame_lambda(), blocks.material.shear_modulus(), E, S);
         // sigma = F S F^T / J
-        const double s[3][3] = {{S[0][0], S[5][0], S[4][0]}, {S[5][0], S[1][0], S[3][0]}, {S[4][0], S[3][0], S[2][0]}};
+        const double s[3][3] = {
+          {S[0][0], S[5][0], S[4][0]}, {S[5][0], S[1][0], S[3][0]}, {S[4][0], S[3][0], S[2][0]}};
         const double f[3][3] = {{F[0][0][0], F[0][1][0], F[0][2][0]},
                                 {F[1][0][0], F[1][1][0], F[1][2][0]},
                                 {F[2][0][0], F[2][1][0], F[2][2][0]}};

@@ -7,7 +7,9 @@ namespace wheelrail
     /// Volume-weighted nodal means of element values, `n` numbers an element.
     template <std::size_t n>
     std::vector<double>
-    nodal_means(const Solid &solid, const std::vector<std::array<double, n>> (&values)[2], MPI_Comm communicator)
+    nodal_means(const Solid &solid,
+                const std::vector<std::array<double, n>> (&values)[2],
+                MPI_Comm communicator)
     {
       const std::size_t     n_nodes = solid.mesh.n_nodes();
       std::vector<double>   result(n * n_nodes);
@@ -20,7 +22,7 @@ namespace wheelrail
             for (std::size_t e = 0; e < blocks.n_elements; ++e)
               {
                 const std::size_t batch = e / blocks.width, lane = e % blocks.width;
-                const double V = blocks.data[(batch * ElementBlocks::fields + 24) * blocks.width + lane];
+                const double      V = blocks.data[(batch * ElementBlocks::fields + 24) * blocks.width + lane];
                 for (const unsigned int node : solid.mesh.cells[solid.block_cells[body][e]])
                   work(body, e, node, V);
               }
@@ -45,7 +47,6 @@ namespace wheelrail
   } // namespace
 
 
-
   std::vector<double>
   nodal_gradient(const Solid &solid, MPI_Comm communicator)
   {
@@ -55,9 +56,9 @@ namespace wheelrail
         const ElementBlocks &blocks = solid.blocks[body];
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
           {
-            const std::size_t batch = e / blocks.width, lane = e % blocks.width;
-            const double     *B = &blocks.data[batch * ElementBlocks::fields * blocks.width + lane];
-            const auto       &cell = solid.mesh.cells[solid.block_cells[body][e]];
+            const std::size_t     batch = e / blocks.width, lane = e % blocks.width;
+            const double         *B    = &blocks.data[batch * ElementBlocks::fields * blocks.width + lane];
+            const auto           &cell = solid.mesh.cells[solid.block_cells[body][e]];
             std::array<double, 9> H{};
             for (int a = 0; a < 8; ++a)
               for (int i = 0; i < 3; ++i)
@@ -68,7 +69,6 @@ namespace wheelrail
       }
     return nodal_means<9>(solid, gradient, communicator);
   }
-
 
 
   std::vector<double>

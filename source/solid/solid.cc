@@ -76,7 +76,8 @@ namespace wheelrail
     void
     reduce_quality(MeshQuality &q, MPI_Comm communicator)
     {
-      unsigned long counts[6] = {q.elements, q.nodes, q.hanging, q.rail_elements, q.wheel_elements, q.finest_elements};
+      unsigned long counts[6] = {
+        q.elements, q.nodes, q.hanging, q.rail_elements, q.wheel_elements, q.finest_elements};
       MPI_Allreduce(MPI_IN_PLACE, counts, 6, MPI_UNSIGNED_LONG, MPI_SUM, communicator);
       q.elements = counts[0], q.nodes = counts[1], q.hanging = counts[2];
       q.rail_elements = counts[3], q.wheel_elements = counts[4], q.finest_elements = counts[5];
@@ -108,14 +109,18 @@ namespace wheelrail
     /// The stiffest element over all ranks. The linear bulk viscosity is a damping ratio of
     /// `coefficient` at the highest frequency; taken at the half step behind it shortens the step.
     StableStep
-    find_stable_step(const Solid &solid, const Elements &elements, const double coefficient, MPI_Comm communicator)
+    find_stable_step(const Solid    &solid,
+                     const Elements &elements,
+                     const double    coefficient,
+                     MPI_Comm        communicator)
     {
       double     largest = 0;
       StableStep stable;
       for (int body = 0; body < 2; ++body)
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           {
-            const double bound = element_frequency_bound(elements.geometry[body][e], solid.blocks[body].material);
+            const double bound =
+              element_frequency_bound(elements.geometry[body][e], solid.blocks[body].material);
             if (bound > largest)
               {
                 largest       = bound;
@@ -134,7 +139,8 @@ namespace wheelrail
       best.value = largest;
       MPI_Comm_rank(communicator, &best.rank);
       MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, communicator);
-      double data[5] = {double(stable.body), stable.length, stable.place[0], stable.place[1], stable.place[2]};
+      double data[5] = {
+        double(stable.body), stable.length, stable.place[0], stable.place[1], stable.place[2]};
       MPI_Bcast(data, 5, MPI_DOUBLE, best.rank, communicator);
       stable.body   = static_cast<Body>(static_cast<int>(data[0]));
       stable.length = data[1];
@@ -143,7 +149,6 @@ namespace wheelrail
       return stable;
     }
   } // namespace
-
 
 
   Solid
@@ -168,7 +173,6 @@ namespace wheelrail
     reduce_quality(solid.quality, communicator);
     return solid;
   }
-
 
 
   MassProperties

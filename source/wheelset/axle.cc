@@ -26,7 +26,6 @@ namespace wheelrail
   } // namespace
 
 
-
   std::vector<unsigned int>
   boundary_nodes(const LocalMesh &mesh, const Boundary mark)
   {
@@ -38,8 +37,11 @@ namespace wheelrail
   }
 
 
-
-  Axle::Axle(const AxleData &data, const Solid &solid, const double lift, const double pitch_rate, MPI_Comm communicator)
+  Axle::Axle(const AxleData &data,
+             const Solid    &solid,
+             const double    lift,
+             const double    pitch_rate,
+             MPI_Comm        communicator)
     : data_(data)
     , height_(lift)
     , lift_(lift)
@@ -74,7 +76,6 @@ namespace wheelrail
   }
 
 
-
   void
   Axle::step(Solid &solid, const double time_step, const bool first)
   {
@@ -83,7 +84,7 @@ namespace wheelrail
     for (std::size_t b = 0; b < bore_.size(); ++b)
       if (solid.mesh.owned[bore_[b]])
         {
-          const double *f = &solid.force[4 * bore_[b]];
+          const double *f     = &solid.force[4 * bore_[b]];
           const Vector3 force = {f[0], f[1], f[2]};
           for (int i = 0; i < 3; ++i)
             sums[i] += force[i];
@@ -93,11 +94,11 @@ namespace wheelrail
     std::copy(sums, sums + 4, reaction_);
 
     // 2. vertical motion with suspension, preload and weight
-    const double kick      = first ? time_step / 2 : time_step;
-    const double stretch   = height_ - lift_ - sprung_height_;
-    const double closing   = vertical_speed_ - sprung_speed_;
+    const double kick       = first ? time_step / 2 : time_step;
+    const double stretch    = height_ - lift_ - sprung_height_;
+    const double closing    = vertical_speed_ - sprung_speed_;
     const double suspension = data_.stiffness * stretch + data_.damping * closing;
-    const double weight    = (data_.sprung_mass + data_.mass) * data_.gravity;
+    const double weight     = (data_.sprung_mass + data_.mass) * data_.gravity;
     vertical_speed_ += kick * (sums[1] - weight - suspension) / total_mass_;
     if (data_.sprung_mass > 0)
       sprung_speed_ += kick * suspension / data_.sprung_mass;
@@ -119,7 +120,6 @@ namespace wheelrail
   }
 
 
-
   void
   Axle::place_bore(Solid &solid, const double time_step)
   {
@@ -137,6 +137,20 @@ namespace wheelrail
   }
 
 
+  void
+  Axle::set_state(const State &state)
+  {
+    height_         = state.height;
+    lift_           = state.lift;
+    vertical_speed_ = state.vertical_speed;
+    angle_          = state.angle;
+    pitch_rate_     = state.pitch_rate;
+    travelled_      = state.travelled;
+    sprung_height_  = state.sprung_height;
+    sprung_speed_   = state.sprung_speed;
+    work_           = state.work;
+  }
+
 
   AxleEnergy
   Axle::energy() const
@@ -146,8 +160,8 @@ namespace wheelrail
     energy.kinetic       = 0.5 * total_mass_ * vertical_speed_ * vertical_speed_ +
                      0.5 * total_inertia_ * pitch_rate_ * pitch_rate_ +
                      0.5 * data_.sprung_mass * sprung_speed_ * sprung_speed_;
-    energy.potential = (data_.sprung_mass + data_.mass) * data_.gravity * height_ +
-                       0.5 * data_.stiffness * stretch * stretch;
+    energy.potential =
+      (data_.sprung_mass + data_.mass) * data_.gravity * height_ + 0.5 * data_.stiffness * stretch * stretch;
     return energy;
   }
 } // namespace wheelrail

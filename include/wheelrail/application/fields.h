@@ -21,7 +21,11 @@ namespace wheelrail
   /// Positions, displacement against the rigid motion of the body, and for cells the von Mises stress
   /// and the stress components, for surfaces the contact tractions. Collective.
   FieldMesh
-  field_mesh(const Solid &solid, const Axle &axle, const Contact &contact, Selection selection, MPI_Comm communicator);
+  field_mesh(const Solid   &solid,
+             const Axle    &axle,
+             const Contact &contact,
+             Selection      selection,
+             MPI_Comm       communicator);
 
   /// Largest von Mises stress over the elements of all ranks [Pa]. Collective.
   double

@@ -17,8 +17,8 @@ namespace wheelrail
     Solid                    solid;
     std::unique_ptr<Contact> contact;
     AxleData                 axle;
-    double                   wheel_load = 0; ///< weight of sprung mass, axle and wheel [N]
-    double                   time_step  = 0; ///< [s]
+    double                   wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
+    double                   time_step         = 0; ///< [s]
     double                   expected_approach = 0; ///< from Hertz' scaling with the load [m]
   };
 

@@ -25,7 +25,23 @@ namespace wheelrail
     const History &
     history() const
     {
-      return history_;
+      return state_.history;
+    }
+
+    /// The rows of add() and of add_patch() so far.
+    struct State
+    {
+      History history, patches;
+    };
+    const State &
+    state() const
+    {
+      return state_;
+    }
+    void
+    set_state(State state)
+    {
+      state_ = std::move(state);
     }
 
     /// Means and standard deviations over the rows of the last `distance` [m].
@@ -33,15 +49,8 @@ namespace wheelrail
     fill(Summary &summary, double distance) const;
 
   private:
-    void
-    put(const std::string &name, const std::string &unit, double value);
-
-    const Model        &model_;
-    History             history_;
-    std::vector<double> patch_distance_;
-    std::vector<double> patch_area_, patch_width_, patch_length_, patch_shear_, patch_stick_, patch_pressure_,
-      patch_fitted_, patch_along_, patch_lateral_;
-    std::size_t column_ = 0;
+    const Model &model_;
+    State        state_;
   };
 
   /// Mean and standard deviation of the values whose distance is at least `from`.

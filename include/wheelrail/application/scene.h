@@ -11,10 +11,10 @@ namespace wheelrail
   /// long as only "Yield stress = none" is accepted.
   struct MaterialData
   {
-    double youngs_modulus  = 210e9;
-    double poissons_ratio  = 0.3;
-    double density         = 7900;
-    double tangent_modulus = 21e9;
+    double youngs_modulus      = 210e9;
+    double poissons_ratio      = 0.3;
+    double density             = 7900;
+    double tangent_modulus     = 21e9;
     double kinematic_hardening = 0; ///< fraction, 0 isotropic, 1 kinematic
   };
 
@@ -34,15 +34,15 @@ namespace wheelrail
     std::string     wheel_profile = "S1002";
     std::string     rail_profile  = "54E1";
     TrackDimensions track; ///< flange-back distance and nominal radius belong to Wheelset in the file
-    double          rail_length = 1.8; ///< [m]
-    WheelDimensions wheel;             ///< Wheelset/Rim width, ... [m]
-    double          lateral_shift = 0; ///< [m]
-    RollMode        roll          = RollMode::none;
-    double          sprung_mass          = 10000;  ///< [kg]
-    double          axle_mass            = 180;    ///< half axle, rigid [kg]
-    double          axle_pitch_inertia   = 1.5;    ///< half axle about its own axis [kg m2]
-    double          suspension_stiffness = 1.15e6; ///< [N/m]
-    double          suspension_damping   = 2500;   ///< [N s/m]
+    double          rail_length = 1.8;        ///< [m]
+    WheelDimensions wheel;                    ///< Wheelset/Rim width, ... [m]
+    double          lateral_shift        = 0; ///< [m]
+    RollMode        roll                 = RollMode::none;
+    double          sprung_mass          = 10000;     ///< [kg]
+    double          axle_mass            = 180;       ///< half axle, rigid [kg]
+    double          axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
+    double          suspension_stiffness = 1.15e6;    ///< [N/m]
+    double          suspension_damping   = 2500;      ///< [N s/m]
     double          velocity             = 140 / 3.6; ///< [m/s]
     Drive           drive                = Drive::torque;
     double          traction_coefficient = 0.25;
@@ -56,22 +56,22 @@ namespace wheelrail
     MaterialData rail_material, wheel_material;
 
     // Mesh
-    double cell_size         = 1e-3;  ///< Solution cell size [m]
-    double coarse_cell_size  = 16e-3; ///< [m]
-    double fine_depth        = 5e-3;  ///< depth of the finest cells [m], default 5 cells ("Fine depth = auto")
-    double fine_margin       = 3e-3;  ///< fine cells beyond the expected patch [m] ("Fine margin")
+    double cell_size        = 1e-3;  ///< Solution cell size [m]
+    double coarse_cell_size = 16e-3; ///< [m]
+    double fine_depth       = 5e-3;  ///< depth of the finest cells [m], default 5 cells ("Fine depth = auto")
+    double fine_margin      = 3e-3;  ///< fine cells beyond the expected patch [m] ("Fine margin")
 
     // Run
-    double rolling_distance  = 0.1;  ///< [m]
+    double rolling_distance   = 0.1;  ///< [m]
     double averaging_distance = 0.02; ///< last stretch over which the figures are means [m]
-    double time_step_factor  = 0.95; ///< fraction of the stable step
-    double bulk_viscosity    = 0.06; ///< linear bulk viscosity coefficient
-    double gravity           = 9.81; ///< [m/s2]
-    double energy_limit      = 0.05; ///< energy error at which the run stops
+    double time_step_factor   = 0.95; ///< fraction of the stable step
+    double bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
+    double gravity            = 9.81; ///< [m/s2]
+    double energy_limit       = 0.05; ///< energy error at which the run stops
 
     // Output
-    std::string  folder = "output/scene";
-    unsigned int ticks  = 20; ///< evenly spaced outputs of patch and surface fields over the run
+    std::string  folder        = "output/scene";
+    unsigned int ticks         = 20;   ///< evenly spaced outputs of patch and surface fields over the run
     bool         volume_fields = true; ///< VTU of the whole mesh at start and end
   };
 } // namespace wheelrail

@@ -22,11 +22,12 @@ namespace wheelrail
   template <typename T>
   struct AlignedAllocator
   {
-    using value_type = T;
+    using value_type   = T;
     AlignedAllocator() = default;
     template <typename U>
     AlignedAllocator(const AlignedAllocator<U> &)
-    {}
+    {
+    }
 
     T *
     allocate(const std::size_t n)

@@ -39,13 +39,13 @@ namespace wheelrail
   /// Sums over the contact at one instant. Forces act on the wheel.
   struct ContactSums
   {
-    Vector3 force{};                ///< [N]
-    double  normal_force     = 0;   ///< sum of p A [N]
-    double  stored_energy    = 0;   ///< in the penalty springs [J]
-    double  friction_power   = 0;   ///< [W]
-    double  damping_power    = 0;   ///< [W]
-    double  largest_pressure = 0;   ///< [Pa]
-    int     nodes            = 0;   ///< in contact
+    Vector3 force{};                  ///< [N]
+    double  normal_force     = 0;     ///< sum of p A [N]
+    double  stored_energy    = 0;     ///< in the penalty springs [J]
+    double  friction_power   = 0;     ///< [W]
+    double  damping_power    = 0;     ///< [W]
+    double  largest_pressure = 0;     ///< [Pa]
+    int     nodes            = 0;     ///< in contact
     bool    at_border        = false; ///< the patch touches the border of the window
   };
 
@@ -57,8 +57,13 @@ namespace wheelrail
   class Contact
   {
   public:
-    Contact(Surface rail, Surface wheel, RunningSurfaces surfaces, Lattice lattice, ContactLaw law, double half_window,
-            MPI_Comm communicator);
+    Contact(Surface         rail,
+            Surface         wheel,
+            RunningSurfaces surfaces,
+            Lattice         lattice,
+            ContactLaw      law,
+            double          half_window,
+            MPI_Comm        communicator);
 
     /// Centres the window at `along` [m]. `wheel_ahead` is the arc coordinate of the wheel that faces
     /// Z = along, minus along [m]. Cheap when nothing changes.
@@ -87,8 +92,8 @@ namespace wheelrail
     /// wheel's facet with its weights; for the static start.
     struct Spring
     {
-      unsigned int                rail;    ///< index in the lattice
-      std::array<unsigned int, 4> wheel;   ///< indices in the lattice
+      unsigned int                rail;  ///< index in the lattice
+      std::array<unsigned int, 4> wheel; ///< indices in the lattice
       std::array<double, 4>       weight;
       Vector3                     normal;
       double                      stiffness; ///< [N/m]
@@ -140,6 +145,19 @@ namespace wheelrail
     {
       return window_;
     }
+    /// What one step leaves to the next: the window and its rail nodes in the order of the lattice, of
+    /// which pressure, shear and closest point count; all else follows from the nodal state of the bodies.
+    struct State
+    {
+      Window                   window;
+      std::vector<ContactNode> nodes;
+    };
+    State
+    state() const;
+    /// Goes on from a state of a contact of the same lattice, whole on every rank.
+    void
+    set_state(const State &state);
+
     /// Current position of a rail node in the window [m].
     const Vector3 &
     rail_position(std::size_t node) const
@@ -170,8 +188,11 @@ namespace wheelrail
     double
     true_gap(ContactNode &node, const Vector3 &x, std::array<double, 4> &weight) const;
     void
-    apply_law(ContactNode &node, std::size_t index, const std::array<double, 4> &weight, double time_step,
-              ContactSums &sums);
+    apply_law(ContactNode                 &node,
+              std::size_t                  index,
+              const std::array<double, 4> &weight,
+              double                       time_step,
+              ContactSums                 &sums);
     std::array<std::size_t, 4>
     corners(const ContactNode &node) const;
 

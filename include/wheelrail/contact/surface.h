@@ -14,7 +14,7 @@ namespace wheelrail
   /// the track at `first_station + i` times `spacing_along`, rows across at `s_begin + j spacing`.
   struct Lattice
   {
-    int          first_station  = 0;
+    int          first_station = 0;
     unsigned int n_along = 0, n_lateral = 0;
     double       spacing_along = 0, s_begin = 0, spacing_lateral = 0; ///< [m]
 
@@ -29,11 +29,11 @@ namespace wheelrail
   struct Surface
   {
     Body                       body = Body::rail;
-    std::vector<Vector3>       reference;   ///< [m]
-    std::vector<double>        area;        ///< tributary area of the node on the facets [m2]
+    std::vector<Vector3>       reference; ///< [m]
+    std::vector<double>        area;      ///< tributary area of the node on the facets [m2]
     std::vector<std::uint32_t> global_node;
-    std::vector<int>           owner;       ///< rank that sends the node's state
-    std::vector<int>           local;       ///< node on this rank, or -1
+    std::vector<int>           owner; ///< rank that sends the node's state
+    std::vector<int>           local; ///< node on this rank, or -1
   };
 
   /// Collects the vertices of the finest running faces of a body. Collective.

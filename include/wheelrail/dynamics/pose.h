@@ -38,14 +38,14 @@ namespace wheelrail
   /// Where to fit: the contact point now, and the wheel's rigid motion.
   struct PoseQuery
   {
-    Vector3 contact{};                  ///< [m]
+    Vector3 contact{};                    ///< [m]
     Vector3 axle_reference{}, axle_now{}; ///< centre of the axle [m]
-    Vector3 axis = {1, 0, 0};
-    double  angle            = 0;       ///< turned about the axis [rad]
-    double  head_depth       = 0.036;   ///< depth of the rail head below the contact point [m]
-    double  rim_inner_radius = 0.395;   ///< [m]
-    double  slab             = 0.010;   ///< half thickness along Z [m]
-    double  keep_away        = 0.022;   ///< nodes nearer to the contact point are left out [m]
+    Vector3 axis             = {1, 0, 0};
+    double  angle            = 0;     ///< turned about the axis [rad]
+    double  head_depth       = 0.036; ///< depth of the rail head below the contact point [m]
+    double  rim_inner_radius = 0.395; ///< [m]
+    double  slab             = 0.010; ///< half thickness along Z [m]
+    double  keep_away        = 0.022; ///< nodes nearer to the contact point are left out [m]
   };
 
   /// Collective.

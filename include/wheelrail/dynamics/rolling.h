@@ -8,9 +8,9 @@ namespace wheelrail
   /// The energy balance [J]. `residual` is what the parts fail to add up to since the start.
   struct EnergyBalance
   {
-    double kinetic = 0, strain = 0, stabilisation = 0, contact = 0, potential = 0;       ///< states
-    double viscous = 0, friction = 0, contact_damping = 0, suspension = 0;               ///< dissipated
-    double torque_work = 0, hold_work = 0, support_work = 0;                             ///< supplied
+    double kinetic = 0, strain = 0, stabilisation = 0, contact = 0, potential = 0; ///< states
+    double viscous = 0, friction = 0, contact_damping = 0, suspension = 0;         ///< dissipated
+    double torque_work = 0, hold_work = 0, support_work = 0;                       ///< supplied
     double residual = 0;
     double start    = 0; ///< total at the start
     double error    = 0; ///< |residual| over strain plus dissipated energy
@@ -30,7 +30,12 @@ namespace wheelrail
   {
   public:
     /// The state in `solid` (displacement and velocity at the same instant) is the start.
-    Rolling(Solid &solid, Contact &contact, Axle &axle, double time_step, double bulk_viscosity, MPI_Comm communicator);
+    Rolling(Solid   &solid,
+            Contact &contact,
+            Axle    &axle,
+            double   time_step,
+            double   bulk_viscosity,
+            MPI_Comm communicator);
 
     /// One time step. `with_energy` updates energy() too. Collective.
     void
@@ -56,6 +61,22 @@ namespace wheelrail
     {
       return energy_;
     }
+    /// What one step leaves to the next, beside bodies, contact and axle.
+    struct State
+    {
+      double        time    = 0; ///< [s]
+      unsigned long steps   = 0;
+      double        viscous = 0, support_work = 0;     ///< of this rank [J]
+      double        friction = 0, contact_damping = 0; ///< [J]
+      bool          balance_started = false;
+      double        energy_at_start = 0; ///< [J]
+      double        energy_error    = 0; ///< of the last balance
+    };
+    State
+    state() const;
+    void
+    set_state(const State &state);
+
     /// Seconds spent in elements, exchange, contact, and update since the start (this rank).
     struct Timing
     {
@@ -87,10 +108,10 @@ namespace wheelrail
     std::vector<unsigned int> wheel_nodes_;   ///< free wheel nodes, which weigh
     std::vector<unsigned int> added_nodes_;   ///< wheel nodes with bipenalty mass
     std::vector<Vector3>      support_force_; ///< on them in this step [N]
-    double                    time_ = 0;
+    double                    time_  = 0;
     unsigned long             steps_ = 0;
     ContactSums               sums_;
-    ElementEnergy             elements_;      ///< of the last step that asked for it; viscous power always
+    ElementEnergy             elements_; ///< of the last step that asked for it; viscous power always
     EnergyBalance             energy_;
     double                    support_work_ = 0; ///< of the force that turns the bipenalty mass, this rank
     double                    viscous_ = 0, friction_ = 0, contact_damping_ = 0;

@@ -22,12 +22,12 @@ namespace wheelrail
 
   struct StaticResult
   {
-    double  lift       = 0; ///< vertical displacement of the axle [m]
-    double  wheel_load = 0; ///< weight of sprung mass, axle and wheel [N]
-    double  creepage   = 0; ///< predicted, at the rolling radius of 2D-Geo
+    double  lift       = 0;  ///< vertical displacement of the axle [m]
+    double  wheel_load = 0;  ///< weight of sprung mass, axle and wheel [N]
+    double  creepage   = 0;  ///< predicted, at the rolling radius of 2D-Geo
     Vector3 contact_force{}; ///< on the wheel [N]
     int     newton_steps = 0, cg_steps = 0;
-    double  residual = 0;   ///< largest nodal force out of balance over the wheel load
+    double  residual = 0; ///< largest nodal force out of balance over the wheel load
   };
 
   /// Static equilibrium of both bodies under contact, weight, suspension preload and the centrifugal

@@ -19,18 +19,18 @@ namespace wheelrail
   /// contact times the rolling radius, so that arc coordinate and Z meet in rolling.
   struct SweepPlan
   {
-    Section             rail;      ///< in the track plane
+    Section             rail;          ///< in the track plane
     std::vector<double> rail_stations; ///< coarse block borders along Z [m], ascending
 
-    Section      wheel;            ///< (lateral, radius)
-    unsigned int sectors        = 180;  ///< coarse blocks around the wheel
+    Section      wheel;         ///< (lateral, radius)
+    unsigned int sectors = 180; ///< coarse blocks around the wheel
 
-    FineStrip    strip;
+    FineStrip       strip;
     RunningSurfaces surfaces;
-    unsigned int levels     = 4;    ///< refinements from the coarse blocks to the finest cells
-    double       fine_depth = 5e-3; ///< of the finest cells below the running surface [m]
-    double       fine_begin = 0;    ///< range of Z and of the arc coordinate with finest cells [m]
-    double       fine_end   = 0;
+    unsigned int    levels     = 4;    ///< refinements from the coarse blocks to the finest cells
+    double          fine_depth = 5e-3; ///< of the finest cells below the running surface [m]
+    double          fine_begin = 0;    ///< range of Z and of the arc coordinate with finest cells [m]
+    double          fine_end   = 0;
   };
 
   /// Wheel and rail in one p4est forest, refined towards the strip where they touch.
@@ -108,13 +108,13 @@ namespace wheelrail
     void
     refine();
     void
-    number();
-    SweepPlan                                      plan_;
+                                                    number();
+    SweepPlan                                       plan_;
     dealii::parallel::distributed::Triangulation<3> triangulation_;
-    dealii::FESystem<3>                            element_;
-    dealii::DoFHandler<3>                          dofs_;
-    dealii::AffineConstraints<double>              constraints_;
-    dealii::IndexSet                               relevant_;
-    unsigned int                                   n_rail_cells_ = 0; ///< coarse cells of the rail come first
+    dealii::FESystem<3>                             element_;
+    dealii::DoFHandler<3>                           dofs_;
+    dealii::AffineConstraints<double>               constraints_;
+    dealii::IndexSet                                relevant_;
+    unsigned int n_rail_cells_ = 0; ///< coarse cells of the rail come first
   };
 } // namespace wheelrail

@@ -39,8 +39,9 @@ namespace wheelrail
   struct LocalMesh
   {
     std::vector<std::uint32_t> global_node; ///< n_nodes, number of the node over all ranks
-    AlignedVector<double>      reference;   ///< 4 x n_nodes: X, Y, Z, 0 [m], hanging nodes at the mean of their parents
-    std::vector<unsigned char> owned;       ///< 1 when this rank is the lowest that holds the node
+    AlignedVector<double>
+      reference; ///< 4 x n_nodes: X, Y, Z, 0 [m], hanging nodes at the mean of their parents
+    std::vector<unsigned char> owned; ///< 1 when this rank is the lowest that holds the node
     std::vector<Body>          node_body;
 
     std::vector<std::array<unsigned int, 8>> cells; ///< local nodes, lexicographic

@@ -30,8 +30,8 @@ namespace wheelrail
   /// Stored tractions act on the rail.
   struct PatchFields
   {
-    double time = 0, rolled_distance = 0; ///< [s], [m]
-    unsigned int n_along = 0, n_lateral = 0;
+    double              time = 0, rolled_distance = 0; ///< [s], [m]
+    unsigned int        n_along = 0, n_lateral = 0;
     std::vector<double> along;         ///< position relative to the axle along Z [m]
     std::vector<double> lateral;       ///< contact frame coordinate s [m]
     std::vector<double> gap;           ///< signed gap, negative = penetration [m]
@@ -40,8 +40,8 @@ namespace wheelrail
     std::vector<double> shear_lateral; ///< along s [Pa]
     std::vector<double> slip_along;    ///< slip velocity of the wheel against the rail, over V [1]
     std::vector<double> slip_lateral;
-    std::vector<double> state;         ///< 0 open, 1 stick, 2 slip
-    std::vector<double> area;          ///< tributary area [m2]
+    std::vector<double> state; ///< 0 open, 1 stick, 2 slip
+    std::vector<double> area;  ///< tributary area [m2]
   };
 
   /// A growing table of histories; all columns have one value a row.

@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,10 +37,10 @@ namespace wheelrail
     void
     add(double time, const std::string &file);
 
-    /// Takes over the entries of the .pvd file that is already there (a resumed run); without the
-    /// file the series stays empty.
+    /// Takes over the first `keep` entries of the .pvd file that is already there (a resumed run);
+    /// without the file the series stays empty.
     void
-    load();
+    load(std::size_t keep = std::numeric_limits<std::size_t>::max());
 
     const std::vector<std::pair<double, std::string>> &
     entries() const

@@ -43,11 +43,11 @@ namespace wheelrail
   /// gamma = h - B (h X); see doc/element.md.
   struct ElementGeometry
   {
-    std::array<std::array<double, 3>, 8> B;      ///< mean gradient of each shape function [1/m]
-    double                               volume; ///< [m3]
-    std::array<std::array<double, 3>, 4> hX;     ///< sum over nodes of h X for each pattern [m]
-    std::array<std::array<double, 3>, 3> frame;  ///< columns: orthonormal axes closest to the cell's own
-    std::array<double, 3>                half;   ///< half edge lengths along these axes [m]
+    std::array<std::array<double, 3>, 8> B;           ///< mean gradient of each shape function [1/m]
+    double                               volume;      ///< [m3]
+    std::array<std::array<double, 3>, 4> hX;          ///< sum over nodes of h X for each pattern [m]
+    std::array<std::array<double, 3>, 3> frame;       ///< columns: orthonormal axes closest to the cell's own
+    std::array<double, 3>                half;        ///< half edge lengths along these axes [m]
     std::array<double, 8>                node_volume; ///< row sums of the consistent mass over density [m3]
   };
 
@@ -71,12 +71,12 @@ namespace wheelrail
     /// length of the bulk viscosity (1).
     static constexpr int fields = 24 + 1 + 12 + 9 + 3 + 1;
 
-    int                        width = native_width;
-    Elasticity                 material;
-    std::size_t                n_elements = 0;
-    AlignedVector<double>      data;
+    int                          width = native_width;
+    Elasticity                   material;
+    std::size_t                  n_elements = 0;
+    AlignedVector<double>        data;
     AlignedVector<std::uint32_t> nodes;
-    AlignedVector<double>      dilatation; ///< trace of Green's strain at the last step, for the bulk viscosity
+    AlignedVector<double> dilatation; ///< trace of Green's strain at the last step, for the bulk viscosity
 
     std::size_t
     n_batches() const
@@ -87,10 +87,10 @@ namespace wheelrail
 
   /// Packs elements given by their geometry and local nodes.
   ElementBlocks
-  pack_elements(const std::vector<ElementGeometry>              &geometry,
-                const std::vector<std::array<unsigned int, 8>>  &cells,
-                const Elasticity                                &material,
-                int                                              width = native_width);
+  pack_elements(const std::vector<ElementGeometry>             &geometry,
+                const std::vector<std::array<unsigned int, 8>> &cells,
+                const Elasticity                               &material,
+                int                                             width = native_width);
 
   /// 24 x 24 stiffness of the element at rest [N/m], row-major, row = 3 node + component: the exact
   /// linearisation of the kernel, used by the static start.

@@ -28,7 +28,7 @@ namespace wheelrail
     };
     MPI_Comm                  communicator_;
     int                       rank_;
-    std::vector<Link>         links_; ///< ascending rank
+    std::vector<Link>         links_;  ///< ascending rank
     std::vector<unsigned int> shared_; ///< all shared nodes, once
     std::vector<double>       own_;    ///< the rank's own parts of them
   };

@@ -28,8 +28,8 @@ namespace wheelrail
   /// Green's strain, second Piola-Kirchhoff stress of the Saint Venant-Kirchhoff law, and a
   /// stabilisation energy that is a function of Green-type measures too, so that any rigid motion
   /// leaves no force and momenta are conserved to round-off.
-  /// All SIMD widths (1, 2, 4, 8; blocks.width) give the same forces. Adds the viscous power to `energy`, and the
-  /// strain and stabilisation energies when `with_energy` is set.
+  /// All SIMD widths (1, 2, 4, 8; blocks.width) give the same forces. Adds the viscous power to `energy`, and
+  /// the strain and stabilisation energies when `with_energy` is set.
   void
   subtract_internal_force(ElementBlocks       &blocks,
                           const double        *displacement,

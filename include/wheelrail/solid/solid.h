@@ -13,8 +13,8 @@ namespace wheelrail
   {
     double  step = 0; ///< 2 / omega_max of the stiffest element, bulk viscosity included [s]
     Body    body = Body::rail;
-    Vector3 place{};     ///< centre of the governing element [m]
-    double  length = 0;  ///< cube root of its volume [m]
+    Vector3 place{};    ///< centre of the governing element [m]
+    double  length = 0; ///< cube root of its volume [m]
   };
 
   /// Quality of the hexahedra over all ranks.
@@ -22,23 +22,23 @@ namespace wheelrail
   {
     std::size_t elements = 0, nodes = 0, hanging = 0;
     std::size_t rail_elements = 0, wheel_elements = 0, finest_elements = 0;
-    double      worst_jacobian = 1; ///< smallest corner Jacobian over the mean one, 1 for bricks
+    double      worst_jacobian = 1;        ///< smallest corner Jacobian over the mean one, 1 for bricks
     double      smallest = 0, largest = 0; ///< cube roots of volumes [m]
   };
 
   /// Mass properties of one body over all ranks, from the lumped masses.
   struct MassProperties
   {
-    double  mass = 0;   ///< [kg]
-    Vector3 centre{};   ///< centre of gravity [m]
+    double  mass = 0;    ///< [kg]
+    Vector3 centre{};    ///< centre of gravity [m]
     double  inertia = 0; ///< about the axis through `about` along X [kg m2]
   };
 
   /// The deformable bodies of one rank: packed elements, lumped mass, and the nodal state.
   struct Solid
   {
-    LocalMesh     mesh;
-    ElementBlocks blocks[2]; ///< rail, wheel
+    LocalMesh                mesh;
+    ElementBlocks            blocks[2];      ///< rail, wheel
     std::vector<std::size_t> block_cells[2]; ///< cell number of each packed element
 
     AlignedVector<double> mass;         ///< n_nodes, lumped, summed over ranks; zero at hanging nodes [kg]
@@ -48,8 +48,8 @@ namespace wheelrail
     AlignedVector<double> force;        ///< 4 x n_nodes [N]
 
     unsigned char finest_level = 0; ///< over all ranks
-    StableStep  stable;
-    MeshQuality quality;
+    StableStep    stable;
+    MeshQuality   quality;
 
     /// Current position of a node [m].
     Vector3

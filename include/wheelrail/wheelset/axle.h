@@ -11,10 +11,10 @@ namespace wheelrail
   /// What the wheel's bore is tied to, and what carries and turns it [SI].
   struct AxleData
   {
-    Vector3 centre{};              ///< of the axle at the start, before loading, in the plane of the running circle
-    Vector3 axis = {1, 0, 0};      ///< unit vector towards the track centre
-    double  mass          = 180;   ///< rigid half axle
-    double  pitch_inertia = 1.5;   ///< of the half axle about its own axis
+    Vector3 centre{}; ///< of the axle at the start, before loading, in the plane of the running circle
+    Vector3 axis          = {1, 0, 0}; ///< unit vector towards the track centre
+    double  mass          = 180;       ///< rigid half axle
+    double  pitch_inertia = 1.5;       ///< of the half axle about its own axis
     double  sprung_mass   = 10000;
     double  stiffness     = 1.15e6; ///< primary suspension
     double  damping       = 2500;
@@ -27,11 +27,11 @@ namespace wheelrail
   /// Works and energies of axle, suspension and sprung mass [J].
   struct AxleEnergy
   {
-    double kinetic        = 0; ///< of axle with the tied bore nodes, and of the sprung mass
-    double potential      = 0; ///< of axle and preload in gravity, and the suspension's deviation from its preload
-    double damped         = 0; ///< by the suspension's damper
-    double torque_work    = 0; ///< of the drive torque (or of the torque that holds the rate)
-    double hold_work      = 0; ///< of the force that holds the longitudinal speed
+    double kinetic   = 0; ///< of axle with the tied bore nodes, and of the sprung mass
+    double potential = 0; ///< of axle and preload in gravity, and the suspension's deviation from its preload
+    double damped    = 0; ///< by the suspension's damper
+    double torque_work = 0; ///< of the drive torque (or of the torque that holds the rate)
+    double hold_work   = 0; ///< of the force that holds the longitudinal speed
   };
 
   /// The rigid axle: vertical motion and pitch are free, longitudinal speed is held, lateral, roll and
@@ -91,6 +91,30 @@ namespace wheelrail
     AxleEnergy
     energy() const;
 
+    /// What one step leaves to the next [SI]: positions at the full step, speeds and works at the half step.
+    struct State
+    {
+      double     height = 0, lift = 0, vertical_speed = 0;
+      double     angle = 0, pitch_rate = 0, travelled = 0;
+      double     sprung_height = 0, sprung_speed = 0;
+      AxleEnergy work;
+    };
+    State
+    state() const
+    {
+      return {height_,
+              lift_,
+              vertical_speed_,
+              angle_,
+              pitch_rate_,
+              travelled_,
+              sprung_height_,
+              sprung_speed_,
+              work_};
+    }
+    void
+    set_state(const State &state);
+
     /// The bore nodes of this rank.
     const std::vector<unsigned int> &
     bore() const
@@ -108,9 +132,9 @@ namespace wheelrail
     double                    total_mass_ = 0, total_inertia_ = 0; ///< with the bore nodes
     double                    height_ = 0, lift_ = 0, vertical_speed_ = 0;
     double                    angle_ = 0, pitch_rate_ = 0;
-    double                    travelled_ = 0;
+    double                    travelled_     = 0;
     double                    sprung_height_ = 0, sprung_speed_ = 0; ///< against the static position
-    double                    reaction_[4] = {0, 0, 0, 0};           ///< force and moment about the axis
+    double                    reaction_[4]    = {0, 0, 0, 0};        ///< force and moment about the axis
     double                    applied_torque_ = 0;
     AxleEnergy                work_;
     MPI_Comm                  communicator_;

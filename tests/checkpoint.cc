@@ -1,0 +1,237 @@
+// ranks: 1 2
+
+// Runs that are stopped and go on: the same bits whether and where they were stopped, and what is refused.
+// All start from one static start: a second one in the same process agrees within its tolerance only.
+
+#include <wheelrail/application/checkpoint_files.h>
+#include <wheelrail/application/parameters.h>
+#include <wheelrail/application/simulation.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/output/summary.h>
+#include <wheelrail/output/vtu.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+#include <filesystem>
+
+using namespace wheelrail;
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace
+{
+  int rank = 0, size = 1;
+
+  Scene
+  scene(const std::string &name)
+  {
+    Scene scene  = small_scene(4e-3);
+    scene.title  = "stopped and gone on";
+    scene.ticks  = 5;
+    scene.folder = "checkpoint_" + std::to_string(size) + "_" + name;
+    return scene;
+  }
+
+  int
+  run(const Scene &scene, const bool resume, const unsigned long stop_after_steps = 0)
+  {
+    RunOptions options;
+    options.overwrite        = !resume;
+    options.resume           = resume;
+    options.stop_after_steps = stop_after_steps;
+    options.prm_text         = "# a test\n";
+    options.parameters_text  = print_parameters(scene);
+    const int code           = run_simulation(scene, options);
+    MPI_Barrier(MPI_COMM_WORLD); // rank 0 has written
+    return code;
+  }
+
+  /// The text of the error of a run that is refused or stops.
+  template <typename Error>
+  std::string
+  error_of(const Scene &scene, const bool resume)
+  {
+    try
+      {
+        run(scene, resume);
+      }
+    catch (const Error &error)
+      {
+        return error.what();
+      }
+    return "no error";
+  }
+
+  /// Rank 0 changes files while the others wait.
+  template <typename Work>
+  void
+  on_disk(const Work &work)
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rank == 0)
+      work();
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+
+  unsigned int
+  count_checkpoints(const std::string &folder)
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    unsigned int n = 0;
+    for (const auto &entry : fs::directory_iterator(folder))
+      n += entry.path().filename().string().rfind("checkpoint_", 0) == 0;
+    return n;
+  }
+
+  /// Same bits in history, patches, series and all figures but those of time and memory.
+  void
+  compare(const std::string &one_go, const std::string &gone_on, const std::string &what)
+  {
+    const History a = read_history(one_go + "/history.h5"), b = read_history(gone_on + "/history.h5");
+    check(!a.columns.empty() && a.columns[0].size() > 50 && a.columns == b.columns,
+          what + ": the same history");
+    const Summary s = read_summary(one_go + "/summary.json"), t = read_summary(gone_on + "/summary.json");
+    for (const char *key : {"normal_force_N",
+                            "longitudinal_force_N",
+                            "max_pressure_Pa",
+                            "contact_area_m2",
+                            "creepage",
+                            "stick_fraction",
+                            "max_von_mises_Pa",
+                            "rolled_distance_m",
+                            "time_steps",
+                            "energy_error",
+                            "relative_roll_rad"})
+      check(get_figure(s, key) == get_figure(t, key), what + ": the same " + key);
+    check(s.finished && t.finished, what + ": both have finished");
+    for (unsigned int tick = 0; tick < 5; ++tick)
+      {
+        const PatchFields p = read_patch(one_go + "/patch.h5", tick),
+                          q = read_patch(gone_on + "/patch.h5", tick);
+        check(p.time == q.time && p.pressure == q.pressure && p.slip_along == q.slip_along,
+              what + ": the same patch at tick " + std::to_string(tick));
+      }
+    for (const char *name : {"/surface.pvd", "/window.pvd"})
+      {
+        PvdSeries u(one_go + name), v(gone_on + name);
+        u.load();
+        v.load();
+        check(u.entries().size() == 5 && u.entries() == v.entries(), what + ": the same " + name);
+      }
+  }
+
+  /// A copy of a run in a folder of its own.
+  Scene
+  copy(const Scene &from, const std::string &name)
+  {
+    const Scene to = scene(name);
+    on_disk([&]() {
+      fs::remove_all(to.folder);
+      fs::copy(from.folder, to.folder);
+    });
+    return to;
+  }
+
+  /// Interrupted after step 200 of 397, with ticks at 80 and 159.
+  Scene
+  interrupted_run()
+  {
+    const Scene base = scene("base");
+    check(run(base, false, 200) == 3, "an interrupted run ends with exit code 3");
+    const Summary summary = read_summary(base.folder + "/summary.json");
+    check(!summary.finished && summary.stop_reason == "interrupted" && summary.time_steps == 200,
+          "its summary says so");
+    check(count_checkpoints(base.folder) == 2 * unsigned(size) + 1, "its last two states are saved");
+    return base;
+  }
+
+  /// From the tick before the interruption on: the steps up to it are those of a run that was not stopped.
+  void
+  gone_back(const Scene &base, const Scene &one_go)
+  {
+    const Scene       again = copy(base, "again");
+    const std::string file  = again.folder + "/checkpoint_1_rank" + std::to_string(rank) + ".h5";
+    const Checkpoint  tick  = checkpoint_from_bytes(read_whole_file(file));
+    check(tick.ticks == 2 && tick.rolling.steps < 180, "the state of the second tick");
+    write_checkpoint(tick, again.folder, MPI_COMM_WORLD);
+    check(run(again, true, 180) == 3, "gone on from there and interrupted again");
+    check(run(again, true, 350) == 3, "and again, after further ticks");
+    check(run(again, true) == 0, "gone on to the end");
+    compare(one_go.folder, again.folder, "interrupted");
+    check(count_checkpoints(again.folder) == 0, "a finished run keeps no checkpoint");
+  }
+
+  void
+  stopped_by_limit(const Scene &base, const Scene &one_go)
+  {
+    Scene gone_on        = copy(base, "limit");
+    gone_on.energy_limit = 1e-12;
+    check(error_of<RunError>(gone_on, true).find("energy balance") != std::string::npos,
+          "the energy limit stops a run");
+    gone_on.energy_limit = one_go.energy_limit;
+    check(run(gone_on, true) == 0, "it goes on with a larger limit from the last good state");
+    compare(one_go.folder, gone_on.folder, "stopped by limit");
+  }
+
+  void
+  check_refusal(const Scene &scene, const std::string &part, const std::string &what)
+  {
+    const std::string error = error_of<InputError>(scene, true);
+    if (!check(error.find(part) != std::string::npos && error.find('\n') == std::string::npos, what))
+      std::cout << "  found: " << error << std::endl;
+  }
+
+  void
+  refusals(const Scene &base, const Scene &one_go)
+  {
+    check_refusal(one_go, "has finished", "a finished run is not gone on with");
+    check_refusal(scene("nowhere"), "no saved state", "no folder, nothing to go on from");
+    check(!fs::exists(scene("nowhere").folder), "and none is made");
+
+    const Scene saved      = copy(base, "refused");
+    Scene       other      = saved;
+    other.rolling_distance = 7e-3;
+    other.ticks            = 4;
+    other.title            = "another title is accepted";
+    check_refusal(other,
+                  "Output/Ticks = 4, saved with 5; Run/Rolling distance = 7 mm, saved with 6 mm",
+                  "other entries are named");
+    check(error_of<InputError>(other, true).find("Title") == std::string::npos, "the title may differ");
+
+    const std::string marker = saved.folder + "/checkpoint_last", text = read_whole_file(marker);
+    const auto        with = [&](const std::string &old, const std::string &fresh) {
+      std::string changed = text;
+      on_disk([&]() { replace_file(marker, changed.replace(changed.find(old), old.size(), fresh)); });
+    };
+    with("ranks = " + std::to_string(size), "ranks = 3");
+    check_refusal(saved, "saved by 3 ranks", "another number of ranks");
+    with("format = 1", "format = 99");
+    check_refusal(saved, "format \"99\"", "another format");
+    with("checksum", "cheksum");
+    check_refusal(saved, "damaged", "no checksum");
+    with("ranks", "ranks"); // as it was
+    const std::string last  = saved.folder + "/checkpoint_0_rank" + std::to_string(size - 1) + ".h5";
+    std::string       bytes = read_whole_file(last);
+    bytes[bytes.size() / 2] ^= 1;
+    on_disk([&]() { replace_file(last, bytes); });
+    check_refusal(saved, "checksum", "one bit changed in the file of the last rank");
+    on_disk([&]() { fs::remove(last); });
+    check_refusal(saved, "damaged or missing", "a missing file");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  rank = parallel.rank, size = parallel.size;
+  const Scene base = interrupted_run(), one_go = copy(base, "one_go");
+  check(run(one_go, true) == 0, "a run that goes on");
+  gone_back(base, one_go);
+  stopped_by_limit(base, one_go);
+  refusals(base, one_go);
+  return parallel.report();
+}
