@@ -5,6 +5,7 @@
 
 #include <wheelrail/application/model.h>
 #include <wheelrail/dynamics/rolling.h>
+#include <wheelrail/dynamics/rolling_velocities.h>
 #include <wheelrail/dynamics/static_start.h>
 
 #include "parallel.h"

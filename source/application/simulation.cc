@@ -7,6 +7,7 @@
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/dynamics/rolling_velocities.h>
 #include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/hdf5_file.h>

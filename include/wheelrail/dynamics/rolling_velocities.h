@@ -1,0 +1,12 @@
+#pragma once
+
+#include <wheelrail/wheelset/axle.h>
+
+namespace wheelrail
+{
+  /// Velocities of steady rolling for the static field: the wheel turns at `pitch_rate` while its
+  /// field stands in the frame of the axle, v = V + (I + grad u)(omega x r); the rail's field runs
+  /// along with the contact, v = -V du/dz. Collective.
+  void
+  rolling_velocities(Solid &solid, const AxleData &axle, double pitch_rate, MPI_Comm communicator);
+} // namespace wheelrail

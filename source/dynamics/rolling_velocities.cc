@@ -1,0 +1,31 @@
+#include <wheelrail/dynamics/rolling_velocities.h>
+
+namespace wheelrail
+{
+  void
+  rolling_velocities(Solid &solid, const AxleData &axle, const double pitch_rate, MPI_Comm communicator)
+  {
+    const auto gradient = nodal_gradient(solid, communicator);
+    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      {
+        const double *H = &gradient[9 * n], *X = &solid.mesh.reference[4 * n];
+        double       *v = &solid.velocity[4 * n];
+        if (solid.mesh.node_body[n] == Body::wheel)
+          {
+            const Vector3 arm = Vector3{X[0], X[1], X[2]} - axle.centre;
+            const Vector3 w   = pitch_rate * cross(axle.axis, arm);
+            for (int i = 0; i < 3; ++i)
+              v[i] = w[i] + H[3 * i] * w[0] + H[3 * i + 1] * w[1] + H[3 * i + 2] * w[2];
+            v[2] += axle.velocity;
+          }
+        else
+          for (int i = 0; i < 3; ++i)
+            v[i] = -axle.velocity * H[3 * i + 2];
+      }
+    for (const Boundary mark : {Boundary::foot, Boundary::end})
+      for (const unsigned int n : boundary_nodes(solid.mesh, mark))
+        for (int i = 0; i < 3; ++i)
+          solid.velocity[4 * n + i] = 0;
+    distribute(solid.mesh, solid.velocity.data());
+  }
+} // namespace wheelrail
