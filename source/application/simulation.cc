@@ -385,7 +385,7 @@ namespace wheelrail
       summary.stop_reason = stop_reason;
       const auto &t       = rolling_->timing();
       log_.value("time per step",
-                 text("%.2f ns per element update of both ranks together; elements %.1f s, exchange %.1f s, "
+                 text("%.2f ns per element update of all ranks together; elements %.1f s, exchange %.1f s, "
                       "contact %.1f s, update %.1f s",
                       1e9 / summary.element_updates_per_second,
                       t.elements,
