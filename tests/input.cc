@@ -269,17 +269,6 @@ namespace
             }
           check_text(message, "", "prm/" + file.path().filename().string() + " is valid");
         }
-    std::ifstream      manual(source / "doc/input.md");
-    std::ostringstream text;
-    text << manual.rdbuf();
-    for (const Entry &entry : entries())
-      {
-        const std::string row =
-          "| " + entry.name + " | " +
-          (entry.default_text.empty() ? std::string() : "`" + entry.default_text + "`") + " | " +
-          entry.accepted + " | " + entry.meaning + " |";
-        check(text.str().find(row) != std::string::npos, "doc/input.md has the row: " + row);
-      }
   }
 
   void

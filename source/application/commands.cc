@@ -2,6 +2,7 @@
 #include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/input_file.h>
+#include <wheelrail/application/parameter_reference.h>
 #include <wheelrail/application/parameters.h>
 #include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
@@ -109,7 +110,7 @@ namespace wheelrail
           require_file(options, "parameters --validate");
           return validate(options, out);
         }
-      out << print_parameters(scene_of(options));
+      out << (options.count("markdown") ? parameter_reference() : print_parameters(scene_of(options)));
       return 0;
     }
 
@@ -165,6 +166,7 @@ namespace wheelrail
          [](po::options_description &options) {
            add_set_option(options);
            options.add_options()("validate", "only check the file");
+           options.add_options()("markdown", "print the table of all entries of doc/parameters.md");
          },
          act_parameters},
         {"report",

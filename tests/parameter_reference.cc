@@ -1,0 +1,75 @@
+// doc/parameters.md is what the program prints, and what it prints holds every entry.
+
+#include "check.h"
+
+#include <wheelrail/application/commands.h>
+#include <wheelrail/application/entries.h>
+#include <wheelrail/application/parameter_reference.h>
+#include <wheelrail/application/simulation.h>
+
+#include <fstream>
+#include <sstream>
+
+using namespace wheelrail;
+using test::check;
+using test::check_text;
+
+namespace
+{
+  std::string
+  file_text(const std::string &path)
+  {
+    std::ifstream      file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  /// The first line in which two texts differ, from both.
+  void
+  show_difference(const std::string &found, const std::string &expected)
+  {
+    std::istringstream a(found), b(expected);
+    std::string        line_a, line_b;
+    for (int number = 1; a || b; ++number)
+      {
+        line_a.clear();
+        line_b.clear();
+        std::getline(a, line_a);
+        std::getline(b, line_b);
+        if (line_a == line_b)
+          continue;
+        std::cout << "  line " << number << " of the file:    " << line_a << "\n  line " << number
+                  << " of the program: " << line_b << std::endl;
+        return;
+      }
+  }
+} // namespace
+
+int
+main()
+{
+  const std::string expected = parameter_reference();
+  const std::string found    = file_text(WHEELRAIL_SOURCE_DIR "/doc/parameters.md");
+  if (!check(
+        found == expected,
+        "doc/parameters.md is up to date (./wheelrail parameters --markdown > doc/parameters.md renews it)"))
+    show_difference(found, expected);
+
+  for (const Entry &entry : entries())
+    {
+      const std::string heading =
+        "\n## " + (entry.section.empty() ? "Outside all subsections" : entry.section) + "\n";
+      const std::size_t begin = expected.find(heading), end = expected.find("\n## ", begin + 1);
+      const std::string part = begin == std::string::npos ? "" : expected.substr(begin, end - begin);
+      check(part.find("| " + entry.name + " | ") != std::string::npos &&
+              part.find(" | " + entry.accepted + " | " + entry.meaning + " |") != std::string::npos,
+            entry.path() + " stands in its section");
+    }
+
+  std::ostringstream out;
+  const RunFunction  run = [](const Scene &, const RunOptions &) { return 0; };
+  check(execute({"parameters", "--markdown"}, run, out) == 0, "parameters --markdown");
+  check_text(out.str(), expected, "parameters --markdown prints the reference");
+  return test::report();
+}
