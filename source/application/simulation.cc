@@ -1,42 +1,31 @@
 #include <wheelrail/application/checkpoint_files.h>
-#include <wheelrail/application/fields.h>
-#include <wheelrail/application/recorder.h>
+#include <wheelrail/application/run_end.h>
 #include <wheelrail/application/run_texts.h>
 #include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
-#include <wheelrail/base/quantity.h>
 #include <wheelrail/dynamics/rolling_velocities.h>
 #include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/output/folder.h>
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/root.h>
-#include <wheelrail/output/vtu.h>
-
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 namespace wheelrail
 {
   namespace
   {
+    /// Why a run stops that was asked to, by a signal.
+    const std::string interrupted = "interrupted";
+
     double
     seconds()
     {
       return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     }
-
-    /// Why a run ends before its distance is rolled.
-    struct Stop
-    {
-      std::string reason;            ///< empty when it does not
-      bool        can_go_on = false; ///< from the saved state
-    };
 
     /// One run from the static start, or from a saved state, to the summary.
     class Simulation
@@ -69,8 +58,7 @@ namespace wheelrail
           resume_rolling();
         else
           start_rolling();
-        open_series();
-        return roll();
+        return end(roll());
       }
 
     private:
@@ -80,11 +68,11 @@ namespace wheelrail
       resume_rolling();
       void
       make_rolling(double lift, double rate);
-      void
-      open_series();
-      int
+      std::string
       roll();
-      Stop
+      int
+      end(const std::string &stop);
+      void
       record();
       void
       keep_state();
@@ -92,20 +80,10 @@ namespace wheelrail
       save_state();
       void
       tick();
-      void
-      write_fields();
-      void
-      write_volume(const std::string &name);
       bool
       must_stop() const;
       void
       finish(const std::string &stop_reason);
-
-      bool
-      root() const
-      {
-        return rank_ == 0;
-      }
 
       const Scene               &scene_;
       const RunOptions          &options_;
@@ -118,8 +96,8 @@ namespace wheelrail
       std::unique_ptr<Axle>      axle_;
       std::unique_ptr<Rolling>   rolling_;
       std::unique_ptr<Recorder>  recorder_;
-      std::unique_ptr<PatchFile> patch_file_;
-      std::unique_ptr<PvdSeries> surface_series_, window_series_;
+      std::unique_ptr<RunParts>  parts_;
+      std::unique_ptr<RunOutput> output_;
       unsigned int               tick_           = 0;
       double                     loop_start_     = 0;                   ///< of this part of the run [s]
       unsigned long              first_step_     = 0;                   ///< steps before this part
@@ -154,7 +132,7 @@ namespace wheelrail
                       result.creepage));
       keep_state();
       if (scene_.volume_fields)
-        write_volume("volume_start");
+        output_->volume("volume_start");
     }
 
 
@@ -178,20 +156,9 @@ namespace wheelrail
       rolling_ = std::make_unique<Rolling>(
         model_.solid, *model_.contact, *axle_, model_.time_step, scene_.bulk_viscosity, communicator_);
       recorder_ = std::make_unique<Recorder>(model_);
-    }
-
-
-    void
-    Simulation::open_series()
-    {
-      on_root(communicator_, [&]() {
-        patch_file_     = std::make_unique<PatchFile>(scene_.folder + "/patch.h5", options_.resume, tick_);
-        surface_series_ = std::make_unique<PvdSeries>(scene_.folder + "/surface.pvd");
-        window_series_  = std::make_unique<PvdSeries>(scene_.folder + "/window.pvd");
-        for (const auto &series : {surface_series_.get(), window_series_.get()})
-          if (options_.resume)
-            series->load(tick_);
-      });
+      parts_ =
+        std::make_unique<RunParts>(RunParts{scene_, model_, *axle_, *rolling_, *recorder_, communicator_});
+      output_ = std::make_unique<RunOutput>(*parts_, options_.resume, good_.ticks);
     }
 
 
@@ -204,78 +171,45 @@ namespace wheelrail
     }
 
 
-    int
+    /// Steps to the end; gives why it stopped before, or an empty text.
+    std::string
     Simulation::roll()
     {
       const unsigned long n_steps = std::lround(scene_.rolling_distance / scene_.velocity / model_.time_step);
       const unsigned long every   = std::max<unsigned long>(1, n_steps / 1000);
       const unsigned int  saves   = std::max(1u, scene_.ticks / 5); // ticks from one to the next
-      Stop                stop;
-      bool                interrupted = false;
-      loop_start_                     = seconds();
-      for (unsigned long n = first_step_ + 1; n <= n_steps; ++n)
+      std::string         stop;
+      loop_start_ = seconds();
+      for (unsigned long n = first_step_ + 1; n <= n_steps && stop.empty(); ++n)
         {
           const bool record_now = n % every == 0 || n == 1 || n == n_steps;
           rolling_->step(record_now);
           if (record_now)
-            stop = record();
-          interrupted        = n == options_.stop_after_steps || (n % 20 == 0 && must_stop());
+            {
+              record();
+              stop = reason_to_stop(*parts_);
+            }
+          const bool good = stop.empty();
+          if (good && (n == options_.stop_after_steps || (n % 20 == 0 && must_stop())))
+            stop = interrupted;
           const bool regular = n * scene_.ticks / n_steps > (n - 1) * scene_.ticks / n_steps;
-          const bool last    = n == n_steps || !stop.reason.empty() || interrupted;
-          if (regular || last)
+          if (regular || n == n_steps || !stop.empty())
             tick();
           tick_ += regular; // a resumed run writes the tick of an interruption over
-          if (stop.reason.empty() && (regular || interrupted))
+          if (good && (regular || stop == interrupted))
             keep_state();
-          if (last)
-            break;
-          if (regular && tick_ % saves == 0)
+          if (regular && stop.empty() && n < n_steps && tick_ % saves == 0)
             save_state();
         }
-      if (interrupted && stop.reason.empty())
-        stop = {"interrupted", true};
-      else
-        interrupted = false;
-      const double saved = stop.can_go_on ? save_state() : 0;
-      finish(stop.reason);
-      if (saved > 0)
-        log_.value("saved",
-                   text("the state at %.3f mm rolled (%.1f MB); go on with ",
-                        1e3 * good_.axle.travelled,
-                        1e-6 * saved) +
-                     "./wheelrail run " + scene_.folder + "/parameters.prm --ranks " + std::to_string(size_) +
-                     " --resume");
-      if (stop.reason.empty() && root())
-        remove_checkpoints(scene_.folder);
-      if (!stop.reason.empty() && !interrupted)
-        throw RunError("the run stopped: " + stop.reason);
-      return interrupted ? 3 : 0;
+      return stop;
     }
 
 
-    /// Adds the step to the history and looks whether the run has to stop.
-    Stop
+    void
     Simulation::record()
     {
       recorder_->add(*rolling_, *axle_);
       recorder_->add_patch(patch_fields(*model_.contact, model_.axle, rolling_->time(), axle_->travelled()));
-      const double error = rolling_->energy().error, rolled = 1e3 * axle_->travelled();
-      if (!std::isfinite(error))
-        return {text("a value is not finite after %lu steps, at %.3f mm rolled", rolling_->steps(), rolled),
-                false};
-      if (error > scene_.energy_limit)
-        return {
-          text("the energy balance is off by %.1f %% of strain plus dissipated energy at %.3f mm rolled "
-               "(Run/Energy limit is %.1f %%)",
-               100 * error,
-               rolled,
-               100 * scene_.energy_limit),
-          true};
-      if (rolling_->contact_sums().at_border)
-        return {text("the patch reaches the edge of the fine cells at %.3f mm rolled; raise Mesh/Fine margin",
-                     rolled),
-                false};
-      return {};
     }
 
 
@@ -314,76 +248,43 @@ namespace wheelrail
       line.seconds_left =
         elapsed * (scene_.rolling_distance - axle_->travelled()) / (axle_->travelled() - first_distance_);
       log_.tick(line);
-      if (root())
+      output_->tick(tick_);
+    }
+
+
+    /// Writes the figures and, when the run stopped, its last good state; gives the exit code.
+    int
+    Simulation::end(const std::string &stop)
+    {
+      const double bytes = stop.empty() ? 0 : save_state();
+      finish(stop);
+      if (stop.empty())
         {
-          patch_file_->append(
-            patch_fields(*model_.contact, model_.axle, rolling_->time(), axle_->travelled()));
-          write_history(recorder_->history(), scene_.folder + "/history.h5");
+          on_root(communicator_, [&]() { remove_checkpoints(scene_.folder); });
+          return 0;
         }
-      write_fields();
-    }
-
-
-    void
-    Simulation::write_fields()
-    {
-      const auto write = [&](const char *kind, const Selection selection, PvdSeries *series) {
-        const std::string name = text("%s_%04u", kind, tick_);
-        write_vtu(field_mesh(model_.solid, *axle_, *model_.contact, selection, communicator_),
-                  scene_.folder,
-                  name,
-                  communicator_);
-        if (root())
-          series->add(rolling_->time(), name + ".vtu");
-      };
-      write("surface", Selection::surface, surface_series_.get());
-      write("window", Selection::window, window_series_.get());
-    }
-
-
-    void
-    Simulation::write_volume(const std::string &name)
-    {
-      write_vtu(field_mesh(model_.solid, *axle_, *model_.contact, Selection::all, communicator_),
-                scene_.folder,
-                name,
-                communicator_);
+      log_.value(
+        "saved",
+        text("the state at %.3f mm rolled (%.1f MB); go on with ", 1e3 * good_.axle.travelled, 1e-6 * bytes) +
+          "./wheelrail run " + scene_.folder + "/parameters.prm --ranks " + std::to_string(size_) +
+          " --resume");
+      if (stop != interrupted)
+        throw RunError("the run stopped: " + stop);
+      return 3;
     }
 
 
     void
     Simulation::finish(const std::string &stop_reason)
     {
-      const double loop_seconds = seconds() - loop_start_;
+      const RunTally tally{wall_before_ + seconds() - start_, seconds() - loop_start_, first_step_};
       if (scene_.volume_fields)
-        write_volume("volume_end");
-      Summary summary;
-      summary.title           = scene_.title;
+        output_->volume("volume_end");
+      Summary summary         = summary_of(*parts_, tally, scene_.averaging_distance);
       summary.program_version = options_.program_version;
-      recorder_->fill(summary, scene_.averaging_distance);
-      summary.friction_coefficient = scene_.friction_coefficient;
-      summary.max_von_mises        = largest_von_mises(model_.solid, communicator_);
-      summary.rolled_distance      = axle_->travelled();
-      summary.velocity             = scene_.velocity;
-      summary.elements             = double(model_.solid.quality.elements);
-      summary.time_steps           = double(rolling_->steps());
-      summary.time_step            = model_.time_step;
-      summary.element_updates_per_second =
-        summary.elements * double(rolling_->steps() - first_step_) / loop_seconds;
-      summary.ranks = size_;
-      set_figure(summary, "wheel_load_N", model_.wheel_load);
-      set_figure(summary, "rolling_radius_m", model_.geometry.rolling_radius);
-      set_figure(summary, "contact_angle_rad", model_.geometry.angle);
-      add_pose(summary, scene_, model_, *axle_, communicator_);
-      rusage usage;
-      getrusage(RUSAGE_SELF, &usage);
-      double memory = 1024. * usage.ru_maxrss;
-      MPI_Allreduce(MPI_IN_PLACE, &memory, 1, MPI_DOUBLE, MPI_SUM, communicator_);
-      summary.peak_memory = memory;
-      summary.wall_time   = wall_before_ + seconds() - start_;
-      summary.finished    = stop_reason.empty();
-      summary.stop_reason = stop_reason;
-      const auto &t       = rolling_->timing();
+      summary.finished        = stop_reason.empty();
+      summary.stop_reason     = stop_reason;
+      const auto &t           = rolling_->timing();
       log_.value("time per step",
                  text("%.2f ns per element update of all ranks together; elements %.1f s, exchange %.1f s, "
                       "contact %.1f s, update %.1f s",
@@ -392,10 +293,10 @@ namespace wheelrail
                       t.exchange,
                       t.contact,
                       t.update));
-      if (!root())
-        return;
-      write_summary(summary, scene_.folder + "/summary.json");
-      print_summary(summary, std::cout);
+      on_root(communicator_, [&]() {
+        write_summary(summary, scene_.folder + "/summary.json");
+        print_summary(summary, std::cout);
+      });
     }
   } // namespace
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <wheelrail/application/fields.h>
+#include <wheelrail/application/recorder.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/vtu.h>
+
+#include <memory>
+
+namespace wheelrail
+{
+  /// The parts of a run under way.
+  struct RunParts
+  {
+    const Scene    &scene;
+    const Model    &model;
+    const Axle     &axle;
+    const Rolling  &rolling;
+    const Recorder &recorder;
+    MPI_Comm        communicator;
+  };
+
+  /// The files that a run writes tick by tick into its folder: patch.h5, history.h5 and the series of VTU
+  /// files.
+  class RunOutput
+  {
+  public:
+    /// With `resume` the first `ticks` ticks that the files hold are kept. Throws RunError on all ranks
+    /// when they cannot be read. Collective.
+    RunOutput(const RunParts &parts, bool resume, unsigned int ticks);
+
+    /// Writes the state of the moment as tick number `tick`. Collective; throws RunError on all ranks.
+    void
+    tick(unsigned int tick);
+
+    /// Writes the whole mesh into `name`.vtu. Collective; throws RunError on all ranks.
+    void
+    volume(const std::string &name);
+
+  private:
+    void
+    write_series(const char *kind, Selection selection, unsigned int tick, PvdSeries *series);
+
+    RunParts                   parts_;
+    std::unique_ptr<PatchFile> patch_file_;                     ///< on rank 0 only, as the series
+    std::unique_ptr<PvdSeries> surface_series_, window_series_; ///< for ParaView
+  };
+} // namespace wheelrail

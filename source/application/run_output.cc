@@ -1,0 +1,63 @@
+#include <wheelrail/application/run_output.h>
+#include <wheelrail/base/log.h>
+#include <wheelrail/output/root.h>
+
+#include <cstdio>
+
+namespace wheelrail
+{
+  RunOutput::RunOutput(const RunParts &parts, const bool resume, const unsigned int ticks)
+    : parts_(parts)
+  {
+    on_root(parts_.communicator, [&]() {
+      const std::string &folder = parts_.scene.folder;
+      patch_file_               = std::make_unique<PatchFile>(folder + "/patch.h5", resume, ticks);
+      surface_series_           = std::make_unique<PvdSeries>(folder + "/surface.pvd");
+      window_series_            = std::make_unique<PvdSeries>(folder + "/window.pvd");
+      for (const auto &series : {surface_series_.get(), window_series_.get()})
+        if (resume)
+          series->load(ticks);
+    });
+  }
+
+
+  void
+  RunOutput::tick(const unsigned int tick)
+  {
+    on_root(parts_.communicator, [&]() {
+      patch_file_->append(patch_fields(
+        *parts_.model.contact, parts_.model.axle, parts_.rolling.time(), parts_.axle.travelled()));
+      write_history(parts_.recorder.history(), parts_.scene.folder + "/history.h5");
+    });
+    write_series("surface", Selection::surface, tick, surface_series_.get());
+    write_series("window", Selection::window, tick, window_series_.get());
+  }
+
+
+  void
+  RunOutput::volume(const std::string &name)
+  {
+    write_vtu(
+      field_mesh(parts_.model.solid, parts_.axle, *parts_.model.contact, Selection::all, parts_.communicator),
+      parts_.scene.folder,
+      name,
+      parts_.communicator);
+  }
+
+
+  void
+  RunOutput::write_series(const char        *kind,
+                          const Selection    selection,
+                          const unsigned int tick,
+                          PvdSeries         *series)
+  {
+    char name[64];
+    std::snprintf(name, sizeof name, "%s_%04u", kind, tick);
+    write_vtu(
+      field_mesh(parts_.model.solid, parts_.axle, *parts_.model.contact, selection, parts_.communicator),
+      parts_.scene.folder,
+      name,
+      parts_.communicator);
+    on_root(parts_.communicator, [&]() { series->add(parts_.rolling.time(), std::string(name) + ".vtu"); });
+  }
+} // namespace wheelrail
