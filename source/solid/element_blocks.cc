@@ -109,13 +109,6 @@ namespace wheelrail
   } // namespace
 
 
-  double
-  Elasticity::wave_speed() const
-  {
-    return std::sqrt((lame_lambda() + 2 * shear_modulus()) / density);
-  }
-
-
   ElementGeometry
   element_geometry(const std::array<Vector, 8> &vertices)
   {

@@ -18,6 +18,17 @@ namespace wheelrail
   /// Widest width of the machine that the program was built on.
   constexpr int native_width = static_cast<int>(std::experimental::native_simd<double>::size());
 
+  // GCC 12 takes the undefined operand inside its own AVX-512 square root for a mistake (bug 105593).
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+  template <int W>
+  inline Simd<W>
+  square_root(const Simd<W> &x)
+  {
+    return std::experimental::sqrt(x);
+  }
+#pragma GCC diagnostic pop
+
   /// Allocator on cache-line borders, so that packed data can be loaded with aligned instructions.
   template <typename T>
   struct AlignedAllocator

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/base/simd.h>
+#include <wheelrail/material/bilinear.h>
 
 #include <array>
 #include <cstdint>
@@ -8,33 +9,6 @@
 
 namespace wheelrail
 {
-  /// Linear elastic constants [SI].
-  struct Elasticity
-  {
-    double youngs_modulus = 210e9;
-    double poissons_ratio = 0.3;
-    double density        = 7900;
-
-    double
-    lame_lambda() const
-    {
-      return youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
-    }
-    double
-    shear_modulus() const
-    {
-      return youngs_modulus / (2 * (1 + poissons_ratio));
-    }
-    double
-    bulk_modulus() const
-    {
-      return youngs_modulus / (3 * (1 - 2 * poissons_ratio));
-    }
-    /// Speed of pressure waves [m/s].
-    double
-    wave_speed() const;
-  };
-
   /// Geometry of one `reduced` hexahedron, all in the reference configuration.
   ///
   /// The one-point part is the uniform-gradient element of Flanagan and Belytschko (1981): B is the
