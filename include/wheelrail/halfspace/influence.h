@@ -1,0 +1,69 @@
+#pragma once
+
+#include <wheelrail/halfspace/problem.h>
+
+#include <complex>
+#include <memory>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The constants of the displacement difference of two half-spaces, all over pi:
+  /// normal = (1 - nu) / G, poisson = nu / G, coupling = K / G with 1 / G = (1 / G1 + 1 / G2) / 2,
+  /// nu / G = (nu1 / G1 + nu2 / G2) / 2, K / G = ((1 - 2 nu1) / G1 - (1 - 2 nu2) / G2) / 4 (Kalker 1990).
+  struct HalfspaceConstants
+  {
+    double normal = 0, poisson = 0, coupling = 0; ///< [1/Pa]
+  };
+  HalfspaceConstants
+  halfspace_constants(const HalfspaceBody &body1, const HalfspaceBody &body2);
+
+  /// Displacement difference at (x, y) under unit traction in direction b on the element dx x dy around the
+  /// origin: coefficient[a][b] [m/Pa], directions 0, 1, 2 = x, y, n (Boussinesq 1885, Cerruti 1882,
+  /// integrated over the rectangle in closed form).
+  using InfluenceCoefficients = std::array<std::array<double, 3>, 3>;
+  InfluenceCoefficients
+  influence_coefficients(const HalfspaceConstants &constants, double dx, double dy, double x, double y);
+
+  /// Products of influence matrices with fields on one grid, by FFT on the doubled grid: n log n per product.
+  class InfluenceProducts
+  {
+  public:
+    using Complex  = std::complex<double>;
+    using Spectrum = std::vector<Complex>;
+
+    explicit InfluenceProducts(const HalfspaceGrid &grid);
+    ~InfluenceProducts();
+    InfluenceProducts(const InfluenceProducts &) = delete;
+    InfluenceProducts &
+    operator=(const InfluenceProducts &) = delete;
+
+    /// The spectrum of the kernel k(x, y), x and y being the distances from loaded to observed element.
+    Spectrum
+    kernel(const std::function<double(double, double)> &k);
+
+    /// Spectrum of a field, zero outside the grid.
+    void
+    forward(const std::vector<double> &field, Spectrum &spectrum);
+
+    /// The field of a spectrum, cut to the grid. The spectrum is used up.
+    void
+    backward(Spectrum &spectrum, std::vector<double> &field);
+
+    std::size_t
+    spectrum_size() const;
+
+    /// Number of values of the doubled grid.
+    std::size_t
+    padded_size() const
+    {
+      return std::size_t(nx_) * ny_;
+    }
+
+  private:
+    struct Plans;
+    HalfspaceGrid          grid_;
+    int                    nx_, ny_; ///< sizes of the doubled grid
+    std::unique_ptr<Plans> plans_;
+  };
+} // namespace wheelrail

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <wheelrail/halfspace/influence.h>
+
+namespace wheelrail
+{
+  /// The pressure that keeps two half-spaces apart where they would overlap.
+  struct NormalContact
+  {
+    std::vector<double> pressure;       ///< [Pa], in: first guess (empty: none), never negative
+    std::vector<double> displacement;   ///< of the pressure [m]
+    double              approach   = 0; ///< [m], in: the given one unless the force is given
+    int                 iterations = 0;
+    double              residual   = 0; ///< largest gap in the contact or overlap outside, over the approach
+    bool                converged  = false;
+  };
+
+  /// Finds p >= 0 with gap e = distance - approach + A p >= 0 and e p = 0, where A p is the product with the
+  /// spectrum `kernel`; with force_given also sum(p) dx dy = force, and the approach is found.
+  /// Conjugate gradients with projection on p >= 0 (Polonsky and Keer 1999).
+  void
+  solve_normal(InfluenceProducts                 &products,
+               const InfluenceProducts::Spectrum &kernel,
+               const HalfspaceGrid               &grid,
+               const std::vector<double>         &distance,
+               bool                               force_given,
+               double                             force,
+               double                             tolerance,
+               int                                max_iterations,
+               NormalContact                     &contact);
+} // namespace wheelrail

@@ -1,0 +1,190 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+// Frictional contact of two elastic half-spaces on a rectangular grid: what is asked and what comes back.
+//
+// The contact frame: x along rolling (the frame moves along +x over both bodies), y lateral, n normal to
+// the contact plane, out of body 2 into body 1. x, y, n form a right-handed system.
+// Body 1 is the upper one (n > 0), body 2 the lower one. Tractions t and the pressure p are those on body 1
+// (p along +n, positive when it presses); body 2 carries the opposite. Displacement differences u and the
+// rigid slip w are "body 1 minus body 2"; so friction opposes the slip: t = -mu p s / |s|.
+// For a wheel on a rail take the wheel as body 1: the longitudinal force of a driving wheel is then positive,
+// its creepage negative. Tractions on the rail are the negative ones; equivalently the rail is body 1.
+//
+// Fields are arrays of mx * my values, x fastest: value(i, j) = field[i + mx * j].
+
+namespace wheelrail
+{
+  /// A rectangle of mx x my elements, each dx x dy [m]; x0, y0 is the centre of the first element.
+  struct HalfspaceGrid
+  {
+    int    mx = 0, my = 0;
+    double dx = 0, dy = 0;
+    double x0 = 0, y0 = 0;
+
+    int
+    size() const
+    {
+      return mx * my;
+    }
+    double
+    x(const int i) const
+    {
+      return x0 + i * dx;
+    }
+    double
+    y(const int j) const
+    {
+      return y0 + j * dy;
+    }
+    double
+    element_area() const
+    {
+      return dx * dy;
+    }
+  };
+
+  /// The grid with elements of about dx x dy whose centres are symmetric to (x, y) = (0, 0) and which covers
+  /// |x| <= half_x, |y| <= half_y; an element is centred at 0 (odd counts).
+  HalfspaceGrid
+  centred_grid(double half_x, double half_y, double dx, double dy);
+
+  /// Isotropic elastic half-space: shear modulus [Pa] and Poisson's ratio [-].
+  struct HalfspaceBody
+  {
+    double shear_modulus = 210e9 / 2.6;
+    double poisson_ratio = 0.3;
+  };
+
+  /// The friction coefficient over the absolute slip velocity v [m/s].
+  struct HalfspaceFriction
+  {
+    enum class Law
+    {
+      coulomb,    ///< mu = static_coefficient
+      rational,   ///< mu = kinetic + (static - kinetic) / (1 + v / velocity_scale)
+      exponential ///< mu = kinetic + (static - kinetic) exp(-v / velocity_scale); decay = 1 / velocity_scale
+    };
+    Law    law                 = Law::coulomb;
+    double static_coefficient  = 0.5;
+    double kinetic_coefficient = 0.5;
+    double velocity_scale      = 1; ///< [m/s]
+  };
+
+  /// mu at the slip velocity [m/s].
+  double
+  friction_coefficient(const HalfspaceFriction &friction, double slip_velocity);
+
+  enum class HalfspaceMotion
+  {
+    none,      ///< normal problem, no friction
+    shift,     ///< one step: body 1 moves over body 2; creepages are distances [m] (spin: an angle [rad])
+    transient, ///< one step of rolling over the distance `step` after `previous`
+    steady     ///< steady rolling
+  };
+
+  struct HalfspaceSolution;
+
+  struct HalfspaceProblem
+  {
+    HalfspaceGrid grid;
+    /// Distance of the undeformed surfaces at the element centres [m], any shape; only differences matter
+    /// to the solution with a given force, the zero of the approach lies where it is 0.
+    std::vector<double> undeformed_distance;
+    HalfspaceBody       body1, body2;
+
+    bool   force_given  = true; ///< normal_force is given and the approach is found, or the reverse
+    double normal_force = 0;    ///< [N]
+    double approach     = 0;    ///< [m]
+
+    HalfspaceMotion   motion = HalfspaceMotion::steady;
+    HalfspaceFriction friction;
+    double            velocity =
+      1;             ///< of rolling [m/s]; for a shift: distance unit per second, used by the friction law
+    double step = 0; ///< rolled distance of one step [m]; 0: the element length dx
+
+    /// Rigid slip over rolling velocity: w_x = xi - phi y, w_y = eta + phi (x + spin_offset * step).
+    /// With a force given, the creepage of that direction is the first guess.
+    double xi = 0, eta = 0;
+    double phi         = 0;       ///< [1/m]
+    double spin_offset = 1. / 6.; ///< where within the step the spin is taken (CONTACT: 1/6)
+    /// Added to the rigid slip above, per element [-]; empty: nothing. E.g. 1 - r(y) omega / V.
+    std::vector<double> rigid_slip_x, rigid_slip_y;
+
+    bool   longitudinal_force_given = false; ///< fx is given and xi is found
+    bool   lateral_force_given      = false; ///< fy is given and eta is found (with fx only)
+    double fx = 0, fy = 0;                   ///< on body 1 [N]
+
+    const HalfspaceSolution *previous =
+      nullptr; ///< for shift and transient: the state before (same grid); none: 0
+
+    double normal_tolerance     = 1e-7; ///< gap error over approach
+    double tangential_tolerance = 1e-5; ///< error of tractions over their peak (rms)
+    double coupling_tolerance = 1e-4; ///< change of pressure between rounds of Panagiotopoulos, over its peak
+    int    max_normal_iterations = 2000;
+    int    max_newton_steps      = 60;
+    int    max_coupling_rounds   = 30;
+  };
+
+  struct HalfspaceSolution
+  {
+    enum State : unsigned char
+    {
+      exterior = 0,
+      adhesion = 1,
+      slip     = 2
+    };
+
+    HalfspaceGrid              grid;                                           ///< the grid really used
+    double                     step = 0;                                       ///< the step really used [m]
+    std::vector<double>        pressure;                                       ///< [Pa]
+    std::vector<double>        traction_x, traction_y;                         ///< on body 1 [Pa]
+    std::vector<double>        displacement_n, displacement_x, displacement_y; ///< body 1 minus body 2 [m]
+    std::vector<double>        gap;            ///< of the deformed surfaces [m]
+    std::vector<double>        slip_x, slip_y; ///< relative slip [-] in the contact, 0 outside (shift: [m])
+    std::vector<double>        friction;       ///< the coefficient in each element
+    std::vector<unsigned char> state;
+
+    double approach = 0;             ///< [m]
+    double fn = 0, fx = 0, fy = 0;   ///< [N], on body 1
+    double spin_moment = 0;          ///< about n at (0, 0), on body 1 [N m]
+    double xi = 0, eta = 0, phi = 0; ///< as in the problem, found ones included
+
+    double peak_pressure = 0, peak_shear = 0;          ///< [Pa]
+    double area = 0, adhesion_area = 0, slip_area = 0; ///< [m2], whole elements
+    double length_x = 0, width_y = 0;                  ///< extents of the contact, whole elements [m]
+    int    contact_elements = 0;
+
+    int         normal_iterations = 0, newton_steps = 0, krylov_iterations = 0, coupling_rounds = 0;
+    double      normal_residual = 0, tangential_residual = 0; ///< in the measure of the tolerances
+    bool        normal_converged = false, tangential_converged = false, coupling_converged = false;
+    bool        touches_grid_edge = false; ///< the contact reaches the outermost elements: enlarge the grid
+    std::string not_reached;               ///< empty, or what was not reached, in words
+
+    bool
+    converged() const
+    {
+      return normal_converged && tangential_converged && coupling_converged;
+    }
+  };
+
+  /// Solves the normal problem, the tangential problem and, for unlike materials, their coupling.
+  /// Throws InputError for impossible input (sizes, moduli, a tangential force above the friction limit);
+  /// a tolerance that was not reached is told in the solution, which then holds the best state found.
+  HalfspaceSolution
+  solve_rolling(const HalfspaceProblem &problem);
+
+  /// Undeformed distance x^2 / (2 rx) + y^2 / (2 ry) [m] at the element centres; rx, ry are the relative
+  /// radii of curvature [m] (1 / r = 1 / r1 + 1 / r2); infinity or a negative radius is allowed in one
+  /// direction.
+  std::vector<double>
+  quadratic_distance(const HalfspaceGrid &grid, double rx, double ry);
+
+  /// The same for any function h(x, y) [m].
+  std::vector<double>
+  sampled_distance(const HalfspaceGrid &grid, const std::function<double(double, double)> &h);
+} // namespace wheelrail

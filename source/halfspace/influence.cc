@@ -1,0 +1,156 @@
+#include <wheelrail/halfspace/influence.h>
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    /// The next size from n on with prime factors 2, 3 and 5 only, even.
+    int
+    fft_size(const int n)
+    {
+      for (int size = n + n % 2;; size += 2)
+        {
+          int rest = size;
+          for (const int factor : {2, 3, 5})
+            while (rest % factor == 0)
+              rest /= factor;
+          if (rest == 1)
+            return size;
+        }
+    }
+
+    /// b asinh(a / |b|), 0 at b = 0.
+    double
+    log_term(const double a, const double b)
+    {
+      return b == 0 ? 0 : b * std::asinh(a / std::abs(b));
+    }
+
+    /// The indefinite integrals over x and y of x^2/r^3, y^2/r^3, x y/r^3, x/r^2, y/r^2.
+    std::array<double, 5>
+    primitives(const double x, const double y)
+    {
+      const double r = std::hypot(x, y), log_r = r > 0 ? std::log(r) : 0;
+      return {log_term(x, y),
+              log_term(y, x),
+              -r,
+              y * log_r + (x == 0 ? 0 : x * std::atan(y / x)),
+              x * log_r + (y == 0 ? 0 : y * std::atan(x / y))};
+    }
+  } // namespace
+
+  HalfspaceConstants
+  halfspace_constants(const HalfspaceBody &body1, const HalfspaceBody &body2)
+  {
+    const double       g1 = body1.shear_modulus, g2 = body2.shear_modulus;
+    const double       nu1 = body1.poisson_ratio, nu2 = body2.poisson_ratio;
+    HalfspaceConstants c;
+    c.normal   = ((1 - nu1) / g1 + (1 - nu2) / g2) / (2 * pi);
+    c.poisson  = (nu1 / g1 + nu2 / g2) / (2 * pi);
+    c.coupling = ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2) / (4 * pi);
+    return c;
+  }
+
+  InfluenceCoefficients
+  influence_coefficients(const HalfspaceConstants &constants, double dx, double dy, double x, double y)
+  {
+    const double          xa = x - dx / 2, xb = x + dx / 2, ya = y - dy / 2, yb = y + dy / 2;
+    const auto            bb = primitives(xb, yb), ba = primitives(xb, ya);
+    const auto            ab = primitives(xa, yb), aa = primitives(xa, ya);
+    std::array<double, 5> i;
+    for (int k = 0; k < 5; ++k)
+      i[k] = bb[k] - ba[k] - ab[k] + aa[k];
+    const double          inverse_distance = i[0] + i[1];
+    const double          n = constants.normal, nu = constants.poisson, k = constants.coupling;
+    InfluenceCoefficients c;
+    c[0] = {n * inverse_distance + nu * i[0], nu * i[2], -k * i[3]};
+    c[1] = {nu * i[2], n * inverse_distance + nu * i[1], -k * i[4]};
+    c[2] = {k * i[3], k * i[4], n * inverse_distance};
+    return c;
+  }
+
+  struct InfluenceProducts::Plans
+  {
+    double       *real     = nullptr;
+    fftw_complex *complex  = nullptr;
+    fftw_plan     forward  = nullptr;
+    fftw_plan     backward = nullptr;
+  };
+
+  InfluenceProducts::InfluenceProducts(const HalfspaceGrid &grid)
+    : grid_(grid)
+    , nx_(fft_size(2 * grid.mx))
+    , ny_(fft_size(2 * grid.my))
+    , plans_(std::make_unique<Plans>())
+  {
+    plans_->real     = fftw_alloc_real(std::size_t(nx_) * ny_);
+    plans_->complex  = fftw_alloc_complex(spectrum_size());
+    plans_->forward  = fftw_plan_dft_r2c_2d(ny_, nx_, plans_->real, plans_->complex, FFTW_ESTIMATE);
+    plans_->backward = fftw_plan_dft_c2r_2d(ny_, nx_, plans_->complex, plans_->real, FFTW_ESTIMATE);
+  }
+
+  InfluenceProducts::~InfluenceProducts()
+  {
+    fftw_destroy_plan(plans_->forward);
+    fftw_destroy_plan(plans_->backward);
+    fftw_free(plans_->real);
+    fftw_free(plans_->complex);
+  }
+
+  std::size_t
+  InfluenceProducts::spectrum_size() const
+  {
+    return std::size_t(ny_) * (nx_ / 2 + 1);
+  }
+
+  InfluenceProducts::Spectrum
+  InfluenceProducts::kernel(const std::function<double(double, double)> &k)
+  {
+    // Distances that wrap around: the upper half of the doubled grid stands for negative ones.
+    for (int j = 0; j < ny_; ++j)
+      for (int i = 0; i < nx_; ++i)
+        {
+          const int p = i < nx_ / 2 ? i : i - nx_, q = j < ny_ / 2 ? j : j - ny_;
+          plans_->real[i + std::size_t(nx_) * j] = k(p * grid_.dx, q * grid_.dy);
+        }
+    fftw_execute(plans_->forward);
+    Spectrum     spectrum(spectrum_size());
+    const double scale = 1. / (double(nx_) * ny_);
+    for (std::size_t m = 0; m < spectrum.size(); ++m)
+      spectrum[m] = scale * Complex(plans_->complex[m][0], plans_->complex[m][1]);
+    return spectrum;
+  }
+
+  void
+  InfluenceProducts::forward(const std::vector<double> &field, Spectrum &spectrum)
+  {
+    std::fill_n(plans_->real, std::size_t(nx_) * ny_, 0.);
+    for (int j = 0; j < grid_.my; ++j)
+      std::copy_n(field.data() + std::size_t(grid_.mx) * j, grid_.mx, plans_->real + std::size_t(nx_) * j);
+    spectrum.resize(spectrum_size());
+    fftw_execute_dft_r2c(plans_->forward, plans_->real, reinterpret_cast<fftw_complex *>(plans_->complex));
+    for (std::size_t m = 0; m < spectrum.size(); ++m)
+      spectrum[m] = Complex(plans_->complex[m][0], plans_->complex[m][1]);
+  }
+
+  void
+  InfluenceProducts::backward(Spectrum &spectrum, std::vector<double> &field)
+  {
+    for (std::size_t m = 0; m < spectrum.size(); ++m)
+      {
+        plans_->complex[m][0] = spectrum[m].real();
+        plans_->complex[m][1] = spectrum[m].imag();
+      }
+    fftw_execute(plans_->backward);
+    field.resize(grid_.size());
+    for (int j = 0; j < grid_.my; ++j)
+      std::copy_n(plans_->real + std::size_t(nx_) * j, grid_.mx, field.data() + std::size_t(grid_.mx) * j);
+  }
+} // namespace wheelrail

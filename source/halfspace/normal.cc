@@ -1,0 +1,142 @@
+#include <wheelrail/halfspace/normal.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Mean of a field over the elements in contact (p > 0).
+    double
+    contact_mean(const std::vector<double> &field, const std::vector<double> &p)
+    {
+      double sum = 0;
+      int    n   = 0;
+      for (std::size_t k = 0; k < p.size(); ++k)
+        if (p[k] > 0)
+          {
+            sum += field[k];
+            ++n;
+          }
+      return n > 0 ? sum / n : 0;
+    }
+
+    double
+    total(const std::vector<double> &p)
+    {
+      double sum = 0;
+      for (const double v : p)
+        sum += v;
+      return sum;
+    }
+
+    /// A first pressure: the overlap at an approach which gives a patch of plausible size.
+    void
+    first_pressure(const HalfspaceGrid       &grid,
+                   const std::vector<double> &distance,
+                   const bool                 force_given,
+                   const double               force,
+                   NormalContact             &contact)
+    {
+      const std::size_t n     = grid.size();
+      double            level = contact.approach;
+      if (force_given)
+        {
+          std::vector<double> sorted(distance);
+          std::nth_element(sorted.begin(), sorted.begin() + n / 4, sorted.end());
+          level = sorted[n / 4];
+        }
+      contact.pressure.assign(n, 0.);
+      for (std::size_t k = 0; k < n; ++k)
+        contact.pressure[k] = std::max(0., level - distance[k]);
+      const double sum = total(contact.pressure) * grid.element_area();
+      if (force_given)
+        for (double &p : contact.pressure)
+          p = sum > 0 ? p * force / sum : force / (n * grid.element_area());
+    }
+  } // namespace
+
+  void
+  solve_normal(InfluenceProducts                 &products,
+               const InfluenceProducts::Spectrum &kernel,
+               const HalfspaceGrid               &grid,
+               const std::vector<double>         &distance,
+               const bool                         force_given,
+               const double                       force,
+               const double                       tolerance,
+               const int                          max_iterations,
+               NormalContact                     &contact)
+  {
+    const std::size_t           n = grid.size();
+    InfluenceProducts::Spectrum spectrum;
+    const auto                  product = [&](const std::vector<double> &v, std::vector<double> &result) {
+      products.forward(v, spectrum);
+      for (std::size_t m = 0; m < spectrum.size(); ++m)
+        spectrum[m] *= kernel[m];
+      products.backward(spectrum, result);
+    };
+    if (contact.pressure.size() != n || total(contact.pressure) <= 0)
+      first_pressure(grid, distance, force_given, force, contact);
+    std::vector<double> &p = contact.pressure, &u = contact.displacement;
+    std::vector<double>  e(n), t(n, 0.), r(n);
+    if (force_given)
+      {
+        const double factor = force / (total(p) * grid.element_area());
+        for (double &v : p)
+          v *= factor;
+      }
+    const double lowest   = *std::min_element(distance.begin(), distance.end());
+    double       old_norm = 1, beta = 0;
+    contact.converged = false;
+    for (contact.iterations = 0;; ++contact.iterations)
+      {
+        product(p, u);
+        for (std::size_t k = 0; k < n; ++k)
+          e[k] = u[k] + distance[k];
+        if (force_given)
+          contact.approach = contact_mean(e, p);
+        double norm = 0, worst = 0;
+        for (std::size_t k = 0; k < n; ++k)
+          {
+            e[k] -= contact.approach;
+            if (p[k] > 0)
+              norm += e[k] * e[k];
+            worst = std::max(worst, p[k] > 0 ? std::abs(e[k]) : -e[k]);
+          }
+        const double scale = std::abs(contact.approach - lowest);
+        contact.residual   = scale > 0 ? worst / scale : 0;
+        contact.converged  = contact.residual <= tolerance;
+        if (contact.converged || contact.iterations == max_iterations)
+          return;
+
+        for (std::size_t k = 0; k < n; ++k)
+          t[k] = p[k] > 0 ? e[k] + beta * norm / old_norm * t[k] : 0;
+        old_norm = norm > 0 ? norm : 1;
+        product(t, r);
+        const double mean = force_given ? contact_mean(r, p) : 0;
+        double       et = 0, rt = 0;
+        for (std::size_t k = 0; k < n; ++k)
+          {
+            et += e[k] * t[k];
+            rt += (r[k] - mean) * t[k];
+          }
+        const double alpha = rt > 0 ? et / rt : 0;
+        beta               = 1;
+        for (std::size_t k = 0; k < n; ++k)
+          if (p[k] > 0)
+            p[k] = std::max(0., p[k] - alpha * t[k]);
+          else if (e[k] < 0)
+            {
+              p[k] = -alpha * e[k];
+              beta = 0;
+            }
+        if (force_given)
+          {
+            const double factor = force / (total(p) * grid.element_area());
+            for (double &v : p)
+              v *= factor;
+          }
+      }
+  }
+} // namespace wheelrail

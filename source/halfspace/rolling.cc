@@ -1,0 +1,380 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/halfspace/normal.h>
+#include <wheelrail/halfspace/tangential.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Spectrum = InfluenceProducts::Spectrum;
+
+    void
+    check_problem(const HalfspaceProblem &problem)
+    {
+      const HalfspaceGrid &g = problem.grid;
+      const auto refuse = [](const std::string &text) { throw InputError("Half-space problem: " + text); };
+      if (g.mx < 1 || g.my < 1 || !(g.dx > 0) || !(g.dy > 0))
+        refuse("the grid needs at least one element in each direction and positive element lengths.");
+      const std::size_t n = g.size();
+      if (problem.undeformed_distance.size() != n)
+        refuse("the undeformed distance has " + std::to_string(problem.undeformed_distance.size()) +
+               " values, the grid " + std::to_string(n) + " elements.");
+      for (const double h : problem.undeformed_distance)
+        if (!std::isfinite(h))
+          refuse(
+            "the undeformed distance holds a value that is not finite; give elements where no surface lies a "
+            "large "
+            "distance instead.");
+      for (const auto *slip : {&problem.rigid_slip_x, &problem.rigid_slip_y})
+        if (!slip->empty() && slip->size() != n)
+          refuse("a field of rigid slip has " + std::to_string(slip->size()) + " values, the grid " +
+                 std::to_string(n) + " elements.");
+      for (const HalfspaceBody &b : {problem.body1, problem.body2})
+        if (!(b.shear_modulus > 0) || !(b.poisson_ratio >= 0 && b.poisson_ratio <= 0.5))
+          refuse("a body has the shear modulus " + std::to_string(b.shear_modulus) +
+                 " Pa and Poisson's ratio " + std::to_string(b.poisson_ratio) +
+                 "; a positive modulus and a ratio from 0 to 0.5 are accepted.");
+      if (problem.force_given ? !(problem.normal_force > 0) : !std::isfinite(problem.approach))
+        refuse("the normal force must be positive and the approach finite.");
+      const HalfspaceFriction &f = problem.friction;
+      if (problem.motion != HalfspaceMotion::none &&
+          (!(f.static_coefficient >= 0) || !(f.kinetic_coefficient >= 0) || !(f.velocity_scale > 0) ||
+           !(problem.velocity > 0) || !(problem.step >= 0)))
+        refuse(
+          "friction coefficients and the step must not be negative, velocity and velocity scale must be "
+          "positive.");
+      if (problem.lateral_force_given && !problem.longitudinal_force_given)
+        refuse("a lateral force can be given only together with the longitudinal one.");
+      if (problem.previous && problem.previous->pressure.size() != n)
+        refuse("the previous state lies on another grid.");
+    }
+
+    /// One problem while it is solved.
+    class Solver
+    {
+    public:
+      explicit Solver(const HalfspaceProblem &problem)
+        : problem_(problem)
+        , grid_(problem.grid)
+        , constants_(halfspace_constants(problem.body1, problem.body2))
+        , products_(problem.grid)
+        , normal_kernel_(kernel(2, 2, 0))
+        , coupled_(std::abs(constants_.coupling) > 1e-12 * constants_.normal)
+        , friction_(problem.motion != HalfspaceMotion::none)
+      {
+        const double shift = problem.motion == HalfspaceMotion::shift;
+        solution_.grid     = grid_;
+        solution_.step     = shift ? 1. : problem.step > 0 ? problem.step : grid_.dx;
+        offset_            = shift ? 0. : solution_.step;
+        if (coupled_)
+          {
+            coupling_x_ = kernel(2, 0, 0);
+            coupling_y_ = kernel(2, 1, 0);
+          }
+      }
+
+      HalfspaceSolution
+      run();
+
+    private:
+      /// Spectrum of the displacement a under traction b, seen `ahead` further along rolling.
+      Spectrum
+      kernel(const int a, const int b, const double ahead)
+      {
+        return products_.kernel([&](const double x, const double y) {
+          return influence_coefficients(constants_, grid_.dx, grid_.dy, x + ahead, y)[a][b];
+        });
+      }
+
+      /// Adds factor times the displacement a (seen `ahead`) of a traction field in direction b.
+      void
+      add_displacement(const int                  a,
+                       const int                  b,
+                       const double               ahead,
+                       const std::vector<double> &traction,
+                       const double               factor,
+                       std::vector<double>       &result)
+      {
+        Spectrum            s;
+        std::vector<double> u;
+        products_.forward(traction, s);
+        const Spectrum k = kernel(a, b, ahead);
+        for (std::size_t m = 0; m < s.size(); ++m)
+          s[m] *= k[m];
+        products_.backward(s, u);
+        for (std::size_t e = 0; e < u.size(); ++e)
+          result[e] += factor * u[e];
+      }
+
+      void
+      normal_problem();
+      void
+      tangential_problem();
+      VectorField
+      rigid_slip();
+      void
+      update_friction();
+      void
+      measure();
+      void
+      displacements();
+      void
+      tell();
+
+      const HalfspaceProblem &problem_;
+      HalfspaceGrid           grid_;
+      HalfspaceConstants      constants_;
+      InfluenceProducts       products_;
+      Spectrum                normal_kernel_, coupling_x_, coupling_y_;
+      bool                    coupled_, friction_;
+      double                  offset_ = 0;
+      SlipKernels             slip_kernels_;
+      NormalContact           normal_;
+      TangentialState         tangential_;
+      std::vector<double>     mu_;
+      HalfspaceSolution       solution_;
+    };
+
+    void
+    Solver::normal_problem()
+    {
+      std::vector<double> distance = problem_.undeformed_distance;
+      if (coupled_ && !tangential_.traction[0].empty())
+        {
+          Spectrum            x, y;
+          std::vector<double> u;
+          products_.forward(tangential_.traction[0], x);
+          products_.forward(tangential_.traction[1], y);
+          for (std::size_t m = 0; m < x.size(); ++m)
+            x[m] = x[m] * coupling_x_[m] + y[m] * coupling_y_[m];
+          products_.backward(x, u);
+          for (std::size_t e = 0; e < u.size(); ++e)
+            distance[e] += u[e];
+        }
+      normal_.approach = problem_.approach;
+      solve_normal(products_,
+                   normal_kernel_,
+                   grid_,
+                   distance,
+                   problem_.force_given,
+                   problem_.normal_force,
+                   problem_.normal_tolerance,
+                   problem_.max_normal_iterations,
+                   normal_);
+      solution_.normal_iterations += normal_.iterations;
+    }
+
+    VectorField
+    Solver::rigid_slip()
+    {
+      VectorField  w;
+      const double ahead =
+        problem_.motion == HalfspaceMotion::shift ? 0. : problem_.spin_offset * solution_.step;
+      w[0] = sampled_distance(grid_, [&](double, double y) { return -problem_.phi * y; });
+      w[1] = sampled_distance(grid_, [&](double x, double) { return problem_.phi * (x + ahead); });
+      for (std::size_t e = 0; e < w[0].size(); ++e)
+        {
+          if (!problem_.rigid_slip_x.empty())
+            w[0][e] += problem_.rigid_slip_x[e];
+          if (!problem_.rigid_slip_y.empty())
+            w[1][e] += problem_.rigid_slip_y[e];
+        }
+      const double per_step = 1 / solution_.step;
+      const bool   steady   = problem_.motion == HalfspaceMotion::steady;
+      for (int d = 0; d < 2; ++d)
+        {
+          if (coupled_)
+            {
+              add_displacement(d, 2, 0, normal_.pressure, per_step, w[d]);
+              if (steady)
+                add_displacement(d, 2, offset_, normal_.pressure, -per_step, w[d]);
+            }
+          if (steady || !problem_.previous)
+            continue;
+          const HalfspaceSolution &old = *problem_.previous;
+          add_displacement(d, 0, offset_, old.traction_x, -per_step, w[d]);
+          add_displacement(d, 1, offset_, old.traction_y, -per_step, w[d]);
+          if (coupled_)
+            add_displacement(d, 2, offset_, old.pressure, -per_step, w[d]);
+        }
+      return w;
+    }
+
+    void
+    Solver::tangential_problem()
+    {
+      TangentialTask task;
+      task.kernels     = &slip_kernels_;
+      task.grid        = grid_;
+      task.rigid_slip  = rigid_slip();
+      task.force_given = {{problem_.longitudinal_force_given, problem_.lateral_force_given}};
+      task.force       = {{problem_.fx, problem_.fy}};
+      task.tolerance   = problem_.tangential_tolerance;
+      task.max_steps   = problem_.max_newton_steps;
+      task.bound.resize(grid_.size());
+      double limit = 0;
+      for (std::size_t e = 0; e < task.bound.size(); ++e)
+        {
+          task.bound[e] = mu_[e] * normal_.pressure[e];
+          limit += task.bound[e] * grid_.element_area();
+        }
+      const double asked =
+        std::hypot(task.force_given[0] ? task.force[0] : 0., task.force_given[1] ? task.force[1] : 0.);
+      if (asked >= limit)
+        {
+          std::ostringstream text;
+          text << "Half-space problem: the tangential force asked for, " << asked
+               << " N, is not below the friction limit of the contact, " << limit
+               << " N. Give less force or more friction, or give creepages.";
+          throw InputError(text.str());
+        }
+      if (limit == 0)
+        {
+          for (int d = 0; d < 2; ++d)
+            {
+              tangential_.traction[d].assign(grid_.size(), 0.);
+              tangential_.slip[d].assign(grid_.size(), 0.);
+            }
+          tangential_.converged = true;
+          return;
+        }
+      solve_tangential(products_, task, tangential_);
+      solution_.newton_steps += tangential_.newton_steps;
+      solution_.krylov_iterations += tangential_.krylov_iterations;
+    }
+
+    HalfspaceSolution
+    Solver::run()
+    {
+      tangential_.creepage = {{problem_.xi, problem_.eta}};
+      mu_.assign(grid_.size(), problem_.friction.static_coefficient);
+      if (friction_)
+        slip_kernels_ = slip_kernels(
+          products_, constants_, grid_, solution_.step, problem_.motion == HalfspaceMotion::steady);
+      for (solution_.coupling_rounds = 1;; ++solution_.coupling_rounds)
+        {
+          const std::vector<double> old = normal_.pressure;
+          normal_problem();
+          double change = 0, peak = 0;
+          for (std::size_t e = 0; e < old.size(); ++e)
+            {
+              change = std::max(change, std::abs(normal_.pressure[e] - old[e]));
+              peak   = std::max(peak, normal_.pressure[e]);
+            }
+          solution_.coupling_converged =
+            !coupled_ || !friction_ || (!old.empty() && change <= problem_.coupling_tolerance * peak);
+          if (friction_ && (solution_.coupling_rounds == 1 || coupled_))
+            tangential_problem();
+          if (solution_.coupling_converged || solution_.coupling_rounds == problem_.max_coupling_rounds)
+            break;
+        }
+      displacements();
+      measure();
+      tell();
+      return solution_;
+    }
+
+    void
+    Solver::displacements()
+    {
+      const std::size_t  n = grid_.size();
+      HalfspaceSolution &s = solution_;
+      s.pressure           = normal_.pressure;
+      s.approach           = normal_.approach;
+      s.traction_x         = tangential_.traction[0];
+      s.traction_y         = tangential_.traction[1];
+      s.slip_x             = tangential_.slip[0];
+      s.slip_y             = tangential_.slip[1];
+      for (auto *field : {&s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y})
+        field->resize(n, 0.);
+      s.friction       = mu_;
+      s.displacement_n = normal_.displacement;
+      s.displacement_x.assign(n, 0.);
+      s.displacement_y.assign(n, 0.);
+      std::vector<double>       *u[3] = {&s.displacement_x, &s.displacement_y, &s.displacement_n};
+      const std::vector<double> *t[3] = {&s.traction_x, &s.traction_y, &s.pressure};
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b)
+          if ((a < 2 && b < 2 && friction_) || (coupled_ && (a == 2) != (b == 2)))
+            add_displacement(a, b, 0, *t[b], 1, *u[a]);
+      s.gap.resize(n);
+      for (std::size_t e = 0; e < n; ++e)
+        s.gap[e] = problem_.undeformed_distance[e] + s.displacement_n[e] - s.approach;
+    }
+
+    void
+    Solver::measure()
+    {
+      HalfspaceSolution &s       = solution_;
+      const double       area    = grid_.element_area();
+      int                first_x = grid_.mx, last_x = -1, first_y = grid_.my, last_y = -1;
+      s.state.assign(grid_.size(), HalfspaceSolution::exterior);
+      for (int j = 0; j < grid_.my; ++j)
+        for (int i = 0; i < grid_.mx; ++i)
+          {
+            const int    e = i + grid_.mx * j;
+            const double p = s.pressure[e], tx = s.traction_x[e], ty = s.traction_y[e];
+            if (p <= 0)
+              continue;
+            const double bound = mu_[e] * p;
+            const bool   slips = friction_ && std::hypot(tx, ty) >= bound * (1 - 1e-9);
+            s.state[e]         = slips ? HalfspaceSolution::slip : HalfspaceSolution::adhesion;
+            (slips ? s.slip_area : s.adhesion_area) += area;
+            ++s.contact_elements;
+            s.fn += p * area;
+            s.fx += tx * area;
+            s.fy += ty * area;
+            s.spin_moment += (grid_.x(i) * ty - grid_.y(j) * tx) * area;
+            s.peak_pressure = std::max(s.peak_pressure, p);
+            s.peak_shear    = std::max(s.peak_shear, std::hypot(tx, ty));
+            first_x         = std::min(first_x, i);
+            last_x          = std::max(last_x, i);
+            first_y         = std::min(first_y, j);
+            last_y          = std::max(last_y, j);
+          }
+      s.area = s.adhesion_area + s.slip_area;
+      if (s.contact_elements > 0)
+        {
+          s.length_x = (last_x - first_x + 1) * grid_.dx;
+          s.width_y  = (last_y - first_y + 1) * grid_.dy;
+          s.touches_grid_edge =
+            first_x == 0 || first_y == 0 || last_x == grid_.mx - 1 || last_y == grid_.my - 1;
+        }
+      s.xi  = tangential_.creepage[0];
+      s.eta = tangential_.creepage[1];
+      s.phi = problem_.phi;
+    }
+
+    void
+    Solver::tell()
+    {
+      HalfspaceSolution &s   = solution_;
+      s.normal_converged     = normal_.converged;
+      s.normal_residual      = normal_.residual;
+      s.tangential_converged = !friction_ || tangential_.converged;
+      s.tangential_residual  = tangential_.residual;
+      std::ostringstream text;
+      if (!s.normal_converged)
+        text << "The normal problem reached " << s.normal_residual << " of its tolerance "
+             << problem_.normal_tolerance << " in " << s.normal_iterations << " iterations. ";
+      if (!s.tangential_converged)
+        text << "The tangential problem reached " << s.tangential_residual << " of its tolerance "
+             << problem_.tangential_tolerance << " in " << s.newton_steps << " steps. ";
+      if (!s.coupling_converged)
+        text << "The coupling of normal and tangential problem did not settle in " << s.coupling_rounds
+             << " rounds. ";
+      s.not_reached = text.str();
+    }
+  } // namespace
+
+  HalfspaceSolution
+  solve_rolling(const HalfspaceProblem &problem)
+  {
+    check_problem(problem);
+    return Solver(problem).run();
+  }
+} // namespace wheelrail
