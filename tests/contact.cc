@@ -229,7 +229,7 @@ namespace
         model.contact->evaluate(0);
       }
     // slow enough to stick everywhere but at the very edge: the shear grows by stiffness x way
-    const double slow   = 1e-3 * law.friction * 60e-6 / step;
+    const double slow   = 1e-3 * law.friction.at_rest * 60e-6 / step;
     double       excess = 0, stick = 0, tilt = 0;
     ContactSums  sums;
     for (int n = 1; n <= 20; ++n)
@@ -238,7 +238,7 @@ namespace
         sums = model.contact->evaluate(step);
         for (const auto &node : model.contact->nodes())
           {
-            excess = std::max(excess, norm(node.traction) - law.friction * node.pressure);
+            excess = std::max(excess, norm(node.traction) - law.friction.at_rest * node.pressure);
             tilt   = std::max(tilt, std::abs(dot(node.shear, node.normal)));
             if (node.pressure > 0.2 * sums.largest_pressure)
               {
@@ -260,10 +260,10 @@ namespace
         place(model, {60e-6, 0, 0}, {0, 0, 100 * slow});
         sums = model.contact->evaluate(step);
         for (const auto &node : model.contact->nodes())
-          excess = std::max(excess, norm(node.traction) - law.friction * node.pressure);
+          excess = std::max(excess, norm(node.traction) - law.friction.at_rest * node.pressure);
       }
     check_near(excess / sums.largest_pressure, 0, 1e-12, "full slip: the bound holds");
-    check_near(-sums.force[2] / (law.friction * sums.normal_force),
+    check_near(-sums.force[2] / (law.friction.at_rest * sums.normal_force),
                1,
                1e-3,
                "full slip: force is friction x normal force");

@@ -56,6 +56,10 @@ namespace
       {"Wheelset/Traction coefficient", "-0.2"},
       {"Wheelset/Creepage", "0.001"},
       {"Contact/Friction coefficient", "0.3"},
+      {"Contact/Friction law", "rational"},
+      {"Contact/Dynamic friction coefficient", "0.25"},
+      {"Contact/Friction decay", "0.1 s/m"},
+      {"Contact/Friction half velocity", "3 m/s"},
       {"Contact/Penalty scale", "3"},
       {"Contact/Damping", "0.2"},
       {"Rail material/Young's modulus", "206 GPa"},
@@ -184,6 +188,10 @@ namespace
     check_near(s.traction_coefficient, -0.2, 0, "field traction_coefficient");
     check_near(s.creepage, 0.001, 0, "field creepage");
     check_near(s.friction_coefficient, 0.3, 0, "field friction_coefficient");
+    check(s.friction_law == FrictionKind::rational, "field friction_law");
+    check_near(s.dynamic_friction_coefficient, 0.25, 0, "field dynamic_friction_coefficient");
+    check_near(s.friction_decay, 0.1, 0, "field friction_decay");
+    check_near(s.friction_half_velocity, 3, 0, "field friction_half_velocity");
     check_near(s.penalty_scale, 3, 0, "field penalty_scale");
     check_near(s.contact_damping, 0.2, 0, "field contact_damping");
     check_near(s.rail_material.youngs_modulus, 206e9, 0, "field rail youngs_modulus");

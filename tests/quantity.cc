@@ -41,6 +41,8 @@ namespace
       {"140 km/h", D::velocity, 140 / 3.6},
       {"38.9 m/s", D::velocity, 38.9},
       {"5 mm/s", D::velocity, 0.005},
+      {"0.05 s/m", D::slowness, 0.05},
+      {"2 s/mm", D::slowness, 2000},
       {"12 N", D::force, 12},
       {"100 kN", D::force, 1e5},
       {"0.1 MN", D::force, 1e5},

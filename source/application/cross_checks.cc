@@ -3,6 +3,7 @@
 #include <wheelrail/base/quantity.h>
 
 #include <cmath>
+#include <cstdio>
 
 namespace wheelrail
 {
@@ -15,6 +16,15 @@ namespace wheelrail
     {
       // six digits: a sum of user values shows no rounding noise
       return format_number(std::round(length * 1e9) / 1e6) + " mm";
+    }
+
+    /// Three digits of a number that was computed.
+    std::string
+    digits(const double value)
+    {
+      char out[32];
+      std::snprintf(out, sizeof(out), "%.3g", value);
+      return out;
     }
 
     /// "Section/Name = value" as in the listing.
@@ -151,6 +161,18 @@ namespace wheelrail
                       entry_text(scene, "Contact", "Friction coefficient") +
                       ", so the whole patch slides and the wheel " +
                       (scene.traction_coefficient > 0 ? "spins up" : "locks") + " while it rolls");
+    const MaterialData &m         = scene.rail_material;
+    const double        impedance = std::sqrt(m.density * m.youngs_modulus / (2 + 2 * m.poissons_ratio));
+    if (1e9 * steepest_fall(friction_law(scene)) > impedance / 2)
+      notes.push_back(
+        entry_text(scene, "Contact", "Friction law") + ": friction falls by " +
+        digits(steepest_fall(friction_law(scene))) + " per m/s of sliding; at 1 GPa a fall beyond " +
+        digits(impedance / 2e9) +
+        " feeds sliding more than shear waves carry away, and tractions oscillate from node to node");
+    if (scene.friction_law != FrictionKind::constant && scene.friction_coefficient == 0)
+      notes.push_back(entry_text(scene, "Contact", "Friction coefficient") +
+                      ": 0 at rest, but not at speed with Contact/Friction law = " +
+                      (scene.friction_law == FrictionKind::rational ? "rational" : "exponential"));
     if (scene.drive == Drive::torque && scene.creepage != 0)
       notes.push_back(entry_text(scene, "Wheelset", "Creepage") +
                       ": without effect, since Wheelset/Drive = torque");

@@ -197,11 +197,53 @@ namespace wheelrail
     }
 
     void
+    add_friction(std::vector<Entry> &list)
+    {
+      list.push_back(
+        pure({"Contact", "Friction coefficient", "0.5", "Coulomb friction, at rest; 0: no friction."},
+             B::between("0", "1.5"),
+             field(&S::friction_coefficient)));
+      list.push_back(choice_entry<FrictionKind>(
+        {"Contact",
+         "Friction law",
+         "constant",
+         "How friction changes with the sliding speed v; with s and d the coefficients at rest and at "
+         "high speed: constant: s; exponential: d + (s - d) exp(-decay v); rational: d + (s - d)/(1 + v/half "
+         "velocity)."},
+        {{"constant", FrictionKind::constant},
+         {"exponential", FrictionKind::exponential},
+         {"rational", FrictionKind::rational}},
+        field(&S::friction_law)));
+      list.push_back(pure({"Contact",
+                           "Dynamic friction coefficient",
+                           "0.4",
+                           "Coefficient at high sliding speed, used unless the friction law is constant."},
+                          B::between("0", "1.5"),
+                          field(&S::dynamic_friction_coefficient)));
+      list.push_back(number_entry({"Contact",
+                                   "Friction decay",
+                                   "0.05 s/m",
+                                   "Decay of the exponential friction law with sliding speed."},
+                                  D::slowness,
+                                  "s/m",
+                                  B::between("0 s/m", "100 s/m"),
+                                  field(&S::friction_decay)));
+      list.push_back(
+        number_entry({"Contact",
+                      "Friction half velocity",
+                      "15 m/s",
+                      "Sliding speed at which half of the difference of the coefficients is gone, "
+                      "of the rational friction law."},
+                     D::velocity,
+                     "m/s",
+                     B::above("0 m/s", "1000 m/s"),
+                     field(&S::friction_half_velocity)));
+    }
+
+    void
     add_contact(std::vector<Entry> &list)
     {
-      list.push_back(pure({"Contact", "Friction coefficient", "0.5", "Coulomb friction; 0: no friction."},
-                          B::between("0", "1.5"),
-                          field(&S::friction_coefficient)));
+      add_friction(list);
       list.push_back(
         pure({"Contact",
               "Penalty scale",

@@ -81,7 +81,7 @@ namespace wheelrail
       const double z = scene.contact_damping;
       ContactLaw   law;
       law.stiffness      = scene.penalty_scale * K / scene.cell_size;
-      law.friction       = scene.friction_coefficient;
+      law.friction       = friction_law(scene);
       const double limit = 2 * (std::sqrt(1 + z * z) - z);
       const double mass  = 2 * law.stiffness * std::pow(solid.stable.step / limit, 2); // per area
       law.damping        = 2 * z * std::sqrt(law.stiffness * mass / 2);

@@ -304,7 +304,7 @@ namespace wheelrail
     Vector3       trial  = before;
     add(trial, law_.stiffness * time_step, sliding);
     Vector3      total = trial;
-    const double bound = law_.friction * node.pressure;
+    const double bound = friction_coefficient(law_.friction, norm(sliding)) * node.pressure;
     if (time_step > 0)
       add(total, law_.damping, sliding);
     const double size = norm(total);

@@ -92,7 +92,7 @@ namespace wheelrail
             along += growth * (1 - turn * radius);
             lateral -= growth * turn * z * std::sin(angle);
             const std::size_t k     = lattice.index(i, j);
-            const double      bound = contact.law().friction * contact.nodes()[k].pressure;
+            const double      bound = contact.law().friction.at_rest * contact.nodes()[k].pressure;
             const double      size  = std::hypot(along, lateral);
             if (size > bound)
               {
@@ -114,7 +114,7 @@ namespace wheelrail
     constexpr double limit = 0.1, full_slip = 0.98;
     double           bound = 0;
     for (std::size_t k = 0; k < contact.nodes().size(); ++k)
-      bound += full_slip * contact.law().friction * contact.nodes()[k].pressure * contact.rail().area[k];
+      bound += full_slip * contact.law().friction.at_rest * contact.nodes()[k].pressure * contact.rail().area[k];
     const double wanted = std::clamp(longitudinal_force, -bound, bound);
     double       low = -limit, high = limit;
     for (int k = 0; k < 60; ++k)

@@ -365,7 +365,7 @@ namespace wheelrail
 
     std::vector<unsigned int> preconditioned; // rail nodes whose springs the preconditioner knows
     double                    rate    = loads.axle.velocity / loads.rolling_radius;
-    bool                      sheared = contact.law().friction == 0;
+    bool                      sheared = frictionless(contact.law().friction);
     // the given tractions, set in every step: an iterate that unloads a node must not erase its own for good
     std::vector<Vector3> shear;
     for (int step = 0; step < 60; ++step)
@@ -430,7 +430,7 @@ namespace wheelrail
         system.add_to_nodes(solid.mesh, increment, lift, solid.displacement);
         result.lift += lift;
       }
-    if (contact.law().friction == 0)
+    if (frictionless(contact.law().friction))
       result.creepage = loads.rate_held ? loads.creepage : 0;
     return result;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/contact/friction.h>
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/mesh/wheel_section.h>
 
@@ -49,9 +50,13 @@ namespace wheelrail
     double          creepage             = 0; ///< used with Drive::rate, positive driving
 
     // Contact
-    double friction_coefficient = 0.5;
-    double penalty_scale        = 10;  ///< effective scale f: eps = f K / h
-    double contact_damping      = 0.3; ///< fraction of critical
+    double       friction_coefficient         = 0.5; ///< at rest
+    FrictionKind friction_law                 = FrictionKind::constant;
+    double       dynamic_friction_coefficient = 0.4;  ///< at high sliding speed
+    double       friction_decay               = 0.05; ///< exponential law [s/m]
+    double       friction_half_velocity       = 15;   ///< rational law [m/s]
+    double       penalty_scale                = 10;   ///< effective scale f: eps = f K / h
+    double       contact_damping              = 0.3;  ///< fraction of critical
 
     MaterialData rail_material, wheel_material;
 
@@ -74,4 +79,15 @@ namespace wheelrail
     unsigned int ticks         = 20;   ///< evenly spaced outputs of patch and surface fields over the run
     bool         volume_fields = true; ///< VTU of the whole mesh at start and end
   };
+
+  /// The friction law of a scene.
+  inline FrictionLaw
+  friction_law(const Scene &scene)
+  {
+    return {scene.friction_coefficient,
+            scene.friction_law,
+            scene.dynamic_friction_coefficient,
+            scene.friction_decay,
+            scene.friction_half_velocity};
+  }
 } // namespace wheelrail

@@ -12,6 +12,7 @@ namespace wheelrail
     mass,
     time,
     velocity,
+    slowness, ///< time per length
     force,
     stress,
     density,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/contact/friction.h>
 #include <wheelrail/contact/surface.h>
 
 #include <mpi.h>
@@ -11,13 +12,13 @@ namespace wheelrail
   /// Constants of the contact law.
   ///
   /// Pressure p = stiffness x penetration + damping x closing speed, never negative; shear traction
-  /// by elastic trial with `stiffness` and return to the Coulomb bound friction x p (equations 2 and
-  /// 3 of Ma, Markine, Mashal and Ren 2017, as tractions instead of forces).
+  /// by elastic trial with `stiffness` and return to the bound mu(v) x p, v the sliding velocity
+  /// (equations 2 and 3 of Ma, Markine, Mashal and Ren 2017, as tractions instead of forces).
   struct ContactLaw
   {
-    double stiffness = 0; ///< normal and tangential, f K / h [N/m3]
-    double damping   = 0; ///< [N s/m3]
-    double friction  = 0; ///< Coulomb coefficient
+    double      stiffness = 0; ///< normal and tangential, f K / h [N/m3]
+    double      damping   = 0; ///< [N s/m3]
+    FrictionLaw friction;
   };
 
   /// State of one rail node that may touch the wheel. Tractions act on the rail.

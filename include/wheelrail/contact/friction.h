@@ -1,0 +1,34 @@
+#pragma once
+
+namespace wheelrail
+{
+  /// How the friction coefficient depends on the sliding speed v.
+  enum class FrictionKind
+  {
+    constant,    ///< mu = mu_s
+    exponential, ///< mu = mu_d + (mu_s - mu_d) exp(-c v), the law of many explicit codes
+    rational     ///< mu = mu_d + (mu_s - mu_d) / (1 + v / v_h), as in Kalker's program CONTACT
+  };
+
+  /// Constants of the friction law.
+  struct FrictionLaw
+  {
+    double       at_rest       = 0; ///< mu_s; the only one of a constant law
+    FrictionKind kind          = FrictionKind::constant;
+    double       at_speed      = 0; ///< mu_d, far beyond the decay; may exceed mu_s
+    double       decay         = 0; ///< c of the exponential law [s/m]
+    double       half_velocity = 1; ///< v_h, at which half of mu_s - mu_d is gone (rational law) [m/s]
+  };
+
+  /// Friction coefficient at the sliding speed `speed` >= 0 [m/s].
+  double
+  friction_coefficient(const FrictionLaw &law, double speed);
+
+  /// Steepest fall of the coefficient with speed, at rest [s/m]; 0 where it is constant or rises.
+  double
+  steepest_fall(const FrictionLaw &law);
+
+  /// No speed has a coefficient above 0.
+  bool
+  frictionless(const FrictionLaw &law);
+} // namespace wheelrail

@@ -1,0 +1,135 @@
+// Friction laws: values of the laws, and the contact of a rigidly sliding wheel under each of them.
+
+#include <wheelrail/application/model.h>
+#include <wheelrail/contact/friction.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+#include <algorithm>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  void
+  values_of_the_laws()
+  {
+    const FrictionLaw constant{0.5};
+    check_near(friction_coefficient(constant, 0), 0.5, 0, "constant: at rest");
+    check_near(friction_coefficient(constant, 40), 0.5, 0, "constant: at 40 m/s");
+    const FrictionLaw exponential{0.5, FrictionKind::exponential, 0.2, 0.25};
+    check_near(friction_coefficient(exponential, 0), 0.5, 1e-15, "exponential: at rest");
+    check_near(friction_coefficient(exponential, 4 * std::log(2.)),
+               0.35,
+               1e-15,
+               "exponential: half way after ln 2 / c");
+    check_near(friction_coefficient(exponential, 1e3), 0.2, 1e-15, "exponential: far");
+    const FrictionLaw rational{0.5, FrictionKind::rational, 0.2, 0, 3};
+    check_near(friction_coefficient(rational, 0), 0.5, 1e-15, "rational: at rest");
+    check_near(friction_coefficient(rational, 3), 0.35, 1e-15, "rational: half way at the half velocity");
+    check_near(friction_coefficient(rational, 9), 0.275, 1e-15, "rational: a quarter left at three times it");
+    const double d = 1e-6;
+    for (const FrictionLaw &law : {exponential, rational})
+      check_near(steepest_fall(law),
+                 (friction_coefficient(law, 0) - friction_coefficient(law, d)) / d,
+                 1e-6,
+                 "slope at rest");
+    check_near(steepest_fall({0.2, FrictionKind::rational, 0.5, 0, 3}), 0, 0, "a rising law does not fall");
+    check(frictionless({0}) && !frictionless({0, FrictionKind::rational, 0.5, 0, 3}) &&
+            !frictionless(exponential),
+          "friction that is 0 at all speeds");
+  }
+
+  struct Sliding
+  {
+    double force = 0, friction_energy = 0, work = 0, excess = 0;
+  };
+
+  /// The wheel, lowered by 60 um, slides 100 um along the rail at a constant speed, without damping.
+  Sliding
+  slide(Model &model, const FrictionLaw &friction, const double speed)
+  {
+    ContactLaw law = model.contact->law();
+    law.friction   = friction;
+    law.damping    = 0;
+    Contact      contact(model.contact->rail(),
+                    model.contact->wheel(),
+                    model.contact->surfaces(),
+                    model.contact->lattice(),
+                    law,
+                    0.02,
+                    MPI_COMM_WORLD);
+    Solid       &solid = model.solid;
+    const int    n     = 400;
+    const double way = 100e-6, step = way / speed / n;
+    Sliding      result;
+    for (int k = 0; k <= n; ++k)
+      {
+        for (std::size_t m = 0; m < solid.mesh.n_nodes(); ++m)
+          if (solid.mesh.node_body[m] == Body::wheel)
+            {
+              solid.displacement[4 * m + 1] = -60e-6;
+              solid.displacement[4 * m + 2] = k * way / n;
+              solid.velocity[4 * m + 2]     = k > 0 ? speed : 0;
+            }
+        contact.gather(solid.displacement.data(), solid.velocity.data());
+        const ContactSums sums = contact.evaluate(step);
+        result.force           = -sums.force[2] / sums.normal_force;
+        result.friction_energy += step * sums.friction_power;
+        result.work -= step * speed * sums.force[2];
+        for (const ContactNode &node : contact.nodes())
+          if (node.pressure > 0 && k > 0)
+            {
+              const Vector3 v       = {0, 0, speed};
+              const double  sliding = norm(v - dot(v, node.normal) * node.normal);
+              result.excess         = std::max(
+                result.excess, norm(node.traction) / node.pressure - friction_coefficient(friction, sliding));
+            }
+      }
+    return result;
+  }
+
+  void
+  sliding_wheel()
+  {
+    Model model = make_model(small_scene(2e-3), MPI_COMM_WORLD);
+    struct Case
+    {
+      std::string name;
+      FrictionLaw law;
+      double      speed;
+    };
+    const std::vector<Case> cases = {{"constant", {0.5}, 2},
+                                     {"constant, 0.8", {0.8}, 2},
+                                     {"exponential", {0.5, FrictionKind::exponential, 0.2, 0.25}, 2},
+                                     {"exponential, fast", {0.5, FrictionKind::exponential, 0.2, 0.25}, 20},
+                                     {"rational", {0.5, FrictionKind::rational, 0.2, 0, 3}, 2},
+                                     {"rising", {0.2, FrictionKind::rational, 0.5, 0, 3}, 2},
+                                     {"none", {0}, 2}};
+    for (const Case &c : cases)
+      {
+        const Sliding run = slide(model, c.law, c.speed);
+        const double  mu  = friction_coefficient(c.law, c.speed);
+        // pressures lean against the wheel's inclined surface as it moves off its lowest place
+        check_near(
+          run.force, mu, 2e-3, c.name + " at " + std::to_string(int(c.speed)) + " m/s: force over load");
+        check_near(run.excess, 0, 1e-12, c.name + ": no traction beyond the bound");
+        if (mu > 0)
+          check(run.friction_energy > 0.8 * run.work && run.friction_energy < run.work,
+                c.name + ": friction takes the work that the springs do not store");
+        else
+          check_near(run.friction_energy, 0, 0, "none: no friction work");
+      }
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  values_of_the_laws();
+  sliding_wheel();
+  return parallel.report();
+}
