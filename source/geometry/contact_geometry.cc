@@ -37,20 +37,23 @@ namespace wheelrail
     double
     find_flank_end(const Curve &tread)
     {
-      const int n      = 64 * static_cast<int>(tread.segments().size());
-      double    lowest = std::numeric_limits<double>::max(), found = 0, candidate = 0;
-      for (int i = 0; i <= n; ++i)
+      double lowest = std::numeric_limits<double>::max(), found = 0, candidate = 0;
+      for (std::size_t k = 0; k < tread.segments().size(); ++k)
         {
-          const double     t = tread.parameter_end() * i / n;
-          const CurvePoint p = tread.at(t);
-          if (p.position.x > 0 || p.tangent.x >= 0)
-            continue;
-          if (p.tangent.y / p.tangent.x >= 1)
-            candidate = t;
-          if (p.position.y < lowest)
+          const int n = samples_on(tread.segments()[k], 64);
+          for (int i = 0; i <= n; ++i)
             {
-              lowest = p.position.y;
-              found  = candidate;
+              const CurvePoint p = point_on(tread.segments()[k], static_cast<double>(i) / n);
+              const double     t = k + static_cast<double>(i) / n;
+              if (p.position.x > 0 || p.tangent.x >= 0)
+                continue;
+              if (p.tangent.y / p.tangent.x >= 1)
+                candidate = t;
+              if (p.position.y < lowest)
+                {
+                  lowest = p.position.y;
+                  found  = candidate;
+                }
             }
         }
       return found;

@@ -14,19 +14,19 @@ namespace wheelrail
     double
     walk(const Curve &curve, const double start, const int direction, const Allowed &allowed)
     {
-      const int n       = static_cast<int>(curve.segments().size());
-      const int samples = 64;
-      double    inside  = start;
+      const int n      = static_cast<int>(curve.segments().size());
+      double    inside = start;
       for (int i = std::min(static_cast<int>(start), n - 1); i >= 0 && i < n; i += direction)
         {
-          // Alone, so that a joint shows the tangent of this segment.
-          const Curve  alone({curve.segments()[i]});
-          const double from = std::clamp(inside - i, 0., 1.), to = direction > 0 ? 1. : 0.;
-          double       good = from;
+          // The segment alone, so that a joint shows its tangent.
+          const Segment &alone   = curve.segments()[i];
+          const int      samples = samples_on(alone, 64);
+          const double   from = std::clamp(inside - i, 0., 1.), to = direction > 0 ? 1. : 0.;
+          double         good = from;
           for (int k = 0; k <= samples; ++k)
             {
               const double f = k == samples ? to : from + (to - from) * k / samples;
-              if (allowed(alone.at(f).tangent))
+              if (allowed(point_on(alone, f).tangent))
                 {
                   good = f;
                   continue;
@@ -35,7 +35,7 @@ namespace wheelrail
                 return inside;
               double bad = f;
               for (double m = 0.5 * (good + bad); m != good && m != bad; m = 0.5 * (good + bad))
-                (allowed(alone.at(m).tangent) ? good : bad) = m;
+                (allowed(point_on(alone, m).tangent) ? good : bad) = m;
               return i + good;
             }
           inside = i + to;
@@ -99,7 +99,7 @@ namespace wheelrail
         pieces_.push_back(piece);
       }
     const Segment &last = curve_.segments()[pieces_.back().segment];
-    joints_.push_back(in_frame(Curve({last}).at(t_max - pieces_.back().segment).position).x);
+    joints_.push_back(in_frame(position_on(last, t_max - pieces_.back().segment)).x);
     s_min_ = joints_.front();
     s_max_ = joints_.back();
   }
@@ -116,20 +116,26 @@ namespace wheelrail
   double
   FrameProfile::abscissa(const Piece &piece, const double s) const
   {
-    const Segment &g = curve_.segments()[piece.segment];
-    double x = g.start.x + (s - piece.start.x) / (piece.end.x - piece.start.x) * (g.end.x - g.start.x);
+    const Segment &g         = curve_.segments()[piece.segment];
+    const bool     is_spline = g.kind == Segment::Kind::spline;
+    const double   fraction  = (s - piece.start.x) / (piece.end.x - piece.start.x);
+    double         v         = is_spline ? fraction : g.start.x + fraction * (g.end.x - g.start.x);
+    const double   smallest  = is_spline ? 1e-15 : 1e-17; // u runs over 1, x over millimetres
     for (int i = 0; i < 50; ++i)
       {
-        const PolynomialValue p = evaluate_polynomial(g.coefficients, x);
-        // ds/dx is never zero, since the slope in the frame is bounded.
-        const double step = (s - origin_.x - ex_.x * x - ey_.x * p.value) / (ex_.x + ey_.x * p.slope);
-        x += step;
-        if (std::abs(step) < 1e-17)
+        const PolynomialValue y = evaluate_polynomial(g.coefficients, v);
+        const PolynomialValue x =
+          is_spline ? evaluate_polynomial(g.coefficients_x, v) : PolynomialValue{v, 1, 0};
+        // ds/dv is never zero, since the slope in the frame is bounded.
+        const double step =
+          (s - origin_.x - ex_.x * x.value - ey_.x * y.value) / (ex_.x * x.slope + ey_.x * y.slope);
+        v += step;
+        if (std::abs(step) < smallest)
           break;
-        if (i > 6 && std::abs(step) < 1e-15)
+        if (i > 6 && std::abs(step) < 100 * smallest)
           break;
       }
-    return x;
+    return v;
   }
 
 
@@ -151,9 +157,12 @@ namespace wheelrail
         const double height = piece.side * std::sqrt(std::max((g.radius - ds) * (g.radius + ds), 0.));
         return {piece.centre.y + height, -ds / height};
       }
-    const double          x = abscissa(piece, s);
-    const PolynomialValue p = evaluate_polynomial(g.coefficients, x);
-    return {origin_.y + ex_.y * x + ey_.y * p.value, (ex_.y + ey_.y * p.slope) / (ex_.x + ey_.x * p.slope)};
+    const double          v = abscissa(piece, s);
+    const PolynomialValue y = evaluate_polynomial(g.coefficients, v);
+    const PolynomialValue x =
+      g.kind == Segment::Kind::spline ? evaluate_polynomial(g.coefficients_x, v) : PolynomialValue{v, 1, 0};
+    return {origin_.y + ex_.y * x.value + ey_.y * y.value,
+            (ex_.y * x.slope + ey_.y * y.slope) / (ex_.x * x.slope + ey_.x * y.slope)};
   }
 
 
@@ -166,6 +175,8 @@ namespace wheelrail
     double         f     = 0;
     if (g.kind == Segment::Kind::line)
       f = (s - piece.start.x) / (piece.end.x - piece.start.x);
+    else if (g.kind == Segment::Kind::spline)
+      f = abscissa(piece, s);
     else if (g.kind == Segment::Kind::polynomial)
       f = (abscissa(piece, s) - g.start.x) / (g.end.x - g.start.x);
     else

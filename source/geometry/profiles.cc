@@ -46,14 +46,11 @@ namespace wheelrail
       double sum = 0;
       for (std::size_t i = 0; i < curve.segments().size(); ++i)
         {
-          const Segment &g       = curve.segments()[i];
-          const bool     is_poly = g.kind == Segment::Kind::polynomial;
-          const double   length  = curve.length(i, i + 1.);
+          const Segment &g = curve.segments()[i];
           sum += boost::math::quadrature::gauss<double, 20>::integrate(
             [&](const double fraction) {
-              const CurvePoint p = curve.at(i + fraction);
-              // Lines and arcs run at constant speed, a polynomial at constant dx/dt.
-              const double speed = is_poly ? (g.end.x - g.start.x) / p.tangent.x : length;
+              const CurvePoint p     = point_on(g, fraction);
+              const double     speed = speed_on(g, fraction);
               return f(p.position, speed * p.tangent.x, speed * p.tangent.y);
             },
             0.,

@@ -29,17 +29,16 @@ namespace wheelrail
         top = std::max({top, placement.to_track(g.start).y, placement.to_track(g.end).y});
         if (g.kind == Segment::Kind::line)
           continue;
-        const Curve alone({g});
-        double      t0 = 0, t1 = 1;
-        const auto  climb = [&](const double t) {
-          const Point2 tangent = alone.at(t).tangent;
+        double     t0 = 0, t1 = 1;
+        const auto climb = [&](const double t) {
+          const Point2 tangent = point_on(g, t).tangent;
           return -s * tangent.x + c * tangent.y;
         };
         if (!(climb(t0) > 0 && climb(t1) < 0))
           continue;
         for (double t = 0.5; t > t0 && t < t1; t = 0.5 * (t0 + t1))
           (climb(t) > 0 ? t0 : t1) = t;
-        top = std::max(top, placement.to_track(alone.at(t0).position).y);
+        top = std::max(top, placement.to_track(position_on(g, t0)).y);
       }
 
     const auto above = [&](const Point2 &p) { return placement.to_track(p).y - (top - track.gauge_height); };

@@ -1,61 +1,14 @@
 #pragma once
 
-#include <wheelrail/geometry/plane.h>
+#include <wheelrail/geometry/segment.h>
 
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace wheelrail
 {
-  /// One piece of a profile: a line, a circular arc, or the graph of a polynomial y = sum c_i x^i.
-  struct Segment
-  {
-    enum class Kind
-    {
-      line,
-      arc,
-      polynomial
-    };
-
-    Kind                kind = Kind::line;
-    std::string         name;            ///< as in the standard, "crown R300"
-    Point2              start, end;      ///< [m]
-    Point2              centre;          ///< of an arc [m]
-    double              radius      = 0; ///< of an arc [m]
-    double              angle_start = 0; ///< polar angle of the start seen from the centre [rad]
-    double              angle_end   = 0; ///< of the end; end > start runs counter-clockwise [rad]
-    std::vector<double> coefficients;    ///< of a polynomial in metres: y [m] = sum c_i x^i
-  };
-
-  /// Value and first two derivatives of a polynomial sum c_i x^i.
-  struct PolynomialValue
-  {
-    double value = 0, slope = 0, second = 0;
-  };
-  PolynomialValue
-  evaluate_polynomial(const std::vector<double> &coefficients, double x);
-
-  /// The same segment run through from its end to its start.
-  Segment
-  reversed(const Segment &segment);
-
-  /// The segment mirrored about the y axis (x to -x), running from the image of its start to the
-  /// image of its end. Throws InputError for a polynomial, which no symmetric outline needs.
-  Segment
-  mirrored(const Segment &segment);
-
-  /// A point of a curve.
-  struct CurvePoint
-  {
-    Point2 position;      ///< [m]
-    Point2 tangent;       ///< unit vector in the running direction
-    double curvature = 0; ///< [1/m], positive when the curve turns counter-clockwise
-    int    segment   = 0; ///< index into segments()
-  };
-
   /// A plane curve made of segments that join; the parameter t runs from 0 to n over n segments,
-  /// the integer part being the segment (lines by length, arcs by angle, polynomials by x).
+  /// the integer part being the segment (lines by length, arcs by angle, polynomials by x, splines by u).
   /// At a joint the values are those of the segment that starts there.
   class Curve
   {
@@ -97,8 +50,8 @@ namespace wheelrail
     closest(const Point2 &p) const;
 
     /// All parameters in [t0, t1] where `level(point)` changes sign, ascending, refined to
-    /// round-off; used to cut a curve with a line. Each segment is sampled at 64 intervals: two
-    /// changes within one of them stay unseen, and so does a mere touch.
+    /// round-off; used to cut a curve with a line. Each segment is sampled at 64 intervals (8 for a
+    /// piece of a spline): two changes within one of them stay unseen, and so does a mere touch.
     std::vector<double>
     roots(const std::function<double(const Point2 &)> &level, double t0, double t1) const;
 

@@ -61,7 +61,7 @@ namespace wheelrail
       double side = 0; ///< of an arc: +1 above its centre, -1 below
     };
 
-    /// Abscissa x of a polynomial piece at s, by Newton steps.
+    /// Abscissa x of a polynomial piece, or u of a spline piece, at s, by Newton steps.
     double
     abscissa(const Piece &piece, double s) const;
 
