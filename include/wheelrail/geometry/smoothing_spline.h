@@ -1,0 +1,25 @@
+#pragma once
+
+#include <wheelrail/geometry/segment.h>
+
+#include <vector>
+
+namespace wheelrail
+{
+  /// A curve of spline pieces through measured points [m], in their order, that leaves out noise of
+  /// standard deviation `noise` [m] (at least 0.02 micrometres is assumed) and keeps curvature: x and y
+  /// are cubic splines over the chord length whose third derivative is penalised, weakly where the
+  /// curvature of the points changes and strongly where it does not (doc/geometry.md). Neighbouring
+  /// pieces have equal curvature, except at the kinks, where the curve goes exactly through the
+  /// point with two tangents.
+  ///
+  /// `kinks` are indices of points, ascending. Throws InputError when fewer than four points lie
+  /// between two kinks.
+  std::vector<Segment>
+  smoothing_spline(const std::vector<Point2> &points, const std::vector<std::size_t> &kinks, double noise);
+
+  /// Indices of the points at which the outline has a kink of more than 20 degrees: where the turn
+  /// of the tangent stays when the tangents are taken over half the length.
+  std::vector<std::size_t>
+  find_kinks(const std::vector<Point2> &points, double noise);
+} // namespace wheelrail

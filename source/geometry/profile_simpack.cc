@@ -1,0 +1,150 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/profile_text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    void
+    keep_within(FileContent &content, const HeaderValues &values, const std::string &axis)
+    {
+      const double low  = values.number("bound." + axis + ".min", 1),
+                   high = values.number("bound." + axis + ".max", 0);
+      if (low > high) // the format's way to say: no bounds
+        return;
+      const std::size_t before = content.points.size();
+      content.points.erase(std::remove_if(content.points.begin(),
+                                          content.points.end(),
+                                          [&](const FilePoint &p) {
+                                            const double v = axis == "y" ? p.position.x : p.position.y;
+                                            return v < low || v > high;
+                                          }),
+                           content.points.end());
+      if (content.points.size() < before)
+        content.notes.push_back(std::to_string(before - content.points.size()) + " points outside bound." +
+                                axis + ".min and .max of the file dropped");
+    }
+
+    /// What the header orders, in the order of the format: least distance, shift, rotation, bounds,
+    /// mirroring, inversion.
+    void
+    apply_orders(FileContent &content, const HeaderValues &values)
+    {
+      std::vector<FilePoint> &points = content.points;
+      const double            least  = values.number("point.dist.min", 0);
+      if (least > 0)
+        {
+          std::vector<FilePoint> kept;
+          for (const FilePoint &p : points)
+            if (kept.empty() || norm(p.position - kept.back().position) >= least)
+              kept.push_back(p);
+          if (kept.size() < points.size())
+            content.notes.push_back(std::to_string(points.size() - kept.size()) +
+                                    " points nearer than point.dist.min of the file dropped");
+          points = kept;
+        }
+      const Point2 shift{values.number("shift.y", 0), values.number("shift.z", 0)};
+      const double angle =
+        values.number("rotate", 0) / std::max(1e-300, std::abs(values.number("units.ang.f", 1)));
+      const double c = std::cos(angle), s = std::sin(angle);
+      for (FilePoint &p : points)
+        {
+          const Point2 q = p.position + shift;
+          p.position     = {c * q.x - s * q.y, s * q.x + c * q.y};
+        }
+      if (shift.x != 0 || shift.y != 0)
+        content.notes.push_back("moved by shift.y and shift.z of the file");
+      if (angle != 0)
+        content.notes.push_back("turned by rotate of the file");
+      keep_within(content, values, "y");
+      keep_within(content, values, "z");
+      const bool mirror_y = values.number("mirror.y", 0) == 1, mirror_z = values.number("mirror.z", 0) == 1;
+      for (FilePoint &p : points)
+        p.position = {mirror_y ? -p.position.x : p.position.x, mirror_z ? -p.position.y : p.position.y};
+      if (mirror_y || mirror_z)
+        content.notes.push_back(std::string("mirrored by ") + (mirror_y ? "mirror.y" : "") +
+                                (mirror_y && mirror_z ? " and " : "") + (mirror_z ? "mirror.z" : "") +
+                                " of the file");
+      if (values.number("inversion", 0) == 1)
+        std::reverse(points.begin(), points.end());
+    }
+
+    /// The lines of the point block; the weight in the third column is not used, but weight 0 drops a point.
+    void
+    read_simpack_point(FileContent &content, const Line &line, const std::string &file, unsigned int &dropped)
+    {
+      const std::vector<double> numbers = numbers_of(line, 2, file);
+      if (numbers.size() > 2 && numbers[2] == 0)
+        ++dropped;
+      else
+        add_point(content, {numbers[0], numbers[1]}, line.number, file);
+    }
+  } // namespace
+
+
+  FileContent
+  parse_simpack(const std::vector<Line> &lines, const std::string &file)
+  {
+    FileContent  content;
+    HeaderValues values{file, {}};
+    unsigned int begin = 0, dropped = 0;
+    bool         inside = false, ended = false;
+    content.format = "SIMPACK";
+    for (const Line &whole : lines)
+      {
+        const Line        line{without_comment(whole.text, "!"), whole.number};
+        const std::string word = lower(line.text);
+        if (word.empty() || ended)
+          continue;
+        if (word == "point.begin")
+          {
+            if (begin > 0)
+              throw InputError(place(file, line.number) + "a second point.begin, the first is in line " +
+                               std::to_string(begin) + "; one profile per file is read: split the file");
+            begin  = line.number;
+            inside = true;
+          }
+        else if (word == "point.end")
+          {
+            inside = false;
+            ended  = begin > 0;
+          }
+        else if (inside)
+          read_simpack_point(content, line, file, dropped);
+        else
+          values.take(line);
+      }
+    if (begin == 0)
+      throw InputError(file +
+                       ": a SIMPACK profile without \"point.begin\"; its points stand between "
+                       "point.begin and point.end");
+    if (inside)
+      throw InputError(place(file, begin) + "point.begin without \"point.end\"; the file may be cut off");
+    if (dropped > 0)
+      content.notes.push_back(std::to_string(dropped) + " points of weight 0 dropped");
+    apply_orders(content, values);
+
+    if (const auto type = values.texts.find("type"); type != values.texts.end())
+      {
+        const double value = values.number("type", 0);
+        if (value != 0 && value != 1)
+          throw InputError(place(file, type->second.number) + "type = " + shown(type->second.text) +
+                           ": 0 (rail) or 1 (wheel) is accepted");
+        content.kind_stated = true;
+        content.kind        = value == 1 ? ProfileKind::wheel : ProfileKind::rail;
+        content.kind_line   = type->second.number;
+      }
+    if (const auto unit = values.texts.find("units.len.f"); unit != values.texts.end())
+      {
+        const double factor = values.number("units.len.f", 0);
+        if (!(factor >= 1e-6 && factor <= 1e9))
+          throw InputError(place(file, unit->second.number) + "units.len.f = " + shown(unit->second.text) +
+                           ": file units per metre are needed, 1000 for mm");
+        content.metres_per_unit = 1 / factor;
+      }
+    return content;
+  }
+} // namespace wheelrail

@@ -1,0 +1,267 @@
+// Profile files: formats, cleaning, smoothing, and the message of every refusal.
+
+#include "check.h"
+#include "profile_samples.h"
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/profile_cleaning.h>
+#include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/geometry/smoothing_spline.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_text;
+using test::columns;
+using test::sampled;
+
+namespace
+{
+  const std::string folder = std::string(WHEELRAIL_TEST_DIR) + "/profiles/";
+
+  ProfileFileOptions
+  options(const ProfileKind kind)
+  {
+    ProfileFileOptions result;
+    result.kind = kind;
+    return result;
+  }
+
+  std::string
+  message_of(const std::function<void()> &action)
+  {
+    try
+      {
+        action();
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "no message";
+  }
+
+  void
+  check_refused(const std::string        &text,
+                const ProfileFileOptions &how,
+                const std::string        &expected,
+                const std::string        &what)
+  {
+    check_text(message_of([&]() { read_profile_text(text, "p.txt", how); }), expected, what);
+  }
+
+  bool
+  has_note(const MeasuredProfile &profile, const std::string &note)
+  {
+    return std::find(profile.notes.begin(), profile.notes.end(), note) != profile.notes.end();
+  }
+
+  // Points of the head of 54E1 down to 30 mm, at steps of half a millimetre; `odd`: those in the
+  // middle between them.
+  std::vector<Point2>
+  head(const bool odd = false)
+  {
+    std::vector<Point2> points;
+    unsigned int        count = 0;
+    for (const Point2 &p : sampled(rail_profile("54E1").head, 0.25e-3, 0, 1))
+      if (p.y > -30e-3 && (++count % 2 == 1) != odd)
+        points.push_back(p);
+    return points;
+  }
+
+  void
+  test_samples()
+  {
+    const MeasuredProfile prr = read_profile_file(folder + "worn_54E1.prr", options(ProfileKind::rail));
+    const MeasuredProfile ban = read_profile_file(folder + "worn_54E1.ban", options(ProfileKind::rail));
+    check(has_note(prr, "unit mm as the file states") &&
+            has_note(prr, "turned upside down: the vertical coordinate of the file points down"),
+          "SIMPACK rail: unit and direction of z told");
+    check(
+      has_note(
+        ban,
+        "mirrored: files of this format have the gauge side on the right; Profiles/Rail mirror changes it"),
+      "MiniProf rail: mirrored");
+    check_near(prr.noise, 4e-6, 1e-6, "noise found in the points, made with 4 micrometres [m]");
+    double worst = 0;
+    for (double t = 0; t < prr.curve.parameter_end(); t += 0.3)
+      {
+        const Point2 p = prr.curve.at(t).position, q = p + Point2{-1.5e-3, 4e-3};
+        worst = std::max(worst, norm(ban.curve.at(ban.curve.closest(q)).position - q));
+      }
+    check_near(worst, 0, 1e-6, "the same rail as SIMPACK and as MiniProf file: the same curve, moved [m]");
+
+    const MeasuredProfile prw = read_profile_file(folder + "worn_S1002.prw", options(ProfileKind::wheel));
+    const MeasuredProfile txt =
+      read_profile_file(folder + "worn_S1002_metres.txt", options(ProfileKind::wheel));
+    check(
+      has_note(txt, "mirrored: the flange of the file lies at positive lateral coordinates") &&
+        has_note(txt,
+                 "unit taken as m, since the profile then is 129.5 mm wide; Profiles/Wheel unit changes it"),
+      "two columns in metres, flange on the right: told");
+    worst = 0;
+    for (double t = 0; t < prw.curve.parameter_end(); t += 0.3)
+      {
+        const Point2 p = prw.curve.at(t).position, q = p + Point2{-31.5e-3, 0};
+        worst = std::max(worst, norm(txt.curve.at(txt.curve.closest(q)).position - q));
+      }
+    check_near(worst, 0, 1e-6, "the same wheel as SIMPACK and as mirrored two-column file in metres [m]");
+    for (const MeasuredProfile *p : {&prr, &ban, &prw, &txt})
+      check(p->curve.at(0).position.x > p->curve.at(p->curve.parameter_end()).position.x,
+            p->file.substr(folder.size()) + " runs from the field side");
+  }
+
+  // The smoothed curve against the exact one where wheels and rails touch.
+  void
+  test_smoothing()
+  {
+    struct Case
+    {
+      double      noise, distance, curvature;
+      const char *what;
+    };
+    // distances: largest [m]; curvatures: largest mean error over 5 mm [1/m]; the relative curvature
+    // of the pair at shift 0 is 6 / m, and the jumps of the rail's are 9 and 64 / m
+    for (const Case &c :
+         {Case{0, 1e-6, 0.2, "without noise"}, Case{5e-6, 8e-6, 1, "with 5 micrometres of noise"}})
+      for (const ProfileKind kind : {ProfileKind::rail, ProfileKind::wheel})
+        {
+          const Curve exact =
+            kind == ProfileKind::rail ? rail_profile("54E1").head : wheel_profile("S1002").tread;
+          const double          reach    = kind == ProfileKind::rail ? 24e-3 : 34e-3;
+          const auto            text     = columns(sampled(exact, 0.5e-3, c.noise, 3));
+          const MeasuredProfile measured = read_profile_text(text, "p.txt", options(kind));
+          double                distance = 0, curvature = 0, sum = 0, begin = reach;
+          int                   n = 0;
+          for (double t = 0; t < measured.curve.parameter_end(); t += 0.1)
+            {
+              const CurvePoint p = measured.curve.at(t);
+              if (std::abs(p.position.x) > reach)
+                continue;
+              const CurvePoint q = exact.at(exact.closest(p.position));
+              distance           = std::max(distance, norm(p.position - q.position));
+              sum += p.curvature - q.curvature;
+              ++n;
+              if (begin - p.position.x > 5e-3)
+                {
+                  curvature = std::max(curvature, std::abs(sum / n));
+                  begin     = p.position.x;
+                  sum = n = 0;
+                }
+            }
+          const std::string name =
+            (kind == ProfileKind::rail ? "54E1 sampled " : "S1002 sampled ") + std::string(c.what);
+          check_near(distance, 0, c.distance, name + ": largest distance from the exact profile [m]");
+          check_near(
+            curvature, 0, c.curvature, name + ": largest error of the mean curvature over 5 mm [1/m]");
+        }
+  }
+
+  void
+  test_kinks()
+  {
+    std::vector<Point2> points;
+    for (int i = 0; i <= 80; ++i)
+      points.push_back({5e-4 * i, i < 40 ? 0. : 5e-4 * (i - 40)});
+    const auto kinks = find_kinks(points, 0);
+    check(kinks.size() == 1 && kinks[0] == 40, "one kink of 45 degrees found where it is");
+    const Curve curve(smoothing_spline(points, kinks, 1e-5));
+    check_near(norm(curve.at(curve.closest(points[40])).position - points[40]), 0, 1e-8, "and kept [m]");
+
+    points.clear();
+    for (int i = 0; i <= 60; ++i)
+      points.push_back({3e-3 * std::cos(0.05 * i), 3e-3 * std::sin(0.05 * i)});
+    check(find_kinks(points, 0).empty(), "an arc of 3 mm has no kinks");
+  }
+
+  // A defect, what is done about it, and how little it moves the curve.
+  void
+  test_mending()
+  {
+    const auto  base         = head();
+    const Curve clean        = read_profile_text(columns(base), "p.txt", options(ProfileKind::rail)).curve;
+    const auto  check_mended = [&](const std::vector<Point2> &points,
+                                  const std::string         &note,
+                                  const std::string         &what) {
+      const MeasuredProfile mended = read_profile_text(columns(points), "p.txt", options(ProfileKind::rail));
+      double                worst  = 0;
+      for (double t = 0; t < mended.curve.parameter_end(); t += 0.5)
+        {
+          const Point2 p = mended.curve.at(t).position;
+          worst          = std::max(worst, norm(clean.at(clean.closest(p)).position - p));
+        }
+      if (!check(has_note(mended, note), what + ": told"))
+        for (const std::string &n : mended.notes)
+          std::cout << "  note: " << n << "\n";
+      check_near(worst, 0, 2e-6, what + ": distance from the curve without it [m]");
+    };
+    auto points = base;
+    points.insert(points.begin() + 50, points[50]);
+    points.insert(points.begin() + 90, points[90]);
+    check_mended(points, "2 repeated points dropped", "repeated points");
+    points = base;
+    points[100].y += 0.4e-3;
+    check_mended(points, "1 outlier dropped, the largest 0.4 mm off in line 101", "an outlier");
+    points = base;
+    std::reverse(points.begin(), points.end());
+    check_mended(points, "order of the points reversed", "points in reversed order");
+    points             = base;
+    const auto between = head(true);
+    points.insert(points.begin() + 100, between.begin() + 89, between.begin() + 100);
+    check_mended(
+      points,
+      "two pieces that overlap by 4.756 mm at lines 100 and 101 merged (20 points, at most 0 mm apart)",
+      "an overlap");
+    points.clear();
+    for (std::size_t i = 0; i < base.size(); ++i)
+      if (i < 100 || i > 105)
+        points.push_back(base[i]);
+    check_mended(points, "1 gap bridged, the largest 3.504 mm between lines 100 and 101", "a gap");
+  }
+
+  void
+  test_messages()
+  {
+    const auto rail = options(ProfileKind::rail);
+    check_text(
+      message_of([&]() { read_profile_file("nowhere.prr", rail); }),
+      "nowhere.prr: no such file; a profile file is sought from the folder where the command is given",
+      "no such file");
+    check_text(message_of([&]() { read_profile_file(".", rail); }),
+               ".: not a file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed",
+               "a folder");
+    check_refused("",
+                  rail,
+                  "p.txt: no points found; a SIMPACK (.prr, .prw), MiniProf (.ban, .whl) or two-column file "
+                  "with lateral and vertical coordinates is needed",
+                  "an empty file");
+    check_refused(std::string("1 2\0 3", 6),
+                  rail,
+                  "p.txt: not a text file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed",
+                  "a binary file");
+    check_refused(
+      "1 2\n3 4x\n",
+      rail,
+      "p.txt:2: \"4x\" is not a number; a line of points holds two: lateral and vertical coordinate",
+      "no number");
+    check_refused(
+      "1 2\n3\n",
+      rail,
+      "p.txt:2: \"3\" holds 1 number; a line of points holds two: lateral and vertical coordinate",
+      "one column");
+  }
+} // namespace
+
+int
+main()
+{
+  test_samples();
+  test_smoothing();
+  test_kinks();
+  test_mending();
+  test_messages();
+  return test::report();
+}
