@@ -1,10 +1,25 @@
 #include "dynamics.h"
 
 #include <cmath>
+#include <random>
 
 namespace scenes
 {
   using namespace wheelrail;
+
+  std::vector<Setup>
+  each_form(const Setup &setup)
+  {
+    return {setup};
+  }
+
+
+  std::string
+  form_name(const Setup &)
+  {
+    return "reduced";
+  }
+
 
   Program::Program(int &argc, char **&argv)
   {
@@ -136,10 +151,11 @@ namespace scenes
     double *v = solid.velocity.data(), *u = solid.displacement.data();
     for (const unsigned int n : masses_)
       {
-        const double factor = kick / mass(n), damping = kick * mass_damping;
+        const double factor = kick / mass(n), damping = 0.5 * kick * mass_damping;
         for (int i = 0; i < 3; ++i)
           {
-            v[4 * n + i] += factor * solid.force[4 * n + i] - damping * v[4 * n + i];
+            // the damping force belongs to the mean of the velocities of both half steps
+            v[4 * n + i] = ((1 - damping) * v[4 * n + i] + factor * solid.force[4 * n + i]) / (1 + damping);
             u[4 * n + i] += time_step * v[4 * n + i];
           }
       }
@@ -159,7 +175,7 @@ namespace scenes
         if (tie.side != 0 && tie.side * (u - target) >= 0)
           continue;
         const double before = u - time_step * v, velocity = (target - before) / time_step;
-        const double force = mass(n) / kick * (velocity - v);
+        const double force = mass(n) / kick * (velocity - v) * (1 + 0.5 * kick * mass_damping);
         tie.reaction += force;
         energy_.work += kick * force * 0.5 * (velocity_before_[k] + velocity);
         v = velocity;
@@ -175,9 +191,8 @@ namespace scenes
     const double kick  = first ? time_step / 2 : time_step;
     add_internal_forces(first || with_energy);
     add_external_forces();
-    velocity_before_            = solid.velocity;
-    const Energy before         = energy_;
-    const double kinetic_before = first || with_energy ? kinetic_energy() : 0;
+    velocity_before_    = solid.velocity;
+    const Energy before = energy_;
     move_nodes(kick);
     for (auto &tie : ties_)
       apply(tie, kick);
@@ -190,22 +205,26 @@ namespace scenes
         {
           const double way = kick * 0.5 * (velocity_before_[k] + solid.velocity[k]);
           energy_.work += external_[k] * way;
-          energy_.damping += mass_damping * mass(n) * velocity_before_[k] * way;
+          energy_.damping += mass_damping * mass(n) * way * way / kick;
         }
     time_ += time_step;
     ++steps_;
     if (first || with_energy)
-      balance(kinetic_before, before);
+      balance(before);
   }
 
 
   void
-  Dynamics::balance(const double kinetic_before, const Energy &before)
+  Dynamics::balance(const Energy &before)
   {
-    // states belong to the full step, kinetic energy and works to the half steps around it: their means
-    const bool   first     = steps_ == 1;
-    const double share     = first ? 0 : 0.5;
-    balance_.kinetic       = kinetic_before + share * (kinetic_energy() - kinetic_before);
+    // states belong to the full step, works to the half steps around it: their means
+    const bool   first = steps_ == 1;
+    const double share = first ? 0 : 0.5;
+    balance_.kinetic   = 0;
+    for (const unsigned int n : masses_)
+      for (unsigned int k = 4 * n; k < 4 * n + 3; ++k)
+        balance_.kinetic +=
+          0.5 * mass(n) * velocity_before_[k] * (first ? velocity_before_[k] : solid.velocity[k]);
     balance_.work          = before.work + share * (energy_.work - before.work);
     balance_.viscous       = before.viscous + share * (energy_.viscous - before.viscous);
     balance_.damping       = before.damping + share * (energy_.damping - before.damping);
@@ -234,5 +253,49 @@ namespace scenes
         sum += 0.5 * mass(n) * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
       }
     return sum;
+  }
+
+  double
+  Dynamics::highest_frequency(const unsigned int iterations) const
+  {
+    Solid  body = solid;
+    Vector free(body.force.size(), 0.);
+    for (const unsigned int n : masses_)
+      for (int i = 0; i < 3; ++i)
+        free[4 * n + i] = 1;
+    for (const auto &tie : ties_)
+      for (const unsigned int n : tie.nodes)
+        free[4 * n + tie.component] = tie.side == 0 ? 0 : free[4 * n + tie.component];
+    Vector      &u = body.displacement, &f = body.force;
+    std::mt19937 random(1);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      u[k] = free[k] * std::uniform_real_distribution<double>(-1, 1)(random);
+    const double size   = 1e-9 * solid.quality.smallest; // so small that the forces are linear
+    double       square = 0;
+    for (unsigned int k = 0; k < iterations; ++k)
+      {
+        double largest = 0;
+        for (const double x : u)
+          largest = std::max(largest, std::abs(x));
+        for (double &x : u)
+          x *= size / largest;
+        distribute(body.mesh, u.data());
+        std::fill(f.begin(), f.end(), 0.);
+        ElementEnergy ignored;
+        for (auto &blocks : body.blocks)
+          if (blocks.n_elements > 0)
+            subtract_internal_force(blocks, u.data(), f.data(), BulkViscosity(), false, ignored);
+        condense(body.mesh, f.data());
+        double uKu = 0, uMu = 0;
+        for (const unsigned int n : masses_)
+          for (unsigned int i = 4 * n; i < 4 * n + 3; ++i)
+            {
+              uKu -= free[i] * u[i] * f[i];
+              uMu += free[i] * u[i] * u[i] * mass(n);
+              u[i] = -free[i] * f[i] / mass(n);
+            }
+        square = uKu / uMu;
+      }
+    return std::sqrt(square);
   }
 } // namespace scenes

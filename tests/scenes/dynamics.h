@@ -14,8 +14,10 @@ namespace scenes
 
   using Function = std::function<double(double time)>;
 
-  /// Energies [J]. The kinetic energy is the mean of those of both half steps around the full step to
-  /// which the others belong.
+  /// Energies [J] at a full step. The kinetic energy is half the mass times the product of the velocities
+  /// of both half steps around it: with it, central differences keep the energy of a linear body to
+  /// round-off at any stable step (the mean of both squares would exceed it by up to the strain energy of
+  /// the highest waves).
   struct Energy
   {
     double kinetic = 0, strain = 0, stabilisation = 0;
@@ -46,6 +48,14 @@ namespace scenes
     double     step_factor    = 0.95; ///< of the stable step
     double     mass_damping   = 0;    ///< force -c m v, for static problems only [1/s]
   };
+
+  /// The setup once for each element form; the tests run over them.
+  std::vector<Setup>
+  each_form(const Setup &setup);
+
+  /// Name of the element form, for the texts of checks.
+  std::string
+  form_name(const Setup &setup);
 
   /// Starts and ends MPI, which the solid needs; keep one in main().
   struct Program
@@ -121,6 +131,11 @@ namespace scenes
     double
     kinetic_energy() const;
 
+    /// Largest angular frequency of small vibrations with the motions prescribed so far held, by power
+    /// iteration with the kernel's own forces [1/s]. A lower bound that `iterations` bring up to the value.
+    double
+    highest_frequency(unsigned int iterations = 2000) const;
+
     Solid  solid;
     double time_step; ///< may be changed before the first step [s]
     double mass_damping;
@@ -152,7 +167,7 @@ namespace scenes
     void
     apply(Tie &tie, double kick);
     void
-    balance(double kinetic_before, const Energy &before);
+    balance(const Energy &before);
 
     double                   bulk_viscosity_;
     Nodes                    masses_;          ///< nodes with mass

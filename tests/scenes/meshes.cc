@@ -313,9 +313,9 @@ namespace scenes
         p /= whole;
       return points;
     };
-    const double half    = 0.5 * radius; // half edge of the core, whose faces bulge
+    const double half    = 0.75 * radius; // half edge of the core, whose faces bulge
     const auto   across  = breakpoints(M_PI / 4 * radius),
-               down      = breakpoints((1 - 0.25 * (1 + std::sqrt(0.5))) * radius);
+               down      = breakpoints(radius - half * (1 + std::sqrt(0.5)) / 2);
     const unsigned int n = across.size() - 1, m = down.size() - 1, u = cells.upper;
 
     // place on the core: box of half edge with faces bulged towards the sphere; s from -1 to 1
