@@ -1,5 +1,6 @@
 #include <wheelrail/application/commands.h>
 #include <wheelrail/application/cross_checks.h>
+#include <wheelrail/application/entry_kinds.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/input_file.h>
 #include <wheelrail/application/parameter_reference.h>
@@ -26,7 +27,9 @@ namespace wheelrail
     /// A subcommand: its options besides the positional file, and what it does.
     struct Command
     {
-      std::string                                                                        name, usage, summary;
+      std::string name;
+      std::string operand; ///< "FILE.prm", in brackets when it may be left out; or nothing
+      std::string summary;
       std::function<void(po::options_description &)>                                     add_options;
       std::function<int(const po::variables_map &, const RunFunction &, std::ostream &)> act;
     };
@@ -46,20 +49,26 @@ namespace wheelrail
 
     /// The scene of the file with the --set options; without a file that of the defaults.
     Scene
-    scene_of(const po::variables_map &options)
+    scene_of(const po::variables_map &options, const Checks checks = Checks::all)
     {
       const std::string file = file_of(options);
-      return file.empty() ? scene_from_text("", "defaults", sets_of(options))
-                          : read_scene(file, sets_of(options));
+      return file.empty() ? scene_from_text("", "defaults", sets_of(options), checks)
+                          : read_scene(file, sets_of(options), checks);
     }
 
     int
     validate(const po::variables_map &options, std::ostream &out)
     {
-      const Scene scene = scene_of(options);
-      for (const std::string &note : scene_notes(scene))
-        out << "note: " << note << "\n";
-      out << file_of(options) << ": all entries are valid\n";
+      const Findings found = cross_checks(scene_of(options), this_machine(0));
+      for (const std::string &warning : found.warnings)
+        out << "warning: " << warning << "\n";
+      std::string errors;
+      for (const std::string &error : found.errors)
+        errors += (errors.empty() ? "" : "\n") + file_of(options) + ": " + error;
+      if (!errors.empty())
+        throw InputError(errors);
+      out << file_of(options) << ": all entries are valid"
+          << (found.warnings.empty() ? "" : ", with the warnings above") << "\n";
       return 0;
     }
 
@@ -99,7 +108,7 @@ namespace wheelrail
       std::vector<double> shifts;
       if (options.count("shifts"))
         shifts = parse_shifts(options["shifts"].as<std::string>());
-      return run_geometry_command(scene_of(options), shifts, out);
+      return run_geometry_command(scene_of(options, Checks::entries), shifts, out);
     }
 
     int
@@ -110,6 +119,9 @@ namespace wheelrail
           require_file(options, "parameters --validate");
           return validate(options, out);
         }
+      if (options.count("markdown") && !(file_of(options).empty() && sets_of(options).empty()))
+        throw InputError(
+          "parameters --markdown prints the defaults of all entries: leave file and --set out");
       out << (options.count("markdown") ? parameter_reference() : print_parameters(scene_of(options)));
       return 0;
     }
@@ -141,7 +153,7 @@ namespace wheelrail
     {
       static const std::vector<Command> list = {
         {"run",
-         "run FILE.prm",
+         "FILE.prm",
          "compute the scene of a parameter file",
          [](po::options_description &options) {
            add_set_option(options);
@@ -151,7 +163,7 @@ namespace wheelrail
          },
          act_run},
         {"geometry",
-         "geometry [FILE.prm]",
+         "[FILE.prm]",
          "contact points, angles and rolling radii of the rigid profiles over lateral shifts",
          [](po::options_description &options) {
            add_set_option(options);
@@ -161,7 +173,7 @@ namespace wheelrail
          },
          act_geometry},
         {"parameters",
-         "parameters [FILE.prm]",
+         "[FILE.prm]",
          "print all entries with their values, meaning and defaults, as a parameter file",
          [](po::options_description &options) {
            add_set_option(options);
@@ -169,13 +181,9 @@ namespace wheelrail
            options.add_options()("markdown", "print the table of all entries of doc/parameters.md");
          },
          act_parameters},
-        {"report",
-         "report FOLDER",
-         "pictures and one page from the output folder of a run",
-         nullptr,
-         act_report},
+        {"report", "FOLDER", "pictures and one page from the output folder of a run", nullptr, act_report},
         {"version",
-         "version",
+         "",
          "print the version",
          nullptr,
          [](const po::variables_map &, const RunFunction &, std::ostream &out) {
@@ -189,14 +197,16 @@ namespace wheelrail
     const Command &
     find_command(const std::string &name)
     {
-      std::string names;
+      std::vector<std::string> names;
       for (const Command &command : commands())
         {
           if (command.name == name)
             return command;
-          names += (names.empty() ? "" : ", ") + command.name;
+          names.push_back(command.name);
         }
-      throw InputError("\"" + name + "\" is no command; there are " + names + " and help");
+      names.push_back("help");
+      throw InputError("\"" + name + "\" is no command; there are " + join_choices(names, "and") +
+                       perhaps(name, names));
     }
 
     po::options_description
@@ -209,16 +219,58 @@ namespace wheelrail
       return options;
     }
 
+    std::string
+    usage_of(const Command &command)
+    {
+      return "wheelrail " + command.name + (command.operand.empty() ? "" : " " + command.operand);
+    }
+
     int
     print_help(std::ostream &out)
     {
       out << "wheelrail: how a railway wheel rolls over a rail.\n\n";
       for (const Command &command : commands())
-        out << "  wheelrail " << command.usage << std::string(23 - command.usage.size(), ' ')
-            << command.summary << "\n";
+        {
+          const std::string usage = usage_of(command);
+          out << "  " << usage << std::string(33 - usage.size(), ' ') << command.summary << "\n";
+        }
       out << "\n\"wheelrail COMMAND --help\" lists the options of a command.\n"
              "Exit codes: 0 finished, 1 bad input, 2 stopped, 3 interrupted and saved.\n";
       return 0;
+    }
+
+    int
+    print_help(const Command &command, std::ostream &out)
+    {
+      out << usage_of(command) << "\n  " << command.summary << "\n\n" << options_of(command);
+      return 0;
+    }
+
+    /// What is wrong with the options of a command, and what it takes.
+    std::string
+    option_fault(const po::error &error, const Command &command, const po::options_description &options)
+    {
+      std::vector<std::string> names;
+      for (const auto &option : options.options())
+        names.push_back("--" + option->long_name());
+      using Syntax = po::invalid_command_line_syntax;
+      if (const auto *unknown = dynamic_cast<const po::unknown_option *>(&error))
+        return unknown->get_option_name() + " is no option; there are " + join_choices(names, "and") +
+               perhaps(unknown->get_option_name(), names);
+      if (dynamic_cast<const po::too_many_positional_options_error *>(&error) != nullptr)
+        return command.operand.empty() ? "nothing but options can follow"
+                                       : "only one " + command.operand + " can be given";
+      if (const auto *several = dynamic_cast<const po::multiple_occurrences *>(&error))
+        return several->get_option_name() + " is given more than once";
+      if (const auto *syntax = dynamic_cast<const Syntax *>(&error))
+        {
+          if (syntax->kind() == Syntax::missing_parameter ||
+              syntax->kind() == Syntax::empty_adjacent_parameter)
+            return syntax->get_option_name() + " needs a value after it";
+          if (syntax->kind() == Syntax::extra_parameter)
+            return syntax->get_option_name() + " takes no value";
+        }
+      return error.what();
     }
 
     po::variables_map
@@ -228,7 +280,7 @@ namespace wheelrail
       po::options_description all;
       all.add(options).add_options()("file", po::value<std::string>(), "");
       po::positional_options_description positions;
-      positions.add("file", 1);
+      positions.add("file", command.operand.empty() ? 0 : 1);
       try
         {
           using Style = po::command_line_style::style_t;
@@ -241,8 +293,8 @@ namespace wheelrail
         }
       catch (const po::error &error)
         {
-          throw InputError(command.name + ": " + error.what() + "; usage: wheelrail " + command.usage +
-                           " [options], see wheelrail " + command.name + " --help");
+          throw InputError(command.name + ": " + option_fault(error, command, options) + "; \"wheelrail " +
+                           command.name + " --help\" tells more");
         }
     }
   } // namespace
@@ -259,17 +311,19 @@ namespace wheelrail
   int
   execute(const Arguments &arguments, const RunFunction &run, std::ostream &out)
   {
-    if (arguments.empty() || arguments.front() == "help" || arguments.front() == "--help" ||
-        arguments.front() == "-h")
+    const bool asks_help = !arguments.empty() && (arguments.front() == "help" ||
+                                                  arguments.front() == "--help" || arguments.front() == "-h");
+    if (arguments.empty() || (asks_help && arguments.size() == 1))
       return print_help(out);
-    const Command &command = find_command(arguments.front() == "--version" ? "version" : arguments.front());
+    // "help run" is "run --help"
+    const std::string name    = asks_help ? arguments[1] : arguments[0];
+    const Command    &command = find_command(name == "--version" ? "version" : name);
+    if (asks_help)
+      return print_help(command, out);
     const po::variables_map options =
       parse_options(command, Arguments(arguments.begin() + 1, arguments.end()));
     if (options.count("help"))
-      {
-        out << "wheelrail " << command.usage << "\n  " << command.summary << "\n\n" << options_of(command);
-        return 0;
-      }
+      return print_help(command, out);
     return command.act(options, run, out);
   }
 

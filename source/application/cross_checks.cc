@@ -1,9 +1,13 @@
 #include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/entries.h>
+#include <wheelrail/application/expected_patch.h>
+#include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace wheelrail
 {
@@ -34,17 +38,37 @@ namespace wheelrail
       return section + "/" + name + " = " + find_entry(section, name)->get(scene);
     }
 
-    void
-    check_distances(const Scene &scene, Sentences &found)
+    /// `value` to two digits: what is estimated should look so.
+    std::string
+    about(const double value)
     {
-      // the patch is about 13 mm long and the stress field below it some 50 mm
-      constexpr double clear_end = 0.1;
-      const double     needed    = scene.rolling_distance + 2 * clear_end;
-      if (needed > scene.rail_length * (1 + 1e-12))
-        found.push_back(entry_text(scene, "Run", "Rolling distance") + ": with " + mm(clear_end) +
-                        " of free rail at each end this needs a rail of " + mm(needed) +
-                        ", and Track/Rail length is " + mm(scene.rail_length) + "; roll at most " +
-                        mm(std::max(0., scene.rail_length - 2 * clear_end)) + " or lengthen the rail");
+      const double digit = std::pow(10., std::floor(std::log10(std::max(value, 1e-300))) - 1);
+      return format_number(std::round(value / digit) * digit);
+    }
+
+    /// A number of things: 97000, 17 million.
+    std::string
+    about_count(const double value)
+    {
+      return value < 1e6 ? about(value) : about(1e-6 * value) + " million";
+    }
+
+    void
+    check_distances(const Scene &scene, const std::optional<ExpectedPatch> &patch, Sentences &found)
+    {
+      // the stress field below a patch of 13 mm reaches some 50 mm; the rail needs a few coarse cells
+      // beyond the fine ones
+      const double reach = patch ? 0.7 * patch->length : 0;
+      const double needed =
+        std::max(0.1, std::ceil(1e3 * (reach + scene.fine_margin + 3 * scene.coarse_cell_size)) / 1e3);
+      const double length = scene.rolling_distance + 2 * needed;
+      if (length > scene.rail_length * (1 + 1e-12))
+        found.push_back(entry_text(scene, "Run", "Rolling distance") + ": with " + mm(needed) +
+                        " of free rail at each end this needs a rail of " + mm(length) +
+                        ", and Track/Rail length is " + mm(scene.rail_length) + "; " +
+                        (scene.rail_length > 2 * needed
+                           ? "roll at most " + mm(scene.rail_length - 2 * needed) + " or lengthen the rail"
+                           : "lengthen the rail"));
       if (scene.averaging_distance > scene.rolling_distance)
         found.push_back(entry_text(scene, "Run", "Averaging distance") +
                         ": longer than Run/Rolling distance = " + mm(scene.rolling_distance) +
@@ -59,15 +83,48 @@ namespace wheelrail
           " are accepted");
     }
 
+    /// Steps of the explicit scheme: the step is a little less than the time a pressure wave takes
+    /// through a solution cell.
+    void
+    check_steps(const Scene &scene, Sentences &warnings)
+    {
+      double fastest = 0;
+      for (const MaterialData &m : {scene.rail_material, scene.wheel_material})
+        fastest = std::max(fastest,
+                           std::sqrt(m.youngs_modulus * (1 - m.poissons_ratio) /
+                                     ((1 + m.poissons_ratio) * (1 - 2 * m.poissons_ratio) * m.density)));
+      const double step  = 0.9 * scene.time_step_factor * scene.cell_size / fastest;
+      const double steps = scene.rolling_distance / scene.velocity / step;
+      if (steps > 2e6)
+        warnings.push_back(entry_text(scene, "Run", "Rolling distance") + ": takes about " +
+                           about_count(steps) + " time steps at " +
+                           entry_text(scene, "Wheelset", "Velocity") + ", " +
+                           entry_text(scene, "Mesh", "Solution cell size") + " and " +
+                           entry_text(scene, "Run", "Time step factor") +
+                           ", days of computing; a higher speed or a shorter distance takes less");
+    }
+
+    void
+    check_patch(const Scene &scene, const ExpectedPatch &patch, Findings &found)
+    {
+      const double      smallest = std::min(patch.length, patch.width);
+      const std::string size     = "a patch of about " + about(1e3 * patch.width) + " mm x " +
+                               about(1e3 * patch.length) + " mm (width x length) is expected";
+      if (scene.cell_size > patch.length / 3)
+        found.errors.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": too coarse; " + size +
+                               " and needs three cells in length, so at most " +
+                               mm(std::floor(1e4 * patch.length / 3) / 1e4) +
+                               " is accepted, and a tenth of the patch for figures that can be trusted");
+      else if (scene.cell_size > smallest / 6)
+        found.warnings.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": coarse; " + size +
+                                 ", which is less than six cells in one direction, so the peak pressure "
+                                 "will be some 10 % or more off; take " +
+                                 mm(std::max(1e-4, std::floor(1e4 * smallest / 10) / 1e4)) + " for figures");
+    }
+
     void
     check_cells(const Scene &scene, Sentences &found)
     {
-      constexpr double largest_cell = 4e-3;
-      if (scene.cell_size > largest_cell)
-        found.push_back(
-          entry_text(scene, "Mesh", "Solution cell size") +
-          ": too coarse; a patch is about 13 mm long and needs more than three cells, so at most " +
-          mm(largest_cell) + " is accepted, and 1 mm for figures that can be trusted");
       const double levels  = std::log2(scene.coarse_cell_size / scene.cell_size);
       const double nearest = std::max(0., std::round(levels));
       if (std::abs(levels - nearest) > 0.15)
@@ -83,6 +140,39 @@ namespace wheelrail
       if (scene.fine_margin < scene.cell_size)
         found.push_back(entry_text(scene, "Mesh", "Fine margin") + ": less than one cell of " +
                         mm(scene.cell_size) + "; at least that is needed around the patch");
+    }
+
+    std::string
+    gigabytes(const double bytes)
+    {
+      return about(1e-9 * bytes) + " GB";
+    }
+
+    /// Cells against what indices and memory hold, ranks against cores.
+    void
+    check_size(const Scene &scene, const ExpectedPatch &patch, const Machine &machine, Findings &found)
+    {
+      constexpr double  most_elements = 5e7; // the unknowns of the static start are counted in 32 bits
+      const double      elements      = expected_elements(scene, patch);
+      const double      memory        = expected_memory(elements, machine.ranks);
+      const std::string advice =
+        "; take larger cells, a shorter rolling distance or a smaller fine depth or margin";
+      const std::string need = entry_text(scene, "Mesh", "Solution cell size") + ": with " +
+                               entry_text(scene, "Mesh", "Coarse cell size") + " this makes about " +
+                               about_count(elements) + " cells";
+      if (elements > most_elements)
+        found.errors.push_back(need + ", and " + about_count(most_elements) + " are possible" + advice);
+      else if (machine.memory > 0 && memory > 2 * machine.memory)
+        found.errors.push_back(need + " and needs some " + gigabytes(memory) +
+                               " of memory, this machine has " + gigabytes(machine.memory) + advice);
+      else if (machine.free > 0 && memory > machine.free)
+        found.warnings.push_back(need + " and may need some " + gigabytes(memory) + " of memory, " +
+                                 gigabytes(machine.free) + " are free" + advice);
+      if (machine.cores > 0 && machine.ranks > machine.cores)
+        found.warnings.push_back(
+          "--ranks " + std::to_string(machine.ranks) + ": more than the " + std::to_string(machine.cores) +
+          " cores of this machine; ranks that wait for each other take turns, which is "
+          "slower than fewer ranks");
     }
 
     void
@@ -127,55 +217,98 @@ namespace wheelrail
     }
 
     void
-    check_materials(const Scene &scene, Sentences &found)
+    check_material(const Scene        &scene,
+                   const std::string  &section,
+                   const MaterialData &material,
+                   Findings           &found)
     {
-      const auto check = [&](const std::string &section, const MaterialData &material) {
-        if (material.tangent_modulus >= material.youngs_modulus)
-          found.push_back(entry_text(scene, section, "Tangent modulus") + ": not smaller than " +
-                          entry_text(scene, section, "Young's modulus") +
-                          "; beyond yield the stress rises less than before");
-      };
-      check("Rail material", scene.rail_material);
-      check("Wheel material", scene.wheel_material);
+      const auto entry = [&](const char *name) { return entry_text(scene, section, name); };
+      if (material.tangent_modulus >= material.youngs_modulus)
+        found.errors.push_back(entry("Tangent modulus") + ": not smaller than " + entry("Young's modulus") +
+                               "; beyond yield the stress rises less than before");
+      if (material.youngs_modulus < 50e9 || material.youngs_modulus > 400e9)
+        found.warnings.push_back(entry("Young's modulus") + ": steel has about 210 GPa");
+      if (material.density < 2000 || material.density > 12000)
+        found.warnings.push_back(entry("Density") + ": steel has about 7900 kg/m3");
+      if (material.poissons_ratio > 0.45)
+        found.warnings.push_back(
+          entry("Poisson's ratio") +
+          ": nearly incompressible; steel has about 0.3, and the stable time step falls "
+          "to zero towards 0.5");
+    }
+
+    void
+    check_drive(const Scene &scene, Sentences &warnings)
+    {
+      if (scene.drive == Drive::torque &&
+          std::abs(scene.traction_coefficient) >= scene.friction_coefficient &&
+          scene.traction_coefficient != 0)
+        warnings.push_back(entry_text(scene, "Wheelset", "Traction coefficient") +
+                           ": friction carries at most " +
+                           entry_text(scene, "Contact", "Friction coefficient") +
+                           ", so the whole patch slides and the wheel " +
+                           (scene.traction_coefficient > 0 ? "spins up" : "locks") + " while it rolls");
+      const MaterialData &m         = scene.rail_material;
+      const double        impedance = std::sqrt(m.density * m.youngs_modulus / (2 + 2 * m.poissons_ratio));
+      if (1e9 * steepest_fall(friction_law(scene)) > impedance / 2)
+        warnings.push_back(
+          entry_text(scene, "Contact", "Friction law") + ": friction falls by " +
+          digits(steepest_fall(friction_law(scene))) + " per m/s of sliding; at 1 GPa a fall beyond " +
+          digits(impedance / 2e9) +
+          " feeds sliding more than shear waves carry away, and tractions oscillate from node to node");
+      if (scene.friction_law != FrictionKind::constant && scene.friction_coefficient == 0)
+        warnings.push_back(entry_text(scene, "Contact", "Friction coefficient") +
+                           ": 0 at rest, but not at speed with Contact/Friction law = " +
+                           (scene.friction_law == FrictionKind::rational ? "rational" : "exponential"));
+      if (scene.drive == Drive::torque && scene.creepage != 0)
+        warnings.push_back(entry_text(scene, "Wheelset", "Creepage") +
+                           ": without effect, since Wheelset/Drive = torque");
+      if (scene.sprung_mass < 100)
+        warnings.push_back(entry_text(scene, "Wheelset", "Sprung mass") +
+                           ": next to nothing presses the wheel on the rail; a railway vehicle has some 10 t "
+                           "per wheel");
+    }
+
+    /// The patch of the rigid profiles; none, and an error, when they do not touch.
+    std::optional<ExpectedPatch>
+    find_patch(const Scene &scene, Sentences &errors)
+    {
+      try
+        {
+          return expected_patch(scene,
+                                find_contact(rail_profile(scene.rail_profile),
+                                             wheel_profile(scene.wheel_profile),
+                                             scene.track,
+                                             scene.lateral_shift,
+                                             scene.roll));
+        }
+      catch (const InputError &error)
+        {
+          errors.push_back(entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
+          return {};
+        }
     }
   } // namespace
 
-  std::vector<std::string>
-  cross_checks(const Scene &scene)
+  Findings
+  cross_checks(const Scene &scene, const Machine &machine)
   {
-    Sentences found;
-    check_wheel(scene, found);
-    check_materials(scene, found);
-    check_cells(scene, found);
-    check_distances(scene, found);
+    Findings found;
+    check_wheel(scene, found.errors);
+    check_material(scene, "Rail material", scene.rail_material, found);
+    check_material(scene, "Wheel material", scene.wheel_material, found);
+    check_cells(scene, found.errors);
+    check_drive(scene, found.warnings);
+    check_steps(scene, found.warnings);
+    // what follows from a wrong track or wheel would only be said twice
+    const std::optional<ExpectedPatch> patch =
+      found.errors.empty() ? find_patch(scene, found.errors) : std::optional<ExpectedPatch>();
+    if (patch)
+      {
+        check_patch(scene, *patch, found);
+        check_size(scene, *patch, machine, found);
+      }
+    check_distances(scene, patch, found.errors);
     return found;
-  }
-
-  std::vector<std::string>
-  scene_notes(const Scene &scene)
-  {
-    Sentences notes;
-    if (scene.drive == Drive::torque && std::abs(scene.traction_coefficient) >= scene.friction_coefficient &&
-        scene.traction_coefficient != 0)
-      notes.push_back(entry_text(scene, "Wheelset", "Traction coefficient") + ": friction carries at most " +
-                      entry_text(scene, "Contact", "Friction coefficient") +
-                      ", so the whole patch slides and the wheel " +
-                      (scene.traction_coefficient > 0 ? "spins up" : "locks") + " while it rolls");
-    const MaterialData &m         = scene.rail_material;
-    const double        impedance = std::sqrt(m.density * m.youngs_modulus / (2 + 2 * m.poissons_ratio));
-    if (1e9 * steepest_fall(friction_law(scene)) > impedance / 2)
-      notes.push_back(
-        entry_text(scene, "Contact", "Friction law") + ": friction falls by " +
-        digits(steepest_fall(friction_law(scene))) + " per m/s of sliding; at 1 GPa a fall beyond " +
-        digits(impedance / 2e9) +
-        " feeds sliding more than shear waves carry away, and tractions oscillate from node to node");
-    if (scene.friction_law != FrictionKind::constant && scene.friction_coefficient == 0)
-      notes.push_back(entry_text(scene, "Contact", "Friction coefficient") +
-                      ": 0 at rest, but not at speed with Contact/Friction law = " +
-                      (scene.friction_law == FrictionKind::rational ? "rational" : "exponential"));
-    if (scene.drive == Drive::torque && scene.creepage != 0)
-      notes.push_back(entry_text(scene, "Wheelset", "Creepage") +
-                      ": without effect, since Wheelset/Drive = torque");
-    return notes;
   }
 } // namespace wheelrail

@@ -418,6 +418,8 @@ namespace wheelrail
       std::string  path;
     };
     std::vector<Candidate> candidates;
+    if (name.size() > 200) // resembles nothing
+      return {};
     for (const Entry &entry : entries())
       {
         const unsigned int distance = edit_distance(entry.name, name);

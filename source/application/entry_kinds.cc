@@ -104,23 +104,48 @@ namespace wheelrail
   {
     if (std::find(choices.begin(), choices.end(), text) != choices.end())
       return;
-    const auto  nearest = std::min_element(choices.begin(), choices.end(), [&](const auto &a, const auto &b) {
-      return edit_distance(a, text) < edit_distance(b, text);
-    });
     std::string message = text.empty() ? "no value; " : "not known here; ";
     message += join_choices(choices) + " is accepted";
-    if (choices.size() > 1 && !text.empty() && edit_distance(*nearest, text) <= 2)
-      message += ", perhaps " + *nearest + " is meant";
+    if (choices.size() > 1 && !text.empty())
+      message += perhaps(text, choices);
     throw InputError(message);
   }
 
   std::string
-  join_choices(const std::vector<std::string> &choices)
+  join_choices(const std::vector<std::string> &choices, const std::string &last_word)
   {
     std::string words;
     for (std::size_t i = 0; i < choices.size(); ++i)
-      words += (i == 0 ? "" : i + 1 == choices.size() ? " or " : ", ") + choices[i];
+      words += (i == 0 ? "" : i + 1 == choices.size() ? " " + last_word + " " : ", ") + choices[i];
     return words;
+  }
+
+  std::string
+  nearest_choice(const std::string &text, const std::vector<std::string> &choices)
+  {
+    std::string nearest;
+    std::size_t smallest = std::max<std::size_t>(2, text.size() / 3) + 1;
+    // a text many times as long as any choice resembles none, and is not worth the time
+    if (text.size() > 200)
+      return nearest;
+    for (const std::string &choice : choices)
+      {
+        const std::size_t distance = edit_distance(choice, text);
+        // letters in common, not only a short length
+        if (distance < smallest && distance < std::max(choice.size(), text.size()))
+          {
+            smallest = distance;
+            nearest  = choice;
+          }
+      }
+    return nearest;
+  }
+
+  std::string
+  perhaps(const std::string &text, const std::vector<std::string> &choices)
+  {
+    const std::string nearest = nearest_choice(text, choices);
+    return nearest.empty() ? "" : ", perhaps " + nearest + " is meant";
   }
 
   unsigned int

@@ -99,7 +99,7 @@ namespace wheelrail
       }
     };
 
-    /// A file of the same ending in the same folder whose name resembles that of `path`.
+    /// A parameter file in the same folder whose name resembles that of `path`, or nothing.
     std::string
     nearest_file(const std::filesystem::path &path)
     {
@@ -109,14 +109,9 @@ namespace wheelrail
       for (const auto &file : std::filesystem::directory_iterator(folder, code))
         if (file.path().extension() == ".prm")
           names.push_back(file.path().filename().string());
-      if (names.empty())
-        return "";
       std::sort(names.begin(), names.end());
-      const std::string wanted = path.filename().string();
-      const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto &a, const auto &b) {
-        return edit_distance(a, wanted) < edit_distance(b, wanted);
-      });
-      return (path.parent_path() / *nearest).string();
+      const std::string nearest = nearest_choice(path.filename().string(), names);
+      return nearest.empty() ? "" : (path.parent_path() / nearest).string();
     }
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/model.h>
 #include <wheelrail/base/errors.h>
 
@@ -8,13 +9,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Half the length of the stretch where the undeformed wheel dips into the rail: no patch is longer.
-    double
-    half_length_bound(const double approach, const double radius)
-    {
-      return std::sqrt(2 * radius * approach);
-    }
-
     /// Block borders along the rail: the wheel's spacing where it rolls, stretched to the given ends
     /// elsewhere.
     std::vector<double>
@@ -44,13 +38,6 @@ namespace wheelrail
       fill(last * spacing, end);
       stations.push_back(end);
       return stations;
-    }
-
-    /// (1 - nu^2) / E of a body [1/Pa].
-    double
-    plane_compliance(const MaterialData &material)
-    {
-      return (1 - material.poissons_ratio * material.poissons_ratio) / material.youngs_modulus;
     }
 
     Lattice
@@ -150,17 +137,12 @@ namespace wheelrail
   make_model(const Scene &scene, MPI_Comm communicator)
   {
     Model model;
-    model.geometry = find_contact(rail_profile(scene.rail_profile),
+    model.geometry          = find_contact(rail_profile(scene.rail_profile),
                                   wheel_profile(scene.wheel_profile),
                                   scene.track,
                                   scene.lateral_shift,
                                   scene.roll);
-    // Hertz: the approach goes like (F^2 / (R E*^2))^(1/3); steel, 460 mm and 100 kN have about 0.1 mm
-    const double weight = (scene.sprung_mass + scene.axle_mass + 320) * scene.gravity;
-    const double modulus =
-      2 / (plane_compliance(scene.rail_material) + plane_compliance(scene.wheel_material));
-    model.expected_approach = 1e-4 * std::pow(weight / 1e5 * 230.8e9 / modulus, 2. / 3) *
-                              std::pow(0.46 / model.geometry.rolling_radius, 1. / 3);
+    model.expected_approach = expected_approach(scene, model.geometry.rolling_radius);
 
     SweepPlan     plan    = sweep_plan(scene, model.geometry, model.expected_approach);
     const Lattice lattice = make_lattice(plan);

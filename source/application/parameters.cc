@@ -35,12 +35,10 @@ namespace wheelrail
     std::string
     unknown_section(const std::string &section)
     {
-      const std::vector<std::string> names = section_names();
-      const auto nearest = std::min_element(names.begin(), names.end(), [&](const auto &a, const auto &b) {
-        return edit_distance(a, section) < edit_distance(b, section);
-      });
-      if (edit_distance(*nearest, section) <= std::max<std::size_t>(2, section.size() / 3))
-        return "no such subsection; the nearest is " + *nearest;
+      const std::vector<std::string> names   = section_names();
+      const std::string              nearest = nearest_choice(section, names);
+      if (!nearest.empty())
+        return "no such subsection; the nearest is " + nearest;
       return "no such subsection; there are " + join(names, ", ");
     }
 
@@ -153,7 +151,10 @@ namespace wheelrail
   } // namespace
 
   Scene
-  scene_from_text(const std::string &text, const std::string &name, const std::vector<std::string> &sets)
+  scene_from_text(const std::string              &text,
+                  const std::string              &name,
+                  const std::vector<std::string> &sets,
+                  const Checks                    checks)
   {
     InputText input = parse_input(text, name);
     for (const std::string &set : sets)
@@ -171,8 +172,8 @@ namespace wheelrail
       reader.read(assignment);
     complete_scene(reader.scene);
 
-    if (reader.problems.empty())
-      for (const std::string &sentence : cross_checks(reader.scene))
+    if (reader.problems.empty() && checks == Checks::all)
+      for (const std::string &sentence : cross_checks(reader.scene).errors)
         {
           const auto origin = reader.origin.find(sentence.substr(0, sentence.find(" = ")));
           reader.problems.push_back((origin == reader.origin.end() ? name : origin->second) + ": " +
@@ -187,9 +188,9 @@ namespace wheelrail
   }
 
   Scene
-  read_scene(const std::string &prm_path, const std::vector<std::string> &sets)
+  read_scene(const std::string &prm_path, const std::vector<std::string> &sets, const Checks checks)
   {
-    return scene_from_text(read_input_file(prm_path), prm_path, sets);
+    return scene_from_text(read_input_file(prm_path), prm_path, sets, checks);
   }
 
   std::string

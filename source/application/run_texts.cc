@@ -1,4 +1,3 @@
-#include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/run_texts.h>
 #include <wheelrail/dynamics/pose.h>
 
@@ -7,7 +6,11 @@
 namespace wheelrail
 {
   void
-  write_header(Log &log, const Scene &scene, const Model &model, const int ranks)
+  write_header(Log                            &log,
+               const Scene                    &scene,
+               const Model                    &model,
+               const int                       ranks,
+               const std::vector<std::string> &warnings)
   {
     const MeshQuality     &q       = model.solid.quality;
     const StableStep      &s       = model.solid.stable;
@@ -52,8 +55,8 @@ namespace wheelrail
               text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",
                    model.contact->law().stiffness,
                    scene.penalty_scale));
-    for (const auto &note : scene_notes(scene))
-      log.note(note);
+    for (const std::string &warning : warnings)
+      log.warning(warning);
   }
 
 

@@ -1,4 +1,5 @@
 #include <wheelrail/application/checkpoint_files.h>
+#include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/run_end.h>
 #include <wheelrail/application/run_texts.h>
 #include <wheelrail/application/simulation.h>
@@ -27,6 +28,24 @@ namespace wheelrail
       return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     }
 
+    /// The warnings of the cross-checks. Throws InputError for a scene that this machine cannot hold.
+    std::vector<std::string>
+    check_machine(const Scene &scene, MPI_Comm communicator)
+    {
+      MPI_Comm node;
+      int      ranks = 1;
+      MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+      MPI_Comm_size(node, &ranks);
+      MPI_Comm_free(&node);
+      Findings found;
+      on_root(communicator, [&]() {
+        found = cross_checks(scene, this_machine(ranks));
+        if (!found.errors.empty())
+          throw InputError(found.errors.front());
+      });
+      return found.warnings;
+    }
+
     /// One run from the static start, or from a saved state, to the summary.
     class Simulation
     {
@@ -43,6 +62,7 @@ namespace wheelrail
       int
       run()
       {
+        const std::vector<std::string> warnings = check_machine(scene_, communicator_);
         if (options_.resume)
           good_ = read_checkpoint(scene_.folder, options_.parameters_text, communicator_);
         model_          = make_model(scene_, communicator_);
@@ -52,7 +72,7 @@ namespace wheelrail
         prepare_folder(scene_.folder, mode, options_.prm_text, options_.parameters_text, communicator_);
         if (rank_ == 0)
           log_ = Log(scene_.folder + "/log.txt", options_.resume);
-        write_header(log_, scene_, model_, size_);
+        write_header(log_, scene_, model_, size_, warnings);
         log_.value("set-up", format_duration(seconds() - start_));
         if (options_.resume)
           resume_rolling();

@@ -63,9 +63,9 @@ namespace wheelrail
   }
 
   void
-  Log::note(const std::string &text)
+  Log::warning(const std::string &text)
   {
-    write("note: " + text);
+    write("warning: " + text);
   }
 
   void

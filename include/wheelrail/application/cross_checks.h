@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/application/machine.h>
 #include <wheelrail/application/scene.h>
 
 #include <string>
@@ -8,12 +9,16 @@
 namespace wheelrail
 {
   /// What the values of a scene contradict among each other, one sentence each, starting with the
-  /// entry to change: "Run/Averaging distance = 20 mm: ...". Empty when the scene can be computed.
-  /// Ranges of single values are the business of the entries.
-  std::vector<std::string>
-  cross_checks(const Scene &scene);
+  /// entry to change: "Run/Averaging distance = 20 mm: ...".
+  struct Findings
+  {
+    std::vector<std::string> errors;   ///< the scene cannot be computed, or its figures would be worthless
+    std::vector<std::string> warnings; ///< it can be computed, but may not be what was meant
+  };
 
-  /// What can be computed but may not be meant, one sentence each, to be shown at the start of a run.
-  std::vector<std::string>
-  scene_notes(const Scene &scene);
+  /// All checks between entries, and of the entries with the contact of the rigid profiles and with
+  /// the machine (what is unknown of it is not checked). Ranges of single values are the business of
+  /// the entries. Throws nothing for a scene whose entries are each within their range.
+  Findings
+  cross_checks(const Scene &scene, const Machine &machine = {});
 } // namespace wheelrail

@@ -19,9 +19,13 @@ namespace wheelrail
   }
 
   /// Writes what a run starts from: contact point, load, mesh, time step, contact stiffness, and the
-  /// notes on the scene.
+  /// warnings of the cross-checks.
   void
-  write_header(Log &log, const Scene &scene, const Model &model, int ranks);
+  write_header(Log                            &log,
+               const Scene                    &scene,
+               const Model                    &model,
+               int                             ranks,
+               const std::vector<std::string> &warnings);
 
   /// Adds the rigid motions of rail head and wheel rim near the contact to the figures of a run, see
   /// fit_pose(). Collective.

@@ -36,9 +36,9 @@ namespace wheelrail
     void
     value(const std::string &name, const std::string &text);
 
-    /// A line "note: text", for what the user should know and no fault is.
+    /// A line "warning: text", for what may not be meant and can be computed.
     void
-    note(const std::string &text);
+    warning(const std::string &text);
 
     /// A line of the table of ticks; the first one prints the head of the table before it.
     void

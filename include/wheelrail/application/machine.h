@@ -1,0 +1,17 @@
+#pragma once
+
+namespace wheelrail
+{
+  /// What a run has at its disposal; zero means unknown.
+  struct Machine
+  {
+    unsigned int ranks  = 0; ///< processes of the run on this machine
+    unsigned int cores  = 0; ///< processors this process may use
+    double       memory = 0; ///< in all [bytes]
+    double       free   = 0; ///< of it not in use [bytes]
+  };
+
+  /// The machine this process runs on; cores outside its affinity mask do not count.
+  Machine
+  this_machine(unsigned int ranks);
+} // namespace wheelrail
