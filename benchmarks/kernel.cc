@@ -1,61 +1,125 @@
-// Speed of the element kernel alone: internal forces of a block of n^3 cubes, elastic, one thread.
+// Speed of the element kernel alone: internal forces of a block of n^3 cubes, one thread. Elastic;
+// elastic-plastic with no cell, and with every cell in plastic flow.
 
 #include <wheelrail/solid/kernel.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
+#include <ctime>
 
 using namespace wheelrail;
+
+namespace
+{
+  enum class Case
+  {
+    elastic,
+    no_yield,
+    all_yield
+  };
+
+  /// CPU time of this process [s].
+  double
+  cpu_seconds()
+  {
+    timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return t.tv_sec + 1e-9 * t.tv_nsec;
+  }
+
+  struct Block
+  {
+    std::vector<ElementGeometry>             geometry;
+    std::vector<std::array<unsigned int, 8>> cells;
+    std::size_t                              n_nodes;
+  };
+
+  Block
+  cubes(const unsigned int n)
+  {
+    Block        block;
+    const double h = 1e-3;
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int j = 0; j < n; ++j)
+        for (unsigned int i = 0; i < n; ++i)
+          {
+            std::array<unsigned int, 8>          cell;
+            std::array<std::array<double, 3>, 8> X;
+            for (unsigned int a = 0; a < 8; ++a)
+              {
+                const unsigned int x = i + (a & 1), y = j + (a >> 1 & 1), z = k + (a >> 2);
+                cell[a] = x + (n + 1) * (y + (n + 1) * z);
+                X[a]    = {x * h, y * h, z * h};
+              }
+            block.cells.push_back(cell);
+            block.geometry.push_back(element_geometry(X));
+          }
+    block.n_nodes = (n + 1) * (n + 1) * (n + 1);
+    return block;
+  }
+
+  /// Median time of one update [ns]. Two displacements take turns, so that in `all_yield` every cell
+  /// flows in every call.
+  double
+  nanoseconds(const Block &block, const int width, const Case kind)
+  {
+    ElementBlocks blocks = pack_elements(block.geometry, block.cells, Elasticity(), width);
+    if (kind != Case::elastic)
+      set_plasticity(blocks, {kind == Case::no_yield ? 1e12 : 1e3, 21e9, 1});
+    AlignedVector<double> u[2], f(4 * block.n_nodes, 0.);
+    u[0].assign(4 * block.n_nodes, 0.);
+    u[1] = u[0];
+    for (std::size_t k = 0; k < f.size(); ++k)
+      {
+        u[0][k] = 1e-9 * ((k * 2654435761u) % 1000);
+        u[1][k] = -2 * u[0][k];
+      }
+    const BulkViscosity viscosity{0.06, 1e-7};
+    ElementEnergy       energy;
+    const int           repeat = 2000000 / block.cells.size();
+    std::vector<double> times;
+    for (int sample = 0; sample < 7; ++sample)
+      {
+        const double start = cpu_seconds();
+        for (int r = 0; r < repeat; ++r)
+          subtract_internal_force(blocks, u[r % 2].data(), f.data(), viscosity, false, energy);
+        times.push_back(cpu_seconds() - start);
+      }
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2] / (double(repeat) * block.cells.size()) * 1e9;
+  }
+} // namespace
 
 int
 main()
 {
-  std::printf("%10s %6s %14s %12s %12s\n", "elements", "width", "M updates/s", "ns/update", "bytes/update");
+  std::printf("%10s %6s %22s %14s %12s %14s\n",
+              "elements",
+              "width",
+              "material",
+              "M updates/s",
+              "ns/update",
+              "bytes/update");
+  const char *names[] = {"elastic", "plastic, no yield", "plastic, all yield"};
   for (const unsigned int n : {31u, 46u, 65u})
-    for (const int width : {1, 4, 8})
-      {
-        std::vector<ElementGeometry>             geometry;
-        std::vector<std::array<unsigned int, 8>> cells;
-        const double                             h = 1e-3;
-        for (unsigned int k = 0; k < n; ++k)
-          for (unsigned int j = 0; j < n; ++j)
-            for (unsigned int i = 0; i < n; ++i)
-              {
-                std::array<unsigned int, 8>          cell;
-                std::array<std::array<double, 3>, 8> X;
-                for (unsigned int a = 0; a < 8; ++a)
-                  {
-                    const unsigned int x = i + (a & 1), y = j + (a >> 1 & 1), z = k + (a >> 2);
-                    cell[a] = x + (n + 1) * (y + (n + 1) * z);
-                    X[a]    = {x * h, y * h, z * h};
-                  }
-                cells.push_back(cell);
-                geometry.push_back(element_geometry(X));
-              }
-        ElementBlocks         blocks = pack_elements(geometry, cells, Elasticity(), width);
-        const std::size_t     nodes  = (n + 1) * (n + 1) * (n + 1);
-        AlignedVector<double> u(4 * nodes, 0.), f(4 * nodes, 0.);
-        for (std::size_t k = 0; k < u.size(); ++k)
-          u[k] = 1e-9 * ((k * 2654435761u) % 1000);
-        BulkViscosity       viscosity{0.06, 1e-7};
-        ElementEnergy       energy;
-        const int           repeat = 3000000 / cells.size();
-        std::vector<double> times;
-        for (int sample = 0; sample < 7; ++sample)
+    {
+      const Block block = cubes(n);
+      for (const int width : {1, 4, 8})
+        for (const Case kind : {Case::elastic, Case::no_yield, Case::all_yield})
           {
-            const auto start = std::chrono::steady_clock::now();
-            for (int r = 0; r < repeat; ++r)
-              subtract_internal_force(blocks, u.data(), f.data(), viscosity, false, energy);
-            times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+            const double ns = nanoseconds(block, width, kind);
+            // geometry, node numbers, dilatation in and out, and about one node in and out;
+            // history and plastic work in and out where cells flow
+            std::size_t bytes = ElementBlocks::fields * sizeof(double) + 32 + 16 + 3 * 32;
+            if (kind == Case::all_yield)
+              bytes += 2 * (plastic_history_rows + 12 + 1) * sizeof(double);
+            std::printf("%10zu %6d %22s %14.2f %12.1f %14zu\n",
+                        block.cells.size(),
+                        width,
+                        names[static_cast<int>(kind)],
+                        1e3 / ns,
+                        ns,
+                        bytes);
           }
-        std::sort(times.begin(), times.end());
-        const double ns = times[times.size() / 2] / (double(repeat) * cells.size()) * 1e9;
-        std::printf("%10zu %6d %14.2f %12.1f %12zu\n",
-                    cells.size(),
-                    width,
-                    1e3 / ns,
-                    ns,
-                    ElementBlocks::fields * sizeof(double) + 32 + 16 + 3 * 32);
-      }
+    }
 }

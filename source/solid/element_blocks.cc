@@ -113,7 +113,8 @@ namespace wheelrail
   element_geometry(const std::array<Vector, 8> &vertices)
   {
     ElementGeometry g{};
-    const double    point = 1 / std::sqrt(3.);
+    g.vertices         = vertices;
+    const double point = 1 / std::sqrt(3.);
     for (const auto &s : sign)
       add_gauss_point(vertices, {s[0] * point, s[1] * point, s[2] * point}, g);
     for (auto &gradient : g.B)
@@ -182,6 +183,8 @@ namespace wheelrail
     blocks.data.assign(n_batches * ElementBlocks::fields * width, 0.);
     blocks.nodes.resize(n_batches * 8 * width);
     blocks.dilatation.assign(n_batches * width, 0.);
+    for (const auto &g : geometry)
+      blocks.volume.push_back(g.volume);
 
     for (std::size_t slot = 0; slot < n_batches * width; ++slot)
       {
@@ -212,5 +215,34 @@ namespace wheelrail
         put(std::cbrt(g.volume));
       }
     return blocks;
+  }
+
+
+  void
+  set_plasticity(ElementBlocks &blocks, const Plasticity &plasticity)
+  {
+    blocks.plasticity = plasticity;
+    if (plasticity.elastic())
+      return;
+    const std::size_t n_batches = blocks.n_batches();
+    blocks.history.assign(n_batches * blocks.history_rows() * blocks.width, 0.);
+    blocks.plastic_work.assign(n_batches * blocks.width, 0.);
+    blocks.flowed.assign(n_batches, 0);
+  }
+
+
+  std::vector<double>
+  element_plastic_strain(const ElementBlocks &blocks)
+  {
+    std::vector<double> strain(blocks.n_elements, 0.);
+    if (blocks.plastic())
+      for (std::size_t e = 0; e < blocks.n_elements; ++e)
+        for (int point = 0; point < blocks.n_points(); ++point)
+          {
+            const std::size_t row =
+              e / blocks.width * blocks.history_rows() + plastic_history_rows * (point + 1) - 1;
+            strain[e] = std::max(strain[e], blocks.history[row * blocks.width + e % blocks.width]);
+          }
+    return strain;
   }
 } // namespace wheelrail

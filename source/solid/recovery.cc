@@ -21,10 +21,8 @@ namespace wheelrail
             const ElementBlocks &blocks = solid.blocks[body];
             for (std::size_t e = 0; e < blocks.n_elements; ++e)
               {
-                const std::size_t batch = e / blocks.width, lane = e % blocks.width;
-                const double      V = blocks.data[(batch * ElementBlocks::fields + 24) * blocks.width + lane];
                 for (const unsigned int node : solid.mesh.cells[solid.block_cells[body][e]])
-                  work(body, e, node, V);
+                  work(body, e, node, blocks.volume[e]);
               }
           }
       };
@@ -55,17 +53,7 @@ namespace wheelrail
       {
         const ElementBlocks &blocks = solid.blocks[body];
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
-          {
-            const std::size_t     batch = e / blocks.width, lane = e % blocks.width;
-            const double         *B    = &blocks.data[batch * ElementBlocks::fields * blocks.width + lane];
-            const auto           &cell = solid.mesh.cells[solid.block_cells[body][e]];
-            std::array<double, 9> H{};
-            for (int a = 0; a < 8; ++a)
-              for (int i = 0; i < 3; ++i)
-                for (int j = 0; j < 3; ++j)
-                  H[3 * i + j] += solid.displacement[4 * cell[a] + i] * B[(3 * a + j) * blocks.width];
-            gradient[body].push_back(H);
-          }
+          gradient[body].push_back(element_gradient(blocks, e, solid.displacement.data()));
       }
     return nodal_means<9>(solid, gradient, communicator);
   }

@@ -9,6 +9,13 @@
 
 namespace wheelrail
 {
+  /// The two hexahedra, see doc/element.md.
+  enum class ElementForm
+  {
+    reduced, ///< one point and a stabilisation
+    full     ///< eight points and the mean dilatation
+  };
+
   /// Geometry of one `reduced` hexahedron, all in the reference configuration.
   ///
   /// The one-point part is the uniform-gradient element of Flanagan and Belytschko (1981): B is the
@@ -22,6 +29,7 @@ namespace wheelrail
     std::array<std::array<double, 3>, 4> hX;          ///< sum over nodes of h X for each pattern [m]
     std::array<std::array<double, 3>, 3> frame;       ///< columns: orthonormal axes closest to the cell's own
     std::array<double, 3>                half;        ///< half edge lengths along these axes [m]
+    std::array<std::array<double, 3>, 8> vertices;    ///< reference positions [m]
     std::array<double, 8>                node_volume; ///< row sums of the consistent mass over density [m3]
   };
 
@@ -36,35 +44,72 @@ namespace wheelrail
   double
   element_frequency_bound(const ElementGeometry &geometry, const Elasticity &material);
 
-  /// The elements of one body packed in batches of `width` for the kernel: per batch
-  /// `fields` x `width` numbers and 8 x `width` node numbers. The last batch is filled up with
-  /// copies of its first element with zero volume and stiffness.
+  /// The elements of one body packed in batches of `width` for the kernel: per batch `rows` x
+  /// `width` numbers, whose meaning depends on the form, and 8 x `width` node numbers. The last batch
+  /// is filled up with lanes that bear no force and have no energy.
   struct ElementBlocks
   {
-    /// Rows of the packed data: B (24), volume, hX (12), frame (9), scaled inverse half lengths (3),
-    /// length of the bulk viscosity (1).
+    /// Rows of the form `reduced`: B (24), volume, hX (12), frame (9), scaled inverse half lengths
+    /// (3), length of the bulk viscosity (1).
     static constexpr int fields = 24 + 1 + 12 + 9 + 3 + 1;
 
+    ElementForm                  form  = ElementForm::reduced;
     int                          width = native_width;
+    int                          rows  = fields;
     Elasticity                   material;
+    Plasticity                   plasticity;
     std::size_t                  n_elements = 0;
     AlignedVector<double>        data;
     AlignedVector<std::uint32_t> nodes;
-    AlignedVector<double> dilatation; ///< trace of Green's strain at the last step, for the bulk viscosity
+    std::vector<double>          volume; ///< of each element [m3]
+    AlignedVector<double> dilatation;    ///< trace of Green's strain at the last step, for the bulk viscosity
+
+    // What plastic flow leaves behind; all empty in elastic bodies.
+
+    /// Per batch `history_rows()` x `width` numbers: plastic_history_rows for each integration point,
+    /// then, in the form `reduced`, the 12 plastic parts of the hourglass amplitudes [m].
+    AlignedVector<double>      history;
+    AlignedVector<double>      plastic_work; ///< of each element so far, in the order of the lanes [J]
+    std::vector<unsigned char> flowed;       ///< of each batch: whether its history differs from zero
 
     std::size_t
     n_batches() const
     {
       return nodes.size() / (8 * width);
     }
+    int
+    n_points() const
+    {
+      return form == ElementForm::full ? 8 : 1;
+    }
+    int
+    history_rows() const
+    {
+      return plastic_history_rows * n_points() + (form == ElementForm::full ? 0 : 12);
+    }
+    bool
+    plastic() const
+    {
+      return !plasticity.elastic();
+    }
   };
 
-  /// Packs elements given by their geometry and local nodes.
+  /// Packs elements of the form `reduced` given by their geometry and local nodes.
   ElementBlocks
   pack_elements(const std::vector<ElementGeometry>             &geometry,
                 const std::vector<std::array<unsigned int, 8>> &cells,
                 const Elasticity                               &material,
                 int                                             width = native_width);
+
+  /// Gives packed elements of any form a yield stress and a history of zeros; nothing happens when
+  /// the material is elastic.
+  void
+  set_plasticity(ElementBlocks &blocks, const Plasticity &plasticity);
+
+  /// Accumulated plastic strain of each element [1], the largest of its integration points; zeros in
+  /// elastic bodies.
+  std::vector<double>
+  element_plastic_strain(const ElementBlocks &blocks);
 
   /// 24 x 24 stiffness of the element at rest [N/m], row-major, row = 3 node + component: the exact
   /// linearisation of the kernel, used by the static start.

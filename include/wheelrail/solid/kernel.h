@@ -7,8 +7,9 @@ namespace wheelrail
   /// Energies of the elements of one body [J, W].
   struct ElementEnergy
   {
-    double strain        = 0; ///< of the one-point field
-    double stabilisation = 0; ///< of the hourglass patterns
+    double strain        = 0; ///< elastic, of the one-point field
+    double stabilisation = 0; ///< elastic, of the hourglass patterns
+    double plastic_work  = 0; ///< done on plastic strains since the start, patterns included
     double viscous_power = 0; ///< dissipated by the bulk viscosity
   };
 
@@ -27,9 +28,10 @@ namespace wheelrail
   /// displacement and force hold 4 numbers a node (the last one unused) [m, N]. Total Lagrangian:
   /// Green's strain, second Piola-Kirchhoff stress of the Saint Venant-Kirchhoff law, and a
   /// stabilisation energy that is a function of Green-type measures too, so that any rigid motion
-  /// leaves no force and momenta are conserved to round-off.
+  /// leaves no force and momenta are conserved to round-off. Elements of a plastic material flow: the
+  /// call brings their history up to date, so it must be made once a step and in the order of time.
   /// All SIMD widths (1, 2, 4, 8; blocks.width) give the same forces. Adds the viscous power to `energy`, and
-  /// the strain and stabilisation energies when `with_energy` is set.
+  /// the other energies when `with_energy` is set.
   void
   subtract_internal_force(ElementBlocks       &blocks,
                           const double        *displacement,
@@ -38,7 +40,12 @@ namespace wheelrail
                           bool                 with_energy,
                           ElementEnergy       &energy);
 
-  /// Cauchy stress [Pa] of each element: xx, yy, zz, yz, xz, xy.
+  /// Volume mean of the displacement gradient of one element, row-major [1].
+  std::array<double, 9>
+  element_gradient(const ElementBlocks &blocks, std::size_t element, const double *displacement);
+
+  /// Cauchy stress [Pa] of each element: xx, yy, zz, yz, xz, xy; of plastic elements with the plastic
+  /// strains of the last call of subtract_internal_force.
   std::vector<std::array<double, 6>>
   element_stress(const ElementBlocks &blocks, const double *displacement);
 } // namespace wheelrail

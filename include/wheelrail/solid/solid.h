@@ -35,6 +35,10 @@ namespace wheelrail
   };
 
   /// The deformable bodies of one rank: packed elements, lumped mass, and the nodal state.
+  ///
+  /// What a step leaves to the next, and a checkpoint must hold: displacement, velocity, and of each
+  /// of the blocks dilatation, history, plastic_work and flowed (the last three are empty in elastic
+  /// bodies).
   struct Solid
   {
     LocalMesh                mesh;
@@ -61,13 +65,15 @@ namespace wheelrail
   };
 
   /// Packs the elements, lumps the mass (row sums of the condensed consistent mass), and finds the
-  /// stable step for the linear bulk viscosity coefficient given. Collective.
+  /// stable step for the linear bulk viscosity coefficient given. `plasticity`: of rail and wheel.
+  /// Collective.
   Solid
-  make_solid(LocalMesh         mesh,
-             const Elasticity &rail,
-             const Elasticity &wheel,
-             double            bulk_viscosity,
-             MPI_Comm          communicator);
+  make_solid(LocalMesh                        mesh,
+             const Elasticity                &rail,
+             const Elasticity                &wheel,
+             double                           bulk_viscosity,
+             MPI_Comm                         communicator,
+             const std::array<Plasticity, 2> &plasticity = {});
 
   /// Collective.
   MassProperties

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <wheelrail/material/bilinear.h>
+#include <wheelrail/solid/reduced_element.h>
+
+// Plastic flow of the `reduced` hexahedron; see doc/element.md.
+
+namespace wheelrail::reduced
+{
+  /// What W elements remember.
+  template <int W>
+  struct CellHistory
+  {
+    PlasticHistory<W> point;                                                           ///< at the centre
+    V3<W>             p[4] = {{0., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}}; ///< plastic amplitudes
+
+    void
+    load(const double *rows)
+    {
+      point.load(rows);
+      for (int k = 0; k < 12; ++k)
+        p[k / 3][k % 3].copy_from(rows + (plastic_history_rows + k) * W, std::experimental::vector_aligned);
+    }
+    void
+    store(double *rows) const
+    {
+      point.store(rows);
+      for (int k = 0; k < 12; ++k)
+        p[k / 3][k % 3].copy_to(rows + (plastic_history_rows + k) * W, std::experimental::vector_aligned);
+    }
+  };
+
+  /// Shape of the yield surface between a stress that is uniform over the cell and one that varies
+  /// linearly: n^2 + m^2 + coupling n m = 1, both relative to the fully plastic state.
+  constexpr double yield_coupling = 0.25;
+
+  /// Returns the state of strain E and amplitudes p to the yield surface of the cell.
+  ///
+  /// Yield sees the stress at the centre and the hourglass stresses together, and both flow back by
+  /// the same fraction, so that a cell whose centre yields keeps the tangent stiffness of flow in its
+  /// hourglass patterns too, and a cell that bends about a stress-free centre bears no more than its
+  /// fully plastic moment. Returns whether any lane flowed; only then was anything changed: the
+  /// history, and `work`, to which the plastic work is added [J]. Q becomes the hourglass stresses of
+  /// the trial state.
+  template <int W>
+  inline bool
+  return_to_yield(const BilinearLaw &law,
+                  const Elasticity  &material,
+                  const Packed<W>   &g,
+                  const Simd<W> (&E)[6],
+                  const V3<W> (&p)[4],
+                  CellHistory<W> &history,
+                  V3<W> (&Q)[4],
+                  Simd<W> &work)
+  {
+    namespace stdx = std::experimental;
+    Simd<W>       deviator[6], hourglass;
+    const Simd<W> n2     = trial_state<W>(law, E, history.point, deviator);
+    const double  factor = 1 + law.kinematic_ratio;
+    V3<W>         trial[4];
+    for (int m = 0; m < 4; ++m)
+      for (int k = 0; k < 3; ++k)
+        trial[m][k] = p[m][k] - factor * history.p[m][k];
+    hourglass_stress<W>(g, trial, material.youngs_modulus, material.poissons_ratio, Q, hourglass);
+    // 4/9 = 1/1.5^2: a plate is fully plastic at 1.5 times the moment of first yield at its faces
+    const Simd<W> m2    = (4. / 3) * hourglass / stdx::max(g.volume(), Simd<W>(1e-300));
+    const Simd<W> limit = law.yield_stress + law.isotropic_hardening * history.point.accumulated;
+    if (!stdx::any_of((1 + 0.5 * yield_coupling) * (n2 + m2) > limit * limit))
+      return false; // since 2 n m <= n^2 + m^2
+    const Simd<W> equivalent = square_root<W>(n2 + m2 + yield_coupling * square_root<W>(n2 * m2));
+    if (!stdx::any_of(equivalent > limit))
+      return false;
+
+    const PlasticFlow<W> flow = radial_flow<W>(law, equivalent, history.point.accumulated);
+    Simd<W> relative(0.), back(0.); // works of Q by stress relative to back stress and by the latter
+    for (int m = 0; m < 4; ++m)
+      for (int k = 0; k < 3; ++k)
+        {
+          relative += Q[m][k] * trial[m][k];
+          back += Q[m][k] * (history.p[m][k] + 0.5 * flow.part * trial[m][k]);
+          history.p[m][k] += flow.part * trial[m][k];
+        }
+    work += g.volume() * apply_flow<W>(law, deviator, flow, history.point) +
+            flow.part * (flow.middle * relative + law.kinematic_ratio * back);
+    return true;
+  }
+} // namespace wheelrail::reduced
