@@ -137,7 +137,7 @@ namespace wheelrail
     const Simd<W>  limit = law.yield_stress + law.isotropic_hardening * accumulated;
     PlasticFlow<W> flow;
     flow.accumulated          = stdx::max(equivalent - limit, Simd<W>(0.)) * law.flow_compliance;
-    const Simd<W> denominator = stdx::max(equivalent, Simd<W>(1e-300));
+    const Simd<W> denominator = stdx::max(equivalent, limit); // differs from it where nothing flows
     flow.part                 = (3 * law.shear) * flow.accumulated / denominator;
     flow.middle               = (limit + (0.5 * law.isotropic_hardening) * flow.accumulated) / denominator;
     return flow;
