@@ -362,20 +362,25 @@ namespace
     double energy_error; ///< largest imbalance over the kinetic energy at the start
     double plastic;      ///< plastic work over the same
     double strain;       ///< largest plastic strain
-    double rebound;      ///< largest displacement over the length
+    double rebound;      ///< largest displacement over the bar's length
   };
 
   /// A bar of 24 x 3 x 3 cells of the aspect ratio given whose left third hits the rest, `overload`
-  /// times as fast as makes the pressure wave yield. The first cells yield within one step.
+  /// times as fast as makes the pressure wave yield. The first cells yield within one step, which is
+  /// `part` of the stable one.
   Impact
-  impact(const Elasticity &material, const Plasticity &plasticity, const double aspect, const double overload)
+  impact(const Elasticity &material,
+         const Plasticity &plasticity,
+         const double      aspect,
+         const double      overload,
+         const double      part)
   {
     const double h = 1e-3, length = 24 * h / aspect;
     Body         body(brick({24, 3, 3}, {length, 3 * h, 3 * h}), material, plasticity);
     const double viscosity = 0.06;
     // every cell is at a free surface, where it breathes in three directions: see element.md
     const double lambda = material.lame_lambda(), mu = material.shear_modulus();
-    const double step = 0.9 * std::sqrt((lambda + 2 * mu) / (3 * lambda + 2 * mu)) * body.step;
+    const double step = part * std::sqrt((lambda + 2 * mu) / (3 * lambda + 2 * mu)) * body.step;
     // a wave of uniaxial strain v / (2 c) has the equivalent stress mu v / c
     const double speed =
       overload * plasticity.yield_stress * material.wave_speed() / material.shear_modulus();
@@ -388,7 +393,8 @@ namespace
     Impact result{};
     double viscous = 0;
     body.find_force({0, step});
-    for (int n = 0; n < 400; ++n)
+    const int steps = std::lround(360 / part); // the same time whatever the step
+    for (int n = 0; n < steps; ++n)
       {
         for (std::size_t k = 0; k < body.u.size(); ++k)
           {
@@ -423,16 +429,21 @@ namespace
           {
             Elasticity material;
             material.poissons_ratio = poissons_ratio;
-            const Impact      r     = impact(material, {500e6, tangent, 0.5}, aspect, 2);
-            const std::string name  = "impact, nu " + std::to_string(poissons_ratio).substr(0, 4) + ", E_t " +
+            const Plasticity  plasticity{500e6, tangent, 0.5};
+            const Impact      r    = impact(material, plasticity, aspect, 2, 0.9);
+            const Impact      half = impact(material, plasticity, aspect, 2, 0.45);
+            const std::string name = "impact, nu " + std::to_string(poissons_ratio).substr(0, 4) + ", E_t " +
                                      std::to_string(tangent / 1e9).substr(0, 5) + " GPa, aspect ratio " +
                                      std::to_string(int(aspect));
             std::cout << "        " << name << ": plastic work " << r.plastic << " of the start, strain "
-                      << r.strain << ", rebound " << r.rebound << std::endl;
-            // half of it comes from the viscosity, whose power is taken half a step behind
-            test::check(r.energy_error < 0.03, name + ": energy error " + std::to_string(r.energy_error));
-            test::check(r.plastic > 0.01 && r.plastic < 1 && r.strain < 0.05,
-                        name + ": plastic work and strain");
+                      << r.strain << ", largest displacement " << r.rebound << ", energy error "
+                      << r.energy_error << ", with half the step " << half.energy_error << std::endl;
+            // In cells that yield within one step the stress before it is not known to the book of
+            // plastic work, and the viscosity's power is taken half a step behind: 1.2 to 1.9 % at the
+            // stable step. Both are errors of second order.
+            test::check(half.energy_error < 0.01, name + ": energy error below 1 % with half the step");
+            test::check(r.energy_error > 3 * half.energy_error, name + ": which is of second order");
+            test::check(r.plastic > 0.01 && r.plastic < 1, name + ": part of the energy is plastic work");
           }
   }
 } // namespace
