@@ -33,7 +33,12 @@ namespace scenes
 
 
   Dynamics::Dynamics(LocalMesh mesh, const Setup &setup)
-    : solid(make_solid(std::move(mesh), setup.material, setup.material, setup.bulk_viscosity, MPI_COMM_SELF))
+    : solid(make_solid(std::move(mesh),
+                       setup.material,
+                       setup.material,
+                       setup.bulk_viscosity,
+                       MPI_COMM_SELF,
+                       {setup.plasticity, setup.plasticity}))
     , time_step(setup.step_factor * solid.stable.step)
     , mass_damping(setup.mass_damping)
     , bulk_viscosity_(setup.bulk_viscosity)
@@ -230,6 +235,7 @@ namespace scenes
     balance_.damping       = before.damping + share * (energy_.damping - before.damping);
     balance_.strain        = elements_.strain;
     balance_.stabilisation = elements_.stabilisation;
+    balance_.plastic       = elements_.plastic_work;
     if (first)
       balance_.start = balance_.residual();
   }

@@ -21,6 +21,7 @@ namespace scenes
   struct Energy
   {
     double kinetic = 0, strain = 0, stabilisation = 0;
+    double plastic = 0; ///< work done on plastic strains, stored in hardening or dissipated
     double viscous = 0; ///< dissipated by the bulk viscosity
     double damping = 0; ///< dissipated by the mass damping
     double work    = 0; ///< done by loads, extra forces, prescribed motions and walls
@@ -30,23 +31,24 @@ namespace scenes
     double
     residual() const
     {
-      return kinetic + strain + stabilisation + viscous + damping - work - start;
+      return kinetic + strain + stabilisation + plastic + viscous + damping - work - start;
     }
     /// |residual| over strain plus dissipated energy, as in the program's summary.
     double
     error() const
     {
-      return std::abs(residual()) / (strain + stabilisation + viscous + damping);
+      return std::abs(residual()) / (strain + stabilisation + plastic + viscous + damping);
     }
   };
 
   /// Materials and the scheme of a scene.
   struct Setup
   {
-    Elasticity material;              ///< of both bodies
-    double     bulk_viscosity = 0;    ///< linear coefficient; 0.06 in the program
-    double     step_factor    = 0.95; ///< of the stable step
-    double     mass_damping   = 0;    ///< force -c m v, for static problems only [1/s]
+    Elasticity            material; ///< of both bodies
+    wheelrail::Plasticity plasticity;
+    double                bulk_viscosity = 0;    ///< linear coefficient; 0.06 in the program
+    double                step_factor    = 0.95; ///< of the stable step
+    double                mass_damping   = 0;    ///< force -c m v, for static problems only [1/s]
   };
 
   /// The setup once for each element form; the tests run over them.
