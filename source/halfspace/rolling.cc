@@ -65,6 +65,8 @@ namespace wheelrail
         , normal_kernel_(kernel(2, 2, 0))
         , coupled_(std::abs(constants_.coupling) > 1e-12 * constants_.normal)
         , friction_(problem.motion != HalfspaceMotion::none)
+        , velocity_dependent_(problem.friction.law != HalfspaceFriction::Law::coulomb &&
+                              problem.friction.static_coefficient != problem.friction.kinetic_coefficient)
       {
         const double shift = problem.motion == HalfspaceMotion::shift;
         solution_.grid     = grid_;
@@ -116,7 +118,8 @@ namespace wheelrail
       tangential_problem();
       VectorField
       rigid_slip();
-      void
+      /// Sets the coefficients to the slip of the last round; the largest change over the static coefficient.
+      double
       update_friction();
       void
       measure();
@@ -130,7 +133,7 @@ namespace wheelrail
       HalfspaceConstants      constants_;
       InfluenceProducts       products_;
       Spectrum                normal_kernel_, coupling_x_, coupling_y_;
-      bool                    coupled_, friction_;
+      bool                    coupled_, friction_, velocity_dependent_;
       double                  offset_ = 0;
       SlipKernels             slip_kernels_;
       NormalContact           normal_;
@@ -224,7 +227,7 @@ namespace wheelrail
         }
       const double asked =
         std::hypot(task.force_given[0] ? task.force[0] : 0., task.force_given[1] ? task.force[1] : 0.);
-      if (asked >= limit)
+      if (asked > 0 && asked >= limit * (1 - 1e-9))
         {
           std::ostringstream text;
           text << "Half-space problem: the tangential force asked for, " << asked
@@ -239,12 +242,32 @@ namespace wheelrail
               tangential_.traction[d].assign(grid_.size(), 0.);
               tangential_.slip[d].assign(grid_.size(), 0.);
             }
+          tangential_.slipping.assign(grid_.size(), 1);
           tangential_.converged = true;
           return;
         }
       solve_tangential(products_, task, tangential_);
       solution_.newton_steps += tangential_.newton_steps;
       solution_.krylov_iterations += tangential_.krylov_iterations;
+    }
+
+    double
+    Solver::update_friction()
+    {
+      double change = 0;
+      if (!velocity_dependent_ || tangential_.slip[0].empty())
+        return change;
+      // Half a step from the third round on: falling friction makes whole steps swing.
+      const double weight = solution_.coupling_rounds < 4 ? 1 : 0.5;
+      for (std::size_t e = 0; e < mu_.size(); ++e)
+        {
+          const double v    = problem_.velocity * std::hypot(tangential_.slip[0][e], tangential_.slip[1][e]);
+          const double step = friction_coefficient(problem_.friction, v) - mu_[e];
+          mu_[e] += weight * step;
+          if (normal_.pressure[e] > 0)
+            change = std::max(change, std::abs(step) / problem_.friction.static_coefficient);
+        }
+      return change;
     }
 
     HalfspaceSolution
@@ -258,18 +281,22 @@ namespace wheelrail
       for (solution_.coupling_rounds = 1;; ++solution_.coupling_rounds)
         {
           const std::vector<double> old = normal_.pressure;
-          normal_problem();
+          if (solution_.coupling_rounds == 1 || coupled_)
+            normal_problem();
           double change = 0, peak = 0;
           for (std::size_t e = 0; e < old.size(); ++e)
             {
               change = std::max(change, std::abs(normal_.pressure[e] - old[e]));
               peak   = std::max(peak, normal_.pressure[e]);
             }
-          solution_.coupling_converged =
-            !coupled_ || !friction_ || (!old.empty() && change <= problem_.coupling_tolerance * peak);
-          if (friction_ && (solution_.coupling_rounds == 1 || coupled_))
+          const double friction_change = update_friction();
+          solution_.coupling_converged = !friction_ || (!coupled_ && !velocity_dependent_) ||
+                                         (!old.empty() && change <= problem_.coupling_tolerance * peak &&
+                                          friction_change <= problem_.coupling_tolerance);
+          const bool last = solution_.coupling_rounds == problem_.max_coupling_rounds;
+          if (friction_ && (solution_.coupling_rounds == 1 || !solution_.coupling_converged))
             tangential_problem();
-          if (solution_.coupling_converged || solution_.coupling_rounds == problem_.max_coupling_rounds)
+          if (solution_.coupling_converged || last)
             break;
         }
       displacements();
@@ -320,9 +347,8 @@ namespace wheelrail
             const double p = s.pressure[e], tx = s.traction_x[e], ty = s.traction_y[e];
             if (p <= 0)
               continue;
-            const double bound = mu_[e] * p;
-            const bool   slips = friction_ && std::hypot(tx, ty) >= bound * (1 - 1e-9);
-            s.state[e]         = slips ? HalfspaceSolution::slip : HalfspaceSolution::adhesion;
+            const bool slips = friction_ && tangential_.slipping[e];
+            s.state[e]       = slips ? HalfspaceSolution::slip : HalfspaceSolution::adhesion;
             (slips ? s.slip_area : s.adhesion_area) += area;
             ++s.contact_elements;
             s.fn += p * area;
@@ -365,8 +391,8 @@ namespace wheelrail
         text << "The tangential problem reached " << s.tangential_residual << " of its tolerance "
              << problem_.tangential_tolerance << " in " << s.newton_steps << " steps. ";
       if (!s.coupling_converged)
-        text << "The coupling of normal and tangential problem did not settle in " << s.coupling_rounds
-             << " rounds. ";
+        text << "Pressure, tractions and friction coefficients did not settle to each other in "
+             << s.coupling_rounds << " rounds. ";
       s.not_reached = text.str();
     }
   } // namespace

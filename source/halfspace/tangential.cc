@@ -3,69 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace wheelrail
 {
-  SlipKernels
-  slip_kernels(InfluenceProducts        &products,
-               const HalfspaceConstants &constants,
-               const HalfspaceGrid      &grid,
-               const double              step,
-               const bool                steady)
-  {
-    SlipKernels k;
-    k.step               = step;
-    k.steady             = steady;
-    const auto component = [&](const int a, const int b, const bool difference) {
-      return products.kernel([&](const double x, const double y) {
-        const double here = influence_coefficients(constants, grid.dx, grid.dy, x, y)[a][b];
-        return difference
-                 ? (here - influence_coefficients(constants, grid.dx, grid.dy, x + step, y)[a][b]) / step
-                 : here;
-      });
-    };
-    InfluenceProducts::Spectrum xx = component(0, 0, false), xy = component(0, 1, false),
-                                yy = component(1, 1, false);
-    k.inverse_xx                   = xx;
-    k.inverse_xy                   = xx;
-    k.inverse_yy                   = xx;
-    // kernel() holds the factor 1 / size that belongs to the way back: it must stand in the inverse, too.
-    const double scale = 1. / std::pow(double(products.padded_size()), 2);
-    for (std::size_t m = 0; m < xx.size(); ++m)
-      {
-        const double a = std::abs(xx[m].real()), b = xy[m].real(), d = std::abs(yy[m].real());
-        const double det = std::max(a * d - b * b, 0.01 * a * d);
-        k.inverse_xx[m]  = scale * d / det;
-        k.inverse_xy[m]  = -scale * b / det;
-        k.inverse_yy[m]  = scale * a / det;
-      }
-    const auto c0 = influence_coefficients(constants, grid.dx, grid.dy, 0, 0);
-    if (steady)
-      {
-        k.xx          = component(0, 0, true);
-        k.xy          = component(0, 1, true);
-        k.yy          = component(1, 1, true);
-        const auto c1 = influence_coefficients(constants, grid.dx, grid.dy, step, 0);
-        k.diagonal    = (c0[0][0] - c1[0][0] + c0[1][1] - c1[1][1]) / (2 * step);
-      }
-    else
-      {
-        for (auto *s : {&xx, &xy, &yy})
-          for (auto &v : *s)
-            v /= step;
-        k.xx       = std::move(xx);
-        k.xy       = std::move(xy);
-        k.yy       = std::move(yy);
-        k.diagonal = (c0[0][0] + c0[1][1]) / (2 * step);
-      }
-    return k;
-  }
-
   namespace
   {
     using Spectrum = InfluenceProducts::Spectrum;
+
+    constexpr double krylov_tolerance = 1e-3;
+    constexpr int    max_krylov       = 200;
 
     /// The Newton iteration of one task. Compressed vectors hold (x, y) of the n contact elements, then the
     /// unknown creepages.
@@ -89,12 +35,34 @@ namespace wheelrail
           largest_ = std::max(largest_, task.bound[k]);
         for (auto &w : work_)
           w.assign(task.grid.size(), 0.);
+        b_ = kernels_.diagonal;
       }
 
       void
       run();
 
     private:
+      /// Newton steps with the regularisation in force; true when the tolerance is met within `max_steps`.
+      bool
+      iterate(std::vector<double> &t, double tolerance, int max_steps);
+
+      /// The slow way that does not fail: proximal points. Each solves the task with slip + c (t - t_before)
+      /// in place of the slip, which for a large c is solved in one step; c falls while that goes well.
+      bool
+      proximal_points(std::vector<double> &t);
+
+      /// Force asked for less that of tractions t, over the element area [Pa].
+      double
+      missing_force(const std::vector<double> &t, std::size_t f) const;
+      double
+      force_error(const std::vector<double> &t) const;
+      /// How the regularisation holds on to unknown creepages [Pa].
+      double
+      creepage_grip() const
+      {
+        return 0.1 * c_ * n_ / (b_ * b_);
+      }
+
       void
       apply(const Spectrum &xx, const Spectrum &xy, const Spectrum &yy, VectorField &in, VectorField &out)
       {
@@ -114,13 +82,23 @@ namespace wheelrail
       double
       residual(const std::vector<double> &t, std::vector<double> &slip);
       void
-      linearise(const std::vector<double> &t, const std::vector<double> &slip, std::vector<double> &rhs);
+      linearise(const std::vector<double> &t,
+                const std::vector<double> &slip,
+                bool                       first,
+                std::vector<double>       &rhs);
       void
       jacobian(const std::vector<double> &dt, std::vector<double> &result);
       void
       precondition(const std::vector<double> &r, std::vector<double> &result);
+      /// Approximate inverse of the rows of the elements: slip by its diagonal, adhesion by FFT.
       void
       inverse_block(const double *r, std::vector<double> &result);
+      /// Of the rows in adhesion: sums slip against rolling, as if no adhesion lay ahead, then takes the
+      /// inverse symbol of A on the whole periodic grid.
+      void
+      inverse_adhesion(const double *r, std::vector<double> &result);
+      void
+      set_responses();
       void
       project(std::vector<double> &t) const;
 
@@ -131,6 +109,10 @@ namespace wheelrail
       std::vector<int>                 elements_, forces_;
       std::size_t                      n_       = 0;
       double                           largest_ = 0;
+      double                           b_       = 0; ///< diagonal, regularisation included [1/Pa]
+      double                           c_       = 0; ///< regularisation [1/Pa]
+      std::vector<double>              before_;      ///< tractions and creepages it holds on to
+      std::vector<double>              slip_;
       VectorField                      work_, image_;
       Spectrum                         sx_, sy_;
       std::vector<char>                slipping_;
@@ -157,7 +139,9 @@ namespace wheelrail
           for (int d = 0; d < 2; ++d)
             {
               slip[2 * e + d] = task_.rigid_slip[d][k] + creepage[d] + image_[d][k];
-              q[d]            = t[2 * e + d] - slip[2 * e + d] / kernels_.diagonal;
+              if (c_ > 0)
+                slip[2 * e + d] += c_ * (t[2 * e + d] - before_[2 * e + d]);
+              q[d] = t[2 * e + d] - slip[2 * e + d] / b_;
             }
           const double size   = std::hypot(q[0], q[1]),
                        factor = size > task_.bound[k] ? task_.bound[k] / size : 1;
@@ -169,20 +153,24 @@ namespace wheelrail
     }
 
     void
-    Newton::linearise(const std::vector<double> &t, const std::vector<double> &slip, std::vector<double> &rhs)
+    Newton::linearise(const std::vector<double> &t,
+                      const std::vector<double> &slip,
+                      bool                       first,
+                      std::vector<double>       &rhs)
     {
       slipping_.assign(n_, 0);
       nx_.assign(n_, 0);
       ny_.assign(n_, 0);
       stiffness_.assign(n_, 0);
       rhs.assign(2 * n_ + forces_.size(), 0.);
-      const double b = kernels_.diagonal;
+      const double b = b_;
       for (std::size_t e = 0; e < n_; ++e)
         {
           const double *te = &t[2 * e], *s = &slip[2 * e];
           const double  g  = task_.bound[elements_[e]];
           const double  qx = te[0] - s[0] / b, qy = te[1] - s[1] / b, q = std::hypot(qx, qy);
-          if (q <= g)
+          // Before the first step only elements at their bound slip: the slip of others says nothing yet.
+          if (q <= g || (first && std::hypot(te[0], te[1]) < g * (1 - 1e-6)))
             {
               rhs[2 * e]     = -s[0];
               rhs[2 * e + 1] = -s[1];
@@ -201,12 +189,17 @@ namespace wheelrail
         }
       for (std::size_t f = 0; f < forces_.size(); ++f)
         {
-          double sum = 0;
-          for (std::size_t e = 0; e < n_; ++e)
-            sum += t[2 * e + forces_[f]];
-          rhs[2 * n_ + f] =
-            (task_.force[forces_[f]] / task_.grid.element_area() - sum) * b / std::sqrt(double(n_));
+          rhs[2 * n_ + f] = missing_force(t, f) * b / std::sqrt(double(n_));
+          if (c_ > 0)
+            rhs[2 * n_ + f] +=
+              creepage_grip() * (t[2 * n_ + f] - before_[2 * n_ + f]) * b / std::sqrt(double(n_));
         }
+      set_responses();
+    }
+
+    void
+    Newton::set_responses()
+    {
       response_.clear();
       for (const int d : forces_)
         {
@@ -241,10 +234,10 @@ namespace wheelrail
           const int k = elements_[e];
           double    s[2];
           for (int d = 0; d < 2; ++d)
-            s[d] = image_[d][k] + creepage[d];
+            s[d] = image_[d][k] + creepage[d] + c_ * dt[2 * e + d];
           if (slipping_[e])
             {
-              const double normal  = kernels_.diagonal * (dt[2 * e] * nx_[e] + dt[2 * e + 1] * ny_[e]);
+              const double normal  = b_ * (dt[2 * e] * nx_[e] + dt[2 * e + 1] * ny_[e]);
               const double tangent = -s[0] * ny_[e] + s[1] * nx_[e] +
                                      stiffness_[e] * (-dt[2 * e] * ny_[e] + dt[2 * e + 1] * nx_[e]);
               s[0] = normal * nx_[e] - tangent * ny_[e];
@@ -258,16 +251,34 @@ namespace wheelrail
           double sum = 0;
           for (std::size_t e = 0; e < n_; ++e)
             sum += dt[2 * e + forces_[f]];
-          result[2 * n_ + f] = sum * kernels_.diagonal / std::sqrt(double(n_));
+          result[2 * n_ + f] = (sum - creepage_grip() * dt[2 * n_ + f]) * b_ / std::sqrt(double(n_));
         }
     }
 
     void
     Newton::inverse_block(const double *r, std::vector<double> &result)
     {
+      result.assign(2 * n_, 0.);
+      if (c_ > 0.3 * kernels_.diagonal) // then B + c is nearly diagonal
+        for (std::size_t k = 0; k < 2 * n_; ++k)
+          result[k] = r[k] / b_;
+      else
+        inverse_adhesion(r, result);
+      for (std::size_t e = 0; e < n_; ++e)
+        if (slipping_[e])
+          {
+            const double normal  = (r[2 * e] * nx_[e] + r[2 * e + 1] * ny_[e]) / b_;
+            const double tangent = (-r[2 * e] * ny_[e] + r[2 * e + 1] * nx_[e]) / (b_ + stiffness_[e]);
+            result[2 * e]        = normal * nx_[e] - tangent * ny_[e];
+            result[2 * e + 1]    = normal * ny_[e] + tangent * nx_[e];
+          }
+    }
+
+    void
+    Newton::inverse_adhesion(const double *r, std::vector<double> &result)
+    {
       for (auto &w : work_)
         std::fill(w.begin(), w.end(), 0.);
-      result.assign(2 * n_, 0.);
       for (std::size_t e = n_; e-- > 0;)
         {
           const int k = elements_[e];
@@ -283,15 +294,7 @@ namespace wheelrail
       for (auto &w : work_)
         std::fill(w.begin(), w.end(), 0.);
       for (std::size_t e = 0; e < n_; ++e)
-        if (slipping_[e])
-          {
-            const double normal = (r[2 * e] * nx_[e] + r[2 * e + 1] * ny_[e]) / kernels_.diagonal;
-            const double tangent =
-              (-r[2 * e] * ny_[e] + r[2 * e + 1] * nx_[e]) / (kernels_.diagonal + stiffness_[e]);
-            result[2 * e]     = normal * nx_[e] - tangent * ny_[e];
-            result[2 * e + 1] = normal * ny_[e] + tangent * nx_[e];
-          }
-        else
+        if (!slipping_[e])
           for (int d = 0; d < 2; ++d)
             result[2 * e + d] = image_[d][elements_[e]];
     }
@@ -305,7 +308,7 @@ namespace wheelrail
       if (m == 0)
         return;
       // Block elimination of the creepages: sum(z) - sum(response) creepage = force row.
-      const double scale   = kernels_.diagonal / std::sqrt(double(n_));
+      const double scale   = b_ / std::sqrt(double(n_));
       double       a[2][2] = {{0, 0}, {0, 0}}, c[2] = {0, 0};
       for (std::size_t f = 0; f < m; ++f)
         {
@@ -316,6 +319,7 @@ namespace wheelrail
                 a[f][g] += response_[g][2 * e + forces_[f]];
             }
           c[f] -= r[2 * n_ + f] / scale;
+          a[f][f] += creepage_grip();
         }
       double creepage[2] = {0, 0};
       if (m == 1)
@@ -346,69 +350,102 @@ namespace wheelrail
         }
     }
 
+    double
+    Newton::missing_force(const std::vector<double> &t, const std::size_t f) const
+    {
+      double sum = 0;
+      for (std::size_t e = 0; e < n_; ++e)
+        sum += t[2 * e + forces_[f]];
+      return task_.force[forces_[f]] / task_.grid.element_area() - sum;
+    }
+
+    double
+    Newton::force_error(const std::vector<double> &t) const
+    {
+      double error = 0;
+      for (std::size_t f = 0; f < forces_.size(); ++f)
+        error = std::max(error, std::abs(missing_force(t, f)) / (n_ * largest_));
+      return error;
+    }
+
+    bool
+    Newton::iterate(std::vector<double> &t, const double tolerance, const int max_steps)
+    {
+      const LinearMap A = [&](const std::vector<double> &v, std::vector<double> &r) { jacobian(v, r); };
+      const LinearMap M = [&](const std::vector<double> &v, std::vector<double> &r) { precondition(v, r); };
+      std::vector<double> rhs, step;
+      for (int steps = 0;; ++steps)
+        {
+          state_.residual = residual(t, slip_);
+          if (!std::isfinite(state_.residual))
+            return false;
+          const double grip = c_ > 0 ? 1. : force_error(t);
+          if (state_.residual <= tolerance && (c_ > 0 || grip <= tolerance))
+            return true;
+          if (steps == max_steps)
+            return false;
+          linearise(t, slip_, steps == 0, rhs);
+          double reached;
+          state_.krylov_iterations += solve_gmres(A, M, rhs, krylov_tolerance, max_krylov, step, reached);
+          ++state_.newton_steps;
+          for (std::size_t k = 0; k < t.size(); ++k)
+            t[k] += step[k];
+        }
+    }
+
+    bool
+    Newton::proximal_points(std::vector<double> &t)
+    {
+      const int last = state_.newton_steps + 10 * task_.max_steps;
+      for (double c = kernels_.diagonal; state_.newton_steps < last;)
+        {
+          before_         = t;
+          c_              = c;
+          b_              = kernels_.diagonal + c;
+          const bool good = iterate(t, 0.1 * task_.tolerance, 12);
+          if (!good)
+            t = before_;
+          c_ = 0;
+          b_ = kernels_.diagonal;
+          if (good && residual(t, slip_) <= 1e-3)
+            {
+              std::vector<double> trial = t;
+              if (iterate(trial, task_.tolerance, 12))
+                {
+                  t = trial;
+                  return true;
+                }
+            }
+          c *= good ? 0.3 : 8;
+        }
+      return false;
+    }
+
     void
     Newton::run()
     {
-      const bool          log = std::getenv("HS_LOG");
-      std::vector<double> t(2 * n_ + forces_.size(), 0.), slip, rhs, step, trial, trial_slip;
-      if (int(state_.traction[0].size()) == task_.grid.size())
+      std::vector<double> cold(2 * n_ + forces_.size(), 0.), t = cold;
+      for (std::size_t f = 0; f < forces_.size(); ++f)
+        cold[2 * n_ + f] = t[2 * n_ + f] = state_.creepage[forces_[f]];
+      const bool warm = int(state_.traction[0].size()) == task_.grid.size();
+      if (warm)
         for (std::size_t e = 0; e < n_; ++e)
           for (int d = 0; d < 2; ++d)
             t[2 * e + d] = state_.traction[d][elements_[e]];
-      for (std::size_t f = 0; f < forces_.size(); ++f)
-        t[2 * n_ + f] = state_.creepage[forces_[f]];
       project(t);
-      state_.residual        = residual(t, slip);
-      const auto force_error = [&](const std::vector<double> &v) {
-        double error = 0;
-        for (std::size_t f = 0; f < forces_.size(); ++f)
-          {
-            double sum = 0;
-            for (std::size_t e = 0; e < n_; ++e)
-              sum += v[2 * e + forces_[f]];
-            error = std::max(
-              error, std::abs(task_.force[forces_[f]] / task_.grid.element_area() - sum) / (n_ * largest_));
-          }
-        return error;
-      };
-      const LinearMap A = [&](const std::vector<double> &v, std::vector<double> &r) { jacobian(v, r); };
-      const LinearMap M = [&](const std::vector<double> &v, std::vector<double> &r) { precondition(v, r); };
-      for (state_.newton_steps = 0;; ++state_.newton_steps)
-        {
-          const double fe  = force_error(t);
-          state_.converged = state_.residual <= task_.tolerance && fe <= task_.tolerance;
-          if (state_.converged || state_.newton_steps == task_.max_steps)
-            break;
-          linearise(t, slip, rhs);
-          double    reached;
-          const int its = solve_gmres(A, M, rhs, 1e-3, 200, step, reached);
-          state_.krylov_iterations += its;
-          double length = 1, best = 0;
-          for (int cut = 0; cut < 6; ++cut, length *= 0.5)
-            {
-              trial = t;
-              for (std::size_t k = 0; k < t.size(); ++k)
-                trial[k] += length * step[k];
-              project(trial);
-              best = residual(trial, trial_slip);
-              if (best < 1.5 * state_.residual || state_.newton_steps == 0)
-                break;
-            }
-          if (log)
-            std::printf("%3d slip %6d gmres %3d (%.1e) length %.3f residual %.3e -> %.3e force %.2e xi %g\n",
-                        state_.newton_steps,
-                        int(std::count(slipping_.begin(), slipping_.end(), 1)),
-                        its,
-                        reached,
-                        length,
-                        state_.residual,
-                        best,
-                        fe,
-                        forces_.empty() ? 0. : trial[2 * n_]);
-          t               = trial;
-          slip            = trial_slip;
-          state_.residual = best;
-        }
+      state_.newton_steps = state_.krylov_iterations = 0;
+      state_.converged = warm && iterate(t, task_.tolerance, std::min(15, task_.max_steps));
+      if (!state_.converged)
+        state_.converged = iterate(t = cold, task_.tolerance, task_.max_steps);
+      if (!state_.converged)
+        state_.converged = proximal_points(t = cold);
+      std::vector<double> unused;
+      state_.residual = residual(t, slip_);
+      linearise(t, slip_, false, unused);
+      state_.slipping.assign(task_.grid.size(), 0);
+      for (std::size_t e = 0; e < n_; ++e)
+        state_.slipping[elements_[e]] = slipping_[e];
+      project(t);
       for (int d = 0; d < 2; ++d)
         {
           state_.traction[d].assign(task_.grid.size(), 0.);
@@ -416,7 +453,7 @@ namespace wheelrail
           for (std::size_t e = 0; e < n_; ++e)
             {
               state_.traction[d][elements_[e]] = t[2 * e + d];
-              state_.slip[d][elements_[e]]     = slip[2 * e + d];
+              state_.slip[d][elements_[e]]     = slip_[2 * e + d];
             }
         }
       for (std::size_t f = 0; f < forces_.size(); ++f)

@@ -124,10 +124,11 @@ namespace wheelrail
 
     double normal_tolerance     = 1e-7; ///< gap error over approach
     double tangential_tolerance = 1e-5; ///< error of tractions over their peak (rms)
-    double coupling_tolerance = 1e-4; ///< change of pressure between rounds of Panagiotopoulos, over its peak
-    int    max_normal_iterations = 2000;
-    int    max_newton_steps      = 60;
-    int    max_coupling_rounds   = 30;
+    double coupling_tolerance =
+      1e-4; ///< change between rounds of pressure and friction coefficients, over their peaks
+    int max_normal_iterations = 2000;
+    int max_newton_steps      = 60;
+    int max_coupling_rounds   = 100;
   };
 
   struct HalfspaceSolution
@@ -172,9 +173,10 @@ namespace wheelrail
     }
   };
 
-  /// Solves the normal problem, the tangential problem and, for unlike materials, their coupling.
-  /// Throws InputError for impossible input (sizes, moduli, a tangential force above the friction limit);
-  /// a tolerance that was not reached is told in the solution, which then holds the best state found.
+  /// Solves the normal problem, the tangential problem and, for unlike materials, their coupling
+  /// (alternately, Panagiotopoulos 1975); with friction that depends on the slip velocity its coefficients,
+  /// too. Throws InputError for impossible input (sizes, moduli, a tangential force above the friction
+  /// limit); a tolerance that was not reached is told in the solution, which then holds the best state found.
   HalfspaceSolution
   solve_rolling(const HalfspaceProblem &problem);
 

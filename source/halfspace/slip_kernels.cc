@@ -1,0 +1,62 @@
+#include <wheelrail/halfspace/slip_kernels.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  SlipKernels
+  slip_kernels(InfluenceProducts        &products,
+               const HalfspaceConstants &constants,
+               const HalfspaceGrid      &grid,
+               const double              step,
+               const bool                steady)
+  {
+    SlipKernels k;
+    k.step               = step;
+    k.steady             = steady;
+    const auto component = [&](const int a, const int b, const bool difference) {
+      return products.kernel([&](const double x, const double y) {
+        const double here = influence_coefficients(constants, grid.dx, grid.dy, x, y)[a][b];
+        return difference
+                 ? (here - influence_coefficients(constants, grid.dx, grid.dy, x + step, y)[a][b]) / step
+                 : here;
+      });
+    };
+    InfluenceProducts::Spectrum xx = component(0, 0, false), xy = component(0, 1, false),
+                                yy = component(1, 1, false);
+    k.inverse_xx                   = xx;
+    k.inverse_xy                   = xx;
+    k.inverse_yy                   = xx;
+    // kernel() holds the factor 1 / size that belongs to the way back: it must stand in the inverse, too.
+    const double scale = 1. / std::pow(double(products.padded_size()), 2);
+    for (std::size_t m = 0; m < xx.size(); ++m)
+      {
+        const double a = std::abs(xx[m].real()), b = xy[m].real(), d = std::abs(yy[m].real());
+        const double det = std::max(a * d - b * b, 0.01 * a * d);
+        k.inverse_xx[m]  = scale * d / det;
+        k.inverse_xy[m]  = -scale * b / det;
+        k.inverse_yy[m]  = scale * a / det;
+      }
+    const auto c0 = influence_coefficients(constants, grid.dx, grid.dy, 0, 0);
+    if (steady)
+      {
+        k.xx          = component(0, 0, true);
+        k.xy          = component(0, 1, true);
+        k.yy          = component(1, 1, true);
+        const auto c1 = influence_coefficients(constants, grid.dx, grid.dy, step, 0);
+        k.diagonal    = (c0[0][0] - c1[0][0] + c0[1][1] - c1[1][1]) / (2 * step);
+      }
+    else
+      {
+        for (auto *s : {&xx, &xy, &yy})
+          for (auto &v : *s)
+            v /= step;
+        k.xx       = std::move(xx);
+        k.xy       = std::move(xy);
+        k.yy       = std::move(yy);
+        k.diagonal = (c0[0][0] + c0[1][1]) / (2 * step);
+      }
+    return k;
+  }
+} // namespace wheelrail

@@ -1,0 +1,251 @@
+// Steady rolling of the half-space solver against CONTACT at equal grid and step: forces or creepages given,
+// Kalker's coefficients, element tables; Carter's line contact in closed form; transient rolling that becomes
+// steady.
+
+#include "reference_table.h"
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/halfspace/problem.h>
+
+#include <algorithm>
+#include <limits>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+namespace
+{
+  void
+  check_relative(const double value, const double expected, const double tolerance, const std::string &text)
+  {
+    check_near(value / expected, 1, tolerance, text + " over expected");
+  }
+
+  /// 100 kN, relative radii 460 and 300 mm, steel.
+  HalfspaceProblem
+  ellipse(const double dx)
+  {
+    HalfspaceProblem problem;
+    problem.grid                = centred_grid(7.7e-3, 5.9e-3, dx, dx);
+    problem.undeformed_distance = quadratic_distance(problem.grid, 0.46, 0.3);
+    problem.normal_force        = 100e3;
+    return problem;
+  }
+
+  void
+  test_contact_table()
+  {
+    for (const auto &row : test::read_table("contact_rolling_hertz.csv"))
+      {
+        const auto number = [&](const int column) { return std::stod(row[column]); };
+        // One row at 0.125 mm is enough here; test_kalker solves the others without slip.
+        if (number(1) < 0.2 && row[0] != "F1 Fx=0.5")
+          continue;
+        HalfspaceProblem problem = ellipse(number(1) * 1e-3);
+        const bool       fx = row[3] != "creepage", fy = row[3] == "Fx and Fy";
+        problem.friction.static_coefficient = number(2);
+        problem.longitudinal_force_given    = fx;
+        problem.lateral_force_given         = fy;
+        problem.fx                          = fx ? number(7) : 0;
+        problem.xi                          = fx ? 0 : number(4);
+        problem.eta                         = fy ? 0 : number(5);
+        problem.phi                         = number(6) * 1e3;
+        const auto        s                 = solve_rolling(problem);
+        const std::string name              = row[0] + " at " + row[1] + " mm: ";
+        check(s.converged() && s.newton_steps <= 15,
+              name + "converged in " + std::to_string(s.newton_steps) + " steps");
+        check_near(
+          s.xi, number(4), std::max(1e-8, 6e-4 * std::abs(number(4))), name + "longitudinal creepage");
+        check_near(s.eta, number(5), std::max(1e-8, 6e-4 * std::abs(number(5))), name + "lateral creepage");
+        const double small = 2e-4 * std::hypot(number(7), number(8));
+        check_near(s.fx, number(7), small, name + "Fx");
+        check_near(s.fy, number(8), small, name + "Fy");
+        check_near(s.spin_moment * 1e3, number(9), 2e-4 * std::abs(number(9)) + small, name + "Mz [N mm]");
+        check_relative(s.peak_shear, number(13) * 1e6, 2e-4, name + "peak shear");
+        check_near(s.slip_area * 1e6, number(18), 1., name + "slip area [mm2]");
+        check(s.contact_elements == std::stoi(row[20]), name + "contact elements");
+      }
+  }
+
+  /// Kalker's coefficients from no-slip solutions; they near his table (a/b = 1.329, nu 0.3: C11 4.62,
+  /// C22 4.16, C23 1.89 by interpolation) with the grid.
+  void
+  test_kalker()
+  {
+    double old = 1;
+    for (const auto &row : test::read_table("contact_kalker_coefficients.csv"))
+      {
+        const auto       number             = [&](const int column) { return std::stod(row[column]); };
+        HalfspaceProblem problem            = ellipse(number(0) * 1e-3);
+        problem.friction.static_coefficient = 1000;
+        const double G = 210e9 / 2.6, c = std::sqrt(7.161676e-3 * 5.387172e-3);
+        problem.xi             = 1e-4;
+        const double c11       = -solve_rolling(problem).fx / (G * c * c * 1e-4);
+        problem.xi             = 0;
+        problem.eta            = 1e-4;
+        const auto   lateral   = solve_rolling(problem);
+        const double c22       = -lateral.fy / (G * c * c * 1e-4),
+                     c32       = lateral.spin_moment / (G * c * c * c * 1e-4);
+        problem.eta            = 0;
+        problem.phi            = 1e-2;
+        const auto   spin      = solve_rolling(problem);
+        const double c23       = -spin.fy / (G * c * c * c * 1e-2),
+                     c33       = -spin.spin_moment / (G * std::pow(c, 4) * 1e-2);
+        const double values[5] = {c11, c22, c23, c32, c33};
+        const char  *names[5]  = {"C11", "C22", "C23", "C32", "C33"};
+        for (int k = 0; k < 5; ++k)
+          check_relative(
+            values[k], number(2 + k), 5e-4, std::string(names[k]) + " at " + row[0] + " mm, CONTACT");
+        const double error = std::abs(c11 / 4.62 - 1);
+        check(error < old, "C11 nears Kalker's table, error " + std::to_string(error));
+        old = error;
+      }
+    check(old < 0.01, "C11 within 1 % of Kalker's table at 0.125 mm");
+  }
+
+  /// The element table of one rolling contact.
+  void
+  test_field()
+  {
+    HalfspaceProblem problem         = ellipse(0.25e-3);
+    problem.longitudinal_force_given = true;
+    problem.fx                       = 25e3;
+    const auto s                     = solve_rolling(problem);
+    double     error[3] = {0, 0, 0}, peak[3] = {0, 0, 0}, slip_error = 0, slip_peak = 0;
+    int        other = 0, rows = 0;
+    for (const auto &row : test::read_table("contact_field_hertz.csv"))
+      {
+        const auto number = [&](const int column) { return std::stod(row[column]); };
+        const int  i      = int(std::round((number(0) * 1e-3 - s.grid.x0) / s.grid.dx)),
+                  j = int(std::round((number(1) * 1e-3 - s.grid.y0) / s.grid.dy)), e = i + s.grid.mx * j;
+        const double values[3] = {s.pressure[e], s.traction_x[e], s.traction_y[e]};
+        for (int d = 0; d < 3; ++d)
+          {
+            error[d] += std::pow(values[d] - number(2 + d) * 1e6, 2);
+            peak[d] = std::max(peak[d], std::abs(number(2 + d) * 1e6));
+          }
+        slip_error = std::max(slip_error, std::abs(std::hypot(s.slip_x[e], s.slip_y[e]) - number(11)));
+        slip_peak  = std::max(slip_peak, number(11));
+        other += int(s.state[e]) != std::stoi(row[5]);
+        ++rows;
+      }
+    const char *names[3] = {"pressure", "tx", "ty"};
+    for (int d = 0; d < 3; ++d)
+      check(std::sqrt(error[d] / rows) < 1e-3 * peak[d],
+            std::string(names[d]) + " of the element table, rms over peak " +
+              std::to_string(std::sqrt(error[d] / rows) / peak[d]));
+    check(slip_error < 5e-3 * slip_peak,
+          "slip of the element table, largest over peak " + std::to_string(slip_error / slip_peak));
+    check(rows == s.contact_elements && other <= 4,
+          std::to_string(other) + " elements of other state than in the table");
+  }
+
+  /// Line contact (Carter 1926): xi = -mu (a - a') / R, F / (mu N) = 1 - (a' / a)^2, at the grids of the
+  /// table.
+  void
+  test_carter()
+  {
+    const double E = 210e9 / (2 * 0.91), R = 0.46, a = 5e-3, length = 2;
+    double       old = 1;
+    for (const auto &row : test::read_table("contact_carter2d.csv"))
+      {
+        const auto       number = [&](const int column) { return std::stod(row[column]); };
+        HalfspaceProblem problem;
+        const int        nx = std::stoi(row[0]);
+        const double     dx = number(1) * 1e-3;
+        problem.grid        = {nx + 10, 1, dx, length, -(nx + 9) * dx / 2, 0};
+        problem.undeformed_distance =
+          quadratic_distance(problem.grid, R, std::numeric_limits<double>::infinity());
+        problem.normal_force             = M_PI * E * a * a / (4 * R) * length;
+        problem.longitudinal_force_given = true;
+        problem.fx                       = number(2) * 0.5 * problem.normal_force;
+        const auto        s              = solve_rolling(problem);
+        const std::string name           = "Carter, " + row[0] + " elements, F/(mu N) = " + row[2] + ": ";
+        check_relative(s.xi, number(3), 2e-3, name + "creepage, CONTACT");
+        check_relative(s.peak_shear, number(10) * 1e6, 2e-3, name + "peak shear, CONTACT");
+        const double adhesion = a * std::sqrt(1 - number(2)), xi = -0.5 * (a - adhesion) / R;
+        if (dx < 0.06e-3)
+          check_relative(s.xi, xi, 0.005, name + "creepage, closed form");
+        check_near(
+          s.adhesion_area / length / 2, adhesion, 2 * dx, name + "half-width of adhesion, closed form");
+        if (number(2) == 0.9)
+          {
+            check(std::abs(s.xi / xi - 1) < 0.6 * old, name + "creepage nears the closed form");
+            old = std::abs(s.xi / xi - 1);
+          }
+      }
+  }
+
+  /// Rolling from rest: step by step the tractions become those of steady rolling.
+  void
+  test_transient()
+  {
+    HalfspaceProblem steady     = ellipse(0.5e-3);
+    steady.xi                   = 1e-3;
+    steady.eta                  = -5e-4;
+    steady.phi                  = 0.1;
+    steady.tangential_tolerance = 1e-7;
+    const auto       end        = solve_rolling(steady);
+    HalfspaceProblem step       = steady;
+    step.motion                 = HalfspaceMotion::transient;
+    HalfspaceSolution now       = solve_rolling(step);
+    const double      first     = now.fx;
+    for (int k = 0; k < 120; ++k)
+      {
+        const HalfspaceSolution old = now;
+        step.previous               = &old;
+        now                         = solve_rolling(step);
+        if (!now.converged())
+          check(false, "transient step " + std::to_string(k) + " converged");
+      }
+    double error = 0;
+    for (int e = 0; e < end.grid.size(); ++e)
+      error = std::max(
+        error, std::hypot(now.traction_x[e] - end.traction_x[e], now.traction_y[e] - end.traction_y[e]));
+    check(std::abs(first) < 0.2 * std::abs(end.fx), "the first step builds up little force");
+    check(error < 3e-3 * end.peak_shear,
+          "tractions after 60 mm of rolling are steady, largest difference over peak " +
+            std::to_string(error / end.peak_shear));
+    check_relative(now.fx, end.fx, 1e-3, "longitudinal force after 60 mm of rolling");
+  }
+
+  /// A field of rigid slip does what the creepages do; a force beyond friction is refused.
+  void
+  test_input()
+  {
+    HalfspaceProblem a = ellipse(0.5e-3), b = a;
+    a.xi           = 1e-3;
+    a.phi          = 0.1;
+    a.spin_offset  = 0;
+    b.rigid_slip_x = sampled_distance(b.grid, [](double, double y) { return 1e-3 - 0.1 * y; });
+    b.rigid_slip_y = sampled_distance(b.grid, [](double x, double) { return 0.1 * x; });
+    const auto sa = solve_rolling(a), sb = solve_rolling(b);
+    check_relative(sb.fx, sa.fx, 1e-9, "Fx of a field of rigid slip");
+    check_relative(sb.spin_moment, sa.spin_moment, 1e-9, "spin moment of a field of rigid slip");
+    a.longitudinal_force_given = true;
+    a.fx                       = 50e3;
+    std::string text;
+    try
+      {
+        solve_rolling(a);
+      }
+    catch (const InputError &error)
+      {
+        text = error.what();
+      }
+    check(text.find("friction limit") != std::string::npos, "a force at the friction limit is refused");
+  }
+} // namespace
+
+int
+main()
+{
+  test_contact_table();
+  test_kalker();
+  test_field();
+  test_carter();
+  test_transient();
+  test_input();
+  return test::report();
+}
