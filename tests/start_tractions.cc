@@ -45,7 +45,8 @@ namespace
     Surface           body[2];
     for (int b = 0; b < 2; ++b)
       {
-        body[b].body = b == 0 ? Body::rail : Body::wheel;
+        body[b].lattice = lattice;
+        body[b].body    = b == 0 ? Body::rail : Body::wheel;
         body[b].area.assign(n, spacing * spacing);
         body[b].owner.assign(n, 0);
         body[b].local.resize(n);
@@ -64,8 +65,7 @@ namespace
                   {s * std::cos(angle), radius - r * std::cos(ahead), r * std::sin(ahead)});
             }
       }
-    Contact contact(
-      body[0], body[1], surfaces, lattice, {stiffness, 0, {friction}}, along + 0.01, MPI_COMM_SELF);
+    Contact contact(body[0], body[1], surfaces, {stiffness, 0, {friction}}, along + 0.01, MPI_COMM_SELF);
     std::vector<double> displacement(8 * n, 0.), velocity(8 * n, 0.);
     contact.gather(displacement.data(), velocity.data());
     contact.evaluate(0);

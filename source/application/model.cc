@@ -1,6 +1,7 @@
 #include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/model.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/contact/penalty.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,27 +57,17 @@ namespace wheelrail
       return lattice;
     }
 
-    /// Penalty, damping and the added ("bipenalty") mass that keeps the contact springs from
-    /// shortening the step: a spring of stiffness k between two masses m swings at
-    /// sqrt(2 k / m); with the damping ratio z taken at the half step behind, the central difference
-    /// scheme is stable up to omega dt = 2 (sqrt(1 + z^2) - z). See doc/contact.md.
+    /// The contact law of the scene; the surface nodes get their added mass.
     ContactLaw
     make_law(const Scene &scene, Solid &solid, const Surface &rail, const Surface &wheel)
     {
-      const double K = 0.5 * (elasticity(scene.rail_material).bulk_modulus() +
+      const double  K = 0.5 * (elasticity(scene.rail_material).bulk_modulus() +
                               elasticity(scene.wheel_material).bulk_modulus());
-      const double z = scene.contact_damping;
-      ContactLaw   law;
-      law.stiffness      = scene.penalty_scale * K / scene.cell_size;
-      law.friction       = friction_law(scene);
-      const double limit = 2 * (std::sqrt(1 + z * z) - z);
-      const double mass  = 2 * law.stiffness * std::pow(solid.stable.step / limit, 2); // per area
-      law.damping        = 2 * z * std::sqrt(law.stiffness * mass / 2);
+      const Penalty penalty =
+        make_penalty(scene.penalty_scale, K, scene.cell_size, scene.contact_damping, solid.stable.step);
       for (const Surface *surface : {&rail, &wheel})
-        for (std::size_t k = 0; k < surface->reference.size(); ++k)
-          if (surface->local[k] >= 0)
-            solid.added_mass[surface->local[k]] = mass * surface->area[k];
-      return law;
+        add_surface_mass(*surface, penalty.added_mass, solid.added_mass.data());
+      return {penalty.stiffness, penalty.damping, friction_law(scene)};
     }
   } // namespace
 
@@ -159,8 +150,8 @@ namespace wheelrail
     const ContactLaw law   = make_law(scene, model.solid, rail, wheel);
     const double     half_window =
       half_length_bound(model.expected_approach, surfaces.rolling_radius) + 2 * scene.cell_size;
-    model.contact = std::make_unique<Contact>(
-      std::move(rail), std::move(wheel), surfaces, lattice, law, half_window, communicator);
+    model.contact =
+      std::make_unique<Contact>(std::move(rail), std::move(wheel), surfaces, law, half_window, communicator);
 
     AxleData &axle     = model.axle;
     axle.centre        = {model.geometry.axle.x, model.geometry.axle.y, 0};

@@ -8,18 +8,16 @@ namespace wheelrail
   Contact::Contact(Surface         rail,
                    Surface         wheel,
                    RunningSurfaces surfaces,
-                   Lattice         lattice,
                    ContactLaw      law,
                    const double    half_window,
                    MPI_Comm        communicator)
     : rail_(std::move(rail))
     , wheel_(std::move(wheel))
     , surfaces_(std::move(surfaces))
-    , lattice_(lattice)
     , law_(law)
-    , half_window_(static_cast<int>(std::ceil(half_window / lattice.spacing_along)))
+    , half_window_(half_window)
     , communicator_(communicator)
-    , wheel_normal_(rail_.reference.size())
+    , wheel_normal_(wheel_.reference.size())
     , nodes_(rail_.reference.size())
   {
     for (int body = 0; body < 2; ++body)
@@ -37,26 +35,35 @@ namespace wheelrail
   void
   Contact::move_window(const double along, const double wheel_ahead)
   {
-    const int centre = static_cast<int>(std::lround(along / lattice_.spacing_along)) - lattice_.first_station;
-    const int shift  = static_cast<int>(std::lround(wheel_ahead / lattice_.spacing_along));
-    const int n      = lattice_.n_along;
+    const Lattice &r = rail_.lattice, &w = wheel_.lattice;
+    const auto     station = [](const Lattice &lattice, const double place) {
+      return static_cast<int>(std::lround(place / lattice.spacing_along)) - lattice.first_station;
+    };
+    const int rail = station(r, along), wheel = station(w, along + wheel_ahead);
     // the wheel's part reaches one station further, so that every rail node finds a facet
-    const Window window{std::max(0, centre - half_window_),
-                        std::min(n, centre + half_window_ + 1),
-                        std::max(0, centre + shift - half_window_ - 2),
-                        std::min(n, centre + shift + half_window_ + 3)};
+    const Window window{std::max(0, rail - half_window(r)),
+                        std::min<int>(r.n_along, rail + half_window(r) + 1),
+                        std::max(0, wheel - half_window(w) - 2),
+                        std::min<int>(w.n_along, wheel + half_window(w) + 3)};
     const bool   same = window.rail_first == window_.rail_first && window.rail_last == window_.rail_last &&
                       window.wheel_first == window_.wheel_first && window.wheel_last == window_.wheel_last;
-    wheel_shift_ = shift;
+    wheel_ahead_ = wheel_ahead;
     if (same)
       return;
     // nodes that leave the window have left the patch long ago
     for (int i = window_.rail_first; i < window_.rail_last; ++i)
       if (i < window.rail_first || i >= window.rail_last)
-        for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
-          nodes_[lattice_.index(i, j)] = ContactNode();
+        for (unsigned int j = 0; j < r.n_lateral; ++j)
+          nodes_[r.index(i, j)] = ContactNode();
     window_ = window;
     share_window();
+  }
+
+
+  int
+  Contact::half_window(const Lattice &lattice) const
+  {
+    return static_cast<int>(std::ceil(half_window_ / lattice.spacing_along));
   }
 
 
@@ -73,9 +80,9 @@ namespace wheelrail
         const int      first   = body == 0 ? window_.rail_first : window_.wheel_first;
         const int      last    = body == 0 ? window_.rail_last : window_.wheel_last;
         for (int i = first; i < last; ++i)
-          for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
+          for (unsigned int j = 0; j < surface.lattice.n_lateral; ++j)
             {
-              const unsigned int k = lattice_.index(i, j);
+              const unsigned int k = surface.lattice.index(i, j);
               by_rank[surface.owner[k]].push_back({body, k});
             }
       }
@@ -133,8 +140,9 @@ namespace wheelrail
   void
   Contact::wheel_normals()
   {
-    const auto &x = state_[1].x;
-    const int   n = lattice_.n_lateral;
+    const auto    &x       = state_[1].x;
+    const Lattice &lattice = wheel_.lattice;
+    const int      n       = lattice.n_lateral;
     for (int i = window_.wheel_first; i < window_.wheel_last; ++i)
       {
         const int before = std::max(i - 1, window_.wheel_first),
@@ -142,9 +150,9 @@ namespace wheelrail
         for (int j = 0; j < n; ++j)
           {
             const int     left = std::max(j - 1, 0), right = std::min(j + 1, n - 1);
-            const Vector3 along                 = x[lattice_.index(after, j)] - x[lattice_.index(before, j)];
-            const Vector3 lateral               = x[lattice_.index(i, right)] - x[lattice_.index(i, left)];
-            wheel_normal_[lattice_.index(i, j)] = normalised(cross(along, lateral));
+            const Vector3 along                = x[lattice.index(after, j)] - x[lattice.index(before, j)];
+            const Vector3 lateral              = x[lattice.index(i, right)] - x[lattice.index(i, left)];
+            wheel_normal_[lattice.index(i, j)] = normalised(cross(along, lateral));
           }
       }
   }
@@ -159,14 +167,20 @@ namespace wheelrail
       state_[body].f[k] = {0, 0, 0};
 
     // 2. every rail node of the window against the wheel
-    ContactSums sums;
+    ContactSums    sums;
+    const Lattice &r = rail_.lattice, &w = wheel_.lattice;
     for (int i = window_.rail_first; i < window_.rail_last; ++i)
-      for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
+      for (unsigned int j = 0; j < r.n_lateral; ++j)
         {
-          const std::size_t     k    = lattice_.index(i, j);
+          const std::size_t k        = r.index(i, j);
+          const double      along    = (r.first_station + i) * r.spacing_along + wheel_ahead_,
+                       s             = r.s_begin + j * r.spacing_lateral;
           ContactNode          &node = nodes_[k];
           std::array<double, 4> weight;
-          if (project(node, state_[0].x[k], i + wheel_shift_, j))
+          if (project(node,
+                      state_[0].x[k],
+                      static_cast<int>(std::lround(along / w.spacing_along)) - w.first_station,
+                      static_cast<int>(std::lround((s - w.s_begin) / w.spacing_lateral))))
             node.gap = true_gap(node, state_[0].x[k], weight);
           else
             {
@@ -181,9 +195,9 @@ namespace wheelrail
               continue;
             }
           apply_law(node, k, weight, time_step, sums);
-          if (node.pressure > 0 && (i <= window_.rail_first + 1 || i >= window_.rail_last - 2 || j <= 1 ||
-                                    j + 2 >= lattice_.n_lateral || node.facet_i <= window_.wheel_first ||
-                                    node.facet_i >= window_.wheel_last - 2))
+          if (node.pressure > 0 &&
+              (i <= window_.rail_first + 1 || i >= window_.rail_last - 2 || j <= 1 || j + 2 >= r.n_lateral ||
+               node.facet_i <= window_.wheel_first || node.facet_i >= window_.wheel_last - 2))
             sums.at_border = true;
         }
     return sums;
@@ -193,21 +207,19 @@ namespace wheelrail
   std::array<std::size_t, 4>
   Contact::corners(const ContactNode &node) const
   {
-    return {lattice_.index(node.facet_i, node.facet_j),
-            lattice_.index(node.facet_i + 1, node.facet_j),
-            lattice_.index(node.facet_i, node.facet_j + 1),
-            lattice_.index(node.facet_i + 1, node.facet_j + 1)};
+    const std::size_t k = wheel_.lattice.index(node.facet_i, node.facet_j), next = wheel_.lattice.n_lateral;
+    return {k, k + next, k + 1, k + next + 1};
   }
 
 
   bool
-  Contact::project(ContactNode &node, const Vector3 &x, const int station_guess, const int row_guess) const
+  Contact::project(ContactNode &node, const Vector3 &x, const int station, const int row) const
   {
-    const int last_i = window_.wheel_last - 2, last_j = static_cast<int>(lattice_.n_lateral) - 2;
+    const int last_i = window_.wheel_last - 2, last_j = static_cast<int>(wheel_.lattice.n_lateral) - 2;
     if (node.facet_i < window_.wheel_first || node.facet_i > last_i)
       {
-        node.facet_i = std::clamp(station_guess, window_.wheel_first, last_i);
-        node.facet_j = std::clamp(row_guess, 0, last_j);
+        node.facet_i = std::clamp(station, window_.wheel_first, last_i);
+        node.facet_j = std::clamp(row, 0, last_j);
         node.xi = node.eta = 0.5;
       }
     const auto &y = state_[1].x;
@@ -359,37 +371,5 @@ namespace wheelrail
     for (const auto &[body, k] : share_.all)
       work += dot(state_[body].f[k], state_[body].v_before[k] + state_[body].v[k]);
     return 0.5 * time_step * work;
-  }
-
-
-  std::vector<Contact::Spring>
-  Contact::springs() const
-  {
-    std::vector<Spring> springs;
-    for (int i = window_.rail_first; i < window_.rail_last; ++i)
-      for (unsigned int j = 0; j < lattice_.n_lateral; ++j)
-        {
-          const std::size_t  k    = lattice_.index(i, j);
-          const ContactNode &node = nodes_[k];
-          if (node.pressure <= 0)
-            continue;
-          Spring spring;
-          spring.rail     = k;
-          const auto   c  = corners(node);
-          const double xi = node.xi, eta = node.eta;
-          spring.weight    = {(1 - xi) * (1 - eta), xi * (1 - eta), (1 - xi) * eta, xi * eta};
-          spring.wheel     = {unsigned(c[0]), unsigned(c[1]), unsigned(c[2]), unsigned(c[3])};
-          spring.normal    = node.normal;
-          spring.stiffness = law_.stiffness * rail_.area[k];
-          springs.push_back(spring);
-        }
-    return springs;
-  }
-
-
-  void
-  Contact::set_shear(const std::size_t node, const Vector3 &shear)
-  {
-    nodes_[node].shear = shear;
   }
 } // namespace wheelrail

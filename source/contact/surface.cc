@@ -35,8 +35,9 @@ namespace wheelrail
 
     /// Quarter of the facets around each lattice node.
     void
-    add_areas(Surface &surface, const Lattice &lattice)
+    add_areas(Surface &surface)
     {
+      const Lattice &lattice = surface.lattice;
       surface.area.assign(surface.reference.size(), 0.);
       for (unsigned int i = 0; i + 1 < lattice.n_along; ++i)
         for (unsigned int j = 0; j + 1 < lattice.n_lateral; ++j)
@@ -67,6 +68,7 @@ namespace wheelrail
     Surface           surface;
     const std::size_t n = std::size_t(lattice.n_along) * lattice.n_lateral;
     surface.body        = body;
+    surface.lattice     = lattice;
     surface.reference.resize(n);
     surface.global_node.resize(n);
     surface.owner.assign(n, -1);
@@ -119,7 +121,7 @@ namespace wheelrail
         surface.local[k] =
           found != sorted.end() && found->first == surface.global_node[k] ? int(found->second) : -1;
       }
-    add_areas(surface, lattice);
+    add_areas(surface);
     return surface;
   }
 } // namespace wheelrail

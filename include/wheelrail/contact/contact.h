@@ -51,7 +51,8 @@ namespace wheelrail
   };
 
   /// Node-to-facet penalty contact of the rail nodes (nodal quadrature) against the wheel facets, on
-  /// the fine lattices of both bodies, with the gap between the true profiles.
+  /// the fine lattices of both bodies, with the gap between the true profiles. The lattices may differ;
+  /// nodes that meet nodes make less noise in rolling (doc/contact.md).
   ///
   /// A window of stations that follows the axle is known to all ranks, and all of them evaluate it
   /// alike, so results do not depend on the partition.
@@ -61,7 +62,6 @@ namespace wheelrail
     Contact(Surface         rail,
             Surface         wheel,
             RunningSurfaces surfaces,
-            Lattice         lattice,
             ContactLaw      law,
             double          half_window,
             MPI_Comm        communicator);
@@ -121,10 +121,11 @@ namespace wheelrail
     {
       return wheel_;
     }
+    /// Of the rail, whose nodes carry the contact.
     const Lattice &
     lattice() const
     {
-      return lattice_;
+      return rail_.lattice;
     }
     const RunningSurfaces &
     surfaces() const
@@ -185,7 +186,7 @@ namespace wheelrail
     void
     wheel_normals();
     bool
-    project(ContactNode &node, const Vector3 &x, int station_guess, int row_guess) const;
+    project(ContactNode &node, const Vector3 &x, int station, int row) const;
     double
     true_gap(ContactNode &node, const Vector3 &x, std::array<double, 4> &weight) const;
     void
@@ -196,15 +197,17 @@ namespace wheelrail
               ContactSums                 &sums);
     std::array<std::size_t, 4>
     corners(const ContactNode &node) const;
+    /// Number of cells of the lattice in half the window.
+    int
+    half_window(const Lattice &lattice) const;
 
     Surface                  rail_, wheel_;
     RunningSurfaces          surfaces_;
-    Lattice                  lattice_;
     ContactLaw               law_;
-    int                      half_window_; ///< stations
+    double                   half_window_; ///< [m]
     MPI_Comm                 communicator_;
     Window                   window_;
-    int                      wheel_shift_ = 0; ///< wheel station facing a rail station, minus that station
+    double                   wheel_ahead_ = 0; ///< arc coordinate of the wheel facing Z, minus Z [m]
     Share                    share_;
     SurfaceState             state_[2];
     std::vector<Vector3>     wheel_normal_; ///< out of the rail, at wheel nodes of the window

@@ -10,7 +10,7 @@
 
 namespace wheelrail
 {
-  /// The lattice on which the vertices of both running surfaces lie in the fine zone: stations along
+  /// The lattice on which the vertices of a running surface lie in the fine zone: stations along
   /// the track at `first_station + i` times `spacing_along`, rows across at `s_begin + j spacing`.
   struct Lattice
   {
@@ -29,6 +29,7 @@ namespace wheelrail
   struct Surface
   {
     Body                       body = Body::rail;
+    Lattice                    lattice;
     std::vector<Vector3>       reference; ///< [m]
     std::vector<double>        area;      ///< tributary area of the node on the facets [m2]
     std::vector<std::uint32_t> global_node;

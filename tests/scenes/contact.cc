@@ -1,0 +1,372 @@
+#include "contact.h"
+
+#include <wheelrail/geometry/frame_profile.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace scenes
+{
+  using namespace wheelrail;
+
+  RunningSurfaces
+  wheel_on_plane(const double radius, const double crown, const double half_width)
+  {
+    // profiles run towards negative x, as those of the sections do in the track plane
+    const auto table = [&](const double arc) {
+      const double x = 1.01 * half_width;
+      Segment      segment;
+      segment.name = "profile";
+      if (arc > 0)
+        {
+          const double angle  = std::asin(x / arc);
+          segment.kind        = Segment::Kind::arc;
+          segment.centre      = {0, arc};
+          segment.radius      = arc;
+          segment.angle_start = -M_PI / 2 + angle;
+          segment.angle_end   = -M_PI / 2 - angle;
+          segment.start       = {x, arc - arc * std::cos(angle)};
+          segment.end         = {-x, segment.start.y};
+        }
+      else
+        {
+          segment.start = {x, 0};
+          segment.end   = {-x, 0};
+        }
+      return HeightTable(
+        FrameProfile(Curve({segment}), Placement(), ContactFrame()), -half_width, half_width);
+    };
+    RunningSurfaces surfaces;
+    surfaces.rail           = table(0);
+    surfaces.wheel          = table(crown);
+    surfaces.nominal_radius = surfaces.rolling_radius = radius;
+    return surfaces;
+  }
+
+
+  Lattice
+  make_lattice(const Range &along, const Range &across)
+  {
+    Lattice lattice;
+    lattice.spacing_along   = along.size;
+    lattice.first_station   = static_cast<int>(std::lround(along.begin / along.size));
+    lattice.n_along         = std::lround((along.end - along.begin) / along.size) + 1;
+    lattice.spacing_lateral = across.size;
+    lattice.s_begin         = across.begin;
+    lattice.n_lateral       = std::lround((across.end - across.begin) / across.size) + 1;
+    return lattice;
+  }
+
+
+  std::vector<double>
+  fine_then_coarse(const double size,
+                   const double fine,
+                   const double total,
+                   const double growth,
+                   const double largest)
+  {
+    std::vector<double> x    = {0};
+    double              cell = size;
+    while (x.back() < total - 0.3 * cell)
+      {
+        x.push_back(x.back() + cell);
+        if (x.back() > fine - 0.5 * size)
+          cell = std::min(growth * cell, largest);
+      }
+    return x;
+  }
+
+
+  std::vector<double>
+  both_sides(const std::vector<double> &breakpoints)
+  {
+    std::vector<double> x;
+    for (std::size_t k = breakpoints.size(); k-- > 1;)
+      x.push_back(-breakpoints[k]);
+    x.insert(x.end(), breakpoints.begin(), breakpoints.end());
+    return x;
+  }
+
+
+  namespace
+  {
+    using Bend = std::function<Vector3(double across, double depth, double along)>;
+
+    LocalMesh
+    block(const std::vector<double> &across,
+          const std::vector<double> &depth,
+          const std::vector<double> &along,
+          const Body                 body,
+          const Bend                &bend)
+    {
+      const auto at = [](const std::vector<double> &x, const double u) {
+        return x[std::lround(u * (x.size() - 1))];
+      };
+      const Cells cells = {static_cast<unsigned int>(across.size() - 1),
+                           static_cast<unsigned int>(depth.size() - 1),
+                           static_cast<unsigned int>(along.size() - 1)};
+      // the wheel hangs over its surface, the rail stands below it: keep the orientation
+      const bool  turned = body == Body::wheel;
+      const Place place  = [=](const Vector3 &u) {
+        return bend(at(across, u[0]), at(depth, turned ? u[1] : 1 - u[1]), at(along, u[2]));
+      };
+      return make_mesh({{cells, place}}, body);
+    }
+  } // namespace
+
+
+  LocalMesh
+  rail_block(const std::vector<double> &across,
+             const std::vector<double> &depth,
+             const std::vector<double> &along)
+  {
+    LocalMesh mesh = block(across, depth, along, Body::rail, [](double x, double d, double z) {
+      return Vector3{x, -d, z};
+    });
+    mark_faces(mesh, Boundary::running, plane(1, 0));
+    return mesh;
+  }
+
+
+  LocalMesh
+  wheel_block(const RunningSurfaces     &surfaces,
+              const std::vector<double> &across,
+              const std::vector<double> &depth,
+              const std::vector<double> &along)
+  {
+    const double R     = surfaces.rolling_radius;
+    LocalMesh    mesh  = block(across, depth, along, Body::wheel, [&](double x, double d, double z) {
+      const double r = surfaces.local_radius(x) - d;
+      return Vector3{x, R - r * std::cos(z / R), r * std::sin(z / R)};
+    });
+    const double first = depth[1];
+    mark_faces(mesh, Boundary::running, [&surfaces, first](const Vector3 &X) {
+      return std::abs(surfaces.wheel_offset(X)) < 0.1 * first;
+    });
+    return mesh;
+  }
+
+
+  Surface
+  rigid_surface(const RunningSurfaces &surfaces, const Lattice &lattice)
+  {
+    Surface           surface;
+    const std::size_t n = std::size_t(lattice.n_along) * lattice.n_lateral;
+    surface.body        = Body::wheel;
+    surface.lattice     = lattice;
+    surface.area.assign(n, lattice.spacing_along * lattice.spacing_lateral);
+    surface.owner.assign(n, 0);
+    surface.local.assign(n, -1);
+    surface.global_node.assign(n, 0);
+    for (unsigned int i = 0; i < lattice.n_along; ++i)
+      for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+        {
+          const double s = lattice.s_begin + j * lattice.spacing_lateral;
+          const double angle =
+            (lattice.first_station + int(i)) * lattice.spacing_along / surfaces.rolling_radius;
+          const double r = surfaces.local_radius(s);
+          surface.reference.push_back(
+            {s, surfaces.nominal_radius - r * std::cos(angle), r * std::sin(angle)});
+        }
+    return surface;
+  }
+
+
+  namespace
+  {
+    /// Numbers the nodes of both surfaces one after the other, so that rigid ones fit in.
+    Surface
+    renumbered(Surface surface, const std::size_t first)
+    {
+      for (std::size_t k = 0; k < surface.local.size(); ++k)
+        surface.local[k] = first + k;
+      surface.owner.assign(surface.local.size(), 0);
+      return surface;
+    }
+
+    Penalty
+    penalty_of(const Dynamics &scene, const ContactSetup &setup, const Elasticity &material)
+    {
+      return make_penalty(
+        setup.scale, material.bulk_modulus(), setup.cell_size, setup.damping_ratio, scene.solid.stable.step);
+    }
+  } // namespace
+
+
+  ContactPair::ContactPair(Dynamics              &scene,
+                           const RunningSurfaces &surfaces,
+                           Surface                rail,
+                           Surface                wheel,
+                           const ContactSetup    &setup)
+    : follow([this](double) {
+      const double radius = contact.surfaces().rolling_radius;
+      return std::array<double, 2>{this->wheel.move[2], radius * this->wheel.angle - this->wheel.move[2]};
+    })
+    , contact(renumbered(rail, 0),
+              renumbered(wheel, rail.reference.size()),
+              surfaces,
+              {penalty_of(scene, setup, setup.material).stiffness,
+               penalty_of(scene, setup, setup.material).damping,
+               setup.friction},
+              setup.half_window,
+              MPI_COMM_SELF)
+    , scene_(scene)
+  {
+    const Penalty penalty = penalty_of(scene, setup, setup.material);
+    for (const Surface *surface : {&rail, &wheel})
+      {
+        if (setup.added_mass)
+          add_surface_mass(*surface, penalty.added_mass, scene.solid.added_mass.data());
+        node_.insert(node_.end(), surface->local.begin(), surface->local.end());
+        rigid_.insert(rigid_.end(), surface->reference.begin(), surface->reference.end());
+      }
+    displacement_.assign(4 * node_.size(), 0);
+    velocity_ = force_ = displacement_;
+    scene.add_force(
+      [this](const double time, const Solid &solid, double *force) { add_forces(time, solid, force); });
+  }
+
+
+  void
+  ContactPair::add_forces(const double time, const Solid &solid, double *force)
+  {
+    const Vector3 centre = {0, contact.surfaces().nominal_radius, 0};
+    for (std::size_t k = 0; k < node_.size(); ++k)
+      if (node_[k] >= 0)
+        for (int i = 0; i < 3; ++i)
+          {
+            displacement_[4 * k + i] = solid.displacement[4 * node_[k] + i];
+            velocity_[4 * k + i]     = solid.velocity[4 * node_[k] + i];
+          }
+      else
+        {
+          const Vector3 arm = rotated(rigid_[k] - centre, {1, 0, 0}, wheel.angle);
+          const Vector3 u   = centre + wheel.move + arm - rigid_[k];
+          const Vector3 v   = wheel.velocity + wheel.rate * cross({1, 0, 0}, arm);
+          for (int i = 0; i < 3; ++i)
+            {
+              displacement_[4 * k + i] = u[i];
+              velocity_[4 * k + i]     = v[i];
+            }
+        }
+    const auto [along, ahead] = follow(time);
+    contact.move_window(along, ahead);
+    contact.gather(displacement_.data(), velocity_.data());
+    sums = contact.evaluate(scene_.time_step);
+    std::fill(force_.begin(), force_.end(), 0.);
+    contact.add_forces(force_.data());
+    for (std::size_t k = 0; k < node_.size(); ++k)
+      if (node_[k] >= 0)
+        for (int i = 0; i < 3; ++i)
+          force[4 * node_[k] + i] += force_[4 * k + i];
+    const double step = scene_.steps() == 0 ? 0.5 * scene_.time_step : scene_.time_step;
+    friction_energy += step * sums.friction_power;
+    damping_energy += step * sums.damping_power;
+    if (drive)
+      drive(time, wheel);
+  }
+
+
+  PatchFields
+  ContactPair::patch(const int mirror) const
+  {
+    const Lattice &lattice = contact.lattice();
+    const int      n = lattice.n_along, m = lattice.n_lateral;
+    const int      first_i = mirror == 1 || mirror == 3 ? 1 - n : 0,
+              first_j      = mirror == 1 || mirror == 2 ? 1 - m : 0;
+    PatchFields patch;
+    patch.n_along   = n - first_i;
+    patch.n_lateral = m - first_j;
+    for (int i = first_i; i < n; ++i)
+      for (int j = first_j; j < m; ++j)
+        {
+          const std::size_t  k      = lattice.index(std::abs(i), std::abs(j));
+          const ContactNode &node   = contact.nodes()[k];
+          const double       back_i = i < 0 ? -1 : 1, back_j = j < 0 ? -1 : 1;
+          patch.along.push_back(back_i * (lattice.first_station + std::abs(i)) * lattice.spacing_along);
+          patch.lateral.push_back(back_j * (lattice.s_begin + std::abs(j) * lattice.spacing_lateral));
+          patch.gap.push_back(node.gap);
+          patch.pressure.push_back(node.pressure);
+          patch.shear_along.push_back(node.traction[2]);
+          patch.shear_lateral.push_back(back_j * node.traction[0]);
+          patch.slip_along.push_back(node.slip[2]);
+          patch.slip_lateral.push_back(back_j * node.slip[0]);
+          patch.state.push_back(node.pressure <= 0 ? 0 : node.slipping ? 2 : 1);
+          patch.area.push_back(lattice.spacing_along * lattice.spacing_lateral);
+        }
+    return patch;
+  }
+
+
+  Vector3
+  boussinesq(const Vector3 &X, const Elasticity &material)
+  {
+    const double nu = material.poissons_ratio, depth = -X[1];
+    const double r = std::hypot(X[0], X[2]), rho = std::hypot(r, depth);
+    const double factor = (1 + nu) / (2 * M_PI * material.youngs_modulus);
+    const double down   = factor * (depth * depth / (rho * rho * rho) + 2 * (1 - nu) / rho);
+    // outward displacement over r
+    const double out = factor * (depth / (rho * rho * rho) - (1 - 2 * nu) / (rho * (rho + depth)));
+    return {out * X[0], -down, out * X[2]};
+  }
+
+
+  Vector3
+  under_ellipse(const Vector3 &X, const double a, const double b, const Elasticity &material)
+  {
+    // rings of equal load: within radius q the share 1 - (1 - q^2)^(3/2)
+    constexpr int rings = 8, spokes = 16;
+    Vector3       u{};
+    for (int k = 0; k < rings; ++k)
+      {
+        const double q = std::sqrt(1 - std::pow(1 - (k + 0.5) / rings, 2. / 3));
+        for (int m = 0; m < spokes; ++m)
+          {
+            const double angle = 2 * M_PI * (m + 0.5) / spokes;
+            add(u,
+                1. / (rings * spokes),
+                boussinesq(X - Vector3{b * q * std::cos(angle), 0, a * q * std::sin(angle)}, material));
+          }
+      }
+    return u;
+  }
+
+
+  Hertz
+  hertz(const double load, const double radius_along, const double radius_across, const double modulus)
+  {
+    // gap z^2 A + x^2 B; with w = s^2: A = p0 a b/(2 E*) int 2 ds/((a^2+s^2)^(3/2) (b^2+s^2)^(1/2)), B with a
+    // and b exchanged, approach with both roots. For b = 1 and k = a: A/B fixes k.
+    const auto integral = [](const double k, const double power_a, const double power_b) {
+      const int n   = 20000;
+      double    sum = 0;
+      for (int i = 0; i < n; ++i)
+        {
+          // s = tan(t) maps the half line to a quarter turn
+          const double t = 0.5 * M_PI * (i + 0.5) / n, s = std::tan(t);
+          sum += 0.5 * M_PI / n * (1 + s * s) * 2 / std::pow(k * k + s * s, power_a) /
+                 std::pow(1 + s * s, power_b);
+        }
+      return sum;
+    };
+    const double A = 0.5 / radius_along, B = 0.5 / radius_across;
+    double       low = 0.05, high = 20;
+    for (int i = 0; i < 60; ++i)
+      {
+        const double k = std::sqrt(low * high);
+        if (integral(k, 1.5, 0.5) / integral(k, 0.5, 1.5) > A / B)
+          low = k;
+        else
+          high = k;
+      }
+    const double k = std::sqrt(low * high);
+    // p0 = 3 F/(2 pi a b), a = k b: A = 3 F/(4 pi E*) I_A/b^3
+    Hertz        result;
+    const double c  = 3 * load / (4 * M_PI * modulus);
+    result.b        = std::cbrt(c * integral(k, 1.5, 0.5) / A);
+    result.a        = k * result.b;
+    result.peak     = 1.5 * load / (M_PI * result.a * result.b);
+    result.approach = c / result.b * integral(k, 0.5, 0.5);
+    return result;
+  }
+} // namespace scenes
