@@ -210,6 +210,27 @@ namespace
     check_relative(now.fx, end.fx, 1e-3, "longitudinal force after 60 mm of rolling");
   }
 
+  /// The fall-back alone (no plain Newton steps allowed) finds the same solution.
+  void
+  test_fallback()
+  {
+    HalfspaceProblem problem         = ellipse(0.5e-3);
+    problem.longitudinal_force_given = true;
+    problem.lateral_force_given      = true;
+    problem.fx                       = 30e3;
+    problem.fy                       = -20e3;
+    problem.phi                      = 0.3;
+    const auto plain                 = solve_rolling(problem);
+    problem.max_newton_steps         = 0;
+    const auto slow                  = solve_rolling(problem);
+    check(slow.converged() && slow.newton_steps > plain.newton_steps,
+          "fall-back converged in " + std::to_string(slow.newton_steps) + " steps instead of " +
+            std::to_string(plain.newton_steps));
+    check_relative(slow.xi, plain.xi, 1e-4, "longitudinal creepage of the fall-back");
+    check_relative(slow.eta, plain.eta, 1e-4, "lateral creepage of the fall-back");
+    check_relative(slow.peak_shear, plain.peak_shear, 1e-4, "peak shear of the fall-back");
+  }
+
   /// A field of rigid slip does what the creepages do; a force beyond friction is refused.
   void
   test_input()
@@ -246,6 +267,7 @@ main()
   test_field();
   test_carter();
   test_transient();
+  test_fallback();
   test_input();
   return test::report();
 }

@@ -12,47 +12,6 @@ namespace wheelrail
   {
     using Spectrum = InfluenceProducts::Spectrum;
 
-    void
-    check_problem(const HalfspaceProblem &problem)
-    {
-      const HalfspaceGrid &g = problem.grid;
-      const auto refuse = [](const std::string &text) { throw InputError("Half-space problem: " + text); };
-      if (g.mx < 1 || g.my < 1 || !(g.dx > 0) || !(g.dy > 0))
-        refuse("the grid needs at least one element in each direction and positive element lengths.");
-      const std::size_t n = g.size();
-      if (problem.undeformed_distance.size() != n)
-        refuse("the undeformed distance has " + std::to_string(problem.undeformed_distance.size()) +
-               " values, the grid " + std::to_string(n) + " elements.");
-      for (const double h : problem.undeformed_distance)
-        if (!std::isfinite(h))
-          refuse(
-            "the undeformed distance holds a value that is not finite; give elements where no surface lies a "
-            "large "
-            "distance instead.");
-      for (const auto *slip : {&problem.rigid_slip_x, &problem.rigid_slip_y})
-        if (!slip->empty() && slip->size() != n)
-          refuse("a field of rigid slip has " + std::to_string(slip->size()) + " values, the grid " +
-                 std::to_string(n) + " elements.");
-      for (const HalfspaceBody &b : {problem.body1, problem.body2})
-        if (!(b.shear_modulus > 0) || !(b.poisson_ratio >= 0 && b.poisson_ratio <= 0.5))
-          refuse("a body has the shear modulus " + std::to_string(b.shear_modulus) +
-                 " Pa and Poisson's ratio " + std::to_string(b.poisson_ratio) +
-                 "; a positive modulus and a ratio from 0 to 0.5 are accepted.");
-      if (problem.force_given ? !(problem.normal_force > 0) : !std::isfinite(problem.approach))
-        refuse("the normal force must be positive and the approach finite.");
-      const HalfspaceFriction &f = problem.friction;
-      if (problem.motion != HalfspaceMotion::none &&
-          (!(f.static_coefficient >= 0) || !(f.kinetic_coefficient >= 0) || !(f.velocity_scale > 0) ||
-           !(problem.velocity > 0) || !(problem.step >= 0)))
-        refuse(
-          "friction coefficients and the step must not be negative, velocity and velocity scale must be "
-          "positive.");
-      if (problem.lateral_force_given && !problem.longitudinal_force_given)
-        refuse("a lateral force can be given only together with the longitudinal one.");
-      if (problem.previous && problem.previous->pressure.size() != n)
-        refuse("the previous state lies on another grid.");
-    }
-
     /// One problem while it is solved.
     class Solver
     {
@@ -68,10 +27,10 @@ namespace wheelrail
         , velocity_dependent_(problem.friction.law != HalfspaceFriction::Law::coulomb &&
                               problem.friction.static_coefficient != problem.friction.kinetic_coefficient)
       {
-        const double shift = problem.motion == HalfspaceMotion::shift;
-        solution_.grid     = grid_;
-        solution_.step     = shift ? 1. : problem.step > 0 ? problem.step : grid_.dx;
-        offset_            = shift ? 0. : solution_.step;
+        const bool shift = problem.motion == HalfspaceMotion::shift;
+        solution_.grid   = grid_;
+        solution_.step   = shift ? 1. : problem.step > 0 ? problem.step : grid_.dx;
+        offset_          = shift ? 0. : solution_.step;
         if (coupled_)
           {
             coupling_x_ = kernel(2, 0, 0);

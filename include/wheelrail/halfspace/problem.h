@@ -127,7 +127,7 @@ namespace wheelrail
     double coupling_tolerance =
       1e-4; ///< change between rounds of pressure and friction coefficients, over their peaks
     int max_normal_iterations = 2000;
-    int max_newton_steps      = 60;
+    int max_newton_steps      = 60; ///< before the slower fall-back
     int max_coupling_rounds   = 100;
   };
 
@@ -179,6 +179,10 @@ namespace wheelrail
   /// limit); a tolerance that was not reached is told in the solution, which then holds the best state found.
   HalfspaceSolution
   solve_rolling(const HalfspaceProblem &problem);
+
+  /// Throws InputError for sizes that do not match, or values without meaning.
+  void
+  check_problem(const HalfspaceProblem &problem);
 
   /// Undeformed distance x^2 / (2 rx) + y^2 / (2 ry) [m] at the element centres; rx, ry are the relative
   /// radii of curvature [m] (1 / r = 1 / r1 + 1 / r2); infinity or a negative radius is allowed in one

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <wheelrail/halfspace/tangential.h>
+
+namespace wheelrail
+{
+  /// The equations t = P(t - s / b) of one tangential task and their linearisation, b the influence of an
+  /// element on its own slip. Vectors hold (x, y) of the n contact elements, then the unknown creepages.
+  class FrictionSystem
+  {
+  public:
+    FrictionSystem(InfluenceProducts           &products,
+                   const TangentialTask        &task,
+                   const std::array<double, 2> &creepage);
+
+    /// Grid indices of the contact elements, directions (0, 1) of unknown creepages.
+    std::vector<int> elements, forces;
+    /// Of the last linearisation: does the element slip?
+    std::vector<char> slipping;
+
+    /// The rms error of the equations over the largest P, and the slip.
+    double
+    residual(const std::vector<double> &t, std::vector<double> &slip);
+
+    /// Sets up the linear equations at t and their right-hand side. When `first`, only elements at their
+    /// bound slip.
+    void
+    linearise(const std::vector<double> &t,
+              const std::vector<double> &slip,
+              bool                       first,
+              std::vector<double>       &rhs);
+
+    /// Product with the linearised equations, and with an approximate inverse of them.
+    void
+    multiply(const std::vector<double> &dt, std::vector<double> &result);
+    void
+    precondition(const std::vector<double> &r, std::vector<double> &result);
+
+    /// Clips tractions to the bound.
+    void
+    project(std::vector<double> &t) const;
+
+    /// Largest missing force over (number of elements times largest bound times element area).
+    double
+    force_error(const std::vector<double> &t) const;
+
+    /// From now on slip + c (t - before) stands for the slip, and creepages are held likewise; c = 0: no
+    /// longer.
+    void
+    hold(double c, const std::vector<double> &before);
+
+  private:
+    using Spectrum = InfluenceProducts::Spectrum;
+
+    void
+    apply(const Spectrum &xx, const Spectrum &xy, const Spectrum &yy, VectorField &in, VectorField &out);
+    /// Force asked for less that of tractions t, over the element area [Pa].
+    double
+    missing_force(const std::vector<double> &t, std::size_t f) const;
+    /// How much unknown creepages are held [Pa].
+    double
+    creepage_grip() const;
+    /// Approximate inverse of the rows of the elements: slip by its diagonal, adhesion by FFT.
+    void
+    inverse_block(const double *r, std::vector<double> &result);
+    /// Of the rows in adhesion: sums slip against rolling, as if no adhesion lay ahead, then takes the
+    /// inverse symbol of A on the whole periodic grid.
+    void
+    inverse_adhesion(const double *r, std::vector<double> &result);
+    void
+    set_responses();
+
+    InfluenceProducts               &products_;
+    const TangentialTask            &task_;
+    const SlipKernels               &kernels_;
+    std::array<double, 2>            creepage_;
+    std::size_t                      n_       = 0;
+    double                           largest_ = 0;
+    double                           b_       = 0; ///< diagonal, c included [1/Pa]
+    double                           c_       = 0; ///< [1/Pa]
+    std::vector<double>              before_;
+    VectorField                      work_, image_;
+    Spectrum                         sx_, sy_;
+    std::vector<double>              nx_, ny_, stiffness_; ///< slip direction (of traction), |s| / bound
+    std::vector<std::vector<double>> response_;            ///< of the preconditioner to unit creepages
+  };
+} // namespace wheelrail

@@ -1,0 +1,313 @@
+#include <wheelrail/halfspace/friction_system.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  FrictionSystem::FrictionSystem(InfluenceProducts           &products,
+                                 const TangentialTask        &task,
+                                 const std::array<double, 2> &creepage)
+    : products_(products)
+    , task_(task)
+    , kernels_(*task.kernels)
+    , creepage_(creepage)
+    , b_(task.kernels->diagonal)
+  {
+    for (int k = 0; k < task.grid.size(); ++k)
+      if (task.bound[k] > 0)
+        {
+          elements.push_back(k);
+          largest_ = std::max(largest_, task.bound[k]);
+        }
+    for (int d = 0; d < 2; ++d)
+      if (task.force_given[d])
+        forces.push_back(d);
+    n_ = elements.size();
+    for (auto &w : work_)
+      w.assign(task.grid.size(), 0.);
+  }
+
+  void
+  FrictionSystem::apply(const Spectrum &xx,
+                        const Spectrum &xy,
+                        const Spectrum &yy,
+                        VectorField    &in,
+                        VectorField    &out)
+  {
+    products_.forward(in[0], sx_);
+    products_.forward(in[1], sy_);
+    for (std::size_t m = 0; m < sx_.size(); ++m)
+      {
+        const auto a = sx_[m], b = sy_[m];
+        sx_[m] = xx[m] * a + xy[m] * b;
+        sy_[m] = xy[m] * a + yy[m] * b;
+      }
+    products_.backward(sx_, out[0]);
+    products_.backward(sy_, out[1]);
+  }
+
+  void
+  FrictionSystem::hold(const double c, const std::vector<double> &before)
+  {
+    c_      = c;
+    b_      = kernels_.diagonal + c;
+    before_ = before;
+  }
+
+  double
+  FrictionSystem::creepage_grip() const
+  {
+    return 0.1 * c_ * n_ / (b_ * b_);
+  }
+
+  double
+  FrictionSystem::residual(const std::vector<double> &t, std::vector<double> &slip)
+  {
+    for (std::size_t e = 0; e < n_; ++e)
+      for (int d = 0; d < 2; ++d)
+        work_[d][elements[e]] = t[2 * e + d];
+    apply(kernels_.xx, kernels_.xy, kernels_.yy, work_, image_);
+    std::array<double, 2> creepage = creepage_;
+    for (std::size_t f = 0; f < forces.size(); ++f)
+      creepage[forces[f]] = t[2 * n_ + f];
+    slip.resize(2 * n_);
+    double sum = 0, largest = 0;
+    for (std::size_t e = 0; e < n_; ++e)
+      {
+        const int k = elements[e];
+        double    q[2];
+        for (int d = 0; d < 2; ++d)
+          {
+            slip[2 * e + d] = task_.rigid_slip[d][k] + creepage[d] + image_[d][k];
+            if (c_ > 0)
+              slip[2 * e + d] += c_ * (t[2 * e + d] - before_[2 * e + d]);
+            q[d] = t[2 * e + d] - slip[2 * e + d] / b_;
+          }
+        const double size   = std::hypot(q[0], q[1]),
+                     factor = size > task_.bound[k] ? task_.bound[k] / size : 1;
+        largest             = std::max(largest, factor * size);
+        for (int d = 0; d < 2; ++d)
+          sum += std::pow(t[2 * e + d] - factor * q[d], 2);
+      }
+    return largest > 0 ? std::sqrt(sum / n_) / largest : 0;
+  }
+
+  void
+  FrictionSystem::linearise(const std::vector<double> &t,
+                            const std::vector<double> &slip,
+                            bool                       first,
+                            std::vector<double>       &rhs)
+  {
+    slipping.assign(n_, 0);
+    nx_.assign(n_, 0);
+    ny_.assign(n_, 0);
+    stiffness_.assign(n_, 0);
+    rhs.assign(2 * n_ + forces.size(), 0.);
+    const double b = b_;
+    for (std::size_t e = 0; e < n_; ++e)
+      {
+        const double *te = &t[2 * e], *s = &slip[2 * e];
+        const double  g  = task_.bound[elements[e]];
+        const double  qx = te[0] - s[0] / b, qy = te[1] - s[1] / b, q = std::hypot(qx, qy);
+        // Before the first step only elements at their bound slip: the slip of others says nothing yet.
+        if (q <= g || (first && std::hypot(te[0], te[1]) < g * (1 - 1e-6)))
+          {
+            rhs[2 * e]     = -s[0];
+            rhs[2 * e + 1] = -s[1];
+            continue;
+          }
+        slipping[e]   = 1;
+        nx_[e]        = qx / q;
+        ny_[e]        = qy / q;
+        stiffness_[e] = b * (q - g) / g;
+        // Normal row: the bound, times b; tangential row: the direction, see doc/halfspace.md.
+        const double fx = te[0] - g * nx_[e], fy = te[1] - g * ny_[e];
+        const double normal  = -b * (fx * nx_[e] + fy * ny_[e]);
+        const double tangent = -b * q / g * (-fx * ny_[e] + fy * nx_[e]);
+        rhs[2 * e]           = normal * nx_[e] - tangent * ny_[e];
+        rhs[2 * e + 1]       = normal * ny_[e] + tangent * nx_[e];
+      }
+    for (std::size_t f = 0; f < forces.size(); ++f)
+      {
+        rhs[2 * n_ + f] = missing_force(t, f) * b / std::sqrt(double(n_));
+        if (c_ > 0)
+          rhs[2 * n_ + f] +=
+            creepage_grip() * (t[2 * n_ + f] - before_[2 * n_ + f]) * b / std::sqrt(double(n_));
+      }
+    set_responses();
+  }
+
+  void
+  FrictionSystem::set_responses()
+  {
+    response_.clear();
+    for (const int d : forces)
+      {
+        std::vector<double> unit(2 * n_, 0.), z;
+        for (std::size_t e = 0; e < n_; ++e)
+          unit[2 * e + d] = 1;
+        for (std::size_t e = 0; e < n_; ++e)
+          if (slipping[e])
+            {
+              const double tangent = -unit[2 * e] * ny_[e] + unit[2 * e + 1] * nx_[e];
+              unit[2 * e]          = -tangent * ny_[e];
+              unit[2 * e + 1]      = tangent * nx_[e];
+            }
+        inverse_block(unit.data(), z);
+        response_.push_back(z);
+      }
+  }
+
+  void
+  FrictionSystem::multiply(const std::vector<double> &dt, std::vector<double> &result)
+  {
+    for (std::size_t e = 0; e < n_; ++e)
+      for (int d = 0; d < 2; ++d)
+        work_[d][elements[e]] = dt[2 * e + d];
+    apply(kernels_.xx, kernels_.xy, kernels_.yy, work_, image_);
+    std::array<double, 2> creepage{{0, 0}};
+    for (std::size_t f = 0; f < forces.size(); ++f)
+      creepage[forces[f]] = dt[2 * n_ + f];
+    result.assign(dt.size(), 0.);
+    for (std::size_t e = 0; e < n_; ++e)
+      {
+        const int k = elements[e];
+        double    s[2];
+        for (int d = 0; d < 2; ++d)
+          s[d] = image_[d][k] + creepage[d] + c_ * dt[2 * e + d];
+        if (slipping[e])
+          {
+            const double normal = b_ * (dt[2 * e] * nx_[e] + dt[2 * e + 1] * ny_[e]);
+            const double tangent =
+              -s[0] * ny_[e] + s[1] * nx_[e] + stiffness_[e] * (-dt[2 * e] * ny_[e] + dt[2 * e + 1] * nx_[e]);
+            s[0] = normal * nx_[e] - tangent * ny_[e];
+            s[1] = normal * ny_[e] + tangent * nx_[e];
+          }
+        result[2 * e]     = s[0];
+        result[2 * e + 1] = s[1];
+      }
+    for (std::size_t f = 0; f < forces.size(); ++f)
+      {
+        double sum = 0;
+        for (std::size_t e = 0; e < n_; ++e)
+          sum += dt[2 * e + forces[f]];
+        result[2 * n_ + f] = (sum - creepage_grip() * dt[2 * n_ + f]) * b_ / std::sqrt(double(n_));
+      }
+  }
+
+  void
+  FrictionSystem::precondition(const std::vector<double> &r, std::vector<double> &result)
+  {
+    inverse_block(r.data(), result);
+    const std::size_t m = forces.size();
+    result.resize(2 * n_ + m, 0.);
+    if (m == 0)
+      return;
+    // Block elimination of the creepages: sum(z) - sum(response) creepage = force row.
+    const double scale   = b_ / std::sqrt(double(n_));
+    double       a[2][2] = {{0, 0}, {0, 0}}, c[2] = {0, 0};
+    for (std::size_t f = 0; f < m; ++f)
+      {
+        for (std::size_t e = 0; e < n_; ++e)
+          {
+            c[f] += result[2 * e + forces[f]];
+            for (std::size_t g = 0; g < m; ++g)
+              a[f][g] += response_[g][2 * e + forces[f]];
+          }
+        c[f] -= r[2 * n_ + f] / scale;
+        a[f][f] += creepage_grip();
+      }
+    double creepage[2] = {0, 0};
+    if (m == 1)
+      creepage[0] = c[0] / a[0][0];
+    else
+      {
+        const double det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+        creepage[0]      = (c[0] * a[1][1] - c[1] * a[0][1]) / det;
+        creepage[1]      = (a[0][0] * c[1] - a[1][0] * c[0]) / det;
+      }
+    for (std::size_t f = 0; f < m; ++f)
+      {
+        result[2 * n_ + f] = creepage[f];
+        for (std::size_t k = 0; k < 2 * n_; ++k)
+          result[k] -= creepage[f] * response_[f][k];
+      }
+  }
+
+  void
+  FrictionSystem::inverse_block(const double *r, std::vector<double> &result)
+  {
+    result.assign(2 * n_, 0.);
+    if (c_ > 0.3 * kernels_.diagonal) // then B + c is nearly diagonal
+      for (std::size_t k = 0; k < 2 * n_; ++k)
+        result[k] = r[k] / b_;
+    else
+      inverse_adhesion(r, result);
+    for (std::size_t e = 0; e < n_; ++e)
+      if (slipping[e])
+        {
+          const double normal  = (r[2 * e] * nx_[e] + r[2 * e + 1] * ny_[e]) / b_;
+          const double tangent = (-r[2 * e] * ny_[e] + r[2 * e + 1] * nx_[e]) / (b_ + stiffness_[e]);
+          result[2 * e]        = normal * nx_[e] - tangent * ny_[e];
+          result[2 * e + 1]    = normal * ny_[e] + tangent * nx_[e];
+        }
+  }
+
+  void
+  FrictionSystem::inverse_adhesion(const double *r, std::vector<double> &result)
+  {
+    for (auto &w : work_)
+      std::fill(w.begin(), w.end(), 0.);
+    for (std::size_t e = n_; e-- > 0;)
+      {
+        const int k = elements[e];
+        if (slipping[e])
+          continue;
+        const bool follows = kernels_.steady && e + 1 < n_ && elements[e + 1] == k + 1 && !slipping[e + 1] &&
+                             (k + 1) % task_.grid.mx != 0;
+        for (int d = 0; d < 2; ++d)
+          work_[d][k] = kernels_.steady ? (follows ? work_[d][k + 1] : 0.) + task_.grid.dx * r[2 * e + d]
+                                        : kernels_.step * r[2 * e + d];
+      }
+    apply(kernels_.inverse_xx, kernels_.inverse_xy, kernels_.inverse_yy, work_, image_);
+    for (auto &w : work_)
+      std::fill(w.begin(), w.end(), 0.);
+    for (std::size_t e = 0; e < n_; ++e)
+      if (!slipping[e])
+        for (int d = 0; d < 2; ++d)
+          result[2 * e + d] = image_[d][elements[e]];
+  }
+
+  void
+  FrictionSystem::project(std::vector<double> &t) const
+  {
+    for (std::size_t e = 0; e < n_; ++e)
+      {
+        const double g = task_.bound[elements[e]], size = std::hypot(t[2 * e], t[2 * e + 1]);
+        if (size > g)
+          for (int d = 0; d < 2; ++d)
+            t[2 * e + d] *= g / size;
+      }
+  }
+
+  double
+  FrictionSystem::missing_force(const std::vector<double> &t, const std::size_t f) const
+  {
+    double sum = 0;
+    for (std::size_t e = 0; e < n_; ++e)
+      sum += t[2 * e + forces[f]];
+    return task_.force[forces[f]] / task_.grid.element_area() - sum;
+  }
+
+  double
+  FrictionSystem::force_error(const std::vector<double> &t) const
+  {
+    double error = 0;
+    if (c_ > 0) // the held creepages take part of the force
+      return error;
+    for (std::size_t f = 0; f < forces.size(); ++f)
+      error = std::max(error, std::abs(missing_force(t, f)) / (n_ * largest_));
+    return error;
+  }
+} // namespace wheelrail
