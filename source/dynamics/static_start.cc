@@ -204,8 +204,8 @@ namespace wheelrail
               for (int a = 0; a < 8; ++a)
                 for (int i = 0; i < 3; ++i)
                   X[a][i] = solid.mesh.reference[4 * solid.mesh.cells[c][a] + i];
-              const auto k = element_stiffness(
-                element_geometry(X), solid.blocks[static_cast<int>(solid.mesh.cell_body[c])].material);
+              const auto &blocks = solid.blocks[static_cast<int>(solid.mesh.cell_body[c])];
+              const auto  k      = element_stiffness(element_geometry(X), blocks.material, blocks.form);
               K.fill(k.data());
               cell->get_dof_indices(dofs);
               constraints_.distribute_local_to_global(K, zero, dofs, stiffness_, lift_load_, true);

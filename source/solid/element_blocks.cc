@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/solid/element_blocks.h>
+#include <wheelrail/solid/full_element.h>
 
 #include <algorithm>
 #include <cmath>
@@ -173,8 +173,11 @@ namespace wheelrail
   pack_elements(const std::vector<ElementGeometry>             &geometry,
                 const std::vector<std::array<unsigned int, 8>> &cells,
                 const Elasticity                               &material,
-                const int                                       width)
+                const int                                       width,
+                const ElementForm                               form)
   {
+    if (form == ElementForm::full)
+      return pack_full_elements(geometry, cells, material, width);
     ElementBlocks blocks;
     blocks.width                = width;
     blocks.material             = material;

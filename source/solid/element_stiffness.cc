@@ -1,4 +1,4 @@
-#include <wheelrail/solid/element_blocks.h>
+#include <wheelrail/solid/full_element.h>
 
 namespace wheelrail
 {
@@ -73,8 +73,10 @@ namespace wheelrail
 
 
   std::array<double, 24 * 24>
-  element_stiffness(const ElementGeometry &g, const Elasticity &material)
+  element_stiffness(const ElementGeometry &g, const Elasticity &material, const ElementForm form)
   {
+    if (form == ElementForm::full)
+      return full_element_stiffness(g.vertices, material);
     std::array<double, 24 * 24> K{};
     const auto                  gamma = blind_patterns(g);
     for (int b = 0; b < 8; ++b)

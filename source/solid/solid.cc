@@ -152,20 +152,23 @@ namespace wheelrail
 
 
   Solid
-  make_solid(LocalMesh                        mesh,
-             const Elasticity                &rail,
-             const Elasticity                &wheel,
-             const double                     bulk_viscosity,
-             MPI_Comm                         communicator,
-             const std::array<Plasticity, 2> &plasticity)
+  make_solid(LocalMesh                         mesh,
+             const Elasticity                 &rail,
+             const Elasticity                 &wheel,
+             const double                      bulk_viscosity,
+             MPI_Comm                          communicator,
+             const std::array<Plasticity, 2>  &plasticity,
+             const std::array<ElementForm, 2> &forms)
   {
     Solid solid;
     solid.mesh              = std::move(mesh);
     const Elements elements = build_elements(solid, communicator);
-    solid.blocks[0]         = pack_elements(elements.geometry[0], elements.cells[0], rail);
-    solid.blocks[1]         = pack_elements(elements.geometry[1], elements.cells[1], wheel);
     for (int body = 0; body < 2; ++body)
-      set_plasticity(solid.blocks[body], plasticity[body]);
+      {
+        solid.blocks[body] = pack_elements(
+          elements.geometry[body], elements.cells[body], body == 0 ? rail : wheel, native_width, forms[body]);
+        set_plasticity(solid.blocks[body], plasticity[body]);
+      }
     const std::size_t n_nodes = solid.mesh.n_nodes();
     solid.added_mass.assign(n_nodes, 0.);
     solid.displacement.assign(4 * n_nodes, 0.);

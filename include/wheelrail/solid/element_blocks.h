@@ -16,12 +16,12 @@ namespace wheelrail
     full     ///< eight points and the mean dilatation
   };
 
-  /// Geometry of one `reduced` hexahedron, all in the reference configuration.
+  /// Geometry of one hexahedron, all in the reference configuration.
   ///
-  /// The one-point part is the uniform-gradient element of Flanagan and Belytschko (1981): B is the
-  /// volume mean of the shape function gradients. The stabilisation acts on the four hourglass
-  /// patterns h (eta zeta, zeta xi, xi eta, xi eta zeta), made blind to linear fields by
-  /// gamma = h - B (h X); see doc/element.md.
+  /// For the form `full` the vertices would do. The one-point part of `reduced` is the uniform-gradient
+  /// element of Flanagan and Belytschko (1981): B is the volume mean of the shape function gradients. The
+  /// stabilisation acts on the four hourglass patterns h (eta zeta, zeta xi, xi eta, xi eta zeta), made blind
+  /// to linear fields by gamma = h - B (h X); see doc/element.md.
   struct ElementGeometry
   {
     std::array<std::array<double, 3>, 8> B;           ///< mean gradient of each shape function [1/m]
@@ -94,12 +94,13 @@ namespace wheelrail
     }
   };
 
-  /// Packs elements of the form `reduced` given by their geometry and local nodes.
+  /// Packs elements given by their geometry and local nodes.
   ElementBlocks
   pack_elements(const std::vector<ElementGeometry>             &geometry,
                 const std::vector<std::array<unsigned int, 8>> &cells,
                 const Elasticity                               &material,
-                int                                             width = native_width);
+                int                                             width = native_width,
+                ElementForm                                     form  = ElementForm::reduced);
 
   /// Gives packed elements of any form a yield stress and a history of zeros; nothing happens when
   /// the material is elastic.
@@ -114,5 +115,7 @@ namespace wheelrail
   /// 24 x 24 stiffness of the element at rest [N/m], row-major, row = 3 node + component: the exact
   /// linearisation of the kernel, used by the static start.
   std::array<double, 24 * 24>
-  element_stiffness(const ElementGeometry &geometry, const Elasticity &material);
+  element_stiffness(const ElementGeometry &geometry,
+                    const Elasticity      &material,
+                    ElementForm            form = ElementForm::reduced);
 } // namespace wheelrail

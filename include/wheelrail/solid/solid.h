@@ -65,15 +65,16 @@ namespace wheelrail
   };
 
   /// Packs the elements, lumps the mass (row sums of the condensed consistent mass), and finds the
-  /// stable step for the linear bulk viscosity coefficient given. `plasticity`: of rail and wheel.
-  /// Collective.
+  /// stable step for the linear bulk viscosity coefficient given. `plasticity`, `forms`: of rail and
+  /// wheel. Collective.
   Solid
-  make_solid(LocalMesh                        mesh,
-             const Elasticity                &rail,
-             const Elasticity                &wheel,
-             double                           bulk_viscosity,
-             MPI_Comm                         communicator,
-             const std::array<Plasticity, 2> &plasticity = {});
+  make_solid(LocalMesh                         mesh,
+             const Elasticity                 &rail,
+             const Elasticity                 &wheel,
+             double                            bulk_viscosity,
+             MPI_Comm                          communicator,
+             const std::array<Plasticity, 2>  &plasticity = {},
+             const std::array<ElementForm, 2> &forms      = {});
 
   /// Collective.
   MassProperties

@@ -1,0 +1,25 @@
+#include <wheelrail/solid/cauchy.h>
+
+namespace wheelrail
+{
+  std::array<double, 6>
+  cauchy_stress(const std::array<double, 9> &H, const Simd<1> (&S)[6])
+  {
+    const double s[3][3] = {
+      {S[0][0], S[5][0], S[4][0]}, {S[5][0], S[1][0], S[3][0]}, {S[4][0], S[3][0], S[2][0]}};
+    const double f[3][3] = {{H[0] + 1, H[1], H[2]}, {H[3], H[4] + 1, H[5]}, {H[6], H[7], H[8] + 1}};
+    const double J       = f[0][0] * (f[1][1] * f[2][2] - f[1][2] * f[2][1]) -
+                     f[0][1] * (f[1][0] * f[2][2] - f[1][2] * f[2][0]) +
+                     f[0][2] * (f[1][0] * f[2][1] - f[1][1] * f[2][0]);
+    constexpr int         row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
+    std::array<double, 6> result{};
+    for (int k = 0; k < 6; ++k)
+      {
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            result[k] += f[row[k]][i] * s[i][j] * f[column[k]][j];
+        result[k] /= J;
+      }
+    return result;
+  }
+} // namespace wheelrail

@@ -1,0 +1,208 @@
+#include <wheelrail/solid/full_element.h>
+#include <wheelrail/solid/full_points.h>
+#include <wheelrail/solid/lanes.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using namespace full;
+    namespace stdx = std::experimental;
+
+    /// Energies summed lane by lane.
+    template <int W>
+    struct LaneEnergy
+    {
+      Simd<W> strain = 0., plastic_work = 0., viscous_power = 0.;
+    };
+
+    /// What one call works on.
+    struct Call
+    {
+      ElementBlocks       &blocks;
+      const double        *displacement;
+      double              *force;
+      const BulkViscosity &viscosity;
+      BilinearLaw          law;
+    };
+
+    /// The points of a batch, their strains with the mean dilatation in place of their own.
+    template <int W>
+    struct Points
+    {
+      Point<W> point[8];
+      Simd<W>  volume = 0., dilatation = 0.;
+    };
+
+    template <int W>
+    inline void
+    evaluate_points(const Call &call, const std::size_t batch, Points<W> &points)
+    {
+      Simd<W>              u[8][3];
+      const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
+      for (int a = 0; a < 8; ++a)
+        gather<W>(call.displacement, nodes + a * W, u[a]);
+      Derivatives<W> dX, du;
+      reference_derivatives<W>(call.blocks.data.data() + batch * fields * W, dX);
+      nodal_derivatives<W>(u, du);
+      for (int g = 0; g < 8; ++g)
+        {
+          auto &p = points.point[g];
+          evaluate_point<W>(dX, du, g, p);
+          points.volume += p.weight;
+          points.dilatation += p.weight * trace<W>(p.E);
+        }
+      points.dilatation /= points.volume;
+      for (auto &p : points.point)
+        set_trace<W>(points.dilatation, p.E);
+    }
+
+    /// Stress of the bulk viscosity; records the dilatation.
+    template <int W>
+    inline Simd<W>
+    viscous_stress(const Call &call, const std::size_t batch, const Points<W> &points, LaneEnergy<W> &energy)
+    {
+      const Elasticity &material = call.blocks.material;
+      double           *old      = call.blocks.dilatation.data() + batch * W;
+      const Simd<W>     rate =
+        (points.dilatation - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
+      points.dilatation.copy_to(old, stdx::vector_aligned);
+      const double  factor = call.viscosity.coefficient * material.density * material.wave_speed();
+      const double *length = call.blocks.data.data() + (batch * fields + length_row) * W;
+      const Simd<W> extra  = factor * Simd<W>(length, stdx::vector_aligned) * rate;
+      energy.viscous_power += points.volume * extra * rate;
+      return extra;
+    }
+
+    /// Stress of one point that may flow, with its history brought up to date. `work`: the plastic work
+    /// of the element in this step.
+    template <int W, bool with_energy>
+    inline void
+    plastic_response(const Call       &call,
+                     const std::size_t batch,
+                     const int         g,
+                     const Point<W>   &point,
+                     const bool        flowed,
+                     bool             &flows,
+                     Simd<W> (&S)[6],
+                     Simd<W>       &work,
+                     LaneEnergy<W> &energy)
+    {
+      double           *rows = call.blocks.history.data() + (batch * 8 + g) * plastic_history_rows * W;
+      PlasticHistory<W> history;
+      Simd<W>           density(0.);
+      if (flowed)
+        history.load(rows);
+      if (radial_return<W>(call.law, point.E, history, S, density))
+        {
+          flows = true;
+          history.store(rows);
+          work += point.weight * density;
+        }
+      if constexpr (with_energy)
+        energy.strain += point.weight * elastic_energy<W>(point.E, history, S);
+    }
+
+    /// The work of one batch.
+    template <int W, bool plastic, bool with_energy>
+    inline void
+    batch_force(const Call &call, const std::size_t batch, LaneEnergy<W> &energy)
+    {
+      Points<W> points;
+      evaluate_points<W>(call, batch, points);
+      Simd<W> viscous(0.);
+      if (call.viscosity.time_step > 0)
+        viscous = viscous_stress<W>(call, batch, points, energy);
+
+      Derivatives<W> N;
+      for (auto &direction : N)
+        for (auto &value : direction)
+          for (auto &component : value)
+            component = 0.;
+      Simd<W>    work(0.);
+      bool       flows  = false;
+      const bool flowed = plastic && call.blocks.flowed[batch];
+      for (int g = 0; g < 8; ++g)
+        {
+          const auto &p = points.point[g];
+          Simd<W>     S[6];
+          if constexpr (plastic)
+            plastic_response<W, with_energy>(call, batch, g, p, flowed, flows, S, work, energy);
+          else
+            {
+              const Simd<W> pressure = call.law.lambda * points.dilatation;
+              for (int k = 0; k < 6; ++k)
+                S[k] = 2 * call.law.shear * p.E[k] + (k < 3 ? pressure : Simd<W>(0.));
+              if constexpr (with_energy)
+                energy.strain += 0.5 * p.weight * contract<W>(S, p.E);
+            }
+          for (int k = 0; k < 3; ++k)
+            S[k] += viscous;
+          add_point_stress<W>(p, S, g, N);
+        }
+      if constexpr (plastic)
+        {
+          double *total = call.blocks.plastic_work.data() + batch * W;
+          if (flows)
+            {
+              call.blocks.flowed[batch] = 1;
+              work += Simd<W>(total, stdx::vector_aligned);
+              work.copy_to(total, stdx::vector_aligned);
+            }
+          if constexpr (with_energy)
+            energy.plastic_work += Simd<W>(total, stdx::vector_aligned);
+        }
+      Simd<W> f[8][3];
+      nodal_forces<W>(N, f);
+      const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
+      for (int a = 0; a < 8; ++a)
+        scatter_subtract<W>(call.force, nodes + a * W, f[a]);
+    }
+
+    template <int W, bool plastic, bool with_energy>
+    void
+    all_batches(const Call &call, ElementEnergy &energy)
+    {
+      const std::size_t n_batches = call.blocks.n_batches();
+      LaneEnergy<W>     sum;
+      for (std::size_t batch = 0; batch < n_batches; ++batch)
+        batch_force<W, plastic, with_energy>(call, batch, sum);
+      energy.strain += stdx::reduce(sum.strain);
+      energy.plastic_work += stdx::reduce(sum.plastic_work);
+      energy.viscous_power += stdx::reduce(sum.viscous_power);
+    }
+
+    template <int W>
+    void
+    choose_kind(const Call &call, const bool with_energy, ElementEnergy &energy)
+    {
+      if (call.blocks.plastic())
+        with_energy ? all_batches<W, true, true>(call, energy) : all_batches<W, true, false>(call, energy);
+      else
+        with_energy ? all_batches<W, false, true>(call, energy) : all_batches<W, false, false>(call, energy);
+    }
+  } // namespace
+
+
+  void
+  subtract_full_force(ElementBlocks       &blocks,
+                      const double        *displacement,
+                      double              *force,
+                      const BulkViscosity &viscosity,
+                      const bool           with_energy,
+                      ElementEnergy       &energy)
+  {
+    const Call call{blocks, displacement, force, viscosity, BilinearLaw(blocks.material, blocks.plasticity)};
+    switch (blocks.width)
+      {
+        case 1:
+          return choose_kind<1>(call, with_energy, energy);
+        case 2:
+          return choose_kind<2>(call, with_energy, energy);
+        case 4:
+          return choose_kind<4>(call, with_energy, energy);
+        default:
+          return choose_kind<8>(call, with_energy, energy);
+      }
+  }
+} // namespace wheelrail
