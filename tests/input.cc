@@ -76,6 +76,9 @@ namespace
       {"Mesh/Coarse cell size", "32 mm"},
       {"Mesh/Fine depth", "7 mm"},
       {"Mesh/Fine margin", "6 mm"},
+      {"Mesh/Element", "full"},
+      {"Mesh/Rail element", "reduced"},
+      {"Mesh/Wheel element", "full"},
       {"Run/Rolling distance", "260 mm"},
       {"Run/Averaging distance", "50 mm"},
       {"Run/Time step factor", "0.8"},
@@ -90,7 +93,6 @@ namespace
 
   /// Entries for which this version accepts one value only.
   const std::set<std::string> single_valued = {"Profiles/Wheel",
-                                               "Mesh/Element",
                                                "Rail material/Yield stress",
                                                "Wheel material/Yield stress"};
 
@@ -213,6 +215,9 @@ namespace
     check_near(s.time_step_factor, 0.8, 0, "field time_step_factor");
     check_near(s.bulk_viscosity, 0.03, 0, "field bulk_viscosity");
     check_near(s.energy_limit, 0.02, 0, "field energy_limit");
+    check(s.element == ElementForm::full, "field element");
+    check(s.rail_element == ElementForm::reduced && s.wheel_element == ElementForm::full,
+          "fields rail_element and wheel_element");
     check_text(s.folder, "output/other", "field folder");
     check_near(s.ticks, 13, 0, "field ticks");
     check(!s.volume_fields, "field volume_fields");

@@ -315,7 +315,8 @@ namespace wheelrail
                "mm",
                B::between("0.1 mm", "50 mm"),
                field(&S::fine_margin)));
-      list.push_back(element_entry());
+      for (const Entry &entry : element_entries())
+        list.push_back(entry);
     }
 
     void

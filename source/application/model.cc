@@ -138,11 +138,14 @@ namespace wheelrail
     SweepPlan     plan    = sweep_plan(scene, model.geometry, model.expected_approach);
     const Lattice lattice = make_lattice(plan);
     model.forest          = std::make_unique<Forest>(communicator, std::move(plan));
-    model.solid           = make_solid(model.forest->local_mesh(),
-                             elasticity(scene.rail_material),
-                             elasticity(scene.wheel_material),
-                             scene.bulk_viscosity,
-                             communicator);
+    model.solid =
+      make_solid(model.forest->local_mesh(),
+                 elasticity(scene.rail_material),
+                 elasticity(scene.wheel_material),
+                 scene.bulk_viscosity,
+                 communicator,
+                 {},
+                 {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)});
 
     const RunningSurfaces &surfaces = model.forest->plan().surfaces;
     Surface                rail = make_surface(model.solid.mesh, Body::rail, surfaces, lattice, communicator);

@@ -96,19 +96,29 @@ namespace wheelrail
     return entry;
   }
 
-  Entry
-  element_entry()
+  std::vector<Entry>
+  element_entries()
   {
-    Entry entry{"Mesh",
-                "Element",
-                "reduced",
-                "reduced",
-                "Element form; reduced: eight nodes, one integration point, stabilised by assumed strain.",
-                {},
-                {}};
-    entry.set = [](Scene &, const std::string &text) { require_choice(text, {"reduced"}); };
-    entry.get = [](const Scene &) { return std::string("reduced"); };
-    return entry;
+    std::vector<Entry> list;
+    const ElementForm  reduced = ElementForm::reduced, full = ElementForm::full;
+    list.push_back(choice_entry<ElementForm>(
+      {"Mesh",
+       "Element",
+       "reduced",
+       "Element form; reduced: one integration point, stabilised by assumed strain; "
+       "full: eight points with the mean dilatation, about twice the work."},
+      {{"reduced", reduced}, {"full", full}},
+      field(&Scene::element)));
+    using Form = std::optional<ElementForm>;
+    for (const bool rail : {true, false})
+      list.push_back(
+        choice_entry<Form>({"Mesh",
+                            rail ? "Rail element" : "Wheel element",
+                            "as Element",
+                            rail ? "Element form of the rail alone." : "Element form of the wheel alone."},
+                           {{"as Element", {}}, {"reduced", reduced}, {"full", full}},
+                           field(rail ? &Scene::rail_element : &Scene::wheel_element)));
+    return list;
   }
 
   Entry

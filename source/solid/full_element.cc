@@ -8,7 +8,7 @@ namespace wheelrail
   {
     using Vector = std::array<double, 3>;
 
-    /// Rows of the packed geometry (full_points.h) of one element.
+    /// Rows of the packed geometry (full_points.h) of one element, without the length.
     std::array<double, full::fields>
     geometry_rows(const std::array<Vector, 8> &X)
     {
@@ -27,16 +27,6 @@ namespace wheelrail
               row[full::triple_row + i] += s[0] * s[1] * s[2] * X[a][i] / 24;
             }
         }
-      full::Derivatives<1> dX, still{};
-      full::reference_derivatives<1>(row.data(), dX);
-      double volume = 0;
-      for (int g = 0; g < 8; ++g)
-        {
-          full::Point<1> point;
-          full::evaluate_point<1>(dX, still, g, point);
-          volume += point.weight[0];
-        }
-      row[full::length_row] = std::cbrt(volume);
       return row;
     }
 
@@ -111,7 +101,9 @@ namespace wheelrail
         const std::size_t batch = slot / width, lane = slot % width;
         const bool        filler = slot >= cells.size();
         const std::size_t e      = filler ? batch * width : slot;
-        const auto        row    = geometry_rows(geometry[e].vertices);
+        auto              row    = geometry_rows(geometry[e].vertices);
+        row[full::length_row] =
+          2 * material.wave_speed() / std::sqrt(element_frequency_bound(geometry[e], material));
         for (int r = 0; r < full::fields; ++r)
           blocks.data[(batch * full::fields + r) * width + lane] = row[r];
         for (int a = 0; a < 8; ++a)

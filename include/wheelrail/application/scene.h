@@ -3,7 +3,9 @@
 #include <wheelrail/contact/friction.h>
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/mesh/wheel_section.h>
+#include <wheelrail/solid/element_form.h>
 
+#include <optional>
 #include <string>
 
 namespace wheelrail
@@ -61,10 +63,12 @@ namespace wheelrail
     MaterialData rail_material, wheel_material;
 
     // Mesh
-    double cell_size        = 1e-3;  ///< Solution cell size [m]
-    double coarse_cell_size = 16e-3; ///< [m]
-    double fine_depth       = 5e-3;  ///< depth of the finest cells [m], default 5 cells ("Fine depth = auto")
-    double fine_margin      = 3e-3;  ///< fine cells beyond the expected patch [m] ("Fine margin")
+    double      cell_size        = 1e-3;  ///< Solution cell size [m]
+    double      coarse_cell_size = 16e-3; ///< [m]
+    double      fine_depth  = 5e-3; ///< depth of the finest cells [m], default 5 cells ("Fine depth = auto")
+    double      fine_margin = 3e-3; ///< fine cells beyond the expected patch [m] ("Fine margin")
+    ElementForm element     = ElementForm::reduced;
+    std::optional<ElementForm> rail_element, wheel_element; ///< none: as `element`
 
     // Run
     double rolling_distance   = 0.1;  ///< [m]

@@ -24,9 +24,9 @@ namespace wheelrail
   Entry
   yield_stress_entry(const std::string &section);
 
-  /// Mesh/Element: one form in this version; the entry stays so that files say which.
-  Entry
-  element_entry();
+  /// Mesh/Element, Rail element, Wheel element: the form of both bodies, or of one of them.
+  std::vector<Entry>
+  element_entries();
 
   /// One of a list of names, kept as text.
   Entry

@@ -2,6 +2,7 @@
 
 #include <wheelrail/base/simd.h>
 #include <wheelrail/material/bilinear.h>
+#include <wheelrail/solid/element_form.h>
 
 #include <array>
 #include <cstdint>
@@ -9,13 +10,6 @@
 
 namespace wheelrail
 {
-  /// The two hexahedra, see doc/element.md.
-  enum class ElementForm
-  {
-    reduced, ///< one point and a stabilisation
-    full     ///< eight points and the mean dilatation
-  };
-
   /// Geometry of one hexahedron, all in the reference configuration.
   ///
   /// For the form `full` the vertices would do. The one-point part of `reduced` is the uniform-gradient

@@ -18,7 +18,7 @@ namespace wheelrail
     /// Rows of the packed geometry, each of W numbers: the coefficients of the trilinear map
     /// X = sum c f(xi) for f = xi_k (3 x 3), for the products of two coordinates that lack xi_k
     /// (3 x 3, times 1/sqrt(3)) and for the product of all (3, times 1/3) [m], so that derivatives at
-    /// the points are their sums and differences; then the cube root of the volume [m].
+    /// the points are their sums and differences; then the length of the bulk viscosity [m].
     constexpr int linear_row = 0, product_row = 9, triple_row = 18, length_row = 21, fields = 22;
 
     /// The two directions other than k, and the value of a derivative along k at point g.
