@@ -1,6 +1,7 @@
 #include <wheelrail/application/entry_kinds.h>
 #include <wheelrail/application/input_file.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/shown_text.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -51,7 +52,7 @@ namespace wheelrail
         else if (text == "end")
           close(origin);
         else
-          input.problems.push_back(origin + ": \"" + text +
+          input.problems.push_back(origin + ": \"" + shown_text(text) +
                                    "\": a line starts with set, subsection, end or #; an entry is written "
                                    "\"set Name = value\"");
       }
@@ -62,7 +63,7 @@ namespace wheelrail
         const std::size_t equal = rest.find('=');
         const std::string name  = trim(rest.substr(0, equal));
         if (equal == std::string::npos || name.empty())
-          input.problems.push_back(origin + ": \"set " + rest +
+          input.problems.push_back(origin + ": \"set " + shown_text(rest) +
                                    "\": an entry is written \"set Name = value\"");
         else
           input.assignments.push_back({section, name, trim(rest.substr(equal + 1)), origin});
@@ -74,8 +75,9 @@ namespace wheelrail
         if (name.empty())
           input.problems.push_back(origin + ": subsection without a name");
         if (!section_origin.empty())
-          input.problems.push_back(origin + ": subsection " + name + " inside subsection " + section + " (" +
-                                   section_origin + "): an \"end\" is missing before it");
+          input.problems.push_back(origin + ": subsection " + shown_text(name) + " inside subsection " +
+                                   shown_text(section) + " (" + section_origin +
+                                   "): an \"end\" is missing before it");
         section        = name;
         section_origin = origin;
         input.sections.push_back({name, origin});
@@ -94,7 +96,7 @@ namespace wheelrail
       finish()
       {
         if (!section_origin.empty())
-          input.problems.push_back(section_origin + ": subsection " + section +
+          input.problems.push_back(section_origin + ": subsection " + shown_text(section) +
                                    " is not closed: an \"end\" is missing");
       }
     };
@@ -139,7 +141,7 @@ namespace wheelrail
     const std::string value = equal == std::string::npos ? "" : set.substr(equal + 1);
     if (equal == std::string::npos || name.empty())
       input.problems.push_back(
-        "--set \"" + set +
+        "--set \"" + shown_text(set) +
         "\": the form is --set \"Section/Entry = value\", such as --set \"Wheelset/Velocity "
         "= 140 km/h\"");
     else

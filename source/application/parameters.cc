@@ -4,6 +4,7 @@
 #include <wheelrail/application/parameters.h>
 #include <wheelrail/application/special_entries.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/shown_text.h>
 
 #include <algorithm>
 #include <cctype>
@@ -15,6 +16,12 @@ namespace wheelrail
   namespace
   {
     using Sentences = std::vector<std::string>;
+
+    /// A file with more faults than this is none of ours, and not worth the search for similar names.
+    constexpr std::size_t most_problems = 1000;
+
+    /// As many faults as a screen holds.
+    constexpr std::size_t shown_problems = 25;
 
     std::string
     join(const Sentences &parts, const std::string &between)
@@ -70,7 +77,7 @@ namespace wheelrail
         const bool        on_command_line = assignment.origin == "--set";
         const std::string path =
           assignment.section.empty() ? assignment.name : assignment.section + "/" + assignment.name;
-        const std::string where = assignment.origin + ": " + path;
+        const std::string where = assignment.origin + ": " + shown_text(path);
         if (!section_exists(assignment.section))
           {
             // in a file the line of the subsection has been reported
@@ -102,7 +109,7 @@ namespace wheelrail
           }
         catch (const InputError &error)
           {
-            problems.push_back(where + " = " + value + ": " + error.what());
+            problems.push_back(where + " = " + shown_text(value) + ": " + error.what());
           }
       }
     };
@@ -165,11 +172,12 @@ namespace wheelrail
       entry.set(reader.scene, entry.default_text);
     reader.problems = input.problems;
     for (const SectionLine &section : input.sections)
-      if (!section_exists(section.name))
-        reader.problems.push_back(section.origin + ": subsection " + section.name + ": " +
+      if (reader.problems.size() < most_problems && !section_exists(section.name))
+        reader.problems.push_back(section.origin + ": subsection " + shown_text(section.name) + ": " +
                                   unknown_section(section.name));
     for (const Assignment &assignment : input.assignments)
-      reader.read(assignment);
+      if (reader.problems.size() < most_problems)
+        reader.read(assignment);
     complete_scene(reader.scene);
 
     if (reader.problems.empty() && checks == Checks::all)
@@ -182,6 +190,12 @@ namespace wheelrail
     std::stable_sort(reader.problems.begin(), reader.problems.end(), [&](const auto &a, const auto &b) {
       return line_of(a, name) < line_of(b, name);
     });
+    if (reader.problems.size() > shown_problems)
+      {
+        const std::size_t rest = reader.problems.size() - shown_problems;
+        reader.problems.resize(shown_problems);
+        reader.problems.push_back(name + ": " + std::to_string(rest) + " more faults; correct these first");
+      }
     if (!reader.problems.empty())
       throw InputError(join(reader.problems, "\n"));
     return reader.scene;

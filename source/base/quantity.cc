@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/base/shown_text.h>
 
 #include <array>
 #include <charconv>
@@ -177,7 +178,8 @@ namespace wheelrail
         }
       if (find_unit(rest) != nullptr)
         throw InputError("the unit \"" + rest + "\" does not belong here; " + needed(Dimension::none));
-      throw InputError("\"" + rest + "\" after the number is not understood; " + needed(Dimension::none));
+      throw InputError("\"" + shown_text(rest, 40) + "\" after the number is not understood; " +
+                       needed(Dimension::none));
     }
 
     /// Number text of `value` with the given count of significant digits.
@@ -198,6 +200,8 @@ namespace wheelrail
     if (first == std::string::npos)
       throw InputError("no value; " + needed(dimension));
     const std::string trimmed = text.substr(first, last - first + 1);
+    if (trimmed.size() > 200)
+      throw InputError("too long for a number; " + needed(dimension));
     if (dimension == Dimension::none)
       return parse_pure_number(trimmed);
 
@@ -211,8 +215,8 @@ namespace wheelrail
                        dimension_example(dimension));
     const Unit *unit = find_unit(name);
     if (unit == nullptr)
-      throw InputError("the unit \"" + name + "\" is not known here; " + dimension_name(dimension) +
-                       " takes one of " + dimension_units(dimension));
+      throw InputError("the unit \"" + shown_text(name, 40) + "\" is not known here; " +
+                       dimension_name(dimension) + " takes one of " + dimension_units(dimension));
     if (unit->dimension != dimension)
       throw InputError("the unit \"" + name + "\" is one of " + dimension_text(unit->dimension).noun + "; " +
                        dimension_name(dimension) + " takes one of " + dimension_units(dimension));
