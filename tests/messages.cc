@@ -1,50 +1,23 @@
 // What the program answers to faulty input: the text of every message, word by word.
 
-#include "check.h"
+#include "messages.h"
 
 #include <wheelrail/application/commands.h>
-#include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/input_file.h>
-#include <wheelrail/application/parameters.h>
 #include <wheelrail/application/simulation.h>
-#include <wheelrail/base/errors.h>
+#include <wheelrail/base/shown_text.h>
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 
 using namespace wheelrail;
-using test::check;
+using test::check_file;
+using test::check_set;
 using test::check_text;
+using test::message_of;
 
 namespace
 {
-  std::string
-  message_of(const std::function<void()> &work)
-  {
-    try
-      {
-        work();
-      }
-    catch (const InputError &error)
-      {
-        return error.what();
-      }
-    return "no message";
-  }
-
-  void
-  check_file(const std::string &text, const std::string &expected, const std::string &what)
-  {
-    check_text(message_of([&]() { scene_from_text(text, "x.prm", {}); }), expected, what);
-  }
-
-  void
-  check_set(const std::string &set, const std::string &expected)
-  {
-    check_text(message_of([&]() { scene_from_text("", "x.prm", {set}); }), expected, "--set " + set);
-  }
-
   void
   test_values()
   {
@@ -130,6 +103,7 @@ namespace
     check_file("subsection Run\nsubsection Output\nend",
                "x.prm:2: subsection Output inside subsection Run (x.prm:1): an \"end\" is missing before it",
                "a missing end before a subsection");
+    check_file("subsection\nend", "x.prm:1: subsection without a name", "a subsection without a name");
     check_file("end", "x.prm:1: \"end\" without a subsection before it; remove it", "an end too many");
     check_file(
       "velocity 3",
@@ -147,6 +121,28 @@ namespace
       "x.prm:4: \"end\" without a subsection before it; remove it\n"
       "x.prm:5: Titel: no such entry; the nearest is Title",
       "all faults at once, in the order of the file");
+  }
+
+  /// Many faults, long and unprintable texts: a message stays readable.
+  void
+  test_long_texts()
+  {
+    std::string text, expected;
+    for (int line = 1; line <= 40; ++line)
+      {
+        text += "end\n";
+        if (line <= 25)
+          expected +=
+            "x.prm:" + std::to_string(line) + ": \"end\" without a subsection before it; remove it\n";
+      }
+    check_file(text, expected + "x.prm: 15 more faults; correct these first", "forty faults");
+    check_set("Wheelset/Velocity = " + std::string(300, '7') + " km/h",
+              "--set: Wheelset/Velocity = " + std::string(100, '7') +
+                "...: too long for a number; a velocity with its unit is needed, such as 140 km/h");
+    check_set("Wheelset/Drive = a\nb",
+              "--set: Wheelset/Drive = a?b: not known here; torque or rate is accepted");
+    check_text(shown_text("gr\xC3\xBC\xC3\x9F", 3), "gr...", "a letter of two bytes is not cut in two");
+    check_text(shown_text("gr\xC3\xBC\xC3\x9F", 4), "gr\xC3\xBC...", "a letter of two bytes is kept whole");
   }
 
   void
@@ -169,6 +165,10 @@ namespace
                "a misspelt file");
     check_path("nowhere/x.prm", "nowhere/x.prm: no such file", "a file in no folder");
     check_path("messages", "messages: a folder; a parameter file (.prm) is needed", "a folder");
+    std::ofstream("messages/large.txt") << std::string((1 << 20) + 1, 'x');
+    check_path("messages/large.txt",
+               "messages/large.txt: larger than 1 MiB; this is no parameter file",
+               "a large file");
     check_path("messages/empty.txt",
                "messages/empty.txt: empty; \"./wheelrail parameters\" prints a complete parameter file",
                "an empty file");
@@ -176,156 +176,6 @@ namespace
                "messages/binary.txt: not a text file; a parameter file (.prm) is needed",
                "a binary file");
     fs::remove_all("messages");
-  }
-
-  void
-  test_cross_checks()
-  {
-    check_set(
-      "Run/Averaging distance = 200 mm",
-      "--set: Run/Averaging distance = 200 mm: longer than Run/Rolling distance = 100 mm; the mean is taken "
-      "over the last part of the run, so at most that is possible");
-    check_set(
-      "Run/Rolling distance = 1.7 m",
-      "--set: Run/Rolling distance = 1700 mm: with 100 mm of free rail at each end this needs a rail of 1900 "
-      "mm, and Track/Rail length is 1800 mm; roll at most 1600 mm or lengthen the rail");
-    check_set(
-      "Mesh/Coarse cell size = 12 mm",
-      "--set: Mesh/Coarse cell size = 12 mm: 12 times the solution cell size of 1 mm; cells are halved from "
-      "coarse to fine, so the ratio must be about 1, 2, 4, 8, 16, ...: take 16 mm");
-    check_set("Mesh/Fine depth = 1.5 mm",
-              "--set: Mesh/Fine depth = 1.5 mm: less than two cells of 1 mm; write auto or at least 2 mm");
-    check_set("Mesh/Fine margin = 0.5 mm",
-              "--set: Mesh/Fine margin = 0.5 mm: less than one cell of 1 mm; at least that is needed around "
-              "the patch");
-    check_set(
-      "Wheelset/Bore radius = 125 mm",
-      "--set: Wheelset/Bore radius = 125 mm: must be at least 10 mm smaller than Wheelset/Hub outer radius = "
-      "130 mm; the order from the axle outwards is bore, hub, rim, running circle");
-    check_set("Wheelset/Nominal rolling radius = 400 mm",
-              "x.prm: Wheelset/Rim inner radius = 395 mm: must be at least 20 mm smaller than "
-              "Wheelset/Nominal rolling "
-              "radius = 400 mm; the order from the axle outwards is bore, hub, rim, running circle");
-    check_set("Wheelset/Disc position = 5 mm",
-              "--set: Wheelset/Disc position = 5 mm: the disc (28 mm thick) reaches beyond the rim, which "
-              "lies from 0 "
-              "mm to 135 mm off the flange back");
-    check_set("Wheelset/Flange back distance = 1440 mm",
-              "--set: Wheelset/Flange back distance = 1440 mm: not smaller than Track/Gauge = 1435 mm; the "
-              "flanges run "
-              "between the rails, with 1435 mm the distance is about 1360 mm");
-    check_set(
-      "Rail material/Tangent modulus = 210 GPa",
-      "--set: Rail material/Tangent modulus = 210 GPa: not smaller than Rail material/Young's modulus = 210 "
-      "GPa; beyond yield the stress rises less than before");
-    check_set(
-      "Output/Ticks = 500",
-      "--set: Output/Ticks = 500: one output every 0.2 mm of rolling, which is less than half a cell (1 mm), "
-      "shows nothing new; at most 200 are accepted");
-    check_set(
-      "Run/Averaging distance = 200 mm",
-      "--set: Run/Averaging distance = 200 mm: longer than Run/Rolling distance = 100 mm; the mean is taken "
-      "over the last part of the run, so at most that is possible");
-  }
-
-  /// The scene of the defaults with changes; the cross-checks are left to the caller.
-  Scene
-  scene_with(const std::vector<std::string> &sets)
-  {
-    return scene_from_text("", "x.prm", sets, Checks::entries);
-  }
-
-  void
-  check_warning(const std::vector<std::string> &sets,
-                const std::string              &expected,
-                const Machine                  &machine = {})
-  {
-    const Findings found = cross_checks(scene_with(sets), machine);
-    std::string    all;
-    for (const std::string &warning : found.warnings)
-      all += (all.empty() ? "" : "\n") + warning;
-    check_text(all, expected, "warning: " + expected.substr(0, expected.find(": ")));
-    check(found.errors.empty(), "  and no error");
-  }
-
-  void
-  check_error(const std::vector<std::string> &sets, const std::string &expected, const Machine &machine = {})
-  {
-    const Findings found = cross_checks(scene_with(sets), machine);
-    check_text(found.errors.empty() ? "no error" : found.errors.front(),
-               expected,
-               "error: " + expected.substr(0, expected.find(": ")));
-  }
-
-  void
-  test_warnings()
-  {
-    const Findings none = cross_checks(Scene(), {2, 2, 16e9, 12e9});
-    check(none.errors.empty() && none.warnings.empty(), "the defaults raise no question");
-    check_warning({"Contact/Friction coefficient = 0.2"},
-                  "Wheelset/Traction coefficient = 0.25: friction carries at most Contact/Friction "
-                  "coefficient = 0.2, so the whole patch slides and the wheel spins up while it rolls");
-    check_warning({"Wheelset/Traction coefficient = -0.5"},
-                  "Wheelset/Traction coefficient = -0.5: friction carries at most Contact/Friction "
-                  "coefficient = 0.5, so the whole patch slides and the wheel locks while it rolls");
-    check_warning({"Wheelset/Creepage = 0.001"},
-                  "Wheelset/Creepage = 0.001: without effect, since Wheelset/Drive = torque");
-    check_warning({"Wheelset/Sprung mass = 0.01 t", "Mesh/Solution cell size = 0.5 mm"},
-                  "Wheelset/Sprung mass = 0.01 t: next to nothing presses the wheel on the rail; a railway "
-                  "vehicle has some 10 t per wheel");
-    check_warning({"Rail material/Young's modulus = 21 GPa", "Rail material/Tangent modulus = 2 GPa"},
-                  "Rail material/Young's modulus = 21 GPa: steel has about 210 GPa");
-    check_warning({"Wheel material/Density = 790 kg/m3"},
-                  "Wheel material/Density = 790 kg/m3: steel has about 7900 kg/m3");
-    check_warning({"Rail material/Poisson's ratio = 0.48"},
-                  "Rail material/Poisson's ratio = 0.48: nearly incompressible; steel has about 0.3, and the "
-                  "stable time step falls to zero towards 0.5");
-    check_warning({"Mesh/Solution cell size = 4 mm", "Mesh/Fine margin = 4 mm"},
-                  "Mesh/Solution cell size = 4 mm: coarse; a patch of about 20 mm x 14 mm (width x length) "
-                  "is expected, which is less than six cells in one direction, so the peak pressure will be "
-                  "some 10 % or more off; take 1.4 mm for figures");
-    check_warning({"Run/Time step factor = 0.001"},
-                  "Run/Rolling distance = 100 mm: takes about 17 million time steps at Wheelset/Velocity = "
-                  "140 km/h, Mesh/Solution cell size = 1 mm and Run/Time step factor = 0.001, days of "
-                  "computing; a higher speed or a shorter distance takes less");
-    check_warning({},
-                  "--ranks 8: more than the 2 cores of this machine; ranks that wait for each other take "
-                  "turns, which is slower than fewer ranks",
-                  {8, 2, 0, 0});
-    check_warning({},
-                  "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 97000 "
-                  "cells and may need some 2.5 GB of memory, 1 GB are free; take larger cells, a shorter "
-                  "rolling distance or a smaller fine depth or margin",
-                  {2, 2, 16e9, 1e9});
-    check_error({},
-                "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 97000 "
-                "cells and needs some 2.5 GB of memory, this machine has 1 GB; take larger cells, a shorter "
-                "rolling distance or a smaller fine depth or margin",
-                {2, 2, 1e9, 1e9});
-    check_error(
-      {"Mesh/Solution cell size = 5 mm", "Mesh/Coarse cell size = 20 mm", "Mesh/Fine margin = 5 mm"},
-      "Mesh/Solution cell size = 5 mm: too coarse; a patch of about 20 mm x 14 mm (width x length) is "
-      "expected and needs three cells in length, so at most 4.7 mm is accepted, and a tenth of the patch for "
-      "figures that can be trusted");
-    check_error(
-      {"Mesh/Solution cell size = 0.1 mm", "Mesh/Coarse cell size = 1.6 mm", "Run/Rolling distance = 1 m"},
-      "Mesh/Solution cell size = 0.1 mm: with Mesh/Coarse cell size = 1.6 mm this makes about 61 million "
-      "cells, and 50 million are possible; take larger cells, a shorter rolling distance or a smaller fine "
-      "depth or margin");
-    check_error({"Wheelset/Lateral shift = 11 mm", "Wheelset/Flange back distance = 1370 mm"},
-                "Wheelset/Lateral shift = 11 mm: Wheel 'S1002' and rail '54E1' have no contact point at a "
-                "lateral shift of 11 mm: at the other wheel of the wheelset (shift of opposite sign) the "
-                "flange stands on the rail. With this track, shifts from -10.4 to 10.4 mm are possible; set "
-                "Wheelset/Lateral shift within them.");
-    check_error({"Run/Rolling distance = 1.7 m"},
-                "Run/Rolling distance = 1700 mm: with 100 mm of free rail at each end this needs a rail of "
-                "1900 mm, and Track/Rail length is 1800 mm; roll at most 1600 mm or lengthen the rail");
-    check_error({"Mesh/Coarse cell size = 64 mm", "Run/Rolling distance = 1.5 m"},
-                "Run/Rolling distance = 1500 mm: with 206 mm of free rail at each end this needs a rail of "
-                "1912 mm, and Track/Rail length is 1800 mm; roll at most 1388 mm or lengthen the rail");
-    check_error({"Track/Rail length = 200 mm"},
-                "Run/Rolling distance = 100 mm: with 100 mm of free rail at each end this needs a rail of "
-                "300 mm, and Track/Rail length is 200 mm; lengthen the rail");
   }
 
   void
@@ -369,6 +219,13 @@ namespace
     check_line(
       {"geometry", "--shifts", "1:2"},
       "--shifts 1:2: not understood; write first:last:step or values with commas, in mm, such as -6:6:0.5");
+    check_line({"geometry", "--shifts", "2:1:0.5"},
+               "--shifts 2:1:0.5: the step must be positive and the last value not below the first; write "
+               "first:last:step or values with commas, in mm, such as -6:6:0.5");
+    check_line(
+      {"geometry", "--shifts", "0:1e9:1"},
+      "--shifts 0:1e9:1: more than 100000 shifts; write first:last:step or values with commas, in mm, "
+      "such as -6:6:0.5");
     check_line(
       {"geometry", "--shifts", "1,two"},
       "--shifts 1,two: \"two\" is not a number; write first:last:step or values with commas, in mm, such as "
@@ -382,9 +239,8 @@ main()
   test_values();
   test_names();
   test_syntax();
+  test_long_texts();
   test_files();
-  test_cross_checks();
-  test_warnings();
   test_command_line();
   return test::report();
 }

@@ -1,0 +1,221 @@
+// Every message of the program that a user can meet stands in doc/messages.md, and every one about
+// the user's input is the subject of a test. The messages are found in the source: the texts of
+// InputError, RunError, and of the lists of problems and findings.
+
+#include "check.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+using test::check;
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  struct Message
+  {
+    std::string              file;  ///< below source/
+    std::string              kind;  ///< the call that makes it
+    std::vector<std::string> parts; ///< its literal texts, values between them left out
+  };
+
+  std::string
+  whole_file(const fs::path &path)
+  {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  /// The end of the string literal that begins at `begin`; its text is appended to `text`.
+  std::size_t
+  read_literal(const std::string &code, const std::size_t begin, std::string &text)
+  {
+    std::size_t i = begin + 1;
+    for (; i < code.size() && code[i] != '"'; ++i)
+      {
+        if (code[i] == '\\')
+          ++i;
+        text += code[i] == 'n' && code[i - 1] == '\\' ? '\n' : code[i];
+      }
+    return i + 1;
+  }
+
+  /// The end of the character literal or of the rest of a comment at i, or i when there is none.
+  std::size_t
+  skip_other(const std::string &code, const std::size_t i)
+  {
+    if (code.compare(i, 2, "//") == 0)
+      return std::min(code.find('\n', i), code.size());
+    const bool after_letter = i > 0 && std::isalnum(static_cast<unsigned char>(code[i - 1]));
+    if (code[i] == '\'' && !after_letter)
+      {
+        const std::size_t end = code.find('\'', i + (code[i + 1] == '\\' ? 3 : 2));
+        return end == std::string::npos ? code.size() : end + 1;
+      }
+    return i;
+  }
+
+  /// The string literals of a code from `begin` to the parenthesis that closes the one there, or to the
+  /// end of the code; literals that follow each other are one.
+  std::vector<std::string>
+  literals(const std::string &code, const std::size_t begin, const bool to_parenthesis)
+  {
+    std::vector<std::string> found;
+    bool                     joins = false;
+    int                      depth = 0;
+    for (std::size_t i = begin; i < code.size();)
+      {
+        if (const std::size_t next = skip_other(code, i); next > i)
+          {
+            i = next;
+            continue;
+          }
+        if (code[i] == '"')
+          {
+            if (!joins)
+              found.emplace_back();
+            i     = read_literal(code, i, found.back());
+            joins = true;
+            continue;
+          }
+        joins = joins && std::isspace(static_cast<unsigned char>(code[i]));
+        depth += code[i] == '(' ? 1 : code[i] == ')' ? -1 : 0;
+        if (to_parenthesis && depth == 0)
+          break;
+        ++i;
+      }
+    return found;
+  }
+
+  std::vector<fs::path>
+  files_below(const fs::path &folder, const bool deep)
+  {
+    std::vector<fs::path> files;
+    const auto            add = [&](const fs::directory_entry &entry) {
+      const std::string ending = entry.path().extension().string();
+      if (ending == ".cc" || ending == ".h")
+        files.push_back(entry.path());
+    };
+    if (deep)
+      for (const auto &entry : fs::recursive_directory_iterator(folder))
+        add(entry);
+    else
+      for (const auto &entry : fs::directory_iterator(folder))
+        add(entry);
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+
+  std::vector<Message>
+  messages_of_source()
+  {
+    const std::regex call(
+      R"(\b(InputError|RunError|refuse|fail|(problems|found|errors|warnings)\.push_back)\()");
+    std::vector<Message> messages;
+    const fs::path       source = WHEELRAIL_SOURCE_DIR "/source";
+    for (const fs::path &path : files_below(source, true))
+      {
+        const std::string code = whole_file(path);
+        for (std::sregex_iterator it(code.begin(), code.end(), call), end; it != end; ++it)
+          {
+            Message message{fs::relative(path, source).string(), (*it)[1], {}};
+            for (const std::string &text :
+                 literals(code, static_cast<std::size_t>(it->position() + it->length()) - 1, true))
+              if (text.size() > 7) // shorter ones are punctuation and names of things
+                message.parts.push_back(text);
+            if (!message.parts.empty())
+              messages.push_back(message);
+          }
+      }
+    return messages;
+  }
+
+  /// The text that tells a message from others: its longest literal.
+  std::string
+  key_of(const Message &message)
+  {
+    return *std::max_element(message.parts.begin(), message.parts.end(), [](const auto &a, const auto &b) {
+      return a.size() < b.size();
+    });
+  }
+
+  /// Faults of a caller or of the program, or of a file system, that no input can bring about: where
+  /// they are, and why they need no row.
+  const std::map<std::string, std::string> internal = {
+    {"halfspace/", "arguments of the half-space solver, which the program makes itself"},
+    {"output/hdf5", "sizes of fields, or a disk that fails while a file is written"},
+    {"output/patch_measures.cc", "sizes of fields"},
+    {"output/vtu.cc", "sizes of fields"},
+    {"output/summary.cc", "holds_finished_run() takes it as: no summary"},
+    {"geometry/curve.cc", "segments of the standard profiles"},
+    {"geometry/segment.cc", "segments of the standard profiles"},
+    {"geometry/profiles.cc", "the entries accept known names only"},
+    {"geometry/smoothing_spline.cc", "points that the cleaning lets through are even"},
+    {"mesh/", "sections of the program: doc/messages.md has one row for them"},
+    {"solid/", "sections of the program: doc/messages.md has one row for them"},
+    {"contact/surface.cc", "sections of the program: doc/messages.md has one row for them"},
+    {"material/", "the entries accept possible materials only"},
+  };
+
+  /// Messages that need a machine or a folder in a state that a test cannot make without harm, or a
+  /// whole run; the tests of runs and of the output folder bring some of them about.
+  const std::vector<std::string> hard_to_test = {
+    ": cannot be read; check its permissions",
+    "/usr/bin/python3 cannot be started; install the Debian package python3",
+    "--resume: the mesh is not that of the saved state, which another version of the program wrote: start "
+    "anew "
+    "without --resume",
+    "Track/Rail length is too short: the rolled stretch with its fine cells reaches from ",
+    "the run stopped: ",
+    ". Choose a lateral shift at which tread and rail head lie above each other.",
+  };
+
+  bool
+  is_internal(const std::string &file)
+  {
+    return std::any_of(
+      internal.begin(), internal.end(), [&](const auto &place) { return file.rfind(place.first, 0) == 0; });
+  }
+} // namespace
+
+int
+main()
+{
+  const std::string manual = whole_file(WHEELRAIL_SOURCE_DIR "/doc/messages.md");
+  // a test may compare a part of a message, but one that tells it from others
+  std::vector<std::string> tested;
+  for (const fs::path &path : files_below(WHEELRAIL_TEST_DIR, false))
+    if (path.filename() != "message_list.cc")
+      for (const std::string &text : literals(whole_file(path), 0, false))
+        if (text.size() > 11)
+          tested.push_back(text);
+
+  const std::vector<Message> messages = messages_of_source();
+  check(messages.size() > 100, std::to_string(messages.size()) + " messages found in the source");
+  for (const Message &message : messages)
+    {
+      const std::string key = key_of(message);
+      if (is_internal(message.file))
+        continue;
+      check(manual.find(key) != std::string::npos, "doc/messages.md has \"" + key + "\" of " + message.file);
+      if (message.kind == "RunError" ||
+          std::find(hard_to_test.begin(), hard_to_test.end(), key) != hard_to_test.end())
+        continue;
+      const bool is_tested = std::any_of(tested.begin(), tested.end(), [&](const std::string &text) {
+        return text.find(key) != std::string::npos ||
+               std::any_of(message.parts.begin(), message.parts.end(), [&](const std::string &part) {
+                 return part.find(text) != std::string::npos;
+               });
+      });
+      check(is_tested, "a test compares \"" + key + "\" of " + message.file);
+    }
+  return test::report();
+}

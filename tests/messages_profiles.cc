@@ -1,0 +1,228 @@
+// What the program answers to faulty profile files, word by word.
+
+#include "messages.h"
+
+#include <wheelrail/geometry/profile_file.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+using namespace wheelrail;
+using test::check_text;
+using test::message_of;
+
+namespace
+{
+  std::string
+  point(const double x, const double y)
+  {
+    char text[60];
+    std::snprintf(text, sizeof text, "%.4f %.4f\n", x, y);
+    return text;
+  }
+
+  /// Point of a rail head [mm], u from 0 (left side) to 1 (right side): 70 mm wide and 20 mm
+  /// deep.
+  Point2
+  head(const double u)
+  {
+    const double angle = M_PI * (1 - u), c = std::cos(angle), s = std::sin(angle);
+    // a superellipse: flat on top, steep at its ends, without joints
+    return {35 * std::copysign(std::pow(std::abs(c), 0.5), c), 20 * (std::pow(s, 0.5) - 1)};
+  }
+
+  std::string
+  head_points(const double first = 0, const double last = 1, const int n = 200, const double scale = 1)
+  {
+    std::string text;
+    for (int i = 0; i <= n; ++i)
+      {
+        const Point2 p = head(first + (last - first) * i / n);
+        text += point(scale * p.x, scale * p.y);
+      }
+    return text;
+  }
+
+  /// A flatter head with even steps of 0.35 mm, its points from `first` to `last` (0 to 200) shifted up
+  /// by what a function of their number gives [mm].
+  template <typename Function>
+  std::string
+  changed_head(const Function &up, const int first = 0, const int last = 200)
+  {
+    std::string text;
+    for (int i = first; i <= last; ++i)
+      {
+        const double x = -35 + 0.35 * i;
+        text += point(x, -16 * std::pow(x / 35, 4) + up(i));
+      }
+    return text;
+  }
+
+  std::string
+  simpack(const std::string &head_lines, const std::string &points)
+  {
+    return "header.begin\nversion = 1\n" + head_lines + "header.end\nspline.begin\npoint.begin\n" + points +
+           "point.end\nspline.end\n";
+  }
+
+  void
+  check_profile(const std::string        &text,
+                const std::string        &expected,
+                const ProfileFileOptions &options = {},
+                const std::string        &file    = "r.txt")
+  {
+    check_text(message_of([&]() { read_profile_text(text, file, options); }), expected, expected);
+  }
+
+  ProfileFileOptions
+  wheel_options(const ProfileMirror mirror = ProfileMirror::automatic)
+  {
+    ProfileFileOptions options;
+    options.kind   = ProfileKind::wheel;
+    options.mirror = mirror;
+    return options;
+  }
+
+  void
+  test_formats()
+  {
+    check_profile(
+      std::string(largest_profile_file + 1, ' '),
+      "r.txt: larger than 10 MB; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
+    check_profile("1 2 3 4\n",
+                  "r.txt:1: \"1 2 3 4\" holds 4 columns; two are accepted, lateral and vertical coordinate, "
+                  "with a point as decimal mark (a third one is left out)");
+    check_profile("1 2\n1 2 3\n",
+                  "r.txt:2: \"1 2 3\" holds 3 columns, the lines before 2; write two in every line");
+    check_profile("1 2e9\n", "r.txt:1: a coordinate above 1e9; a profile is some 0.1 m wide");
+    std::string many;
+    for (std::size_t i = 0; i <= largest_profile_points; ++i)
+      many += "1 2\n";
+    check_profile(many,
+                  "r.txt:50001: more than 50000 points; a profile needs some hundred: keep every tenth");
+    check_profile("ProgramName=x\nColumnDef=Y,N\n1 2\n",
+                  "r.txt:2: ColumnDef=\"Y,N\": columns X and Y are needed, such as ColumnDef=X,Y");
+    check_profile("ProgramName=x\nXYPoints=3\nColumnDef=X,Y\n1 2\n",
+                  "r.txt:2: XYPoints=\"3\", but the file holds 1 points; it may be cut off, export it again");
+    check_profile(
+      "header.begin\nheader.end\n",
+      "r.txt: a SIMPACK profile without \"point.begin\"; its points stand between point.begin and point.end");
+    check_profile("header.begin\nheader.end\npoint.begin\n1 2\n",
+                  "r.txt:3: point.begin without \"point.end\"; the file may be cut off");
+    check_profile(
+      "header.begin\nheader.end\npoint.begin\n1 2\npoint.begin\n",
+      "r.txt:5: a second point.begin, the first is in line 3; one profile per file is read: split the file");
+    check_profile(simpack("type = 2\n", head_points()),
+                  "r.txt:3: type = \"2\": 0 (rail) or 1 (wheel) is accepted");
+    check_profile(simpack("type = 1\n", head_points()),
+                  "r.txt:3: type = 1, a wheel; Profiles/Rail needs a rail profile");
+    check_profile(simpack("units.len.f = 0\n", head_points()),
+                  "r.txt:3: units.len.f = \"0\": file units per metre are needed, 1000 for mm");
+    check_profile(simpack("units.len.f = many\n", head_points()),
+                  "r.txt:3: units.len.f = \"many\": a number is needed");
+  }
+
+  void
+  test_points()
+  {
+    check_profile(head_points(0, 1, 10),
+                  "r.txt: 11 different points; a profile needs at least 20, some 200 are usual");
+    check_profile(head_points(0, 1, 200, 25),
+                  "r.txt: the profile is 1750 units wide and the file states none; as mm or m it is not a "
+                  "rail (30 mm to 300 mm): set Profiles/Rail unit to mm, m or inch, or scale the file");
+    ProfileFileOptions inches;
+    inches.unit = ProfileUnit::inch;
+    check_profile(head_points(),
+                  "r.txt: the profile is 1849.1479 mm across; 5 mm to 500 mm is accepted. Set Profiles/Wheel "
+                  "unit or Profiles/Rail unit",
+                  inches);
+    check_profile(head_points(0, 0.45) + head_points(0.7, 1),
+                  "r.txt: a gap of 40.72 mm between lines 201 and 202; up to 10 mm is bridged: measure again "
+                  "or add points");
+    const auto none = [](int) { return 0; };
+    check_profile(changed_head(none, 0, 150) + changed_head(none, 40, 200),
+                  "r.txt: between lines 151 and 152 the line of points turns back by 38.515 mm; pieces that "
+                  "overlap by at most 30 mm are merged, write each place once");
+    check_profile(changed_head(none, 0, 120) + changed_head([](int) { return 1; }, 80, 200),
+                  "r.txt: the pieces that overlap at lines 121 and 122 are 1 mm apart; up to 0.5 mm is "
+                  "merged: align or cut them");
+    std::string pieces = head_points(0, 0.2);
+    for (int i = 0; i < 8; ++i)
+      pieces += head_points(0.2 + 0.07 * i, 0.3 + 0.07 * i, 20);
+    check_profile(pieces,
+                  "r.txt: the line of points turns back more than 5 times; write the points in their order "
+                  "along the outline");
+    check_profile(changed_head([](const int i) { return i % 2 == 0 ? 0 : 3; }),
+                  "r.txt: the line of points is 604.7 mm long and the profile only 72.5 mm across; write the "
+                  "points in their order along the outline, without loops");
+    check_profile(
+      changed_head([](const int i) { return i % 14 == 7 ? 1 : 0; }),
+      "r.txt: more than 10 points lie off the line of their neighbours, the worst by 1 mm in line 78; single "
+      "outliers are dropped, a profile of them cannot be mended: measure again or smooth the file");
+    std::mt19937 random(1);
+    std::string  rough; // even steps of 1.4 mm
+    for (int i = 0; i <= 200; i += 4)
+      rough += changed_head([&](int) { return 1e-3 * (random() % 1300); }, i, i);
+    check_profile(rough,
+                  "r.txt: the points scatter by 0.569 mm about a smooth line, which is no measured profile "
+                  "(up to 0.3 mm is smoothed): measure again, or set Profiles/Smoothing");
+    // a loop in the middle of the head
+    std::string loop = head_points(0, 0.5);
+    for (int i = 1; i < 60; ++i)
+      loop += point(3 * std::sin(2 * M_PI * i / 60), 3 - 3 * std::cos(2 * M_PI * i / 60));
+    check_profile(loop + head_points(0.5, 1),
+                  "r.txt: the line of points crosses itself between line 200 and line 260; a profile without "
+                  "loops is needed: remove the points of the loop");
+    ProfileFileOptions smooth;
+    smooth.noise = 20e-3;
+    check_profile(head_points(),
+                  "r.txt: the smoothed profile lies up to 1.997 mm off the points; up to 1 mm is accepted: "
+                  "set Profiles/Smoothing to a smaller length",
+                  smooth);
+  }
+
+  void
+  test_shapes()
+  {
+    std::string block;
+    for (int y = -78; y <= -6; y += 6)
+      block += point(-35, y);
+    for (double x = -30; x <= 30; x += 7.5)
+      block += point(x, 0);
+    for (int y = -6; y >= -78; y -= 6)
+      block += point(35, y);
+    check_profile(block, "r.txt: only 19 points of a rail head; at least 20 are needed");
+    check_profile(head_points(0.25, 0.75),
+                  "r.txt: not enough of a rail head: its ends lie 3.2 mm and 3.2 mm below its top; the gauge "
+                  "side down to the gauge height (14 mm) is needed, and the crown");
+    check_profile(head_points(0, 1, 200, 1.8),
+                  "r.txt: no rail head: 126 mm wide; 40 mm to 95 mm is accepted (this may be a wheel: "
+                  "Profiles/Wheel takes those)");
+    check_profile(
+      head_points(0, 1, 200, 0.8),
+      "r.txt: no wheel profile: 56 mm wide, its lowest part 13.5 mm below the middle one; a tread with its "
+      "flange is needed, at least 60 mm wide and 15 mm deep (this may be a rail: Profiles/Rail takes those)",
+      wheel_options());
+    check_profile(head_points(0, 1, 900, 3),
+                  "r.txt: no wheel profile: 210 mm wide, its lowest part 50.5 mm below the middle one; up to "
+                  "200 mm and 45 mm are accepted",
+                  wheel_options());
+    std::string tread;
+    for (int i = -70; i <= 60; ++i)
+      tread += point(i, i < -30 ? -14 * (1 - std::cos(2 * M_PI * (i + 30) / 40)) : -0.02 * i);
+    check_profile(
+      tread,
+      "r.txt: with Profiles/Wheel mirror = yes the flange lies on the field side; write auto or no",
+      wheel_options(ProfileMirror::yes));
+  }
+} // namespace
+
+int
+main()
+{
+  test_formats();
+  test_points();
+  test_shapes();
+  return test::report();
+}
