@@ -42,7 +42,9 @@ namespace
     check_set("Wheelset/Roll =", "--set: Wheelset/Roll = : no value; none or from contact is accepted");
     check_set("Profiles/Rail = UIC 60",
               "--set: Profiles/Rail = UIC 60: not known here; 54E1 or 60E1 is accepted");
-    check_set("Mesh/Element = full", "--set: Mesh/Element = full: not known here; reduced is accepted");
+    check_set(
+      "Mesh/Element = fully",
+      "--set: Mesh/Element = fully: not known here; reduced or full is accepted, perhaps full is meant");
     check_set(
       "Rail material/Yield stress = 480 MPa",
       "--set: Rail material/Yield stress = 480 MPa: this version computes elastic bodies only; write none");
