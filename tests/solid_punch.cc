@@ -85,5 +85,17 @@ main(int argc, char **argv)
                        name + "limit pressure over Prandtl's, extrapolated to cells of no size");
       test::check_near(fine.end / fine.three_quarters, 1, 0.01, name + "the pressure does not rise any more");
     }
+
+  // steel of 280 MPa yield stress pressed far beyond yield: both elements on one mesh
+  Setup steel          = base;
+  steel.material       = Elasticity();
+  steel.plasticity     = {280e6, 21e9, 0};
+  const auto   two     = each_form(steel);
+  const Curve  reduced = press(two[0], 8, 0.01, 20), full = press(two[1], 8, 0.01, 20);
+  const double to_yield = (2 + M_PI) / std::sqrt(3.);
+  std::cout << "        steel of 280 MPa, mean pressure over the yield stress: reduced "
+            << reduced.end * to_yield << ", full " << full.end * to_yield << "\n";
+  test::check_near(
+    reduced.end / full.end, 1, 0.02, "punch on steel: pressure of reduced over that of full cells");
   return test::report();
 }

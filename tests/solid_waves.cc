@@ -1,114 +1,23 @@
 // Plane waves in bars and blocks: speed, plateau of the stress, reflection, orders of convergence.
 
-#include "scenes/dynamics.h"
+#include "scenes/pulse.h"
 
 #include "check.h"
-
-#include <functional>
 
 using namespace scenes;
 using namespace wheelrail;
 
 namespace
 {
-  constexpr double length = 0.2;
-
-  enum class End
-  {
-    free,
-    fixed
-  };
-
-  /// A bar of cubes along x; `confined`: no displacement across, as in a block that fills a half-space.
-  struct Bar
-  {
-    Setup        setup;
-    unsigned int cells    = 100;
-    bool         confined = false;
-    End          end      = End::free;
-
-    /// Of the wave (Timoshenko and Goodier, Theory of Elasticity, 3rd edition 1970, chapter 14) [m/s].
-    double
-    speed() const
-    {
-      const Elasticity &m = setup.material;
-      return confined ? m.wave_speed() : std::sqrt(m.youngs_modulus / m.density);
-    }
-
-    Dynamics
-    scene(const Function &displacement) const
-    {
-      const double h = length / cells;
-      Dynamics     scene(box({0, 0, 0}, {length, h, h}, {cells, 1, 1}), setup);
-      const auto   everywhere = [](const Vector3 &) { return true; };
-      if (confined)
-        for (const int component : {1, 2})
-          scene.fix(select(scene.solid.mesh, everywhere), component);
-      scene.prescribe(select(scene.solid.mesh, plane(0, 0)), 0, displacement);
-      if (end == End::fixed)
-        scene.fix(select(scene.solid.mesh, plane(0, length)), 0);
-      return scene;
-    }
-
-    std::string
-    name() const
-    {
-      return form_name(setup) + (confined ? " block" : " bar") +
-             (end == End::free ? ", free end" : ", fixed end");
-    }
-  };
-
-  /// Velocity peak sin^2(pi t/duration) of the loaded end.
-  struct Pulse
-  {
-    double peak, duration;
-
-    double
-    velocity(const double t) const
-    {
-      return t < 0 || t > duration ? 0 : peak * std::pow(std::sin(M_PI * t / duration), 2);
-    }
-    double
-    displacement(double t) const
-    {
-      t = std::min(std::max(t, 0.), duration);
-      return peak * (t / 2 - duration / (4 * M_PI) * std::sin(2 * M_PI * t / duration));
-    }
-  };
-
-  /// Root mean square over the nodes of the error of d'Alembert's solution after one reflection, over the
-  /// largest displacement.
-  double
-  pulse_error(const Bar &bar, const Pulse &pulse, const double step)
-  {
-    const double c     = bar.speed();
-    Dynamics     scene = bar.scene([=](const double t) { return pulse.displacement(t); });
-    const double end   = 1.4 * length / c;
-    const auto   steps = static_cast<unsigned int>(std::ceil(end / step));
-    scene.time_step    = end / steps;
-    while (scene.steps() < steps)
-      scene.step();
-    double       sum  = 0;
-    const double sign = bar.end == End::free ? 1 : -1;
-    for (unsigned int n = 0; n < scene.solid.mesh.n_nodes(); ++n)
-      {
-        const double x = scene.solid.mesh.reference[4 * n];
-        const double u =
-          pulse.displacement(end - x / c) + sign * pulse.displacement(end - (2 * length - x) / c);
-        sum += std::pow(scene.solid.displacement[4 * n] - u, 2);
-      }
-    return std::sqrt(sum / scene.solid.mesh.n_nodes()) / pulse.displacement(pulse.duration);
-  }
-
   void
   orders(Bar bar)
   {
-    const Pulse         pulse{1e-3, 0.5 * length / bar.speed()};
+    const Pulse         pulse{1e-3, 0.5 * bar_length / bar.speed()};
     std::vector<double> error;
     for (const unsigned int cells : {40, 80, 160})
       {
         bar.cells = cells;
-        error.push_back(pulse_error(bar, pulse, 0.5 * length / cells / bar.speed()));
+        error.push_back(pulse_error(bar, pulse, 0.5 * bar_length / cells / bar.speed()));
       }
     std::cout << "        errors at 40, 80, 160 cells: " << error[0] << " " << error[1] << " " << error[2]
               << "\n";
@@ -121,8 +30,8 @@ namespace
   order_in_time(Bar bar)
   {
     bar.cells = 40;
-    const Pulse  pulse{1e-3, 0.5 * length / bar.speed()};
-    const double unit = length / bar.cells / bar.speed(), end = 1.4 * length / bar.speed();
+    const Pulse  pulse{1e-3, 0.5 * bar_length / bar.speed()};
+    const double unit = bar_length / bar.cells / bar.speed(), end = 1.4 * bar_length / bar.speed();
     const auto   places = [&](const double step) {
       Dynamics   scene = bar.scene([=](const double t) { return pulse.displacement(t); });
       const auto steps = static_cast<unsigned int>(std::ceil(end / step));
@@ -150,17 +59,17 @@ namespace
   {
     bar.cells      = 120;
     const double c = bar.speed(), rho = bar.setup.material.density;
-    const Pulse  pulse{1e-3, 0.5 * length / c};
+    const Pulse  pulse{1e-3, 0.5 * bar_length / c};
     Dynamics     scene = bar.scene([=](const double t) { return pulse.displacement(t); });
-    const double h     = length / bar.cells;
+    const double h     = bar_length / bar.cells;
     unsigned int node[3]; // near the start, near the end, at the end
-    const double place[3] = {30 * h, 80 * h, length};
+    const double place[3] = {30 * h, 80 * h, bar_length};
     for (int k = 0; k < 3; ++k)
       node[k] = select(scene.solid.mesh, [&](const Vector3 &X) {
                   return norm(X - Vector3{place[k], 0, 0}) < 1e-9;
                 }).front();
     double peak = 0, end_velocity = 0, end_stress = 0, sum[2] = {}, moment[2] = {};
-    while (scene.time() < 1.5 * length / c)
+    while (scene.time() < 1.5 * bar_length / c)
       {
         scene.step();
         const double t = scene.time() - 0.5 * scene.time_step;
@@ -191,7 +100,7 @@ namespace
     bar.setup.bulk_viscosity = 0.06;
     bar.cells                = 150;
     Dynamics scene           = bar.scene([=](const double t) { return velocity * t; });
-    while (scene.time() < 0.8 * length / c)
+    while (scene.time() < 0.8 * bar_length / c)
       scene.step();
     const auto   stress = element_stress(scene.solid.blocks[1], scene.solid.displacement.data());
     double       mean = 0, largest = 0, front = 0;
@@ -199,12 +108,12 @@ namespace
     const double exact = bar.setup.material.density * c * velocity;
     for (unsigned int e = 0; e < bar.cells; ++e)
       {
-        const double x = (e + 0.5) * length / bar.cells;
-        if (x < 0.6 * length)
+        const double x = (e + 0.5) * bar_length / bar.cells;
+        if (x < 0.6 * bar_length)
           mean -= stress[e][0], ++count;
         largest = std::max(largest, -stress[e][0]);
         if (-stress[e][0] > 0.5 * exact)
-          front = x + 0.5 * length / bar.cells;
+          front = x + 0.5 * bar_length / bar.cells;
       }
     test::check_near(mean / count / exact, 1, 2e-3, bar.name() + ": mean of the plateau over rho c v");
     test::check_near(front / (c * scene.time()), 1, 1e-2, bar.name() + ": place of the front at half height");

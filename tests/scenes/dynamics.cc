@@ -10,14 +10,16 @@ namespace scenes
   std::vector<Setup>
   each_form(const Setup &setup)
   {
-    return {setup};
+    std::vector<Setup> result = {setup, setup};
+    result[0].form = ElementForm::reduced, result[1].form = ElementForm::full;
+    return result;
   }
 
 
   std::string
-  form_name(const Setup &)
+  form_name(const Setup &setup)
   {
-    return "reduced";
+    return setup.form == ElementForm::reduced ? "reduced" : "full";
   }
 
 
@@ -38,7 +40,8 @@ namespace scenes
                        setup.material,
                        setup.bulk_viscosity,
                        MPI_COMM_SELF,
-                       {setup.plasticity, setup.plasticity}))
+                       {setup.plasticity, setup.plasticity},
+                       {setup.form, setup.form}))
     , time_step(setup.step_factor * solid.stable.step)
     , mass_damping(setup.mass_damping)
     , bulk_viscosity_(setup.bulk_viscosity)
