@@ -1,6 +1,7 @@
 #include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/entries.h>
 #include <wheelrail/application/expected_patch.h>
+#include <wheelrail/application/model.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 
@@ -269,18 +270,42 @@ namespace wheelrail
                            "per wheel");
     }
 
+    ContactGeometry
+    contact_of(const Scene &scene)
+    {
+      return find_contact(rail_profile(scene.rail_profile),
+                          wheel_profile(scene.wheel_profile),
+                          scene.track,
+                          scene.lateral_shift,
+                          scene.roll);
+    }
+
+    /// Whether blocks of the wanted size fit into both sections: lays them out, which takes 20 ms.
+    void
+    check_sections(const Scene &scene, const ExpectedPatch &patch, Sentences &errors)
+    {
+      // with very many blocks that would take long; smaller ones fit better than large ones
+      if (scene.coarse_cell_size < 4e-3)
+        return;
+      try
+        {
+          sweep_plan(scene, contact_of(scene), patch.approach);
+        }
+      catch (const std::exception &error)
+        {
+          errors.push_back(entry_text(scene, "Mesh", "Coarse cell size") +
+                           ": rail and wheel cannot be divided into cells at " +
+                           entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
+        }
+    }
+
     /// The patch of the rigid profiles; none, and an error, when they do not touch.
     std::optional<ExpectedPatch>
     find_patch(const Scene &scene, Sentences &errors)
     {
       try
         {
-          return expected_patch(scene,
-                                find_contact(rail_profile(scene.rail_profile),
-                                             wheel_profile(scene.wheel_profile),
-                                             scene.track,
-                                             scene.lateral_shift,
-                                             scene.roll));
+          return expected_patch(scene, contact_of(scene));
         }
       catch (const InputError &error)
         {
@@ -309,6 +334,8 @@ namespace wheelrail
         check_size(scene, *patch, machine, found);
       }
     check_distances(scene, patch, found.errors);
+    if (patch && found.errors.empty())
+      check_sections(scene, *patch, found.errors);
     return found;
   }
 } // namespace wheelrail
