@@ -61,6 +61,7 @@ namespace
       {"Contact/Friction decay", "0.1 s/m"},
       {"Contact/Friction half velocity", "3 m/s"},
       {"Contact/Penalty scale", "3"},
+      {"Contact/Surface filter", "none"},
       {"Contact/Damping", "0.2"},
       {"Rail material/Young's modulus", "206 GPa"},
       {"Rail material/Poisson's ratio", "0.28"},

@@ -77,7 +77,7 @@ namespace
     check_file(
       "subsection Contact\nset Zigzag frequency = 1\nend",
       "x.prm:2: Contact/Zigzag frequency: no such entry; Contact has Friction coefficient, Friction law, "
-      "Dynamic friction coefficient, Friction decay, Friction half velocity, Penalty scale, Damping",
+      "Dynamic friction coefficient, Friction decay, Friction half velocity, Penalty scale, Surface filter, Damping",
       "an entry like no other");
     check_file("subsection Contct\nset Damping = 1\nend",
                "x.prm:1: subsection Contct: no such subsection; the nearest is Contact",

@@ -65,7 +65,7 @@ namespace
                   {s * std::cos(angle), radius - r * std::cos(ahead), r * std::sin(ahead)});
             }
       }
-    Contact contact(body[0], body[1], surfaces, {stiffness, 0, {friction}}, along + 0.01, MPI_COMM_SELF);
+    Contact contact(body[0], body[1], surfaces, {stiffness, 0, {friction}, {}}, along + 0.01, MPI_COMM_SELF);
     std::vector<double> displacement(8 * n, 0.), velocity(8 * n, 0.);
     contact.gather(displacement.data(), velocity.data());
     contact.evaluate(0);

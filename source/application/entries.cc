@@ -252,6 +252,14 @@ namespace wheelrail
               "loss of peak pressure below 1 %, the default of many codes, 0.1, costs a third of it."},
              B::between("0.05", "50"),
              field(&S::penalty_scale)));
+      list.push_back(
+        choice_entry<bool>({"Contact",
+                            "Surface filter",
+                            "consistent",
+                            "consistent: gaps and forces pass a filter that takes the error of second order "
+                            "in the cell size out of the surface response of the mesh; none: bare nodes."},
+                           {{"consistent", true}, {"none", false}},
+                           field(&S::surface_filter)));
       list.push_back(pure({"Contact", "Damping", "0.3", "Contact damping as a fraction of critical."},
                           B::between("0", "1"),
                           field(&S::contact_damping)));

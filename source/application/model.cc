@@ -2,6 +2,7 @@
 #include <wheelrail/application/model.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contact/penalty.h>
+#include <wheelrail/contact/surface_response.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,15 @@ namespace wheelrail
       return lattice;
     }
 
+    std::array<Vector3, 8>
+    unit_cube()
+    {
+      std::array<Vector3, 8> vertices;
+      for (int a = 0; a < 8; ++a)
+        vertices[a] = {double(a & 1), double(a >> 1 & 1), double(a >> 2)};
+      return vertices;
+    }
+
     /// The contact law of the scene; the surface nodes get their added mass.
     ContactLaw
     make_law(const Scene &scene, Solid &solid, const Surface &rail, const Surface &wheel)
@@ -67,7 +77,16 @@ namespace wheelrail
         make_penalty(scene.penalty_scale, K, scene.cell_size, scene.contact_damping, solid.stable.step);
       for (const Surface *surface : {&rail, &wheel})
         add_surface_mass(*surface, penalty.added_mass, solid.added_mass.data());
-      return {penalty.stiffness, penalty.damping, friction_law(scene)};
+      ContactLaw law{penalty.stiffness, penalty.damping, friction_law(scene), {}};
+      if (scene.surface_filter)
+        for (const int body : {0, 1})
+          {
+            const ElementBlocks &blocks = solid.blocks[body];
+            law.filter[body] =
+              surface_filter(element_stiffness(element_geometry(unit_cube()), blocks.material, blocks.form),
+                             blocks.material);
+          }
+      return law;
     }
   } // namespace
 

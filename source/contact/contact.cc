@@ -1,4 +1,5 @@
 #include <wheelrail/contact/contact.h>
+#include <wheelrail/contact/surface_filter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,14 @@ namespace wheelrail
         const Surface &surface = body == 0 ? rail_ : wheel_;
         state.x                = surface.reference;
         state.v.assign(surface.reference.size(), {0, 0, 0});
-        state.v_before = state.f = state.v;
+        state.sliding = state.f = state.shear = state.v;
+        state.reference                       = surface.reference;
+        filter_surface(
+          surface.lattice, 0, surface.lattice.n_along, normal_weights(law_.filter[body]), state.reference);
       }
+    position_ = rail_.reference;
+    for (const Vector3 &X : state_[0].reference)
+      rail_offset_.push_back(surfaces_.rail_offset(X));
     move_window(0, 0);
   }
 
@@ -129,11 +136,27 @@ namespace wheelrail
       {
         SurfaceState  &state = state_[body];
         const Vector3 &X     = (body == 0 ? rail_ : wheel_).reference[k];
-        state.v_before[k]    = state.v[k];
         state.x[k]           = {X[0] + in[0], X[1] + in[1], X[2] + in[2]};
-        state.v[k]           = {in[3], in[4], in[5]};
+        state.v[k] = state.sliding[k] = {in[3], in[4], in[5]};
+        if (body == 0)
+          position_[k] = state.x[k];
         in += 6;
       }
+    filter_window(&SurfaceState::x, false);
+    filter_window(&SurfaceState::v, false);
+    filter_window(&SurfaceState::sliding, true);
+  }
+
+
+  void
+  Contact::filter_window(std::vector<Vector3> SurfaceState::*field, const bool shear)
+  {
+    for (int body = 0; body < 2; ++body)
+      filter_surface((body == 0 ? rail_ : wheel_).lattice,
+                     body == 0 ? window_.rail_first : window_.wheel_first,
+                     body == 0 ? window_.rail_last : window_.wheel_last,
+                     shear ? shear_weights(law_.filter[body]) : normal_weights(law_.filter[body]),
+                     state_[body].*field);
   }
 
 
@@ -164,7 +187,7 @@ namespace wheelrail
     // 1. normals of the wheel's surface, continuous across facets
     wheel_normals();
     for (const auto &[body, k] : share_.all)
-      state_[body].f[k] = {0, 0, 0};
+      state_[body].f[k] = state_[body].shear[k] = {0, 0, 0};
 
     // 2. every rail node of the window against the wheel
     ContactSums    sums;
@@ -181,7 +204,7 @@ namespace wheelrail
                       state_[0].x[k],
                       static_cast<int>(std::lround(along / w.spacing_along)) - w.first_station,
                       static_cast<int>(std::lround((s - w.s_begin) / w.spacing_lateral))))
-            node.gap = true_gap(node, state_[0].x[k], weight);
+            node.gap = true_gap(node, k, weight);
           else
             {
               sums.at_border = sums.at_border || node.pressure > 0;
@@ -200,6 +223,9 @@ namespace wheelrail
                node.facet_i <= window_.wheel_first || node.facet_i >= window_.wheel_last - 2))
             sums.at_border = true;
         }
+    // 3. forces go back through the same filters
+    filter_window(&SurfaceState::f, false);
+    filter_window(&SurfaceState::shear, true);
     return sums;
   }
 
@@ -269,7 +295,7 @@ namespace wheelrail
 
 
   double
-  Contact::true_gap(ContactNode &node, const Vector3 &x, std::array<double, 4> &weight) const
+  Contact::true_gap(ContactNode &node, const std::size_t index, std::array<double, 4> &weight) const
   {
     const double xi = node.xi, eta = node.eta;
     weight       = {(1 - xi) * (1 - eta), xi * (1 - eta), (1 - xi) * eta, xi * eta};
@@ -279,11 +305,11 @@ namespace wheelrail
       {
         add(foot, weight[m], state_[1].x[c[m]]);
         add(normal, weight[m], wheel_normal_[c[m]]);
-        add(X, weight[m], wheel_.reference[c[m]]);
+        add(X, weight[m], state_[1].reference[c[m]]);
       }
     node.normal = normalised(normal);
-    // both facets hide a part of the true profiles; the rail node itself lies on its profile
-    return dot(foot - x, node.normal) - surfaces_.wheel_offset(X);
+    // facets and filter hide a part of the true profiles
+    return dot(foot - state_[0].x[index], node.normal) - surfaces_.wheel_offset(X) - rail_offset_[index];
   }
 
 
@@ -294,18 +320,23 @@ namespace wheelrail
                      const double                 time_step,
                      ContactSums                 &sums)
   {
-    const auto    c = corners(node);
-    const double  A = rail_.area[index];
-    const Vector3 n = node.normal;
-    Vector3       velocity{}; // of the wheel against the rail
+    const auto    c       = corners(node);
+    const double  A       = rail_.area[index];
+    const Vector3 n       = node.normal;
+    double        opening = 0; // velocity of the wheel against the rail
+    Vector3       sliding{};
     if (time_step > 0)
       {
+        Vector3 velocity{};
         for (int m = 0; m < 4; ++m)
-          add(velocity, weight[m], state_[1].v[c[m]]);
-        velocity = velocity - state_[0].v[index];
+          {
+            add(velocity, weight[m], state_[1].v[c[m]]);
+            add(sliding, weight[m], state_[1].sliding[c[m]]);
+          }
+        opening = dot(velocity - state_[0].v[index], n);
+        sliding = sliding - state_[0].sliding[index];
+        add(sliding, -dot(sliding, n), n);
       }
-    const double  opening = dot(velocity, n);
-    const Vector3 sliding = velocity - opening * n;
 
     // pressure: spring and damper, no suction
     const double spring = -law_.stiffness * node.gap;
@@ -334,13 +365,16 @@ namespace wheelrail
       add(node.slip, -1 / (law_.stiffness * time_step), trial - before);
 
     // forces: on the rail -p n + t, on the wheel the opposite, spread over the facet
-    Vector3 force = (node.pressure * A) * n;
-    add(force, -A, total);
+    const Vector3 push = (node.pressure * A) * n, drag = -A * total;
     for (int m = 0; m < 4; ++m)
-      add(state_[1].f[c[m]], weight[m], force);
-    add(state_[0].f[index], -1, force);
+      {
+        add(state_[1].f[c[m]], weight[m], push);
+        add(state_[1].shear[c[m]], weight[m], drag);
+      }
+    add(state_[0].f[index], -1, push);
+    add(state_[0].shear[index], -1, drag);
 
-    add(sums.force, 1, force);
+    add(sums.force, 1, push + drag);
     sums.normal_force += node.pressure * A;
     sums.stored_energy += A * (spring * spring + dot(trial, trial)) / (2 * law_.stiffness);
     sums.friction_power += A * dot(total, node.slip);
@@ -359,17 +393,14 @@ namespace wheelrail
         const int node = (body == 0 ? rail_ : wheel_).local[k];
         if (node >= 0)
           for (int i = 0; i < 3; ++i)
-            force[4 * node + i] += state_[body].f[k][i];
+            force[4 * node + i] += state_[body].f[k][i] + state_[body].shear[k][i];
       }
   }
 
 
-  double
-  Contact::work(const double time_step) const
+  void
+  Contact::set_shear(const std::size_t node, const Vector3 &shear)
   {
-    double work = 0;
-    for (const auto &[body, k] : share_.all)
-      work += dot(state_[body].f[k], state_[body].v_before[k] + state_[body].v[k]);
-    return 0.5 * time_step * work;
+    nodes_[node].shear = shear;
   }
 } // namespace wheelrail

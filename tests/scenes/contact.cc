@@ -207,7 +207,8 @@ namespace scenes
               surfaces,
               {penalty_of(scene, setup, setup.material).stiffness,
                penalty_of(scene, setup, setup.material).damping,
-               setup.friction},
+               setup.friction,
+               {}},
               setup.half_window,
               MPI_COMM_SELF)
     , scene_(scene)

@@ -59,6 +59,7 @@ namespace wheelrail
     double       friction_half_velocity       = 15;   ///< rational law [m/s]
     double       penalty_scale                = 10;   ///< effective scale f: eps = f K / h
     double       contact_damping              = 0.3;  ///< fraction of critical
+    bool         surface_filter               = true; ///< corrects the surface response of the mesh
 
     MaterialData rail_material, wheel_material;
 

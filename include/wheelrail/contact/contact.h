@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/contact/friction.h>
-#include <wheelrail/contact/surface.h>
+#include <wheelrail/contact/surface_filter.h>
 
 #include <mpi.h>
 
@@ -16,9 +16,10 @@ namespace wheelrail
   /// (equations 2 and 3 of Ma, Markine, Mashal and Ren 2017, as tractions instead of forces).
   struct ContactLaw
   {
-    double      stiffness = 0; ///< normal and tangential, f K / h [N/m3]
-    double      damping   = 0; ///< [N s/m3]
-    FrictionLaw friction;
+    double        stiffness = 0; ///< normal and tangential, f K / h [N/m3]
+    double        damping   = 0; ///< [N s/m3]
+    FrictionLaw   friction;
+    SurfaceFilter filter[2]; ///< of rail and wheel
   };
 
   /// State of one rail node that may touch the wheel. Tractions act on the rail.
@@ -84,20 +85,14 @@ namespace wheelrail
     void
     add_forces(double *force) const;
 
-    /// Work of the last evaluation's forces over `time_step` with the mean of the velocities of the
-    /// two last gathers [J]; on deformable and rigid nodes alike.
-    double
-    work(double time_step) const;
-
-    /// Rail nodes of the window as tangent springs: node index, normal, stiffness x area, and the
-    /// wheel's facet with its weights; for the static start.
+    /// A loaded rail node as a tangent spring along the normal, for the static start: it is stretched by
+    /// the sum of weight x displacement of its nodes (filtered node and facet, numbered globally).
     struct Spring
     {
-      unsigned int                rail;  ///< index in the lattice
-      std::array<unsigned int, 4> wheel; ///< indices in the lattice
-      std::array<double, 4>       weight;
-      Vector3                     normal;
-      double                      stiffness; ///< [N/m]
+      unsigned int                                 point; ///< rail node, index in the lattice
+      std::vector<std::pair<unsigned int, double>> nodes; ///< rail positive, wheel negative
+      Vector3                                      normal;
+      double                                       stiffness; ///< [N/m]
     };
     std::vector<Spring>
     springs() const;
@@ -164,14 +159,17 @@ namespace wheelrail
     const Vector3 &
     rail_position(std::size_t node) const
     {
-      return state_[0].x[node];
+      return position_[node];
     }
 
   private:
-    /// Positions, velocities and forces of one body's surface nodes; only the window is kept fresh.
+    /// Filtered positions and velocities and the forces of one body's surface nodes; only the window
+    /// is kept fresh.
     struct SurfaceState
     {
-      std::vector<Vector3> x, v, v_before, f;
+      std::vector<Vector3> x, reference; ///< [m]
+      std::vector<Vector3> v, sliding;   ///< velocities with the normal filter and the shear filter [m/s]
+      std::vector<Vector3> f, shear;     ///< normal and tangential forces [N]
     };
     /// What one rank sends of the window.
     struct Share
@@ -184,11 +182,13 @@ namespace wheelrail
     void
     share_window();
     void
+    filter_window(std::vector<Vector3> SurfaceState::*field, bool shear);
+    void
     wheel_normals();
     bool
     project(ContactNode &node, const Vector3 &x, int station, int row) const;
     double
-    true_gap(ContactNode &node, const Vector3 &x, std::array<double, 4> &weight) const;
+    true_gap(ContactNode &node, std::size_t index, std::array<double, 4> &weight) const;
     void
     apply_law(ContactNode                 &node,
               std::size_t                  index,
@@ -210,6 +210,8 @@ namespace wheelrail
     double                   wheel_ahead_ = 0; ///< arc coordinate of the wheel facing Z, minus Z [m]
     Share                    share_;
     SurfaceState             state_[2];
+    std::vector<Vector3>     position_;     ///< rail nodes, not filtered
+    std::vector<double>      rail_offset_;  ///< of the rail's profile beyond the filtered nodes [m]
     std::vector<Vector3>     wheel_normal_; ///< out of the rail, at wheel nodes of the window
     std::vector<ContactNode> nodes_;
     std::vector<double>      send_, receive_;

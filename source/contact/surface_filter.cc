@@ -1,0 +1,101 @@
+#include <wheelrail/contact/surface_filter.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Adds half the weight of each component times the differences to the lines before and after.
+    void
+    blend(double           *values,
+          const double     *before,
+          const double     *after,
+          const std::size_t n,
+          const Vector3    &weight)
+    {
+      for (std::size_t k = 0; k < n; k += 3)
+        for (int c = 0; c < 3; ++c)
+          values[k + c] += 0.5 * weight[c] * (before[k + c] - 2 * values[k + c] + after[k + c]);
+    }
+
+    bool
+    is_zero(const Vector3 &weight)
+    {
+      return weight[0] == 0 && weight[1] == 0 && weight[2] == 0;
+    }
+
+    /// Weights of the neighbour before, the node, and the neighbour after, at most at one border.
+    std::array<double, 3>
+    line_stencil(const double weight, const bool has_before, const bool has_after)
+    {
+      const double before = has_before ? 0.5 * weight : 0., after = has_after ? 0.5 * weight : 0.;
+      return {before, 1 - before - after, after};
+    }
+  } // namespace
+
+
+  FilterWeights
+  normal_weights(const SurfaceFilter &filter)
+  {
+    const double w = filter.normal;
+    return {{w, w, w}, {w, w, w}};
+  }
+
+
+  FilterWeights
+  shear_weights(const SurfaceFilter &filter)
+  {
+    const double w = filter.shear;
+    return {{w, w, 0}, {0, 0, w}};
+  }
+
+
+  void
+  filter_surface(const Lattice        &lattice,
+                 const int             first,
+                 const int             last,
+                 const FilterWeights  &weights,
+                 std::vector<Vector3> &field)
+  {
+    const std::size_t   n = 3 * std::size_t(lattice.n_lateral);
+    std::vector<double> old(n + 6), before(n), here(n);
+    if (!is_zero(weights.across))
+      for (int i = first; i < last; ++i)
+        {
+          // the line with its end values doubled, so that nothing flows over the border
+          double *line = field[lattice.index(i, 0)].data();
+          std::copy(line, line + n, old.begin() + 3);
+          std::copy(line, line + 3, old.begin());
+          std::copy(line + n - 3, line + n, old.end() - 3);
+          blend(line, old.data(), old.data() + 6, n, weights.across);
+        }
+    if (!is_zero(weights.along))
+      for (int i = first; i < last; ++i)
+        {
+          double *line = field[lattice.index(i, 0)].data();
+          std::copy(line, line + n, here.begin());
+          const double *after = i + 1 < last ? field[lattice.index(i + 1, 0)].data() : here.data();
+          blend(line, i == first ? here.data() : before.data(), after, n, weights.along);
+          before.swap(here);
+        }
+  }
+
+
+  std::array<std::array<double, 3>, 3>
+  filter_stencil(const Lattice &lattice,
+                 const int      first,
+                 const int      last,
+                 const double   weight,
+                 const int      i,
+                 const int      j)
+  {
+    const auto along  = line_stencil(weight, i > first, i + 1 < last);
+    const auto across = line_stencil(weight, j > 0, j + 1 < static_cast<int>(lattice.n_lateral));
+    std::array<std::array<double, 3>, 3> stencil;
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l < 3; ++l)
+        stencil[k][l] = along[k] * across[l];
+    return stencil;
+  }
+} // namespace wheelrail

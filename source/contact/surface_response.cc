@@ -1,0 +1,97 @@
+#include <deal.II/lac/full_matrix.h>
+
+#include <wheelrail/contact/surface_response.h>
+
+#include <cmath>
+#include <complex>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Matrix = dealii::FullMatrix<std::complex<double>>;
+
+    /// Stiffness of one layer of cubes in its lower and upper unknowns (3 each) when all nodes move
+    /// with exp(i k x).
+    Matrix
+    layer_stiffness(const std::array<double, 24 * 24> &stiffness, const double kx, const double ky)
+    {
+      Matrix layer(6, 6);
+      for (int a = 0; a < 8; ++a)
+        for (int b = 0; b < 8; ++b)
+          {
+            const double phase = kx * ((b & 1) - (a & 1)) + ky * ((b >> 1 & 1) - (a >> 1 & 1));
+            for (int i = 0; i < 3; ++i)
+              for (int j = 0; j < 3; ++j)
+                layer(3 * (a >> 2) + i, 3 * (b >> 2) + j) +=
+                  stiffness[24 * (3 * a + i) + 3 * b + j] * std::polar(1., phase);
+          }
+      return layer;
+    }
+
+    Matrix
+    block(const Matrix &whole, const int row, const int column)
+    {
+      Matrix part(3, 3);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          part(i, j) = whole(3 * row + i, 3 * column + j);
+      return part;
+    }
+
+    /// Displacements of the surface under unit forces: layers are put on top of each other until the
+    /// fixed ground below has no effect.
+    Matrix
+    surface_compliance(const Matrix &layer, const double k)
+    {
+      const Matrix lower = block(layer, 0, 0), coupling = block(layer, 0, 1), back = block(layer, 1, 0),
+                   upper = block(layer, 1, 1);
+      Matrix    top      = upper;
+      const int n_layers = 10 + static_cast<int>(std::ceil(20 / k));
+      for (int n = 0; n < n_layers; ++n)
+        {
+          Matrix below = lower, step(3, 3), loss(3, 3);
+          below.add(1., top);
+          below.gauss_jordan();
+          below.mmult(step, coupling);
+          back.mmult(loss, step);
+          top = upper;
+          top.add(-1., loss);
+        }
+      top.gauss_jordan();
+      return top;
+    }
+  } // namespace
+
+
+  SurfaceResponse
+  surface_response(const std::array<double, 24 * 24> &stiffness,
+                   const Elasticity                  &material,
+                   const double                       kx,
+                   const double                       ky)
+  {
+    const double k  = std::hypot(kx, ky);
+    const Matrix c  = surface_compliance(layer_stiffness(stiffness, kx, ky), k);
+    const double nu = material.poissons_ratio, cx = kx / k, cy = ky / k;
+    const double exact        = 2 * (1 - nu * nu) / (material.youngs_modulus * k);
+    const double exact_across = 2 * (1 + nu) / (material.youngs_modulus * k);
+    const double xx = c(0, 0).real(), yy = c(1, 1).real(), xy = c(0, 1).real(), yx = c(1, 0).real();
+    const double parallel      = cx * cx * xx + cx * cy * (xy + yx) + cy * cy * yy;
+    const double perpendicular = cy * cy * xx - cx * cy * (xy + yx) + cx * cx * yy;
+    return {c(2, 2).real() / exact - 1, parallel / exact - 1, perpendicular / exact_across - 1};
+  }
+
+
+  SurfaceFilter
+  surface_filter(const std::array<double, 24 * 24> &stiffness, const Elasticity &material)
+  {
+    // small enough for the next order to stay below one per cent of the error
+    const double  k = 0.3, half = k / std::sqrt(2.);
+    const auto    straight = surface_response(stiffness, material, k, 0);
+    const auto    oblique  = surface_response(stiffness, material, half, half);
+    SurfaceFilter filter;
+    filter.normal = 0.5 * (straight.normal + oblique.normal) / (k * k);
+    filter.shear  = straight.perpendicular / (k * k);
+    return filter;
+  }
+} // namespace wheelrail
