@@ -1,5 +1,5 @@
-// Speed of the element kernel alone: internal forces of a block of n^3 cubes, one thread. Elastic;
-// elastic-plastic with no cell, and with every cell in plastic flow.
+// Speed of the element kernels alone: internal forces of a block of n^3 cubes, one thread. Elastic;
+// elastic-plastic with no cell, and with every cell in plastic flow. Both elements.
 
 #include <wheelrail/solid/kernel.h>
 
@@ -61,9 +61,9 @@ namespace
   /// Median time of one update [ns]. Two displacements take turns, so that in `all_yield` every cell
   /// flows in every call.
   double
-  nanoseconds(const Block &block, const int width, const Case kind)
+  nanoseconds(const Block &block, const int width, const Case kind, const ElementForm form)
   {
-    ElementBlocks blocks = pack_elements(block.geometry, block.cells, Elasticity(), width);
+    ElementBlocks blocks = pack_elements(block.geometry, block.cells, Elasticity(), width, form);
     if (kind != Case::elastic)
       set_plasticity(blocks, {kind == Case::no_yield ? 1e12 : 1e3, 21e9, 1});
     AlignedVector<double> u[2], f(4 * block.n_nodes, 0.);
@@ -76,7 +76,7 @@ namespace
       }
     const BulkViscosity viscosity{0.06, 1e-7};
     ElementEnergy       energy;
-    const int           repeat = 2000000 / block.cells.size();
+    const int           repeat = 500000 / block.cells.size();
     std::vector<double> times;
     for (int sample = 0; sample < 7; ++sample)
       {
@@ -88,38 +88,54 @@ namespace
     std::sort(times.begin(), times.end());
     return times[times.size() / 2] / (double(repeat) * block.cells.size()) * 1e9;
   }
+
+  /// Bytes that one update moves when nothing stays in the caches but the nodes: geometry, node numbers,
+  /// dilatation in and out, and about one node in and out; history and plastic work in and out where
+  /// cells flow.
+  std::size_t
+  bytes(const ElementBlocks &blocks, const Case kind)
+  {
+    std::size_t sum = blocks.rows * sizeof(double) + 32 + 16 + 3 * 32;
+    if (kind == Case::all_yield)
+      sum += 2 * (blocks.history_rows() + 1) * sizeof(double);
+    return sum;
+  }
+
+  /// One line of the table.
+  void
+  measure(const Block &block, const int width, const Case kind, const ElementForm form)
+  {
+    const char   *names[] = {"elastic", "plastic, no yield", "plastic, all yield"};
+    const double  ns      = nanoseconds(block, width, kind, form);
+    ElementBlocks one     = pack_elements({block.geometry[0]}, {block.cells[0]}, Elasticity(), width, form);
+    std::printf("%10zu %6d %9s %20s %13.2f %11.1f %14zu\n",
+                block.cells.size(),
+                width,
+                form == ElementForm::full ? "full" : "reduced",
+                names[static_cast<int>(kind)],
+                1e3 / ns,
+                ns,
+                bytes(one, kind));
+  }
 } // namespace
 
 int
 main()
 {
-  std::printf("%10s %6s %22s %14s %12s %14s\n",
+  std::printf("%10s %6s %9s %20s %13s %11s %14s\n",
               "elements",
               "width",
+              "element",
               "material",
               "M updates/s",
               "ns/update",
               "bytes/update");
-  const char *names[] = {"elastic", "plastic, no yield", "plastic, all yield"};
   for (const unsigned int n : {31u, 46u, 65u})
     {
       const Block block = cubes(n);
       for (const int width : {1, 4, 8})
-        for (const Case kind : {Case::elastic, Case::no_yield, Case::all_yield})
-          {
-            const double ns = nanoseconds(block, width, kind);
-            // geometry, node numbers, dilatation in and out, and about one node in and out;
-            // history and plastic work in and out where cells flow
-            std::size_t bytes = ElementBlocks::fields * sizeof(double) + 32 + 16 + 3 * 32;
-            if (kind == Case::all_yield)
-              bytes += 2 * (plastic_history_rows + 12 + 1) * sizeof(double);
-            std::printf("%10zu %6d %22s %14.2f %12.1f %14zu\n",
-                        block.cells.size(),
-                        width,
-                        names[static_cast<int>(kind)],
-                        1e3 / ns,
-                        ns,
-                        bytes);
-          }
+        for (const ElementForm form : {ElementForm::reduced, ElementForm::full})
+          for (const Case kind : {Case::elastic, Case::no_yield, Case::all_yield})
+            measure(block, width, kind, form);
     }
 }
