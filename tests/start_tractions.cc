@@ -1,4 +1,5 @@
-// Tractions to start from: Kalker's linear theory for small creepage and spin, saturation, signs.
+// Tractions to start from, by the half-space solver: Kalker's linear theory for small creepage and spin,
+// saturation, signs.
 
 #include <wheelrail/dynamics/start_tractions.h>
 
@@ -11,8 +12,10 @@ using namespace test;
 
 namespace
 {
-  constexpr double radius = 0.46, largest_pressure = 1e9, friction = 0.4, stiffness = 1e15;
-  constexpr double shear_modulus = 210e9 / 2.6;
+  constexpr double  radius = 0.46, largest_pressure = 1e9, friction = 0.4, stiffness = 1e15;
+  constexpr double  shear_modulus = 210e9 / 2.6;
+  const StartBodies steel;
+
 
   HeightTable
   flat_profile(const ContactFrame &frame)
@@ -90,8 +93,9 @@ namespace
     return sum;
   }
 
+  /// C11: Kalker's coefficient (1990, table E.3), interpolated to Poisson's ratio 0.3.
   void
-  linear_theory(const double along, const double across)
+  linear_theory(const double along, const double across, const double C11)
   {
     const Contact     contact = elliptic_contact(along, across);
     const double      N       = normal_force(contact);
@@ -99,25 +103,25 @@ namespace
     check_near(
       N / (2. / 3 * M_PI * along * across * largest_pressure), 1, 0.01, name + "elliptic pressure is there");
 
-    const double C11 = creepage_coefficient(along / across), slope = shear_modulus * along * across * C11;
+    const double slope = shear_modulus * along * across * C11;
     const double small = 0.02 * friction * N / slope;
-    const auto   start = start_tractions_at_creepage(contact, small, shear_modulus);
-    // the strips are whole cells long: one cell in the length of the patch is the error
+    const auto   start = start_tractions_at_creepage(contact, small, steel);
+    // elements of a sixteenth of the semi-axis
     check_near(
-      start.force / (slope * small), 1, 0.08, name + "force at small creepage over G a b C11 creepage");
+      start.force / (slope * small), 1, 0.015, name + "force at small creepage over G a b C11 creepage");
 
-    // Vermeulen and Johnson's curve of saturation is known to 10 % of the bound; the simplified theory
-    // with an elliptic bound must come as near to it
+    // Vermeulen and Johnson's curve of saturation is known to 10 % of the bound; the
+    // exact theory must come as near to it
     double worst = 0;
     for (double k = 0.1; k < 2; k += 0.1)
       {
         const double expected = k < 1 ? 1 - std::pow(1 - k, 3) : 1;
-        const auto   at = start_tractions_at_creepage(contact, 3 * k * friction * N / slope, shear_modulus);
-        worst           = std::max(worst, std::abs(at.force / (friction * N) - expected));
+        const auto   at       = start_tractions_at_creepage(contact, 3 * k * friction * N / slope, steel);
+        worst                 = std::max(worst, std::abs(at.force / (friction * N) - expected));
       }
-    check_near(worst, 0, 0.1, name + "largest distance from the curve of Vermeulen and Johnson");
+    check_near(worst, 0, 0.06, name + "largest distance from the curve of Vermeulen and Johnson");
 
-    const auto full = start_tractions_at_creepage(contact, 0.05, shear_modulus);
+    const auto full = start_tractions_at_creepage(contact, 0.05, steel);
     check_near(full.force / (friction * N), 1, 1e-3, name + "saturation at friction x normal force");
     double excess = 0;
     for (std::size_t k = 0; k < full.shear.size(); ++k)
@@ -130,8 +134,8 @@ namespace
   {
     Contact      contact = elliptic_contact(6e-3, 4e-3);
     const double bound   = friction * normal_force(contact);
-    const auto   driving = start_tractions(contact, 0.5 * bound, shear_modulus),
-               braking   = start_tractions(contact, -0.5 * bound, shear_modulus);
+    const auto   driving = start_tractions(contact, 0.5 * bound, steel),
+               braking   = start_tractions(contact, -0.5 * bound, steel);
     check_near(driving.force / bound, 0.5, 1e-6, "the wanted force is met");
     check(driving.creepage > 0 && !driving.saturated, "driving: creepage positive, not saturated");
     check_near(braking.creepage / driving.creepage, -1, 1e-6, "braking mirrors driving");
@@ -159,10 +163,10 @@ namespace
                1e-3,
                "the contact with these tractions drives the wheel forward by the force");
 
-    const auto beyond = start_tractions(contact, 1.2 * bound, shear_modulus);
+    const auto beyond = start_tractions(contact, 1.2 * bound, steel);
     check(beyond.saturated, "a force beyond the bound is flagged");
     check_near(beyond.force / bound, 0.98, 1e-3, "and the bound less two per cent is given");
-    const auto none = start_tractions(contact, 0, shear_modulus);
+    const auto none = start_tractions(contact, 0, steel);
     check_near(none.force / bound, 0, 1e-6, "no force wanted: no force");
     check_near(none.creepage, 0, 1e-9, "no force wanted: no creepage");
   }
@@ -173,7 +177,7 @@ namespace
   {
     const double  a = 4e-3, angle = 0.025, rate = std::sin(angle) / radius;
     const Contact contact = elliptic_contact(a, a, angle);
-    const auto    start   = start_tractions(contact, 0, shear_modulus);
+    const auto    start   = start_tractions(contact, 0, steel);
     double        lateral = 0, inner = 0, outer = 0;
     for (std::size_t k = 0; k < start.shear.size(); ++k)
       {
@@ -184,22 +188,10 @@ namespace
     // C23 of a circle at Poisson's ratio 0.3 is 1.5 (Kalker 1990, table E.3)
     check_near(lateral / (1.5 * shear_modulus * std::pow(a, 3) * rate),
                1,
-               0.25,
+               0.1,
                "spin: lateral force on the wheel over G (ab)^1.5 C23 spin");
     check(inner > 0 && outer < 0, "spin: the smaller radius drags the rail forward, the larger one backward");
     check_near(start.creepage, 0, 1e-4, "spin: no creepage without force");
-  }
-
-  void
-  coefficients()
-  {
-    // Kalker 1990, table E.3, linear between Poisson's ratios 0.25 and 0.5: 4.12 and 5.20 for a circle
-    check_near(
-      creepage_coefficient(1), 4.12 + 0.2 * (5.20 - 4.12), 0.05, "C11 of a circle at Poisson's ratio 0.3");
-    bool rises = true;
-    for (double ratio = 0.11; ratio < 9; ratio *= 1.1)
-      rises = rises && creepage_coefficient(ratio * 1.1) > creepage_coefficient(ratio);
-    check(rises, "C11 rises with the length of the patch");
   }
 } // namespace
 
@@ -207,10 +199,9 @@ int
 main(int argc, char **argv)
 {
   Parallel parallel(argc, argv);
-  coefficients();
-  linear_theory(6e-3, 4e-3);
-  linear_theory(4e-3, 4e-3);
-  linear_theory(3e-3, 6e-3);
+  linear_theory(6e-3, 4e-3, 4.78);
+  linear_theory(4e-3, 4e-3, 4.30);
+  linear_theory(3e-3, 6e-3, 3.81);
   wanted_force();
   spin();
   return parallel.report();

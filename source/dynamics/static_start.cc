@@ -101,14 +101,21 @@ namespace wheelrail
             if (sheared)
               break;
             // normal contact has settled: add the shear tractions and go on
-            const double G = solid.blocks[0].material.shear_modulus();
-            const auto   tractions =
-              loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, G)
-                                : start_tractions(contact, loads.traction_coefficient * result.wheel_load, G);
+            const StartBodies bodies = {solid.blocks[0].material, solid.blocks[1].material};
+            const auto        tractions =
+              loads.rate_held
+                       ? start_tractions_at_creepage(contact, loads.creepage, bodies)
+                       : start_tractions(contact, loads.traction_coefficient * result.wheel_load, bodies);
             shear           = tractions.shear;
             result.creepage = tractions.creepage;
             rate            = loads.axle.velocity / loads.rolling_radius * (1 + result.creepage);
             sheared         = true;
+            if (tractions.saturated)
+              report("static start: the torque is beyond friction x wheel load; the wheel will spin up");
+            if (!tractions.converged)
+              report(
+                "static start: the half-space solver did not reach its tolerance; the tractions of the "
+                "start are less exact");
             continue;
           }
         if (step == 59)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/contact/contact.h>
+#include <wheelrail/solid/element_blocks.h>
 
 namespace wheelrail
 {
@@ -10,23 +11,25 @@ namespace wheelrail
     double               creepage  = 0;     ///< at the rolling radius of 2D-Geo, positive driving
     double               force     = 0;     ///< longitudinal force on the wheel that the tractions give [N]
     bool                 saturated = false; ///< the wanted force exceeds the friction bound
+    bool                 converged = true;  ///< the half-space solver reached its tolerance
     std::vector<Vector3> shear;             ///< traction on the rail at every lattice node [Pa]
   };
 
-  /// Kalker's linear creepage coefficient C11 for Poisson's ratio 0.3 and the ratio of the semi-axes
-  /// along and across the rolling direction (Kalker 1990, table E.3, interpolated).
-  double
-  creepage_coefficient(double along_over_across);
+  /// Elastic constants of the two bodies as half-spaces.
+  struct StartBodies
+  {
+    Elasticity rail, wheel;
+  };
 
-  /// Steady shear tractions for a given longitudinal force [N, on the wheel] by Kalker's simplified
-  /// theory (FASTSIM, 1982) on the pressures of `contact`: every lateral strip slides with its own
-  /// rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
-  /// turning wheel (together: creepage and spin), traction grows from the leading edge and is cut at the
-  /// Coulomb bound. The creepage is found by bisection. A prediction to start from, not a result.
+  /// Steady shear tractions for a given longitudinal force [N, on the wheel], exact for two half-spaces
+  /// under the pressures of `contact` (Kalker 1990; doc/halfspace.md): every lateral strip slides with
+  /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
+  /// turning wheel (together: creepage and spin). One element a lattice node. The friction coefficient is
+  /// that at rest. Wanted forces are cut to 98 % of full slip.
   StartTractions
-  start_tractions(const Contact &contact, double longitudinal_force, double shear_modulus);
+  start_tractions(const Contact &contact, double longitudinal_force, const StartBodies &bodies);
 
   /// The same with the creepage given instead of the force.
   StartTractions
-  start_tractions_at_creepage(const Contact &contact, double creepage, double shear_modulus);
+  start_tractions_at_creepage(const Contact &contact, double creepage, const StartBodies &bodies);
 } // namespace wheelrail

@@ -31,7 +31,7 @@ namespace wheelrail
   };
 
   /// Static equilibrium of both bodies under contact, weight, suspension preload and the centrifugal
-  /// load of the turning wheel, with the shear tractions that simplified theory predicts.
+  /// load of the turning wheel, with the shear tractions of the exact half-space theory.
   ///
   /// Newton's method on the explicit kernel's own forces: the stiffness matrix is assembled once,
   /// the contact springs of the moment are added to a copy of it, which ML preconditions. The hub is
