@@ -28,7 +28,14 @@ namespace
   {
     static const std::map<std::string, std::string> values = {
       {"Title", "other scene, 50 % slower"},
+      {"Profiles/Wheel", std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_S1002.prw"},
+      {"Profiles/Wheel mirror", "no"},
+      {"Profiles/Wheel unit", "mm"},
       {"Profiles/Rail", "60E1"},
+      {"Profiles/Rail mirror", "yes"},
+      {"Profiles/Rail unit", "inch"},
+      {"Profiles/Rail body", "60E1"},
+      {"Profiles/Smoothing", "0.01 mm"},
       {"Track/Gauge", "1437 mm"},
       {"Track/Gauge height", "15 mm"},
       {"Track/Rail inclination", "1/20"},
@@ -93,9 +100,7 @@ namespace
   }
 
   /// Entries for which this version accepts one value only.
-  const std::set<std::string> single_valued = {"Profiles/Wheel",
-                                               "Rail material/Yield stress",
-                                               "Wheel material/Yield stress"};
+  const std::set<std::string> single_valued = {"Rail material/Yield stress", "Wheel material/Yield stress"};
 
   Scene
   other_scene()
@@ -161,7 +166,15 @@ namespace
   {
     const Scene s = other_scene();
     check_text(s.title, "other scene, 50 % slower", "field title");
-    check_text(s.wheel_profile, "S1002", "field wheel_profile");
+    check_text(
+      s.wheel_profile, std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_S1002.prw", "field wheel_profile");
+    check(s.wheel_file.mirror == ProfileMirror::no && s.rail_file.mirror == ProfileMirror::yes,
+          "fields mirror");
+    check(s.wheel_file.unit == ProfileUnit::millimetre && s.rail_file.unit == ProfileUnit::inch,
+          "fields unit");
+    check_text(s.rail_body, "60E1", "field rail_body");
+    check_near(s.rail_file.noise, 1e-5, 0, "field rail_file.noise");
+    check_near(s.wheel_file.noise, 1e-5, 0, "field wheel_file.noise");
     check_text(s.rail_profile, "60E1", "field rail_profile");
     check_near(s.track.gauge, 1.437, 0, "field gauge");
     check_near(s.track.gauge_height, 0.015, 0, "field gauge_height");

@@ -40,8 +40,10 @@ namespace
       "Wheelset/Drive = torqe",
       "--set: Wheelset/Drive = torqe: not known here; torque or rate is accepted, perhaps torque is meant");
     check_set("Wheelset/Roll =", "--set: Wheelset/Roll = : no value; none or from contact is accepted");
-    check_set("Profiles/Rail = UIC 60",
-              "--set: Profiles/Rail = UIC 60: not known here; 54E1 or 60E1 is accepted");
+    check_set(
+      "Profiles/Rail = UIC 60",
+      "--set: Profiles/Rail = UIC 60: not known here; 54E1, 60E1 or a profile file (with its ending, such as "
+      "worn.prr) is accepted");
     check_set(
       "Mesh/Element = fully",
       "--set: Mesh/Element = fully: not known here; reduced or full is accepted, perhaps full is meant");

@@ -2,9 +2,11 @@
 #include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/entry_kinds.h>
 #include <wheelrail/application/geometry_command.h>
+#include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/input_file.h>
 #include <wheelrail/application/parameter_reference.h>
 #include <wheelrail/application/parameters.h>
+#include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
@@ -59,7 +61,10 @@ namespace wheelrail
     int
     validate(const po::variables_map &options, std::ostream &out)
     {
-      const Findings found = cross_checks(scene_of(options), this_machine(0));
+      const Scene scene = scene_of(options);
+      for (const std::string &note : profile_notes(scene))
+        out << "note: " << note << "\n";
+      const Findings found = cross_checks(scene, this_machine(0));
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
       std::string errors;
@@ -108,7 +113,14 @@ namespace wheelrail
       std::vector<double> shifts;
       if (options.count("shifts"))
         shifts = parse_shifts(options["shifts"].as<std::string>());
-      return run_geometry_command(scene_of(options, Checks::entries), shifts, out);
+      const Scene scene = scene_of(options, Checks::entries);
+      const int   code  = run_geometry_command(scene, shifts, out);
+      if (code == 0 && options.count("profiles"))
+        {
+          const std::string stem = std::filesystem::path(file_of(options)).stem().string();
+          draw_profiles(scene, (stem.empty() ? "" : stem + "_") + "profiles", out);
+        }
+      return code;
     }
 
     int
@@ -170,6 +182,9 @@ namespace wheelrail
            options.add_options()("shifts",
                                  po::value<std::string>(),
                                  "lateral shifts in mm: first:last:step, or values with commas");
+           options.add_options()("profiles",
+                                 "draw both profiles in track position and the undeformed distance into "
+                                 "FILE_profiles.png here");
          },
          act_geometry},
         {"parameters",

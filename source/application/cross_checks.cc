@@ -2,6 +2,7 @@
 #include <wheelrail/application/entries.h>
 #include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/model.h>
+#include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 
@@ -273,11 +274,8 @@ namespace wheelrail
     ContactGeometry
     contact_of(const Scene &scene)
     {
-      return find_contact(rail_profile(scene.rail_profile),
-                          wheel_profile(scene.wheel_profile),
-                          scene.track,
-                          scene.lateral_shift,
-                          scene.roll);
+      return find_contact(
+        scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll);
     }
 
     /// Whether blocks of the wanted size fit into both sections: lays them out, which takes 20 ms.
@@ -303,6 +301,16 @@ namespace wheelrail
     std::optional<ExpectedPatch>
     find_patch(const Scene &scene, Sentences &errors)
     {
+      try
+        {
+          scene_rail(scene);
+          scene_wheel(scene);
+        }
+      catch (const InputError &error) // it names its entry
+        {
+          errors.push_back(error.what());
+          return {};
+        }
       try
         {
           return expected_patch(scene, contact_of(scene));

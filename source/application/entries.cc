@@ -1,6 +1,6 @@
 #include <wheelrail/application/entries.h>
+#include <wheelrail/application/profile_entries.h>
 #include <wheelrail/application/special_entries.h>
-#include <wheelrail/geometry/profiles.h>
 
 #include <algorithm>
 
@@ -28,13 +28,8 @@ namespace wheelrail
     add_track(std::vector<Entry> &list)
     {
       list.push_back(text_entry({"", "Title", "", "Name of the scene in the output."}, field(&S::title)));
-      list.push_back(name_entry({"Profiles", "Wheel", "S1002", "Standard wheel profile (S1002: EN 13715)."},
-                                standard_wheels(),
-                                field(&S::wheel_profile)));
-      list.push_back(
-        name_entry({"Profiles", "Rail", "54E1", "Standard rail profile (54E1, 60E1: EN 13674-1)."},
-                   standard_rails(),
-                   field(&S::rail_profile)));
+      for (const Entry &entry : profile_entries())
+        list.push_back(entry);
       list.push_back(
         length({"Track", "Gauge", "1435 mm", "Distance between the two rails, at the gauge height."},
                "mm",

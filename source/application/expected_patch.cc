@@ -1,4 +1,5 @@
 #include <wheelrail/application/expected_patch.h>
+#include <wheelrail/application/scene_profiles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +50,8 @@ namespace wheelrail
     patch.approach                = expected_approach(scene, geometry.rolling_radius);
     const double virtual_approach = kik_piotrowski * patch.approach;
     patch.length                  = 2 * half_length_bound(virtual_approach, geometry.rolling_radius);
-    const FrameProfile rail(rail_profile(scene.rail_profile).head, geometry.rail, geometry.frame);
-    const FrameProfile wheel(wheel_profile(scene.wheel_profile).tread, geometry.wheel, geometry.frame);
+    const FrameProfile rail(scene_rail(scene).head, geometry.rail, geometry.frame);
+    const FrameProfile wheel(scene_wheel(scene).tread, geometry.wheel, geometry.frame);
     for (const Range &range : interpenetration(wheel, rail, virtual_approach))
       patch.width += range.s1 - range.s0;
     return patch;

@@ -1,5 +1,7 @@
 #include <wheelrail/application/geometry_command.h>
+#include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/conicity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +14,9 @@ namespace wheelrail
   namespace
   {
     const double degree = std::acos(-1.) / 180;
+
+    /// Gap that closes under a wheel load of some 100 kN [m].
+    constexpr double loaded_gap = 1e-4;
 
     struct Pair
     {
@@ -88,6 +93,17 @@ namespace wheelrail
       return std::abs(b.wheel_x - a.wheel_x) >= least_jump;
     }
 
+    /// " + 0.031 mm at -25.2": the further points whose gap closes under load, with the rail's x.
+    std::string
+    further_text(const ContactGeometry &c)
+    {
+      std::string text;
+      for (const FurtherPoint &p : c.further)
+        if (p.gap < loaded_gap)
+          text += " + " + fixed(1e3 * p.gap, 3) + " mm at " + fixed(1e3 * p.rail_x, 1);
+      return text;
+    }
+
     std::vector<std::string>
     row_of(const ContactGeometry &c, const double other_radius)
     {
@@ -101,14 +117,16 @@ namespace wheelrail
               radius_text(c.rail_curvature),
               radius_text(c.wheel_curvature),
               c.second_gap < 0 ? "none" : fixed(1e3 * c.second_gap, 4),
-              c.wheel_segment + " on " + c.rail_segment};
+              c.wheel_segment + " on " + c.rail_segment + further_text(c)};
     }
 
     void
     print_table(const Pair &pair, const std::vector<double> &shifts, std::ostream &out)
     {
-      out << "\nRoll " << (pair.roll == RollMode::none ? "none" : "from contact")
-          << " (a star marks a jump of the contact point since the line above)\n\n";
+      out
+        << "\nRoll " << (pair.roll == RollMode::none ? "none" : "from contact")
+        << " (a star marks a jump of the contact point since the line above; + the gap in mm and the rail's "
+           "x\nof further points that 0.1 mm of approach would close)\n\n";
       print_row(out,
                 {"shift",
                  "roll",
@@ -161,6 +179,28 @@ namespace wheelrail
     }
 
     void
+    print_conicity(const Pair &pair, std::ostream &out)
+    {
+      const double           e = 2 * running_circle_distance(pair.track), r0 = pair.track.nominal_radius;
+      const RadiusDifference difference =
+        radius_difference(pair.rail, pair.wheel, pair.track, pair.roll, 8e-3, 1e-4);
+      out << "\nEquivalent conicity (EN 15302, UIC 519: cone with the same wavelength of Klingel's "
+             "movement), roll "
+          << (pair.roll == RollMode::none ? "none" : "from contact") << "\n\n";
+      for (int amplitude = 1; amplitude <= 8; ++amplitude)
+        {
+          const double conicity = equivalent_conicity(difference, 1e-3 * amplitude, e, r0);
+          if (amplitude * 1e-3 > difference.displacement.back() * (1 + 1e-12))
+            break;
+          out << "  amplitude " << amplitude << " mm   "
+              << (std::isnan(conicity) ? "none: the difference of the rolling radii pushes outwards"
+                                       : fixed(conicity, 4) + "   wavelength " +
+                                           fixed(std::acos(-1.) * std::sqrt(2 * e * r0 / conicity), 2) + " m")
+              << '\n';
+        }
+    }
+
+    void
     print_details(const Pair &pair, const ContactGeometry &c, std::ostream &out)
     {
       const auto line = [&out](const std::string &name, const std::string &value) {
@@ -181,10 +221,11 @@ namespace wheelrail
            fixed(c.rail_curvature, 4) + " 1/m (radius " + radius_text(c.rail_curvature) + " mm)");
       line("lateral curvature of the wheel",
            fixed(c.wheel_curvature, 4) + " 1/m (radius " + radius_text(c.wheel_curvature) + " mm)");
-      line("second minimum of the gap",
-           c.second_gap < 0
-             ? "none"
-             : fixed(1e3 * c.second_gap, 4) + " mm at rail x " + fixed(1e3 * c.second_rail_x, 3) + " mm");
+      for (const FurtherPoint &p : c.further)
+        line("further minimum of the gap",
+             fixed(1e3 * p.gap, 4) + " mm at rail x " + fixed(1e3 * p.rail_x, 3) + ", wheel x " +
+               fixed(1e3 * p.wheel_x, 3) + " mm, angle " + fixed(p.angle / degree, 2) + " deg" +
+               (p.gap < loaded_gap ? ": touches under load" : ""));
 
       const FrameProfile wheel(pair.wheel.tread, c.wheel, c.frame), rail(pair.rail.head, c.rail, c.frame);
       const double low = std::max(wheel.s_min(), rail.s_min()), high = std::min(wheel.s_max(), rail.s_max());
@@ -217,9 +258,10 @@ namespace wheelrail
   int
   run_geometry_command(const Scene &scene, const std::vector<double> &shifts, std::ostream &out)
   {
-    Pair pair{
-      rail_profile(scene.rail_profile), wheel_profile(scene.wheel_profile), scene.track, RollMode::none};
-
+    std::vector<std::string> notes;
+    Pair pair{scene_rail(scene, &notes), scene_wheel(scene, &notes), scene.track, RollMode::none};
+    for (const std::string &note : notes)
+      out << "note: " << note << '\n';
     out << "Wheel " << pair.wheel.name << " on rail " << pair.rail.name << ", gauge "
         << fixed(1e3 * scene.track.gauge, 2) << " mm (" << fixed(1e3 * scene.track.gauge_height, 1)
         << " mm below the top), inclination ";
@@ -241,6 +283,7 @@ namespace wheelrail
       {
         pair.roll = mode;
         print_table(pair, shifts.empty() ? default_geometry_shifts() : shifts, out);
+        print_conicity(pair, out);
       }
 
     pair.roll = scene.roll;

@@ -1,5 +1,6 @@
 #include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/model.h>
+#include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contact/penalty.h>
 #include <wheelrail/contact/surface_response.h>
@@ -101,8 +102,8 @@ namespace wheelrail
   SweepPlan
   sweep_plan(const Scene &scene, const ContactGeometry &geometry, const double expected_approach)
   {
-    const RailProfile  rail  = rail_profile(scene.rail_profile);
-    const WheelProfile wheel = wheel_profile(scene.wheel_profile);
+    const RailProfile  rail  = scene_rail(scene);
+    const WheelProfile wheel = scene_wheel(scene);
     const FrameProfile rail_frame(rail.head, geometry.rail, geometry.frame);
     const FrameProfile wheel_frame(wheel.tread, geometry.wheel, geometry.frame);
 
@@ -147,11 +148,8 @@ namespace wheelrail
   make_model(const Scene &scene, MPI_Comm communicator)
   {
     Model model;
-    model.geometry          = find_contact(rail_profile(scene.rail_profile),
-                                  wheel_profile(scene.wheel_profile),
-                                  scene.track,
-                                  scene.lateral_shift,
-                                  scene.roll);
+    model.geometry =
+      find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll);
     model.expected_approach = expected_approach(scene, model.geometry.rolling_radius);
 
     SweepPlan     plan    = sweep_plan(scene, model.geometry, model.expected_approach);

@@ -1,4 +1,5 @@
 #include <wheelrail/application/run_texts.h>
+#include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/dynamics/pose.h>
 
 #include <cmath>
@@ -55,6 +56,8 @@ namespace wheelrail
               text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",
                    model.contact->law().stiffness,
                    scene.penalty_scale));
+    for (const std::string &note : profile_notes(scene))
+      log.note(note);
     for (const std::string &warning : warnings)
       log.warning(warning);
   }

@@ -121,19 +121,6 @@ namespace wheelrail
     return list;
   }
 
-  Entry
-  name_entry(const EntryHead &head, const std::vector<std::string> &names, const Field<std::string> &place)
-  {
-    Entry      entry = text_entry(head, place);
-    const auto set   = entry.set;
-    entry.accepted   = join_choices(names);
-    entry.set        = [set, names](Scene &scene, const std::string &text) {
-      require_choice(text, names);
-      set(scene, text);
-    };
-    return entry;
-  }
-
   void
   complete_scene(Scene &scene)
   {

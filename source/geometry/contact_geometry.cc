@@ -222,6 +222,21 @@ namespace wheelrail
       contact.rail_segment             = pair.rail.head.segments()[on_rail.segment].name;
       contact.wheel_segment            = pair.wheel.tread.segments()[on_wheel.segment].name;
 
+      for (std::size_t i = 1; i < minima.size(); ++i)
+        if (minima[i].smooth)
+          {
+            const double              X     = minima[i].X;
+            const FrameProfile::Value there = pair.rail_heights.at(X);
+            const double              slope = std::atan(there.slope);
+            contact.further.push_back({(minima[i].gap - first.gap) * std::cos(slope),
+                                       pair.rail.head.at(pair.rail_heights.parameter(X)).position.x,
+                                       pair.wheel.tread.at(wheel_heights.parameter(X)).position.x,
+                                       -slope,
+                                       {X, there.n}});
+          }
+      std::sort(contact.further.begin(), contact.further.end(), [](const auto &a, const auto &b) {
+        return a.gap < b.gap;
+      });
       contact.second_gap = -1;
       for (std::size_t i = 1; i < minima.size() && contact.second_gap < 0; ++i)
         if (minima[i].smooth)

@@ -178,6 +178,20 @@ namespace wheelrail
 
 
   Segment
+  part_of(const Segment &segment, const double f0, const double f1)
+  {
+    if (!is_straight_or_round(segment))
+      throw InputError("Segment '" + segment.name + "' is neither a line nor an arc and cannot be cut.");
+    Segment g     = segment;
+    g.start       = position_on(segment, f0);
+    g.end         = position_on(segment, f1);
+    g.angle_start = segment.angle_start + f0 * (segment.angle_end - segment.angle_start);
+    g.angle_end   = segment.angle_start + f1 * (segment.angle_end - segment.angle_start);
+    return g;
+  }
+
+
+  Segment
   line_segment(const std::string &name, const Point2 &start, const Point2 &end)
   {
     Segment g;

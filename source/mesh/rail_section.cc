@@ -26,10 +26,10 @@ namespace wheelrail
     // `side` is +1 on the field side (left in the frame of the builder, the outline runs down) and
     // -1 on the gauge side, which is walked backwards.
     Half
-    find_half(const MirroredCurve &outline, const double side)
+    find_half(const MirroredCurve &outline, const double side, const double height)
     {
       const double start = side > 0 ? 0 : outline.curve->parameter_end();
-      const double end   = 0.5 * outline.curve->parameter_end();
+      const double end   = outline.curve->closest({0, -height});
       const auto   find  = [&](const double angle, const double from, const char *what) {
         return outline.find_tangent(side * angle * degree, from, end, what);
       };
@@ -279,8 +279,8 @@ namespace wheelrail
     Rail rail;
     rail.head        = {std::make_shared<const Curve>(profile.head), 1, 0};
     rail.outline     = {std::make_shared<const Curve>(profile.outline), 1, 0};
-    rail.field       = find_half(rail.outline, 1);
-    rail.gauge       = find_half(rail.outline, -1);
+    rail.field       = find_half(rail.outline, 1, profile.height);
+    rail.gauge       = find_half(rail.outline, -1, profile.height);
     rail.block_size  = block_size;
     rail.web_columns = std::max(2u, block_count(0.016, block_size));
 

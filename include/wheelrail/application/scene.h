@@ -2,6 +2,7 @@
 
 #include <wheelrail/contact/friction.h>
 #include <wheelrail/geometry/contact_geometry.h>
+#include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/mesh/wheel_section.h>
 #include <wheelrail/solid/element_form.h>
 
@@ -34,22 +35,25 @@ namespace wheelrail
     std::string title;
 
     // Profiles, Track, Wheelset
-    std::string     wheel_profile = "S1002";
-    std::string     rail_profile  = "54E1";
-    TrackDimensions track; ///< flange-back distance and nominal radius belong to Wheelset in the file
-    double          rail_length = 1.8;        ///< [m]
-    WheelDimensions wheel;                    ///< Wheelset/Rim width, ... [m]
-    double          lateral_shift        = 0; ///< [m]
-    RollMode        roll                 = RollMode::none;
-    double          sprung_mass          = 10000;     ///< [kg]
-    double          axle_mass            = 180;       ///< half axle, rigid [kg]
-    double          axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
-    double          suspension_stiffness = 1.15e6;    ///< [N/m]
-    double          suspension_damping   = 2500;      ///< [N s/m]
-    double          velocity             = 140 / 3.6; ///< [m/s]
-    Drive           drive                = Drive::torque;
-    double          traction_coefficient = 0.25;
-    double          creepage             = 0; ///< used with Drive::rate, positive driving
+    std::string        wheel_profile = "S1002"; ///< standard profile or file
+    std::string        rail_profile  = "54E1";
+    ProfileFileOptions wheel_file{ProfileKind::wheel}; ///< how files are read
+    ProfileFileOptions rail_file{ProfileKind::rail};
+    std::string        rail_body = "auto"; ///< standard rail below a measured head
+    TrackDimensions    track; ///< flange-back distance and nominal radius belong to Wheelset in the file
+    double             rail_length = 1.8;        ///< [m]
+    WheelDimensions    wheel;                    ///< Wheelset/Rim width, ... [m]
+    double             lateral_shift        = 0; ///< [m]
+    RollMode           roll                 = RollMode::none;
+    double             sprung_mass          = 10000;     ///< [kg]
+    double             axle_mass            = 180;       ///< half axle, rigid [kg]
+    double             axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
+    double             suspension_stiffness = 1.15e6;    ///< [N/m]
+    double             suspension_damping   = 2500;      ///< [N s/m]
+    double             velocity             = 140 / 3.6; ///< [m/s]
+    Drive              drive                = Drive::torque;
+    double             traction_coefficient = 0.25;
+    double             creepage             = 0; ///< used with Drive::rate, positive driving
 
     // Contact
     double       friction_coefficient         = 0.5; ///< at rest

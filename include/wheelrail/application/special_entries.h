@@ -28,10 +28,6 @@ namespace wheelrail
   std::vector<Entry>
   element_entries();
 
-  /// One of a list of names, kept as text.
-  Entry
-  name_entry(const EntryHead &head, const std::vector<std::string> &names, const Field<std::string> &place);
-
   /// Replaces values that depend on others ("auto") once all entries are read.
   void
   complete_scene(Scene &scene);

@@ -9,6 +9,16 @@
 
 namespace wheelrail
 {
+  /// A further place at which wheel and rail nearly touch: a local minimum of the gap.
+  struct FurtherPoint
+  {
+    double gap     = 0; ///< along the normal of the rail [m]; under load it closes by some 0.1 mm
+    double rail_x  = 0; ///< in the sections, positive to the field side [m]
+    double wheel_x = 0;
+    double angle   = 0; ///< contact angle [rad]
+    Point2 position;    ///< on the rail, in the track plane [m]
+  };
+
   /// The rigid contact of wheel and rail at one lateral shift ("2D-Geo").
   struct ContactGeometry
   {
@@ -28,7 +38,8 @@ namespace wheelrail
     double       wheel_curvature = 0; ///< lateral, positive convex, negative concave [1/m]
     std::string  rail_segment, wheel_segment;
     double       second_gap = 0; ///< vertical gap at the next local minimum [m], negative when there is none
-    double       second_rail_x = 0; ///< where it lies in the rail section [m]
+    double       second_rail_x = 0;    ///< where it lies in the rail section [m]
+    std::vector<FurtherPoint> further; ///< all other local minima with a common tangent, nearest first
   };
 
   /// Finds the first contact point of the modelled (right-hand) wheel: the wheel is lowered

@@ -51,6 +51,10 @@ namespace wheelrail
   Segment
   moved(const Segment &segment, const Point2 &by);
 
+  /// The part of a line or arc between the fractions f0 < f1. Throws InputError for others.
+  Segment
+  part_of(const Segment &segment, double f0, double f1);
+
   /// The straight segment between two points.
   Segment
   line_segment(const std::string &name, const Point2 &start, const Point2 &end);

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <wheelrail/application/scene.h>
+
+#include <ostream>
+#include <string>
+
+namespace wheelrail
+{
+  /// Writes what the picture of a scene's profiles shows into `<name>.csv` and draws `<name>.png`
+  /// from it (source/report/profile_picture.py): both profiles in the track plane at the scene's
+  /// own shift, the contact point, further points that touch under load, and the undeformed distance along
+  /// the common tangent. Tells the name of the picture.
+  ///
+  /// Throws InputError when there is no contact at the scene's shift, RunError when a file cannot be
+  /// written or the script fails.
+  void
+  draw_profiles(const Scene &scene, const std::string &name, std::ostream &out);
+} // namespace wheelrail

@@ -1,0 +1,123 @@
+#include <wheelrail/application/geometry_picture.h>
+#include <wheelrail/application/scene_profiles.h>
+#include <wheelrail/base/errors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Rows "what, a, b" of numbers in millimetres (distances in micrometres).
+    class Rows
+    {
+    public:
+      explicit Rows(const std::string &path)
+        : path_(path)
+        , file_(path)
+      {
+        file_ << std::setprecision(9) << "what,a,b\n";
+      }
+
+      void
+      add(const std::string &what, const double a, const double b)
+      {
+        file_ << what << ',' << a << ',' << b << '\n';
+      }
+
+      /// A text; quotes in it would end the cell.
+      void
+      add_text(const std::string &what, std::string text)
+      {
+        std::replace(text.begin(), text.end(), '"', '\'');
+        file_ << what << ",\"" << text << "\",\n";
+      }
+
+      void
+      close()
+      {
+        file_.close();
+        if (!file_)
+          throw RunError(path_ + ": cannot be written; choose a folder with room and permission to write");
+      }
+
+    private:
+      std::string   path_;
+      std::ofstream file_;
+    };
+
+    void
+    add_curve(Rows &rows, const std::string &what, const Curve &curve, const Placement &placement)
+    {
+      for (const Segment &g : curve.segments())
+        {
+          const int n = samples_on(g, 32);
+          for (int i = 0; i <= n; ++i)
+            {
+              const Point2 p = placement.to_track(position_on(g, static_cast<double>(i) / n));
+              rows.add(what, 1e3 * p.x, 1e3 * p.y);
+            }
+        }
+    }
+
+    void
+    run_script(const std::string &csv, const std::string &png)
+    {
+      const std::string script  = std::string(WHEELRAIL_REPORT_DIR) + "/profile_picture.py";
+      std::string       python  = "/usr/bin/python3"; // Debian's own has the packages
+      std::string       words[] = {python, script, csv, png};
+      char *arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
+      pid_t child       = 0;
+      int   status      = 0;
+      if (posix_spawn(&child, python.c_str(), nullptr, nullptr, arguments, environ) != 0)
+        throw RunError(python +
+                       " cannot be started; install the Debian packages python3 and python3-matplotlib");
+      if (waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        throw RunError(png + " could not be drawn from " + csv +
+                       "; install the Debian package python3-matplotlib");
+    }
+  } // namespace
+
+
+  void
+  draw_profiles(const Scene &scene, const std::string &name, std::ostream &out)
+  {
+    const RailProfile     rail  = scene_rail(scene);
+    const WheelProfile    wheel = scene_wheel(scene);
+    const ContactGeometry c     = find_contact(rail, wheel, scene.track, scene.lateral_shift, scene.roll);
+
+    Rows rows(name + ".csv");
+    rows.add_text("wheel name", scene.wheel_profile);
+    rows.add_text("rail name", scene.rail_profile);
+    rows.add("shift", 1e3 * c.lateral_shift, 1e3 * c.roll);
+    rows.add("radius", 1e3 * c.rolling_radius, c.angle * 180 / std::acos(-1.));
+    add_curve(rows, "rail", rail.head, c.rail);
+    add_curve(rows, "wheel", wheel.tread, c.wheel);
+    rows.add("contact", 1e3 * c.frame.origin.x, 1e3 * c.frame.origin.y);
+    rows.add("contact in sections", 1e3 * c.rail_x, 1e3 * c.wheel_x);
+    for (const FurtherPoint &p : c.further)
+      if (p.gap < 1e-3)
+        {
+          rows.add("further", 1e3 * p.position.x, 1e3 * p.position.y);
+          rows.add("further gap", 1e6 * p.gap, 1e3 * c.frame.to_frame(p.position).x);
+        }
+    const FrameProfile wheel_heights(wheel.tread, c.wheel, c.frame), rail_heights(rail.head, c.rail, c.frame);
+    const double       low = std::max({wheel_heights.s_min(), rail_heights.s_min(), -0.03}),
+                 high      = std::min({wheel_heights.s_max(), rail_heights.s_max(), 0.03});
+    for (int i = 0; i <= 1200; ++i)
+      {
+        const double s = low + (high - low) * i / 1200;
+        rows.add("distance", 1e3 * s, 1e6 * undeformed_distance(wheel_heights, rail_heights, s));
+      }
+    rows.close();
+    run_script(name + ".csv", name + ".png");
+    out << "\nPicture of the profiles: " << name << ".png (numbers: " << name << ".csv)\n";
+  }
+} // namespace wheelrail
