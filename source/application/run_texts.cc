@@ -57,7 +57,7 @@ namespace wheelrail
                    model.contact->law().stiffness,
                    scene.penalty_scale));
     for (const std::string &note : profile_notes(scene))
-      log.note(note);
+      log.value("profile", note);
     for (const std::string &warning : warnings)
       log.warning(warning);
   }
