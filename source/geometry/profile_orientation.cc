@@ -85,6 +85,9 @@ namespace wheelrail
           " below the middle one; a tread with its flange is needed, at least 60 mm "
           "wide and 15 mm deep" +
           (width > 0.04 && width < 0.095 ? " (this may be a rail: Profiles/Rail takes those)" : ""));
+      if (width > 0.2 || depth > 0.045)
+        throw InputError(file + ": no wheel profile: " + in_mm(width, 10) + " wide, its lowest part " +
+                         in_mm(depth, 10) + " below the middle one; up to 200 mm and 45 mm are accepted");
       const std::size_t tip  = lowest(points);
       const FilePoint  &free = std::abs(points.front().position.x - points[tip].position.x) >
                                   std::abs(points.back().position.x - points[tip].position.x)
@@ -96,9 +99,6 @@ namespace wheelrail
           in_mm(free.position.y - box.low.y, 10) +
           " above the lowest point; a tread with its flange on one side is needed (this may be a rail: "
           "Profiles/Rail takes those)");
-      if (width > 0.2 || depth > 0.045)
-        throw InputError(file + ": no wheel profile: " + in_mm(width, 10) + " wide, its lowest part " +
-                         in_mm(depth, 10) + " below the middle one; up to 200 mm and 45 mm are accepted");
     }
 
     // --- rail ------------------------------------------------------------------------------------
