@@ -1,5 +1,6 @@
 #include "contact.h"
 
+#include <wheelrail/contact/surface_response.h>
 #include <wheelrail/geometry/frame_profile.h>
 
 #include <algorithm>
@@ -45,7 +46,7 @@ namespace scenes
 
 
   Lattice
-  make_lattice(const Range &along, const Range &across)
+  make_lattice(const CellRange &along, const CellRange &across)
   {
     Lattice lattice;
     lattice.spacing_along   = along.size;
@@ -185,10 +186,33 @@ namespace scenes
     }
 
     Penalty
-    penalty_of(const Dynamics &scene, const ContactSetup &setup, const Elasticity &material)
+    penalty_of(const Dynamics &scene, const ContactSetup &setup)
     {
-      return make_penalty(
-        setup.scale, material.bulk_modulus(), setup.cell_size, setup.damping_ratio, scene.solid.stable.step);
+      return make_penalty(setup.scale,
+                          setup.material.bulk_modulus(),
+                          setup.cell_size,
+                          setup.damping_ratio,
+                          scene.solid.stable.step);
+    }
+
+    /// As the program makes it for a scene.
+    ContactLaw
+    law_of(const Dynamics &scene, const Surface &rail, const Surface &wheel, const ContactSetup &setup)
+    {
+      const Penalty          penalty = penalty_of(scene, setup);
+      ContactLaw             law{penalty.stiffness, penalty.damping, setup.friction, {}};
+      std::array<Vector3, 8> cube;
+      for (int a = 0; a < 8; ++a)
+        cube[a] = {double(a & 1), double(a >> 1 & 1), double(a >> 2)};
+      for (const Surface *surface : {&rail, &wheel})
+        if (setup.filter && surface->local[0] >= 0)
+          {
+            const int  body = surface == &rail ? 0 : 1;
+            const auto form = scene.solid.blocks[body].form;
+            law.filter[body] =
+              surface_filter(element_stiffness(element_geometry(cube), setup.material, form), setup.material);
+          }
+      return law;
     }
   } // namespace
 
@@ -205,15 +229,12 @@ namespace scenes
     , contact(renumbered(rail, 0),
               renumbered(wheel, rail.reference.size()),
               surfaces,
-              {penalty_of(scene, setup, setup.material).stiffness,
-               penalty_of(scene, setup, setup.material).damping,
-               setup.friction,
-               {}},
+              law_of(scene, rail, wheel, setup),
               setup.half_window,
               MPI_COMM_SELF)
     , scene_(scene)
   {
-    const Penalty penalty = penalty_of(scene, setup, setup.material);
+    const Penalty penalty = penalty_of(scene, setup);
     for (const Surface *surface : {&rail, &wheel})
       {
         if (setup.added_mass)
@@ -222,7 +243,7 @@ namespace scenes
         rigid_.insert(rigid_.end(), surface->reference.begin(), surface->reference.end());
       }
     displacement_.assign(4 * node_.size(), 0);
-    velocity_ = force_ = displacement_;
+    velocity_ = velocity_before_ = force_ = displacement_;
     scene.add_force(
       [this](const double time, const Solid &solid, double *force) { add_forces(time, solid, force); });
   }
@@ -231,6 +252,7 @@ namespace scenes
   void
   ContactPair::add_forces(const double time, const Solid &solid, double *force)
   {
+    velocity_before_     = velocity_;
     const Vector3 centre = {0, contact.surfaces().nominal_radius, 0};
     for (std::size_t k = 0; k < node_.size(); ++k)
       if (node_[k] >= 0)
@@ -250,6 +272,10 @@ namespace scenes
               velocity_[4 * k + i]     = v[i];
             }
         }
+    // the forces of the last step worked with the mean of the velocities before and after it
+    const double last = scene_.steps() == 1 ? 0.5 * scene_.time_step : scene_.time_step;
+    for (std::size_t k = 0; k < force_.size(); ++k)
+      work += 0.5 * last * force_[k] * (velocity_before_[k] + velocity_[k]);
     const auto [along, ahead] = follow(time);
     contact.move_window(along, ahead);
     contact.gather(displacement_.data(), velocity_.data());

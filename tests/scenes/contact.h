@@ -24,12 +24,12 @@ namespace scenes
   wheel_on_plane(double radius, double crown, double half_width);
 
   /// A lattice with nodes at multiples of the cell size along, from `begin` to `end`, and across.
-  struct Range
+  struct CellRange
   {
     double begin, end, size; ///< size: of a cell [m]
   };
   Lattice
-  make_lattice(const Range &along, const Range &across);
+  make_lattice(const CellRange &along, const CellRange &across);
 
   /// Breakpoints from `begin` upwards: cells of equal size up to `fine` [m], then each `growth` times
   /// as long as the one before, at most `largest`, up to about `total` [m].
@@ -73,6 +73,7 @@ namespace scenes
     Elasticity  material; ///< of the penalty
     FrictionLaw friction;
     double      half_window = 1;    ///< [m]
+    bool        filter      = true; ///< of elastic bodies, as in the program; not across planes of symmetry
     bool        added_mass  = true; ///< without it the step must be shortened by the caller
   };
 
@@ -97,6 +98,7 @@ namespace scenes
     RigidMotion wheel;
     ContactSums sums;
     double      friction_energy = 0, damping_energy = 0; ///< up to the last half step [J]
+    double      work = 0;                                ///< of the contact forces on both bodies [J]
 
     /// The patch; with `mirror` a quarter x, z >= 0 (1), a half x >= 0 (2) or z >= 0 (3)
     /// is completed by symmetry.
@@ -110,7 +112,7 @@ namespace scenes
     Dynamics            &scene_;
     std::vector<int>     node_; ///< of the mesh for each entry of both surfaces, or -1
     std::vector<Vector3> rigid_;
-    std::vector<double>  displacement_, velocity_, force_;
+    std::vector<double>  displacement_, velocity_, velocity_before_, force_;
   };
 
   /// Elastic half-space under an elliptic pressure, rolled up from point loads: the displacement at the
