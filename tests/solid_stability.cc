@@ -4,6 +4,8 @@
 
 #include "check.h"
 
+#include <wheelrail/solid/highest_frequency.h>
+
 #include <random>
 
 using namespace scenes;
@@ -72,6 +74,27 @@ namespace
         const double block = excess(setup, cubes(12, 12, 12)), most = nu == 0.3 ? 1 / 0.95 : 1.2;
         test::check(block > 1 && block < most,
                     name + "free block of 12^3 cubes, " + at + ": " + std::to_string(block));
+      }
+  }
+
+  /// The program lowers the step to the frequency of the whole mesh.
+  void
+  lowered_step(const Setup &base)
+  {
+    for (const double nu : {0.3, 0.49})
+      {
+        Setup setup                   = base;
+        setup.material.poissons_ratio = nu;
+        setup.bulk_viscosity          = 0;
+        Dynamics scene(box({0, 0, 0}, {12e-3, 12e-3, 12e-3}, {12, 12, 12}), setup);
+        lower_stable_step(scene.solid, 0, MPI_COMM_WORLD);
+        test::check(scene.solid.stable.lowered_by_edges,
+                    form_name(setup) + ", free block: the step is lowered");
+        test::check_near(scene.highest_frequency() * scene.solid.stable.step / 2,
+                         1,
+                         0.02,
+                         form_name(setup) + ", nu " + std::to_string(nu).substr(0, 4) +
+                           ", free block: highest frequency over that of the lowered step");
       }
   }
 
@@ -186,6 +209,7 @@ main(int argc, char **argv)
   Program program(argc, argv);
   for (const Setup &setup : each_form(Setup()))
     {
+      lowered_step(setup);
       estimate(setup);
       sharp_step(setup);
       many_steps(setup);

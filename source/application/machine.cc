@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string>
 
-#include <sched.h>
+#include <unistd.h>
 
 namespace wheelrail
 {
@@ -31,9 +31,9 @@ namespace wheelrail
   {
     Machine machine;
     machine.ranks = ranks;
-    cpu_set_t allowed;
-    if (sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
-      machine.cores = CPU_COUNT(&allowed);
+    // not the affinity mask: mpirun binds each rank to one core
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    machine.cores    = cores > 0 ? cores : 0;
     machine.memory = memory_value("MemTotal");
     machine.free   = memory_value("MemAvailable");
     return machine;

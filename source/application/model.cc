@@ -4,6 +4,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contact/penalty.h>
 #include <wheelrail/contact/surface_response.h>
+#include <wheelrail/solid/highest_frequency.h>
 
 #include <algorithm>
 #include <cmath>
@@ -163,6 +164,7 @@ namespace wheelrail
                  communicator,
                  {},
                  {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)});
+    lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
 
     const RunningSurfaces &surfaces = model.forest->plan().surfaces;
     Surface                rail = make_surface(model.solid.mesh, Body::rail, surfaces, lattice, communicator);

@@ -43,7 +43,7 @@ namespace wheelrail
     log.value("worst cell", text("smallest corner Jacobian is %.2f of the mean", q.worst_jacobian));
     log.value("time step",
               text("%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
-                   "%.1f, Z %.1f mm",
+                   "%.1f, Z %.1f mm%s",
                    1e6 * model.time_step,
                    scene.rolling_distance / scene.velocity / model.time_step,
                    1e6 * s.step,
@@ -51,7 +51,8 @@ namespace wheelrail
                    s.body == Body::rail ? "rail" : "wheel",
                    1e3 * s.place[0],
                    1e3 * s.place[1],
-                   1e3 * s.place[2]));
+                   1e3 * s.place[2],
+                   s.lowered_by_edges ? ", lowered since free edges swing faster" : ""));
     log.value("contact",
               text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",
                    model.contact->law().stiffness,

@@ -13,8 +13,9 @@ namespace wheelrail
   {
     double  step = 0; ///< 2 / omega_max of the stiffest element, bulk viscosity included [s]
     Body    body = Body::rail;
-    Vector3 place{};    ///< centre of the governing element [m]
-    double  length = 0; ///< cube root of its volume [m]
+    Vector3 place{};                  ///< centre of the governing element [m]
+    double  length           = 0;     ///< cube root of its volume [m]
+    bool    lowered_by_edges = false; ///< the whole mesh swings faster than its stiffest element: free edges
   };
 
   /// Quality of the hexahedra over all ranks.

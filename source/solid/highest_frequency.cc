@@ -1,0 +1,123 @@
+#include <deal.II/lac/tridiagonal_matrix.h>
+
+#include <wheelrail/solid/highest_frequency.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// M^-1/2 K M^-1/2 on the nodes of all ranks, in displacements small enough for linearity.
+    class ScaledStiffness
+    {
+    public:
+      ScaledStiffness(Solid &solid, MPI_Comm communicator)
+        : solid_(solid)
+        , communicator_(communicator)
+        , sum_(solid.mesh, communicator)
+        , displacement_(4 * solid.mesh.n_nodes(), 0.)
+      {
+      }
+
+      void
+      apply(const AlignedVector<double> &x, AlignedVector<double> &y)
+      {
+        // far below the size of a cell, so that Green's strain is linear
+        constexpr double small = 1e-9;
+        for (std::size_t n = 0; n < solid_.mass.size(); ++n)
+          for (int i = 0; i < 3; ++i)
+            displacement_[4 * n + i] =
+              solid_.mass[n] > 0 ? small * x[4 * n + i] / std::sqrt(solid_.mass[n]) : 0.;
+        distribute(solid_.mesh, displacement_.data());
+        y.assign(4 * solid_.mass.size(), 0.);
+        ElementEnergy ignored;
+        for (auto &blocks : solid_.blocks)
+          subtract_internal_force(blocks, displacement_.data(), y.data(), BulkViscosity(), false, ignored);
+        condense(solid_.mesh, y.data());
+        sum_(y.data());
+        for (std::size_t n = 0; n < solid_.mass.size(); ++n)
+          for (int i = 0; i < 3; ++i)
+            y[4 * n + i] = solid_.mass[n] > 0 ? -y[4 * n + i] / (small * std::sqrt(solid_.mass[n])) : 0.;
+      }
+
+      double
+      dot(const AlignedVector<double> &a, const AlignedVector<double> &b) const
+      {
+        double sum = 0;
+        for (std::size_t n = 0; n < solid_.mass.size(); ++n)
+          if (solid_.mesh.owned[n])
+            for (int i = 0; i < 3; ++i)
+              sum += a[4 * n + i] * b[4 * n + i];
+        MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+        return sum;
+      }
+
+      /// A start with all wave lengths, the same on every partition; zero at hanging nodes.
+      AlignedVector<double>
+      start() const
+      {
+        AlignedVector<double> x(4 * solid_.mass.size(), 0.);
+        for (std::size_t n = 0; n < solid_.mass.size(); ++n)
+          if (solid_.mass[n] > 0)
+            for (int i = 0; i < 3; ++i)
+              x[4 * n + i] = std::sin(12.9898 * solid_.mesh.global_node[n] + 78.233 * i);
+        return x;
+      }
+
+    private:
+      Solid                &solid_;
+      MPI_Comm              communicator_;
+      SharedSum             sum_;
+      AlignedVector<double> displacement_;
+    };
+  } // namespace
+
+
+  double
+  highest_frequency(Solid &solid, MPI_Comm communicator, const int steps)
+  {
+    ScaledStiffness       K(solid, communicator);
+    AlignedVector<double> v = K.start(), before(v.size(), 0.), w;
+    std::vector<double>   diagonal, off_diagonal;
+    double                beta = std::sqrt(K.dot(v, v));
+    for (int step = 0; step < steps && beta > 0; ++step)
+      {
+        for (double &value : v)
+          value /= beta;
+        K.apply(v, w);
+        const double alpha = K.dot(w, v);
+        for (std::size_t k = 0; k < w.size(); ++k)
+          w[k] -= alpha * v[k] + (step > 0 ? beta : 0.) * before[k];
+        diagonal.push_back(alpha);
+        before = v;
+        v      = w;
+        beta   = std::sqrt(K.dot(v, v));
+        if (beta <= 1e-12 * std::abs(alpha))
+          break;
+        off_diagonal.push_back(beta);
+      }
+    dealii::TridiagonalMatrix<double> ritz(diagonal.size(), true);
+    for (unsigned int k = 0; k < diagonal.size(); ++k)
+      {
+        ritz(k, k) = diagonal[k];
+        if (k + 1 < diagonal.size())
+          ritz(k, k + 1) = off_diagonal[k];
+      }
+    ritz.compute_eigenvalues();
+    return ritz.eigenvalue(ritz.n() - 1);
+  }
+
+
+  void
+  lower_stable_step(Solid &solid, const double bulk_viscosity, MPI_Comm communicator)
+  {
+    const double b    = bulk_viscosity;
+    const double step = 2 / std::sqrt(highest_frequency(solid, communicator)) * (std::sqrt(1 + b * b) - b);
+    if (step < solid.stable.step)
+      {
+        solid.stable.step             = step;
+        solid.stable.lowered_by_edges = true;
+      }
+  }
+} // namespace wheelrail
