@@ -41,6 +41,18 @@ namespace test
     return good;
   }
 
+  /// The time [s] that a piece of work may take here: `seconds`, or more in a build with sanitizers,
+  /// which watch every access to memory.
+  inline double
+  seconds_allowed(const double seconds)
+  {
+#ifdef __SANITIZE_ADDRESS__
+    return 20 * seconds;
+#else
+    return seconds;
+#endif
+  }
+
   /// Passes when both texts are equal; prints both when they are not.
   inline bool
   check_text(const std::string &value, const std::string &expected, const std::string &text)
