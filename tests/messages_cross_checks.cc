@@ -52,10 +52,10 @@ namespace
       "Rail material/Tangent modulus = 210 GPa",
       "--set: Rail material/Tangent modulus = 210 GPa: not smaller than Rail material/Young's modulus = 210 "
       "GPa; beyond yield the stress rises less than before");
-    check_set(
-      "Output/Ticks = 500",
-      "--set: Output/Ticks = 500: one output every 0.2 mm of rolling, which is less than half a cell (1 mm), "
-      "shows nothing new; at most 200 are accepted");
+    check_set("Output/Ticks = 2000",
+              "--set: Output/Ticks = 2000: one output every 0.05 mm of rolling, which is less than a tenth "
+              "of a cell (1 mm), "
+              "shows nothing new; at most 1000 are accepted");
     check_set(
       "Run/Averaging distance = 200 mm",
       "--set: Run/Averaging distance = 200 mm: longer than Run/Rolling distance = 100 mm; the mean is taken "

@@ -11,12 +11,13 @@ namespace test
   small_scene(const double cell_size, const double coarse_cell_size = 16e-3)
   {
     wheelrail::Scene scene;
-    scene.cell_size        = cell_size;
-    scene.coarse_cell_size = coarse_cell_size;
-    scene.fine_depth       = 2 * cell_size;
-    scene.fine_margin      = 2 * cell_size;
-    scene.rail_length      = 0.3;
-    scene.rolling_distance = 6e-3;
+    scene.cell_size          = cell_size;
+    scene.coarse_cell_size   = coarse_cell_size;
+    scene.fine_depth         = 2 * cell_size;
+    scene.fine_margin        = 2 * cell_size;
+    scene.rail_length        = 0.3;
+    scene.rolling_distance   = 6e-3;
+    scene.averaging_distance = 3e-3;
     return scene;
   }
 } // namespace test

@@ -76,12 +76,12 @@ namespace wheelrail
                         ": longer than Run/Rolling distance = " + mm(scene.rolling_distance) +
                         "; the mean is taken over the last part of the run, so at most that is possible");
       const double spacing = scene.rolling_distance / scene.ticks;
-      if (spacing < 0.5 * scene.cell_size)
+      if (spacing < 0.1 * scene.cell_size)
         found.push_back(
           entry_text(scene, "Output", "Ticks") + ": one output every " + mm(spacing) +
-          " of rolling, which is less than half a cell (" + mm(scene.cell_size) +
+          " of rolling, which is less than a tenth of a cell (" + mm(scene.cell_size) +
           "), shows nothing new; at most " +
-          std::to_string(std::max(1, static_cast<int>(2 * scene.rolling_distance / scene.cell_size))) +
+          std::to_string(std::max(1, static_cast<int>(10 * scene.rolling_distance / scene.cell_size))) +
           " are accepted");
     }
 
