@@ -95,6 +95,10 @@ namespace
       {"Output/Folder", "output/other"},
       {"Output/Ticks", "13"},
       {"Output/Volume fields", "false"},
+      {"Half-space/Element size", "0.25 mm"},
+      {"Half-space/Spin", "contact"},
+      {"Half-space/Lateral offset", "-0.1 mm"},
+      {"Half-space/Extra inclination", "1 mrad"},
     };
     return values;
   }

@@ -87,7 +87,7 @@ namespace
     check_set(
       "Sleepers/Spacing = 600 mm",
       "--set: Sleepers/Spacing: no such subsection; there are Profiles, Track, Wheelset, Contact, Rail "
-      "material, Wheel material, Mesh, Run, Output");
+      "material, Wheel material, Mesh, Run, Output, Half-space");
   }
 
   void

@@ -3,6 +3,7 @@
 #include <wheelrail/application/entry_kinds.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
+#include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/input_file.h>
 #include <wheelrail/application/parameter_reference.h>
 #include <wheelrail/application/parameters.h>
@@ -124,6 +125,13 @@ namespace wheelrail
     }
 
     int
+    act_halfspace(const po::variables_map &options, const RunFunction &, std::ostream &out)
+    {
+      require_file(options, "halfspace");
+      return run_halfspace_command(scene_of(options), out);
+    }
+
+    int
     act_parameters(const po::variables_map &options, const RunFunction &, std::ostream &out)
     {
       if (options.count("validate"))
@@ -187,6 +195,11 @@ namespace wheelrail
                                  "FILE_profiles.png here");
          },
          act_geometry},
+        {"halfspace",
+         "FILE.prm",
+         "contact of the scene as two half-spaces: patch, tractions, creepage in seconds",
+         add_set_option,
+         act_halfspace},
         {"parameters",
          "[FILE.prm]",
          "print all entries with their values, meaning and defaults, as a parameter file",

@@ -71,8 +71,8 @@ def choose_tick(file, wanted, path):
     return f"tick_{int(wanted):04d}"
 
 
-def load_patch(run, wanted):
-    file = open_hdf5(run, "patch.h5", "the pictures of the contact patch are")
+def load_patch(run, wanted, name="patch.h5"):
+    file = open_hdf5(run, name, "the pictures of the contact patch are")
     if file is None:
         return
     with file:
@@ -105,13 +105,14 @@ def find_friction(run):
     return None if value is None or not np.isfinite(value) else float(value)
 
 
-def load(folder, tick):
+def load(folder, tick, patch_file="patch.h5", with_history=True):
     if not os.path.isdir(folder):
         raise ReportError(f"There is no folder {folder}; give the output folder of a run.")
     run = Run(folder)
     load_summary(run)
-    load_patch(run, tick)
-    load_history(run)
+    load_patch(run, tick, patch_file)
+    if with_history:
+        load_history(run)
     if run.summary is None and run.patch is None and run.history is None:
         raise ReportError(f"The folder {folder} holds no results (none of summary.json, patch.h5 and "
                           "history.h5); give the output folder of a run.")

@@ -29,6 +29,13 @@ namespace wheelrail
     rate    ///< pitch rate held at the prescribed creepage
   };
 
+  /// Where the rigid slip of the half-space contact comes from.
+  enum class HalfspaceSpin
+  {
+    local_radius, ///< every slice rolls with its own radius and inclination
+    contact       ///< one creepage and one spin, as in Kalker's program CONTACT
+  };
+
   /// All values of one scene in SI units, as read from a .prm file.
   struct Scene
   {
@@ -87,6 +94,12 @@ namespace wheelrail
     std::string  folder        = "output/scene";
     unsigned int ticks         = 20;   ///< evenly spaced outputs of patch and surface fields over the run
     bool         volume_fields = true; ///< VTU of the whole mesh at start and end
+
+    // Half-space
+    double        halfspace_element_size = 0.4e-3; ///< [m]
+    HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
+    double        halfspace_lateral      = 0; ///< wheel section moved against the rail to the track centre [m]
+    double        halfspace_inclination  = 0; ///< rail head turned to the track centre [rad]
   };
 
   /// The friction law of a scene.

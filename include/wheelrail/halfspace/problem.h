@@ -112,7 +112,8 @@ namespace wheelrail
     double xi = 0, eta = 0;
     double phi         = 0;       ///< [1/m]
     double spin_offset = 1. / 6.; ///< where within the step the spin is taken (CONTACT: 1/6)
-    /// Added to the rigid slip above, per element [-]; empty: nothing. E.g. 1 - r(y) omega / V.
+    /// Added to the rigid slip above, per element [-]; empty: nothing. E.g. r(y) omega / V - 1 with the rail
+    /// as body 1.
     std::vector<double> rigid_slip_x, rigid_slip_y;
 
     bool   longitudinal_force_given = false; ///< fx is given and xi is found

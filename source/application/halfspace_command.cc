@@ -1,0 +1,71 @@
+#include <wheelrail/application/halfspace_case.h>
+#include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/parameters.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/replace_file.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+extern char **environ;
+
+namespace wheelrail
+{
+  int
+  run_script(const std::string &script, const std::vector<std::string> &arguments)
+  {
+    std::vector<std::string> words = {"python3", std::string(WHEELRAIL_REPORT_DIR) + "/" + script};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char *> pointers;
+    for (std::string &word : words)
+      pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    pid_t child  = 0;
+    int   status = 0;
+    // Debian's own interpreter has the packages; another python3 may come first in the path
+    if (posix_spawn(&child, "/usr/bin/python3", nullptr, nullptr, pointers.data(), environ) != 0 ||
+        waitpid(child, &status, 0) != child)
+      throw RunError("/usr/bin/python3 cannot be started; install the Debian package python3");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+  }
+
+
+  int
+  run_halfspace_command(const Scene &scene, std::ostream &out)
+  {
+    const WheelRailLoad     load    = scene_load(scene);
+    const WheelRailSolution result  = solve_wheel_rail(scene, load, scene_offsets(scene));
+    const Summary           figures = halfspace_summary(scene, result);
+    const HalfspaceGrid    &grid    = result.solution.grid;
+
+    char text[256];
+    std::snprintf(text,
+                  sizeof(text),
+                  "Half-space contact: wheel load %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
+                  1e-3 * load.force,
+                  load.rate_held ? "creepage given" : "longitudinal force given",
+                  1e3 * grid.dx,
+                  grid.mx,
+                  grid.my);
+    out << text;
+    print_summary(figures, out);
+
+    std::filesystem::path folder = scene.folder;
+    if (!folder.has_filename())
+      folder = folder.parent_path();
+    folder += "-halfspace";
+    std::error_code ignored; // a folder that cannot be made shows when its first file is written
+    std::filesystem::create_directories(folder, ignored);
+    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+    PatchFile((folder / "halfspace.h5").string()).append(result.patch);
+    write_summary(figures, (folder / "summary.json").string());
+    out << "Results in " << folder.string() << std::endl;
+    run_script("halfspace.py", {folder.string()});
+    return figures.finished ? 0 : 2;
+  }
+} // namespace wheelrail

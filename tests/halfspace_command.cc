@@ -1,0 +1,91 @@
+// The command halfspace: files it writes, balance of forces, figures of CONTACT, both kinds of spin.
+
+#include "check.h"
+
+#include <wheelrail/application/commands.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/patch_measures.h>
+#include <wheelrail/output/summary.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  const fs::path folder = "halfspace_command_output";
+
+  /// Runs the command on the default scene with changes; the summary it wrote.
+  Summary
+  solve(const std::string &spin, const std::string &traction)
+  {
+    fs::create_directories(folder);
+    std::ofstream(folder / "scene.prm") << "set Title = half-spaces\n";
+    std::ostringstream out;
+    const int          code = execute({"halfspace",
+                                       (folder / "scene.prm").string(),
+                                       "--set",
+                                       "Output/Folder = " + (folder / "scene").string(),
+                                       "--set",
+                                       "Half-space/Spin = " + spin,
+                                       "--set",
+                                       "Wheelset/Traction coefficient = " + traction},
+                             {},
+                             out);
+    check_near(code, 0, 0, spin + ": exit code");
+    check(out.str().find("peak pressure") != std::string::npos, spin + ": prints a table");
+    return read_summary((folder / "scene-halfspace" / "summary.json").string());
+  }
+
+  void
+  check_files(const Summary &s)
+  {
+    const PatchFields   patch = read_patch((folder / "scene-halfspace" / "halfspace.h5").string(), 0);
+    const PatchMeasures m     = measure_patch(patch);
+    check_near(m.normal_force / s.normal_force, 1, 1e-6, "sum of the pressures over normal force");
+    check_near(m.shear_force_along / -s.longitudinal_force, 1, 1e-3, "sum of the tractions over the force");
+    check_near(m.peak_pressure, s.max_pressure, 1, "peak pressure of the file");
+    double worst = 0;
+    for (std::size_t k = 0; k < patch.state.size(); ++k)
+      if (patch.state[k] == 2) // friction on the rail acts along the slip of the wheel
+        worst = std::max(
+          worst,
+          std::hypot(patch.slip_along[k], patch.slip_lateral[k]) *
+              std::hypot(patch.shear_along[k], patch.shear_lateral[k]) -
+            (patch.slip_along[k] * patch.shear_along[k] + patch.slip_lateral[k] * patch.shear_lateral[k]));
+    check_near(worst, 0, 1e-3 * 5e8 * 1e-3, "tractions on the rail against slip of the wheel");
+    for (const char *file : {"parameters.prm", "pictures/sheet.png", "pictures/cut_along.png"})
+      check(fs::exists(folder / "scene-halfspace" / file), std::string(file) + " is written");
+  }
+} // namespace
+
+int
+main()
+{
+  fs::remove_all(folder);
+  const Summary s = solve("local radius", "0.25");
+  check(s.finished, "converged");
+  // CONTACT at 103 kN (contact_pose_54E1.csv); the load of the scene is 103.2 kN
+  check_near(s.max_pressure / 1300.1e6, 1, 0.004, "peak pressure over that of CONTACT");
+  check_near(get_figure(s, "area_of_whole_elements_m2") / 181.92e-6, 1, 0.01, "area over that of CONTACT");
+  check_near(s.max_shear_traction / 582e6, 1, 0.02, "peak shear over that of CONTACT");
+  check_near(s.longitudinal_force / s.vertical_force, 0.25, 1e-4, "traction coefficient");
+  check_near(s.vertical_force, 103.2e3, 100, "wheel load");
+  // whole elements count half an element around the edge too many
+  check(s.contact_area < get_figure(s, "area_of_whole_elements_m2"), "the edge line lies inside");
+  check_files(s);
+
+  const Summary c = solve("contact", "0.25");
+  check_near(c.creepage, s.creepage, 1e-4, "creepage with one spin");
+  check_near(c.max_shear_traction / s.max_shear_traction, 1, 0.03, "peak shear with one spin");
+  const Summary b = solve("local radius", "-0.25");
+  check_near(b.longitudinal_force / s.longitudinal_force, -1, 0.002, "braking force");
+  check(b.creepage < 0, "braking creepage");
+  return test::report();
+}

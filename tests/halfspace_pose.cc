@@ -1,0 +1,80 @@
+// The half-space contact of a scene against CONTACT: wheel moved against the rail, rail head turned, three
+// loads.
+
+#include "reference_table.h"
+
+#include <wheelrail/application/halfspace_case.h>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+namespace
+{
+  struct Row
+  {
+    double lateral, inclination, load, force, normal, lateral_on_rail, peak, area, shear, creepage, spin,
+      angle;
+  };
+
+  std::vector<Row>
+  read_rows()
+  {
+    std::vector<Row> rows;
+    for (const auto &cells : test::read_table("contact_pose_54E1.csv"))
+      {
+        const auto number = [&](const int column) { return std::stod(cells[column]); };
+        rows.push_back({number(1) * 1e-3,
+                        number(2) * 1e-3,
+                        number(3),
+                        number(4),
+                        number(5),
+                        number(6),
+                        number(7) * 1e6,
+                        number(8) * 1e-6,
+                        number(11) * 1e6,
+                        number(12),
+                        number(13) * 1e3,
+                        number(14)});
+      }
+    return rows;
+  }
+
+  void
+  check_relative(const double value, const double expected, const double tolerance, const std::string &text)
+  {
+    check_near(value / expected, 1, tolerance, text + " over expected");
+  }
+} // namespace
+
+int
+main()
+{
+  Scene scene;
+  scene.velocity       = 10;
+  scene.halfspace_spin = HalfspaceSpin::contact;
+  for (const Row &row : read_rows())
+    {
+      WheelRailLoad load;
+      load.force               = row.load;
+      load.vertical            = true;
+      load.longitudinal        = -row.force;
+      const auto        result = solve_wheel_rail(scene, load, {row.lateral, -row.inclination, 0});
+      const auto       &s      = result.solution;
+      const std::string name   = std::to_string(row.lateral * 1e3) + " mm, " +
+                               std::to_string(row.inclination * 1e3) + " mrad, " +
+                               std::to_string(row.load * 1e-3) + " kN: ";
+      check(s.converged() && !s.touches_grid_edge, name + "converged");
+      check_relative(s.fn, row.normal, 0.001, name + "normal force");
+      check_relative(s.peak_pressure, row.peak, 0.01, name + "peak pressure");
+      check_relative(s.area, row.area, 0.01, name + "area");
+      check_relative(s.peak_shear, row.shear, 0.03, name + "peak shear");
+      // CONTACT takes its angle at the middle of the undeformed overlap, here it is the mean over the
+      // pressure
+      check_near(-result.angle, row.angle, 1.5e-3, name + "contact angle");
+      check_near(result.spin, row.spin, 3e-3, name + "spin");
+      check_near(result.lateral, -row.lateral_on_rail, 0.002 * row.load, name + "lateral force");
+      check_near(result.vertical, row.load, 1, name + "vertical force");
+    }
+  return test::report();
+}
