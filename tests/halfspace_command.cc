@@ -82,7 +82,9 @@ main()
   check_files(s);
 
   const Summary c = solve("contact", "0.25");
-  check_near(c.creepage, s.creepage, 1e-4, "creepage with one spin");
+  // The tread is hollow (radius 0.3 m): over +-9 mm its mean radius exceeds the one in the middle by about
+  // 5e-3^2 / (2 * 0.3) m, 1e-4 of the rolling radius, so that the wheel needs less creepage.
+  check_near(c.creepage - s.creepage, 1e-4, 0.6e-4, "creepage of one spin less that of local radii");
   check_near(c.max_shear_traction / s.max_shear_traction, 1, 0.03, "peak shear with one spin");
   const Summary b = solve("local radius", "-0.25");
   check_near(b.longitudinal_force / s.longitudinal_force, -1, 0.002, "braking force");

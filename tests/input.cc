@@ -5,6 +5,7 @@
 
 #include <wheelrail/application/commands.h>
 #include <wheelrail/application/entries.h>
+#include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/parameters.h>
 #include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>

@@ -79,7 +79,8 @@ namespace
     check_file(
       "subsection Contact\nset Zigzag frequency = 1\nend",
       "x.prm:2: Contact/Zigzag frequency: no such entry; Contact has Friction coefficient, Friction law, "
-      "Dynamic friction coefficient, Friction decay, Friction half velocity, Penalty scale, Surface filter, Damping",
+      "Dynamic friction coefficient, Friction decay, Friction half velocity, Penalty scale, Surface filter, "
+      "Damping",
       "an entry like no other");
     check_file("subsection Contct\nset Damping = 1\nend",
                "x.prm:1: subsection Contct: no such subsection; the nearest is Contact",
@@ -192,12 +193,14 @@ namespace
       const RunFunction run = [](const Scene &, const RunOptions &) { return 0; };
       check_text(message_of([&]() { execute(arguments, run, std::cout); }), expected, "wheelrail" + line);
     };
-    check_line({"halfspace"},
-               "\"halfspace\" is no command; there are run, geometry, parameters, report, version and help");
+    check_line({"simulate"},
+               "\"simulate\" is no command; there are run, geometry, halfspace, parameters, compare, report, "
+               "version and help");
+    check_line({"compare", "nowhere"}, "nowhere: no such folder; compare needs the output folder of a run");
     check_line({"run"}, "run needs a parameter file, such as ./wheelrail run prm/rolling.prm");
     check_line({"geometri"},
-               "\"geometri\" is no command; there are run, geometry, parameters, report, version and help, "
-               "perhaps geometry is meant");
+               "\"geometri\" is no command; there are run, geometry, halfspace, parameters, compare, report, "
+               "version and help, perhaps geometry is meant");
     check_line({"run", "a.prm", "--overwrit"},
                "run: --overwrit is no option; there are --set, --overwrite, --resume, --validate and --help, "
                "perhaps --overwrite is meant; \"wheelrail run --help\" tells more");

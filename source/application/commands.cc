@@ -1,4 +1,5 @@
 #include <wheelrail/application/commands.h>
+#include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/entry_kinds.h>
 #include <wheelrail/application/geometry_command.h>
@@ -10,16 +11,11 @@
 #include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/quantity.h>
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <sstream>
-
-#include <unistd.h>
 
 namespace wheelrail
 {
@@ -146,18 +142,29 @@ namespace wheelrail
       return 0;
     }
 
-    /// Runs a report script in place of this process; only returns (by an exception) when it cannot.
-    int
-    act_report(const po::variables_map &options, const RunFunction &, std::ostream &)
+    void
+    require_folder(const po::variables_map &options, const std::string &command)
     {
-      const std::string folder = file_of(options), script = std::string(WHEELRAIL_REPORT_DIR) + "/report.py";
+      const std::string folder = file_of(options);
       if (!std::filesystem::is_directory(folder))
         throw InputError(folder.empty()
-                           ? "report needs the output folder of a run, such as output/rolling"
-                           : folder + ": no such folder; report needs the output folder of a run");
-      // Debian's own interpreter has the packages; another python3 may come first in the path
-      execl("/usr/bin/python3", "python3", script.c_str(), folder.c_str(), static_cast<char *>(nullptr));
-      throw RunError("/usr/bin/python3 cannot be started; install the Debian package python3");
+                           ? command + " needs the output folder of a run, such as output/rolling"
+                           : folder + ": no such folder; " + command + " needs the output folder of a run");
+    }
+
+    int
+    act_compare(const po::variables_map &options, const RunFunction &, std::ostream &out)
+    {
+      require_folder(options, "compare");
+      return run_compare_command(file_of(options), sets_of(options), out);
+    }
+
+    int
+    act_report(const po::variables_map &options, const RunFunction &, std::ostream &out)
+    {
+      require_folder(options, "report");
+      out.flush();
+      return run_script("report.py", {file_of(options)});
     }
 
     void
@@ -209,6 +216,11 @@ namespace wheelrail
            options.add_options()("markdown", "print the table of all entries of doc/parameters.md");
          },
          act_parameters},
+        {"compare",
+         "FOLDER",
+         "a finished run against two half-spaces under its load and in its pose, as a table and a page",
+         add_set_option,
+         act_compare},
         {"report", "FOLDER", "pictures and one page from the output folder of a run", nullptr, act_report},
         {"version",
          "",
@@ -353,43 +365,5 @@ namespace wheelrail
     if (options.count("help"))
       return print_help(command, out);
     return command.act(options, run, out);
-  }
-
-  std::vector<double>
-  parse_shifts(const std::string &text)
-  {
-    const auto fail = [&](const std::string &why) {
-      throw InputError("--shifts " + text + ": " + why +
-                       "; write first:last:step or values with commas, in mm, such as -6:6:0.5");
-    };
-    const bool          is_range = text.find(':') != std::string::npos;
-    std::vector<double> numbers;
-    std::istringstream  parts(text);
-    for (std::string part; std::getline(parts, part, is_range ? ':' : ',');)
-      try
-        {
-          numbers.push_back(parse_quantity(part, Dimension::none));
-        }
-      catch (const InputError &)
-        {
-          fail("\"" + part + "\" is not a number");
-        }
-    if (numbers.empty() || (is_range && numbers.size() != 3))
-      fail("not understood");
-    if (is_range)
-      {
-        const double first = numbers[0], last = numbers[1], step = numbers[2];
-        if (!(step > 0) || last < first)
-          fail("the step must be positive and the last value not below the first");
-        const double count = std::floor((last - first) / step * (1 + 1e-12) + 1e-9);
-        if (count > 100000)
-          fail("more than 100000 shifts");
-        numbers.clear();
-        for (double i = 0; i <= count; ++i)
-          numbers.push_back(first + i * step);
-      }
-    for (double &number : numbers)
-      number /= 1e3;
-    return numbers;
   }
 } // namespace wheelrail

@@ -1,6 +1,7 @@
 #include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/halfspace_case.h>
 #include <wheelrail/application/model.h>
+#include <wheelrail/application/scene_profiles.h>
 
 #include <algorithm>
 #include <chrono>
@@ -30,10 +31,8 @@ namespace wheelrail
       Sections(const Scene &scene, const ContactGeometry &c, const SectionOffsets &offsets)
         : geometry(c)
         , spinning(moved(c.wheel, c.frame.origin, 0, offsets.lateral))
-        , rail(rail_profile(scene.rail_profile).head,
-               moved(c.rail, c.frame.origin, offsets.rail_roll, 0),
-               c.frame)
-        , wheel(wheel_profile(scene.wheel_profile).tread,
+        , rail(scene_rail(scene).head, moved(c.rail, c.frame.origin, offsets.rail_roll, 0), c.frame)
+        , wheel(scene_wheel(scene).tread,
                 moved(c.wheel, c.frame.origin, offsets.wheel_roll, offsets.lateral),
                 c.frame)
       {
@@ -245,12 +244,9 @@ namespace wheelrail
   double
   static_wheel_load(const Scene &scene)
   {
-    const ContactGeometry geometry = find_contact(rail_profile(scene.rail_profile),
-                                                  wheel_profile(scene.wheel_profile),
-                                                  scene.track,
-                                                  scene.lateral_shift,
-                                                  scene.roll);
-    const Section         wheel =
+    const ContactGeometry geometry =
+      find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll);
+    const Section wheel =
       sweep_plan(scene, geometry, expected_approach(scene, geometry.rolling_radius)).wheel;
     // first moment of the section about the axle, from small quadrilaterals (Guldin)
     constexpr int n      = 8;
@@ -297,14 +293,11 @@ namespace wheelrail
   WheelRailSolution
   solve_wheel_rail(const Scene &scene, const WheelRailLoad &load, const SectionOffsets &offsets)
   {
-    const auto       begin = std::chrono::steady_clock::now();
-    const Sections   sections(scene,
-                            find_contact(rail_profile(scene.rail_profile),
-                                         wheel_profile(scene.wheel_profile),
-                                         scene.track,
-                                         scene.lateral_shift,
-                                         scene.roll),
-                            offsets);
+    const auto     begin = std::chrono::steady_clock::now();
+    const Sections sections(
+      scene,
+      find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll),
+      offsets);
     HalfspaceProblem problem;
     problem.body1        = halfspace_body(scene.rail_material);
     problem.body2        = halfspace_body(scene.wheel_material);
@@ -329,13 +322,16 @@ namespace wheelrail
         result.solution = solve_rolling(problem);
         problem.xi      = result.solution.xi;
       }
-    result.angle    = means.rail_angle;
-    result.spin     = std::sin(means.wheel_angle) / sections.geometry.rolling_radius;
-    result.lateral  = -result.solution.fn * s - result.solution.fy * c;
-    result.vertical = result.solution.fn * c - result.solution.fy * s;
-    result.patch    = patch_of(result.solution);
-    result.measures = measure_patch(result.patch);
-    result.time     = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.angle            = means.rail_angle;
+    result.spin             = std::sin(means.wheel_angle) / sections.geometry.rolling_radius;
+    result.lateral          = -result.solution.fn * s - result.solution.fy * c;
+    result.vertical         = result.solution.fn * c - result.solution.fy * s;
+    result.patch            = patch_of(result.solution);
+    result.measures         = measure_patch(result.patch);
+    const auto   rail_angle = [&](const double place) { return std::atan(sections.rail.at(place).slope); };
+    const double middle = result.measures.centre_lateral, half = 0.5 * result.measures.width;
+    result.turn = std::abs(rail_angle(middle + half) - rail_angle(middle - half));
+    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
   }
 

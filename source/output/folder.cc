@@ -29,6 +29,9 @@ namespace wheelrail
                               "log.txt",
                               "history.h5",
                               "patch.h5",
+                              "halfspace.h5",
+                              "compare.json",
+                              "compare.html",
                               "report.html",
                               "input.prm",
                               "parameters.prm"})

@@ -25,9 +25,4 @@ namespace wheelrail
   /// Throws InputError for a command line or a parameter file that cannot be understood.
   int
   execute(const Arguments &arguments, const RunFunction &run, std::ostream &out);
-
-  /// Shifts in metres from "-6:6:0.5" (first:last:step) or "-5.5,0,5.5", both in mm.
-  /// Throws InputError.
-  std::vector<double>
-  parse_shifts(const std::string &text);
 } // namespace wheelrail

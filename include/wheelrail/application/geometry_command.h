@@ -3,6 +3,7 @@
 #include <wheelrail/application/scene.h>
 
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -21,4 +22,9 @@ namespace wheelrail
   /// scene's own shift has no contact. Throws InputError for unknown profiles.
   int
   run_geometry_command(const Scene &scene, const std::vector<double> &shifts, std::ostream &out);
+
+  /// Shifts in metres from "-6:6:0.5" (first:last:step) or "-5.5,0,5.5", both in mm.
+  /// Throws InputError.
+  std::vector<double>
+  parse_shifts(const std::string &text);
 } // namespace wheelrail

@@ -30,13 +30,14 @@ namespace wheelrail
   struct WheelRailSolution
   {
     HalfspaceSolution solution;
-    PatchFields       patch;           ///< in the form and with the signs of a run's patch
-    PatchMeasures     measures;        ///< of `patch`: area and extents from the edge line
-    double            angle       = 0; ///< of the surfaces against X, mean over the pressure [rad]
-    double            spin        = 0; ///< d w_y / dx at the centre of pressure [1/m]
-    double            lateral     = 0; ///< force on the wheel along X [N]
-    double            vertical    = 0; ///< force on the wheel upwards [N]
-    double            time        = 0; ///< computing time [s]
+    PatchFields       patch;            ///< in the form and with the signs of a run's patch
+    PatchMeasures     measures;         ///< of `patch`: area and extents from the edge line
+    double            angle        = 0; ///< of the surfaces against X, mean over the pressure [rad]
+    double            spin         = 0; ///< d w_y / dx at the centre of pressure [1/m]
+    double            turn         = 0; ///< of the surfaces across the patch, edge to edge [rad]
+    double            lateral      = 0; ///< force on the wheel along X [N]
+    double            vertical     = 0; ///< force on the wheel upwards [N]
+    double            time         = 0; ///< computing time [s]
     int               enlargements = 0; ///< of the grid, until the contact did not touch its edge
   };
 

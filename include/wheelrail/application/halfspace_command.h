@@ -9,8 +9,8 @@
 namespace wheelrail
 {
   /// Solves the scene as two elastic half-spaces, prints the figures, and writes halfspace.h5 (one tick in
-  /// the form of a run's patch.h5), summary.json, parameters.prm and pictures into "<Output/Folder>-halfspace".
-  /// Returns the exit code. Throws InputError, RunError.
+  /// the form of a run's patch.h5), summary.json, parameters.prm and pictures into
+  /// "<Output/Folder>-halfspace". Returns the exit code. Throws InputError, RunError.
   int
   run_halfspace_command(const Scene &scene, std::ostream &out);
 

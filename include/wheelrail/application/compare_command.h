@@ -1,0 +1,40 @@
+#pragma once
+
+#include <wheelrail/application/halfspace_case.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// What the differences between a run and the half-spaces come from, each from a rule of doc/compare.md.
+  struct Trust
+  {
+    double peak_difference = 0; ///< (run - half-space) / half-space
+    double cells           = 0; ///< solution cells over the shorter extent of the patch
+    double penetration     = 0; ///< of the penalty law at the peak, over the approach
+    double unsteadiness    = 0; ///< largest std of vertical and longitudinal force over vertical force
+    double turn            = 0; ///< of the surfaces across the patch [rad]
+    double pose_effect     = 0; ///< peak with the pose over peak without it, less 1
+  };
+
+  /// One sentence on how far the run can be trusted, and why.
+  std::string
+  trust_sentence(const Scene &scene, const Trust &trust, bool finished);
+
+  /// The load of a finished run: means of its vertical and longitudinal force.
+  WheelRailLoad
+  load_of_run(const Summary &run);
+
+  /// Rolls and offset that the run's summary records; zero where it has none.
+  SectionOffsets
+  offsets_of_run(const Summary &run);
+
+  /// Compares the run in `folder` (summary.json, parameters.prm, patch.h5) with the half-spaces under its
+  /// load and in its pose: prints the table, writes compare.json, halfspace.h5, pictures and compare.html,
+  /// and adds halfspace_... and relative_difference_... to summary.json. `sets` change entries, such as
+  /// Half-space/Element size. Returns the exit code. Throws InputError, RunError.
+  int
+  run_compare_command(const std::string &folder, const std::vector<std::string> &sets, std::ostream &out);
+} // namespace wheelrail

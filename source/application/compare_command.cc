@@ -1,0 +1,245 @@
+#include <wheelrail/application/compare_command.h>
+#include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/parameters.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/replace_file.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A line of the table; the key in summary.json is base_si.
+    struct Line
+    {
+      const char *base, *si, *label, *unit;
+      double      factor;
+      int         decimals;
+    };
+    const Line lines[] = {
+      {"vertical_force", "N", "vertical force (given)", "kN", 1e-3, 2},
+      {"longitudinal_force", "N", "longitudinal force on the wheel (given)", "kN", 1e-3, 2},
+      {"normal_force", "N", "normal force", "kN", 1e-3, 2},
+      {"lateral_force", "N", "lateral force on the wheel", "kN", 1e-3, 3},
+      {"max_pressure", "Pa", "peak pressure", "MPa", 1e-6, 1},
+      {"max_pressure_fitted", "Pa", "peak pressure, fitted", "MPa", 1e-6, 1},
+      {"contact_area", "m2", "contact area", "mm2", 1e6, 1},
+      {"patch_lateral", "m", "width across the rail", "mm", 1e3, 2},
+      {"patch_longitudinal", "m", "length along the rail", "mm", 1e3, 2},
+      {"max_shear_traction", "Pa", "peak shear traction", "MPa", 1e-6, 1},
+      {"creepage", "", "creepage", "1e-3", 1e3, 3},
+      {"stick_fraction", "", "sticking part of the patch", "%", 1e2, 1}};
+
+    std::string
+    key_of(const Line &line, const std::string &tail = "")
+    {
+      return line.base + tail + (*line.si ? std::string("_") + line.si : "");
+    }
+
+    std::string
+    text(const char *format, const double value)
+    {
+      char buffer[64];
+      std::snprintf(buffer, sizeof(buffer), format, value);
+      return buffer;
+    }
+
+    nlohmann::ordered_json
+    number(const double value)
+    {
+      return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+    }
+
+    /// Prints the table, adds the figures to the run's summary, returns the table for compare.json.
+    nlohmann::ordered_json
+    compare_figures(Summary &run, const Summary &halfspace, std::ostream &out)
+    {
+      nlohmann::ordered_json table = nlohmann::ordered_json::array();
+      char                   row[160];
+      std::snprintf(
+        row, sizeof(row), "  %-40s %12s %12s %11s\n", "", "finite el.", "half-space", "difference");
+      out << row;
+      for (const Line &line : lines)
+        {
+          const double fe = get_figure(run, key_of(line)), hs = get_figure(halfspace, key_of(line));
+          const double difference = hs == 0 ? Summary::none : (fe - hs) / std::abs(hs);
+          const auto   shown      = [&](const double value) {
+            char number[40];
+            std::snprintf(number, sizeof(number), "%.*f", line.decimals, value * line.factor);
+            return std::isfinite(value) ? std::string(number) : std::string("-");
+          };
+          std::snprintf(row,
+                        sizeof(row),
+                        "  %-40s %12s %12s %10s%% %s\n",
+                        line.label,
+                        shown(fe).c_str(),
+                        shown(hs).c_str(),
+                        std::isfinite(difference) ? text("%+.2f", 100 * difference).c_str() : "-",
+                        line.unit);
+          out << row;
+          set_figure(run, "halfspace_" + key_of(line), hs);
+          set_figure(run, std::string("relative_difference_") + line.base, difference);
+          table.push_back({{"key", key_of(line)},
+                           {"label", line.label},
+                           {"unit", line.unit},
+                           {"factor", line.factor},
+                           {"decimals", line.decimals},
+                           {"fe", number(fe)},
+                           {"fe_std", number(get_figure(run, key_of(line, "_std")))},
+                           {"halfspace", number(hs)},
+                           {"relative_difference", number(difference)}});
+        }
+      return table;
+    }
+
+    double
+    bulk_modulus(const MaterialData &material)
+    {
+      return material.youngs_modulus / (3 * (1 - 2 * material.poissons_ratio));
+    }
+
+    Trust
+    trust_of(const Scene             &scene,
+             const Summary           &run,
+             const WheelRailSolution &result,
+             const double             peak_at_rest)
+    {
+      Trust trust;
+      trust.peak_difference = run.max_pressure / result.solution.peak_pressure - 1;
+      trust.cells           = std::min(result.measures.width, result.measures.length) / scene.cell_size;
+      trust.penetration     = run.max_pressure * scene.cell_size /
+                          (scene.penalty_scale *
+                           std::min(bulk_modulus(scene.rail_material), bulk_modulus(scene.wheel_material))) /
+                          result.solution.approach;
+      trust.unsteadiness =
+        std::max(get_figure(run, "vertical_force_std_N"), get_figure(run, "longitudinal_force_std_N")) /
+        run.vertical_force;
+      trust.turn        = result.turn;
+      trust.pose_effect = result.solution.peak_pressure / peak_at_rest - 1;
+      return trust;
+    }
+
+    nlohmann::ordered_json
+    trust_json(const Trust &trust)
+    {
+      return {{"peak_difference", number(trust.peak_difference)},
+              {"cells_over_shorter_extent", number(trust.cells)},
+              {"penetration_over_approach", number(trust.penetration)},
+              {"force_std_over_load", number(trust.unsteadiness)},
+              {"turn_across_patch_rad", number(trust.turn)},
+              {"pose_effect_on_peak", number(trust.pose_effect)}};
+    }
+  } // namespace
+
+
+  std::string
+  trust_sentence(const Scene &scene, const Trust &trust, const bool finished)
+  {
+    // the rules of doc/compare.md
+    const bool steady = trust.unsteadiness < 0.01, stiff = trust.penetration < 0.02, fine = trust.cells >= 12,
+               flat         = trust.turn < 0.2;
+    const double difference = std::abs(trust.peak_difference);
+    std::string  sentence   = finished ? "" : "The run did not finish, so take its figures with care. ";
+    if (!flat)
+      sentence += "The half-spaces are no full reference here, since the surfaces turn by " +
+                  text("%.0f", trust.turn * 180 / M_PI) + " degrees across the patch; ";
+    sentence += flat ? "The finite element result " : "the finite element result ";
+    if (difference <= 0.02)
+      sentence += "agrees with the half-spaces within " + text("%.1f", std::max(0.1, 100 * difference)) +
+                  " % in peak pressure and can be trusted as far";
+    else if (difference <= 0.05)
+      sentence += "can be trusted to about " + text("%.0f", 100 * difference) + " % in peak pressure";
+    else
+      sentence +=
+        "is off by " + text("%.0f", 100 * difference) + " % in peak pressure and shows tendencies only";
+    sentence += ": " + text("%.0f", trust.cells) + " cells of " + text("%g", 1e3 * scene.cell_size) +
+                " mm over the shorter extent of the patch are " +
+                (fine ? "enough" : "too few (take at least 12)") + ", the penalty contact sinks in by " +
+                text("%.1f", 100 * trust.penetration) + " % of the approach (" +
+                (stiff ? "small" : "too soft: raise Contact/Penalty scale") + ")";
+    if (std::isfinite(trust.unsteadiness))
+      sentence += ", the forces vary by " + text("%.2f", 100 * trust.unsteadiness) + " % of the load (" +
+                  (steady ? "steady" : "not steady: roll farther") + ")";
+    if (flat)
+      sentence += ", and the surfaces turn by only " + text("%.0f", trust.turn * 180 / M_PI) +
+                  " degrees across the patch, so that half-spaces are a fair reference";
+    return sentence + ".";
+  }
+
+
+  WheelRailLoad
+  load_of_run(const Summary &run)
+  {
+    WheelRailLoad load;
+    load.force        = run.vertical_force;
+    load.vertical     = true;
+    load.longitudinal = run.longitudinal_force;
+    return load;
+  }
+
+
+  SectionOffsets
+  offsets_of_run(const Summary &run)
+  {
+    const auto value = [&](const char *key) {
+      const double figure = get_figure(run, key);
+      return std::isfinite(figure) ? figure : 0;
+    };
+    return {value("relative_lateral_m"), value("rail_head_roll_rad"), value("wheel_rim_roll_rad")};
+  }
+
+
+  int
+  run_compare_command(const std::string &folder, const std::vector<std::string> &sets, std::ostream &out)
+  {
+    const std::filesystem::path path  = folder;
+    Summary                     run   = read_summary((path / "summary.json").string());
+    const Scene                 scene = read_scene((path / "parameters.prm").string(), sets);
+    if (!std::isfinite(run.vertical_force) || !std::isfinite(run.longitudinal_force))
+      throw RunError(
+        "The file \"" + (path / "summary.json").string() +
+        "\" holds no vertical_force_N and longitudinal_force_N: the run did not get so far that its "
+        "patch could be compared.");
+    const WheelRailLoad     load         = load_of_run(run);
+    const SectionOffsets    offsets      = offsets_of_run(run);
+    const WheelRailSolution result       = solve_wheel_rail(scene, load, offsets);
+    const double            peak_at_rest = solve_wheel_rail(scene, load, {}).solution.peak_pressure;
+    const Summary           halfspace    = halfspace_summary(scene, result);
+
+    out << run.title << "\nMeans of the run against half-spaces on elements of "
+        << 1e3 * result.solution.grid.dx << " mm, wheel moved by " << text("%.3f", 1e3 * offsets.lateral)
+        << " mm and rail turned by " << text("%.3f", 1e3 * (offsets.wheel_roll - offsets.rail_roll))
+        << " mrad to the track centre\n";
+    nlohmann::ordered_json table    = compare_figures(run, halfspace, out);
+    const Trust            trust    = trust_of(scene, run, result, peak_at_rest);
+    const std::string      sentence = trust_sentence(scene, trust, run.finished);
+    out << '\n' << sentence << std::endl;
+    if (!halfspace.finished)
+      out << "The half-space solution is not exact: " << halfspace.stop_reason << std::endl;
+
+    nlohmann::ordered_json json = {{"title", run.title},
+                                   {"program_version", WHEELRAIL_VERSION},
+                                   {"element_size_m", result.solution.grid.dx},
+                                   {"friction_coefficient", scene.friction_coefficient},
+                                   {"lateral_offset_m", offsets.lateral},
+                                   {"rail_roll_rad", offsets.rail_roll},
+                                   {"wheel_roll_rad", offsets.wheel_roll},
+                                   {"halfspace_converged", halfspace.finished},
+                                   {"figures", std::move(table)},
+                                   {"trust", trust_json(trust)},
+                                   {"sentence", sentence}};
+    replace_file((path / "compare.json").string(),
+                 json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    PatchFile((path / "halfspace.h5").string()).append(result.patch);
+    write_summary(run, (path / "summary.json").string());
+    const int drawn = run_script("compare.py", {path.string()});
+    return halfspace.finished && drawn == 0 ? 0 : 2;
+  }
+} // namespace wheelrail
