@@ -44,21 +44,40 @@ namespace scenes
       return {setup.whole ? -end : 0., end, cell};
     }
 
-    /// Where the wheel is at a time.
+    /// Where the wheel is at a time: it rolls on a circle whose curvature is the spin, heading along it.
     struct Path
     {
       const RollingPairSetup &setup;
 
-      RigidMotion
-      at(const double time) const
+      double
+      height(const double way) const
       {
-        const double way = setup.velocity * time, t = std::min(1., way / setup.ramp);
-        RigidMotion  motion;
-        motion.move     = {setup.lateral_creepage * way, -setup.descent * t * t * (3 - 2 * t), way};
-        motion.angle    = way * (1 + setup.creepage) / setup.radius;
-        motion.rate     = setup.velocity * (1 + setup.creepage) / setup.radius;
-        motion.velocity = {setup.lateral_creepage * setup.velocity, 0, setup.velocity};
-        return motion;
+        const double t = std::min(1., way / setup.ramp);
+        return -setup.descent * t * t * (3 - 2 * t);
+      }
+
+      /// Place of a point of the rigid wheel.
+      Vector3
+      place(const Vector3 &X, const double time) const
+      {
+        const Vector3 centre = {0, setup.radius, 0};
+        const double  way = setup.velocity * time, heading = setup.spin * way;
+        const double  turned = way * (1 + setup.creepage) / setup.radius;
+        // sin(h)/h and (1 - cos(h))/h without dividing by nothing
+        const double  ahead = heading == 0 ? way : std::sin(heading) / setup.spin;
+        const double  aside = heading == 0 ? 0 : (1 - std::cos(heading)) / setup.spin;
+        const Vector3 arm   = rotated(rotated(X - centre, {1, 0, 0}, turned), {0, 1, 0}, heading);
+        return centre + Vector3{aside + setup.lateral_creepage * way, height(way), ahead} + arm;
+      }
+
+      /// Its velocity at the start.
+      Vector3
+      start_velocity(const Vector3 &X) const
+      {
+        const Vector3 rate = {
+          setup.velocity * (1 + setup.creepage) / setup.radius, setup.velocity * setup.spin, 0};
+        return Vector3{setup.lateral_creepage * setup.velocity, 0, setup.velocity} +
+               cross(rate, X - Vector3{0, setup.radius, 0});
       }
     };
 
@@ -95,23 +114,16 @@ namespace scenes
         scene.fix(select(mesh, plane(0, 0)), 0);
       for (int i = 0; i < 3; ++i)
         scene.fix(select(mesh, [&](const Vector3 &X) { return X[1] < 1e-9 - setup.depth; }), i);
-      const Vector3 centre = {0, setup.radius, 0};
-      const double  inner  = setup.radius - setup.depth;
+      const double inner = setup.radius - setup.depth;
       for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
         if (mesh.node_body[n] == Body::wheel)
           {
-            const Vector3     X     = place_of(mesh, n);
-            const RigidMotion start = path.at(0);
-            const Vector3     v     = start.velocity + start.rate * cross({1, 0, 0}, X - centre);
+            const Vector3 X = place_of(mesh, n), v = path.start_velocity(X);
             for (int i = 0; i < 3; ++i)
               scene.solid.velocity[4 * n + i] = v[i];
-            if (std::hypot(X[1] - centre[1], X[2]) > inner + 1e-9)
-              continue;
-            for (int i = 0; i < 3; ++i)
-              scene.prescribe({n}, i, [=](const double time) {
-                const RigidMotion at = path.at(time);
-                return (centre + at.move + rotated(X - centre, {1, 0, 0}, at.angle) - X)[i];
-              });
+            if (std::hypot(X[1] - setup.radius, X[2]) < inner + 1e-9)
+              for (int i = 0; i < 3; ++i)
+                scene.prescribe({n}, i, [=](const double time) { return path.place(X, time)[i] - X[i]; });
           }
     }
   } // namespace

@@ -23,6 +23,7 @@ namespace scenes
     double      ramp = 12e-3, distance = 45e-3, averaged = 4e-3; ///< ways along the rail [m]
     double      descent  = 70e-6;                                ///< of the axle [m]
     double      creepage = 0, lateral_creepage = 0;              ///< (omega r - V)/V; lateral velocity over V
+    double      spin  = 0;                                       ///< turn about the normal per way [rad/m]
     double      scale = 10, damping_ratio = 0.3, bulk_viscosity = 0.06;
     FrictionLaw friction;
   };
