@@ -1,6 +1,7 @@
 #include <wheelrail/contact/contact.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace wheelrail
 {
@@ -33,7 +34,11 @@ namespace wheelrail
         {
           const std::size_t  k    = rail_.lattice.index(i, j);
           const ContactNode &node = nodes_[k];
-          if (node.pressure <= 0)
+          // feet more than two cells away belong to iterates far from the solution; no matrix has room
+          // for them
+          const bool far = std::abs(2 * (node.facet_i - i) + 1) > 3 ||
+                           std::abs(2 * (node.facet_j - static_cast<int>(j)) + 1) > 3;
+          if (node.pressure <= 0 || far)
             continue;
           Spring spring;
           spring.point     = k;

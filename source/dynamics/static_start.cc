@@ -91,20 +91,37 @@ namespace wheelrail
     int rounds = frictionless(contact.law().friction) ? 0 : 4;
     // the given tractions, set in every step: an iterate that unloads a node must not erase its own for good
     StartTractions tractions;
+    // the last step, to be shortened when it throws the wheel off or makes the balance much worse
+    AlignedVector<double> before;
+    double                lift = 0, last_residual = 0;
+    int                   halvings = 0;
     for (int step = 0; step < 60; ++step)
       {
         for (std::size_t k = 0; k < tractions.shear.size(); ++k)
           contact.set_shear(k, tractions.shear[k]);
-        ContactSums sums;
-        auto        force = out_of_balance(solid, contact, sum, loads.axle, rate, sums);
-        if (sums.nodes == 0)
-          throw RunError(
-            "the static start lost the contact between wheel and rail; give a smaller first approach");
+        ContactSums  sums;
+        auto         force    = out_of_balance(solid, contact, sum, loads.axle, rate, sums);
         const Vector residual = system.to_dofs(solid.mesh, force);
         result.residual       = residual.linfty_norm() / result.wheel_load;
         result.contact_force  = sums.force;
         result.newton_steps   = step;
-        const double missing  = result.wheel_load - sums.force[1];
+        const bool worse      = sums.nodes == 0 || result.residual > 4 * last_residual;
+        if (step > 0 && worse && last_residual > 0 && halvings < 6)
+          {
+            ++halvings;
+            solid.displacement = before;
+            increment *= 0.5;
+            result.lift -= 0.5 * lift;
+            lift *= 0.5;
+            system.add_to_nodes(solid.mesh, increment, lift, solid.displacement);
+            continue;
+          }
+        if (sums.nodes == 0)
+          throw RunError(
+            "the static start lost the contact between wheel and rail; give a smaller first approach");
+        halvings             = 0;
+        last_residual        = result.residual;
+        const double missing = result.wheel_load - sums.force[1];
         if (result.residual < 2e-6 && std::abs(missing) < 1e-5 * result.wheel_load)
           {
             const bool met = !tractions.shear.empty() &&
@@ -116,6 +133,7 @@ namespace wheelrail
             result.creepage = tractions.creepage;
             rate            = loads.axle.velocity / loads.rolling_radius * (1 + result.creepage);
             --rounds;
+            last_residual = 0;
             continue;
           }
         if (step == 59)
@@ -139,7 +157,7 @@ namespace wheelrail
         // the lift that restores the vertical balance
         const double by_increment = system.vertical_change(springs, increment);
         const double by_lift      = system.vertical_change(springs, lifted);
-        double       lift         = (missing - by_increment) / by_lift;
+        lift                      = (missing - by_increment) / by_lift;
         increment.add(lift, lifted);
         // full steps can turn in circles between two patches, as in the flange root: shorter ones end that
         if (changed && step > 8)
@@ -148,6 +166,7 @@ namespace wheelrail
             increment *= part;
             lift *= part;
           }
+        before = solid.displacement;
         system.add_to_nodes(solid.mesh, increment, lift, solid.displacement);
         result.lift += lift;
       }
