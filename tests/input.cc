@@ -74,11 +74,13 @@ namespace
       {"Rail material/Young's modulus", "206 GPa"},
       {"Rail material/Poisson's ratio", "0.28"},
       {"Rail material/Density", "7850 kg/m3"},
+      {"Rail material/Yield stress", "480 MPa"},
       {"Rail material/Tangent modulus", "20 GPa"},
       {"Rail material/Kinematic hardening fraction", "0.5"},
       {"Wheel material/Young's modulus", "207 GPa"},
       {"Wheel material/Poisson's ratio", "0.29"},
       {"Wheel material/Density", "7800 kg/m3"},
+      {"Wheel material/Yield stress", "520 MPa"},
       {"Wheel material/Tangent modulus", "19 GPa"},
       {"Wheel material/Kinematic hardening fraction", "1"},
       {"Mesh/Solution cell size", "2 mm"},
@@ -104,9 +106,6 @@ namespace
     return values;
   }
 
-  /// Entries for which this version accepts one value only.
-  const std::set<std::string> single_valued = {"Rail material/Yield stress", "Wheel material/Yield stress"};
-
   Scene
   other_scene()
   {
@@ -127,13 +126,11 @@ namespace
         check_text(entry.get(defaults), entry.default_text, path + ": default of the table");
         check_text(entry.get(plain), entry.default_text, path + ": default of the struct");
         const auto value = other_values().find(path);
-        if (value == other_values().end())
-          check(single_valued.count(path) == 1, path + ": has one value");
-        else
+        if (check(value != other_values().end(), path + ": is set by this test"))
           check_text(entry.get(other), value->second, path + ": set and read back");
         check(!entry.meaning.empty() && entry.meaning.back() == '.', path + ": has a meaning");
       }
-    check_near(static_cast<double>(other_values().size() + single_valued.size()),
+    check_near(static_cast<double>(other_values().size()),
                static_cast<double>(entries().size()),
                0,
                "all entries are tested");

@@ -48,8 +48,8 @@ namespace
       "Mesh/Element = fully",
       "--set: Mesh/Element = fully: not known here; reduced or full is accepted, perhaps full is meant");
     check_set(
-      "Rail material/Yield stress = 480 MPa",
-      "--set: Rail material/Yield stress = 480 MPa: this version computes elastic bodies only; write none");
+      "Rail material/Yield stress = 0.5 MPa",
+      "--set: Rail material/Yield stress = 0.5 MPa: too small; a stress from 1 MPa to 10 GPa is accepted");
     check_set(
       "Wheel material/Yield stress = 480",
       "--set: Wheel material/Yield stress = 480: a bare number; a stress with its unit is needed, such as "

@@ -55,6 +55,8 @@ namespace wheelrail
       visit("velocity", c.velocity);
       visit("dilatation_rail", c.dilatation[0]);
       visit("dilatation_wheel", c.dilatation[1]);
+      visit("plastic_rail", c.plastic[0]);
+      visit("plastic_wheel", c.plastic[1]);
     }
 
     /// Pressure, shear (3), facet (2) and place in it (2) of each node.
@@ -153,6 +155,8 @@ namespace wheelrail
     for (int body = 0; body < 2; ++body)
       checkpoint.dilatation[body].assign(solid.blocks[body].dilatation.begin(),
                                          solid.blocks[body].dilatation.end());
+    for (int body = 0; body < 2; ++body)
+      checkpoint.plastic[body] = plastic_state(solid.blocks[body]);
     checkpoint.contact  = model.contact->state();
     checkpoint.axle     = axle.state();
     checkpoint.rolling  = rolling.state();
@@ -185,6 +189,8 @@ namespace wheelrail
     for (int body = 0; body < 2; ++body)
       solid.blocks[body].dilatation.assign(checkpoint.dilatation[body].begin(),
                                            checkpoint.dilatation[body].end());
+    for (int body = 0; body < 2; ++body)
+      set_plastic_state(solid.blocks[body], checkpoint.plastic[body]);
     model.contact->set_state(checkpoint.contact);
     axle.set_state(checkpoint.axle);
     rolling.set_state(checkpoint.rolling);

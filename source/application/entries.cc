@@ -277,7 +277,7 @@ namespace wheelrail
                                   "kg/m3",
                                   B::between("100 kg/m3", "30000 kg/m3"),
                                   field(part, &M::density)));
-      list.push_back(yield_stress_entry(section));
+      list.push_back(yield_stress_entry(section, part));
       list.push_back(
         number_entry({section,
                       "Tangent modulus",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <unordered_map>
 
 namespace wheelrail
@@ -190,7 +191,42 @@ namespace wheelrail
     builder.field("shear_stress_yz_xz_xy", "Pa", 3, [&](unsigned int n, double *v) {
       std::copy_n(&stress[6 * n + 3], 3, v);
     });
+    if (solid.blocks[0].plastic() || solid.blocks[1].plastic())
+      {
+        const auto strain = nodal_plastic_strain(solid, communicator);
+        builder.field("plastic_strain", "1", 1, [&](unsigned int n, double *v) { *v = strain[n]; });
+      }
     return mesh;
+  }
+
+
+  PlasticFigures
+  plastic_figures(const Solid &solid, const Axle &axle, const double distance, MPI_Comm communicator)
+  {
+    double largest[2] = {-1, -1}, work[2] = {0, 0};
+    for (int body = 0; body < 2; ++body)
+      {
+        const ElementBlocks &blocks = solid.blocks[body];
+        if (!blocks.plastic())
+          continue;
+        const auto strain = element_plastic_strain(blocks);
+        const auto stress = element_stress(blocks, solid.displacement.data());
+        for (std::size_t e = 0; e < blocks.n_elements; ++e)
+          {
+            largest[0]          = std::max(largest[0], strain[e]);
+            const Vector3 place = solid.position(solid.mesh.cells[solid.block_cells[body][e]][0]);
+            if (body == 0 && strain[e] > 0 && place[2] < axle.travelled() - distance)
+              largest[1] = std::max(largest[1], von_mises(stress[e].data()));
+          }
+        for (const double w : blocks.plastic_work)
+          work[body] += w;
+      }
+    MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, communicator);
+    MPI_Allreduce(MPI_IN_PLACE, work, 2, MPI_DOUBLE, MPI_SUM, communicator);
+    for (double &value : largest)
+      if (value < 0)
+        value = std::numeric_limits<double>::quiet_NaN();
+    return {largest[0], largest[1], {work[0], work[1]}};
   }
 
 

@@ -100,6 +100,13 @@ namespace wheelrail
   }
 
 
+  Plasticity
+  plasticity(const MaterialData &material)
+  {
+    return {material.yield_stress, material.tangent_modulus, material.kinematic_hardening};
+  }
+
+
   SweepPlan
   sweep_plan(const Scene &scene, const ContactGeometry &geometry, const double expected_approach)
   {
@@ -162,7 +169,7 @@ namespace wheelrail
                  elasticity(scene.wheel_material),
                  scene.bulk_viscosity,
                  communicator,
-                 {},
+                 {plasticity(scene.rail_material), plasticity(scene.wheel_material)},
                  {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)});
     lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
 

@@ -77,6 +77,7 @@ namespace wheelrail
     row.put("strain_energy", "J", e.strain);
     row.put("stabilisation_energy", "J", e.stabilisation);
     row.put("contact_energy", "J", e.contact);
+    row.put("plastic_work", "J", e.plastic);
     row.put("friction_dissipation", "J", e.friction);
     row.put("viscous_dissipation", "J", e.viscous);
     row.put("contact_damping_dissipation", "J", e.contact_damping);

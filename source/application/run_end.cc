@@ -1,3 +1,4 @@
+#include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/run_end.h>
 #include <wheelrail/application/run_texts.h>
 
@@ -55,11 +56,19 @@ namespace wheelrail
     run.recorder.fill(summary, averaging_distance);
     summary.friction_coefficient = run.scene.friction_coefficient;
     summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
-    summary.rolled_distance      = run.axle.travelled();
-    summary.velocity             = run.scene.velocity;
-    summary.elements             = double(model.solid.quality.elements);
-    summary.time_steps           = double(run.rolling.steps());
-    summary.time_step            = model.time_step;
+    // the stress under the wheel fades within some patch lengths
+    const double behind = 4 * half_length_bound(model.expected_approach, model.geometry.rolling_radius);
+    const PlasticFigures plastic   = plastic_figures(model.solid, run.axle, behind, run.communicator);
+    summary.max_plastic_strain     = plastic.max_strain;
+    summary.max_residual_von_mises = plastic.max_residual;
+    for (int body = 0; body < 2; ++body)
+      if (model.solid.blocks[body].plastic())
+        set_figure(summary, body == 0 ? "plastic_work_rail_J" : "plastic_work_wheel_J", plastic.work[body]);
+    summary.rolled_distance = run.axle.travelled();
+    summary.velocity        = run.scene.velocity;
+    summary.elements        = double(model.solid.quality.elements);
+    summary.time_steps      = double(run.rolling.steps());
+    summary.time_step       = model.time_step;
     summary.element_updates_per_second =
       summary.elements * double(run.rolling.steps() - tally.first_step) / tally.loop_seconds;
     int size;

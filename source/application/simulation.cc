@@ -150,6 +150,8 @@ namespace wheelrail
                       format_duration(seconds() - begin).c_str(),
                       -1e3 * result.lift,
                       result.creepage));
+      if (model_.solid.blocks[0].plastic() || model_.solid.blocks[1].plastic())
+        log_.value("plastic flow", "from the first time step on; the static start is elastic");
       keep_state();
       if (scene_.volume_fields)
         output_->volume("volume_start");

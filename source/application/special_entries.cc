@@ -2,6 +2,7 @@
 #include <wheelrail/base/errors.h>
 
 #include <cmath>
+#include <limits>
 
 namespace wheelrail
 {
@@ -76,23 +77,26 @@ namespace wheelrail
   }
 
   Entry
-  yield_stress_entry(const std::string &section)
+  yield_stress_entry(const std::string &section, MaterialData Scene::*part)
   {
-    Entry entry{
-      section,
-      "Yield stress",
-      "none",
-      "none",
-      "Initial yield stress; none: the body stays elastic. This version computes elastic bodies only.",
-      {},
-      {}};
-    entry.set = [](Scene &, const std::string &text) {
+    Entry entry =
+      number_entry({section, "Yield stress", "none", "Initial yield stress; none: the body stays elastic."},
+                   Dimension::stress,
+                   "MPa",
+                   Bounds::between("1 MPa", "10 GPa"),
+                   field(part, &MaterialData::yield_stress));
+    const auto set = entry.set;
+    const auto get = entry.get;
+    entry.accepted = "none, or " + entry.accepted;
+    entry.set      = [set, part](Scene &scene, const std::string &text) {
       if (text == "none")
-        return;
-      parse_quantity(text, Dimension::stress);
-      throw InputError("this version computes elastic bodies only; write none");
+        (scene.*part).yield_stress = std::numeric_limits<double>::infinity();
+      else
+        set(scene, text);
     };
-    entry.get = [](const Scene &) { return std::string("none"); };
+    entry.get = [get, part](const Scene &scene) {
+      return std::isinf((scene.*part).yield_stress) ? "none" : get(scene);
+    };
     return entry;
   }
 

@@ -209,22 +209,24 @@ namespace wheelrail
   {
     // states belong to the full step, kinetic energy and works to the half steps around it: their means
     const AxleEnergy axle    = axle_.energy();
-    double           sums[6] = {0.5 * (kinetic_before + kinetic_energy()),
+    double           sums[7] = {0.5 * (kinetic_before + kinetic_energy()),
                                 elements_.strain,
                                 elements_.stabilisation,
                                 viscous_,
                                 0.5 * (support_before + support_work_),
-                                0};
+                                0,
+                                elements_.plastic_work};
     for (const unsigned int n : wheel_nodes_)
       if (solid_.mesh.owned[n])
         // the displacement of the full step: the one after the step, taken back
         sums[5] += solid_.mass[n] * axle_.data().gravity *
                    (solid_.displacement[4 * n + 1] - time_step_ * solid_.velocity[4 * n + 1]);
-    MPI_Allreduce(MPI_IN_PLACE, sums, 6, MPI_DOUBLE, MPI_SUM, communicator_);
+    MPI_Allreduce(MPI_IN_PLACE, sums, 7, MPI_DOUBLE, MPI_SUM, communicator_);
     energy_.kinetic         = sums[0] + 0.5 * (axle_before.kinetic + axle.kinetic);
     energy_.strain          = sums[1];
     energy_.stabilisation   = sums[2];
     energy_.viscous         = sums[3];
+    energy_.plastic         = sums[6];
     energy_.support_work    = sums[4];
     energy_.potential       = sums[5] + axle_before.potential;
     energy_.contact         = sums_.stored_energy;

@@ -2,6 +2,7 @@
 #include <wheelrail/dynamics/start_tractions.h>
 #include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/dynamics/static_system.h>
+#include <wheelrail/solid/elastic_meanwhile.h>
 
 #include <cmath>
 
@@ -67,9 +68,10 @@ namespace wheelrail
                const StaticLoads                      &loads,
                const std::function<void(std::string)> &report)
   {
-    MPI_Comm     communicator = forest.communicator();
-    SharedSum    sum(solid.mesh, communicator);
-    StaticResult result;
+    const ElasticMeanwhile rail(solid.blocks[0]), wheel(solid.blocks[1]);
+    MPI_Comm               communicator = forest.communicator();
+    SharedSum              sum(solid.mesh, communicator);
+    StaticResult           result;
     result.wheel_load = (loads.axle.sprung_mass + loads.axle.mass +
                          mass_properties(solid, Body::wheel, loads.axle.centre, communicator).mass) *
                         loads.axle.gravity;

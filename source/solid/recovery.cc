@@ -1,5 +1,7 @@
 #include <wheelrail/solid/solid.h>
 
+#include <algorithm>
+
 namespace wheelrail
 {
   namespace
@@ -32,12 +34,12 @@ namespace wheelrail
         {
           std::fill(part.begin(), part.end(), 0.);
           for_each([&](int body, std::size_t e, unsigned int node, double V) {
-            for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t k = 0; k < std::min<std::size_t>(3, n - first); ++k)
               part[4 * node + k] += V * values[body][e][first + k];
           });
           sum(part.data());
           for (std::size_t node = 0; node < n_nodes; ++node)
-            for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t k = 0; k < std::min<std::size_t>(3, n - first); ++k)
               result[n * node + first + k] = volume[4 * node] > 0 ? part[4 * node + k] / volume[4 * node] : 0;
         }
       return result;
@@ -56,6 +58,17 @@ namespace wheelrail
           gradient[body].push_back(element_gradient(blocks, e, solid.displacement.data()));
       }
     return nodal_means<9>(solid, gradient, communicator);
+  }
+
+
+  std::vector<double>
+  nodal_plastic_strain(const Solid &solid, MPI_Comm communicator)
+  {
+    std::vector<std::array<double, 1>> strain[2];
+    for (int body = 0; body < 2; ++body)
+      for (const double value : element_plastic_strain(solid.blocks[body]))
+        strain[body].push_back({value});
+    return nodal_means<1>(solid, strain, communicator);
   }
 
 

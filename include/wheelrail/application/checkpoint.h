@@ -19,6 +19,7 @@ namespace wheelrail
     std::vector<double> global_node;            ///< n_nodes: the nodes of the rank
     std::vector<double> displacement, velocity; ///< 4 x n_nodes [m], [m/s], as in Solid
     std::vector<double> dilatation[2];          ///< of the packed elements of rail and wheel
+    std::vector<double> plastic[2];             ///< their plastic_state(), empty in elastic bodies
 
     Contact::State  contact;
     Axle::State     axle;

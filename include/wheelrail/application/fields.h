@@ -18,14 +18,30 @@ namespace wheelrail
     surface ///< faces of the finest cells on the running surfaces, as quadrilaterals
   };
 
-  /// Positions, displacement against the rigid motion of the body, and for cells the von Mises stress
-  /// and the stress components, for surfaces the contact tractions. Collective.
+  /// Positions, displacement against the rigid motion of the body, and for cells the von Mises stress,
+  /// the stress components and, where a body may yield, the accumulated plastic strain, for surfaces the
+  /// contact tractions. Collective.
   FieldMesh
   field_mesh(const Solid   &solid,
              const Axle    &axle,
              const Contact &contact,
              Selection      selection,
              MPI_Comm       communicator);
+
+  /// What plastic flow left behind, over all ranks; NaN where there is nothing to tell.
+  struct PlasticFigures
+  {
+    double max_strain;   ///< largest accumulated plastic strain of both bodies; NaN: both elastic [1]
+    double max_residual; ///< of the residual stress [Pa]
+    double work[2];      ///< plastic work of rail and wheel [J]
+  };
+
+  /// The residual stress is the stress of rail cells that have yielded and that the wheel left at
+  /// least `distance` behind: there its own stress has faded, so that what remains comes from plastic
+  /// strains. Its largest von Mises equivalent is max_residual; NaN when there is no such cell.
+  /// Collective.
+  PlasticFigures
+  plastic_figures(const Solid &solid, const Axle &axle, double distance, MPI_Comm communicator);
 
   /// Largest von Mises stress over the elements of all ranks [Pa]. Collective.
   double

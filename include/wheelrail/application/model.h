@@ -26,6 +26,9 @@ namespace wheelrail
   Elasticity
   elasticity(const MaterialData &material);
 
+  Plasticity
+  plasticity(const MaterialData &material);
+
   /// Where the fine zone lies and how the sections are swept, for a contact found by 2D-Geo.
   SweepPlan
   sweep_plan(const Scene &scene, const ContactGeometry &geometry, double expected_approach);

@@ -6,18 +6,19 @@
 #include <wheelrail/mesh/wheel_section.h>
 #include <wheelrail/solid/element_form.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 
 namespace wheelrail
 {
-  /// Linear elastic steel [SI]; the hardening values are read and checked, and without effect as
-  /// long as only "Yield stress = none" is accepted.
+  /// Steel [SI], elastic or bilinear elastic-plastic.
   struct MaterialData
   {
     double youngs_modulus      = 210e9;
     double poissons_ratio      = 0.3;
     double density             = 7900;
+    double yield_stress        = std::numeric_limits<double>::infinity(); ///< infinite: elastic
     double tangent_modulus     = 21e9;
     double kinematic_hardening = 0; ///< fraction, 0 isotropic, 1 kinematic
   };

@@ -19,10 +19,9 @@ namespace wheelrail
   Entry
   fine_depth_entry();
 
-  /// Yield stress: only "none" can be computed; a stress is told apart from nonsense so that the
-  /// answer fits.
+  /// Yield stress of one body: a stress or "none", stored as infinity.
   Entry
-  yield_stress_entry(const std::string &section);
+  yield_stress_entry(const std::string &section, MaterialData Scene::*part);
 
   /// Mesh/Element, Rail element, Wheel element: the form of both bodies, or of one of them.
   std::vector<Entry>

@@ -9,7 +9,7 @@ namespace wheelrail
   struct EnergyBalance
   {
     double kinetic = 0, strain = 0, stabilisation = 0, contact = 0, potential = 0; ///< states
-    double viscous = 0, friction = 0, contact_damping = 0, suspension = 0;         ///< dissipated
+    double plastic = 0, viscous = 0, friction = 0, contact_damping = 0, suspension = 0;         ///< dissipated
     double torque_work = 0, hold_work = 0, support_work = 0;                       ///< supplied
     double residual = 0;
     double start    = 0; ///< total at the start
@@ -18,7 +18,7 @@ namespace wheelrail
     double
     dissipated() const
     {
-      return viscous + friction + contact_damping + suspension;
+      return plastic + viscous + friction + contact_damping + suspension;
     }
   };
 

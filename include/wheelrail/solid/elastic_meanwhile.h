@@ -1,0 +1,31 @@
+#pragma once
+
+#include <wheelrail/solid/element_blocks.h>
+
+namespace wheelrail
+{
+  /// Makes elements elastic as long as it lives, whatever their yield stress; their history is neither
+  /// read nor written. For solvers that ask for forces in states that are no steps in time, whose
+  /// flow would stay in the history.
+  class ElasticMeanwhile
+  {
+  public:
+    explicit ElasticMeanwhile(ElementBlocks &blocks)
+      : blocks_(blocks)
+      , plasticity_(blocks.plasticity)
+    {
+      blocks_.plasticity = Plasticity();
+    }
+    ~ElasticMeanwhile()
+    {
+      blocks_.plasticity = plasticity_;
+    }
+    ElasticMeanwhile(const ElasticMeanwhile &) = delete;
+    ElasticMeanwhile &
+    operator=(const ElasticMeanwhile &) = delete;
+
+  private:
+    ElementBlocks   &blocks_;
+    const Plasticity plasticity_;
+  };
+} // namespace wheelrail
