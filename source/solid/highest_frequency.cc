@@ -1,5 +1,6 @@
 #include <deal.II/lac/tridiagonal_matrix.h>
 
+#include <wheelrail/solid/elastic_meanwhile.h>
 #include <wheelrail/solid/highest_frequency.h>
 
 #include <cmath>
@@ -17,6 +18,8 @@ namespace wheelrail
         , communicator_(communicator)
         , sum_(solid.mesh, communicator)
         , displacement_(4 * solid.mesh.n_nodes(), 0.)
+        , rail_(solid.blocks[0])
+        , wheel_(solid.blocks[1])
       {
       }
 
@@ -66,10 +69,11 @@ namespace wheelrail
       }
 
     private:
-      Solid                &solid_;
-      MPI_Comm              communicator_;
-      SharedSum             sum_;
-      AlignedVector<double> displacement_;
+      Solid                 &solid_;
+      MPI_Comm               communicator_;
+      SharedSum              sum_;
+      AlignedVector<double>  displacement_;
+      const ElasticMeanwhile rail_, wheel_; ///< trial vectors are no steps in time
     };
   } // namespace
 
