@@ -124,7 +124,9 @@ namespace wheelrail
     act_halfspace(const po::variables_map &options, const RunFunction &, std::ostream &out)
     {
       require_file(options, "halfspace");
-      return run_halfspace_command(scene_of(options), out);
+      const std::string file =
+        options.count("contact-input") ? options["contact-input"].as<std::string>() : "";
+      return run_halfspace_command(scene_of(options), file, out);
     }
 
     int
@@ -205,7 +207,12 @@ namespace wheelrail
         {"halfspace",
          "FILE.prm",
          "contact of the scene as two half-spaces: patch, tractions, creepage in seconds",
-         add_set_option,
+         [](po::options_description &options) {
+           add_set_option(options);
+           options.add_options()("contact-input",
+                                 po::value<std::string>(),
+                                 "also write the problem as input of the program CONTACT");
+         },
          act_halfspace},
         {"parameters",
          "[FILE.prm]",

@@ -323,6 +323,7 @@ namespace wheelrail
         problem.xi      = result.solution.xi;
       }
     result.angle            = means.rail_angle;
+    result.problem          = problem;
     result.spin             = std::sin(means.wheel_angle) / sections.geometry.rolling_radius;
     result.lateral          = -result.solution.fn * s - result.solution.fy * c;
     result.vertical         = result.solution.fn * c - result.solution.fy * s;

@@ -1,3 +1,4 @@
+#include <wheelrail/application/contact_input.h>
 #include <wheelrail/application/halfspace_case.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/parameters.h>
@@ -36,12 +37,14 @@ namespace wheelrail
 
 
   int
-  run_halfspace_command(const Scene &scene, std::ostream &out)
+  run_halfspace_command(const Scene &scene, const std::string &contact_input_file, std::ostream &out)
   {
-    const WheelRailLoad     load    = scene_load(scene);
-    const WheelRailSolution result  = solve_wheel_rail(scene, load, scene_offsets(scene));
-    const Summary           figures = halfspace_summary(scene, result);
-    const HalfspaceGrid    &grid    = result.solution.grid;
+    const WheelRailLoad     load   = scene_load(scene);
+    const WheelRailSolution result = solve_wheel_rail(scene, load, scene_offsets(scene));
+    if (!contact_input_file.empty())
+      replace_file(contact_input_file, contact_input(result.problem, scene.title));
+    const Summary        figures = halfspace_summary(scene, result);
+    const HalfspaceGrid &grid    = result.solution.grid;
 
     char text[256];
     std::snprintf(text,

@@ -29,6 +29,7 @@ namespace wheelrail
   /// the rail (body 1); its y is the coordinate s of the contact frame of 2D-Geo, along the rail.
   struct WheelRailSolution
   {
+    HalfspaceProblem  problem; ///< as it was solved
     HalfspaceSolution solution;
     PatchFields       patch;            ///< in the form and with the signs of a run's patch
     PatchMeasures     measures;         ///< of `patch`: area and extents from the edge line
