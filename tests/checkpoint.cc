@@ -15,6 +15,7 @@
 #include "parallel.h"
 #include "small_scene.h"
 
+#include <cstring>
 #include <filesystem>
 
 using namespace wheelrail;
@@ -28,10 +29,11 @@ namespace
   Scene
   scene(const std::string &name)
   {
-    Scene scene  = small_scene(4e-3);
-    scene.title  = "stopped and gone on";
-    scene.ticks  = 5;
-    scene.folder = "checkpoint_" + std::to_string(size) + "_" + name;
+    Scene scene               = small_scene(4e-3);
+    scene.title               = "stopped and gone on";
+    scene.ticks               = 5;
+    scene.checkpoint_interval = 0.05;
+    scene.folder              = "checkpoint_" + std::to_string(size) + "_" + name;
     return scene;
   }
 
@@ -82,7 +84,7 @@ namespace
     MPI_Barrier(MPI_COMM_WORLD);
     unsigned int n = 0;
     for (const auto &entry : fs::directory_iterator(folder))
-      n += entry.path().filename().string().rfind("checkpoint_", 0) == 0;
+      n += entry.path().filename().string().rfind("checkpoint", 0) == 0;
     return n;
   }
 
@@ -144,21 +146,43 @@ namespace
     const Summary summary = read_summary(base.folder + "/summary.json");
     check(!summary.finished && summary.stop_reason == "interrupted" && summary.time_steps == 200,
           "its summary says so");
-    check(count_checkpoints(base.folder) == 2 * unsigned(size) + 1, "its last two states are saved");
+    check(count_checkpoints(base.folder) == 3, "its last two states are saved");
     return base;
   }
 
-  /// From the tick before the interruption on: the steps up to it are those of a run that was not stopped.
+  std::string
+  newest_file(const std::string &folder)
+  {
+    const std::string marker = read_whole_file(folder + "/checkpoint.json");
+    return folder + "/" + marker.substr(marker.find("checkpoint_"), std::strlen("checkpoint_0.h5"));
+  }
+
+  std::string
+  log_of(const Scene &scene)
+  {
+    MPI_Barrier(MPI_COMM_WORLD);
+    return read_whole_file(scene.folder + "/log.txt");
+  }
+
+  void
+  change_a_bit(const std::string &file)
+  {
+    std::string bytes = read_whole_file(file);
+    bytes[bytes.size() / 2] ^= 1;
+    on_disk([&]() { replace_file(file, bytes); });
+  }
+
+  /// From the state before the interruption on: the steps up to it are those of a run that was not stopped.
   void
   gone_back(const Scene &base, const Scene &one_go)
   {
-    const Scene       again = copy(base, "again");
-    const std::string file  = again.folder + "/checkpoint_1_rank" + std::to_string(rank) + ".h5";
-    const Checkpoint  tick  = checkpoint_from_bytes(read_whole_file(file));
-    check(tick.ticks == 2 && tick.rolling.steps < 180, "the state of the second tick");
-    write_checkpoint(tick, again.folder, MPI_COMM_WORLD);
-    check(run(again, true, 180) == 3, "gone on from there and interrupted again");
-    check(run(again, true, 350) == 3, "and again, after further ticks");
+    const Scene again = copy(base, "again");
+    change_a_bit(newest_file(again.folder));
+    check(run(again, true, 250) == 3, "gone on from the older state, since the newer one is damaged");
+    check(log_of(again).find("goes on from the state before it") != std::string::npos, "and it says so");
+    const std::string newest = newest_file(again.folder);
+    on_disk([&]() { fs::resize_file(newest, fs::file_size(newest) / 3); });
+    check(run(again, true, 350) == 3, "gone on from the older state, since the newer one is torn");
     check(run(again, true) == 0, "gone on to the end");
     compare(one_go.folder, again.folder, "interrupted");
     check(count_checkpoints(again.folder) == 0, "a finished run keeps no checkpoint");
@@ -185,41 +209,52 @@ namespace
   }
 
   void
-  refusals(const Scene &base, const Scene &one_go)
+  damaged(const Scene &saved)
   {
-    check_refusal(one_go, "has finished", "a finished run is not gone on with");
-    check_refusal(scene("nowhere"), "no saved state", "no folder, nothing to go on from");
-    check(!fs::exists(scene("nowhere").folder), "and none is made");
-
-    const Scene saved      = copy(base, "refused");
-    Scene       other      = saved;
-    other.rolling_distance = 7e-3;
-    other.ticks            = 4;
-    other.title            = "another title is accepted";
-    check_refusal(other,
-                  "Output/Ticks = 4, saved with 5; Run/Rolling distance = 7 mm, saved with 6 mm",
-                  "other entries are named");
-    check(error_of<InputError>(other, true).find("Title") == std::string::npos, "the title may differ");
-
-    const std::string marker = saved.folder + "/checkpoint_last", text = read_whole_file(marker);
+    const std::string marker = saved.folder + "/checkpoint.json", text = read_whole_file(marker);
     const auto        with = [&](const std::string &old, const std::string &fresh) {
       std::string changed = text;
       on_disk([&]() { replace_file(marker, changed.replace(changed.find(old), old.size(), fresh)); });
     };
-    with("ranks = " + std::to_string(size), "ranks = 3");
-    check_refusal(saved, "saved by 3 ranks", "another number of ranks");
-    with("format = 1", "format = 99");
-    check_refusal(saved, "format \"99\"", "another format");
-    with("checksum", "cheksum");
-    check_refusal(saved, "damaged", "no checksum");
-    with("ranks", "ranks"); // as it was
-    const std::string last  = saved.folder + "/checkpoint_0_rank" + std::to_string(size - 1) + ".h5";
-    std::string       bytes = read_whole_file(last);
-    bytes[bytes.size() / 2] ^= 1;
-    on_disk([&]() { replace_file(last, bytes); });
-    check_refusal(saved, "checksum", "one bit changed in the file of the last rank");
-    on_disk([&]() { fs::remove(last); });
+    with("\"format\": 2", "\"format\": 99");
+    check_refusal(saved, "of format 99", "another format");
+    with("{", "");
+    check_refusal(saved, "of format", "a marker that cannot be read");
+    with("checkpoint_", "checkpoint_"); // as it was
+    for (const char *name : {"/checkpoint_0.h5", "/checkpoint_1.h5"})
+      change_a_bit(saved.folder + name);
+    check_refusal(saved, "checksum", "one bit changed in both files");
+    on_disk([&]() { fs::remove(saved.folder + "/checkpoint_0.h5"); });
     check_refusal(saved, "damaged or missing", "a missing file");
+  }
+
+  void
+  refusals(const Scene &base, const Scene &one_go)
+  {
+    check_refusal(one_go, "has finished", "a finished run is not gone on with");
+    check_refusal(scene("nowhere"), "there is no run to go on with", "no folder, nothing to go on from");
+    check(!fs::exists(scene("nowhere").folder), "and none is made");
+
+    const Scene saved      = copy(base, "refused");
+    Scene       other      = saved;
+    other.cell_size        = 3e-3;
+    other.velocity         = 30;
+    other.rolling_distance = 7e-3;
+    other.ticks            = 2;
+    other.title            = "another title is accepted";
+    check_refusal(other,
+                  "Mesh/Solution cell size = 3 mm, saved with 4 mm; Wheelset/Velocity = 108 km/h, saved with "
+                  "140 km/h; set them back",
+                  "other entries are named");
+    const std::string error = error_of<InputError>(other, true);
+    check(error.find("Title") == std::string::npos && error.find("Ticks") == std::string::npos,
+          "title and ticks may differ");
+    other                  = saved;
+    other.rolling_distance = 7e-3;
+    check_refusal(other, "was made for 6 mm of rolling; give at most that", "no fine cells for a longer way");
+    other.rolling_distance = 3e-3;
+    check_refusal(other, "has rolled", "a distance that is behind");
+    damaged(saved);
   }
 } // namespace
 

@@ -87,6 +87,7 @@ namespace
       {"Mesh/Coarse cell size", "32 mm"},
       {"Mesh/Fine depth", "7 mm"},
       {"Mesh/Fine margin", "6 mm"},
+      {"Mesh/Prepared distance", "300 mm"},
       {"Mesh/Element", "full"},
       {"Mesh/Rail element", "reduced"},
       {"Mesh/Wheel element", "full"},
@@ -102,6 +103,7 @@ namespace
       {"Half-space/Spin", "contact"},
       {"Half-space/Lateral offset", "-0.1 mm"},
       {"Half-space/Extra inclination", "1 mrad"},
+      {"Output/Checkpoint interval", "30 s"},
     };
     return values;
   }

@@ -153,6 +153,7 @@ namespace
     {"halfspace/", "arguments of the half-space solver, which the program makes itself"},
     {"output/hdf5", "sizes of fields, or a disk that fails while a file is written"},
     {"output/patch_measures.cc", "sizes of fields"},
+    {"output/tick_file.cc", "sizes of fields, or a disk that fails while a file is written"},
     {"output/vtu.cc", "sizes of fields"},
     {"output/summary.cc", "holds_finished_run() takes it as: no summary"},
     {"geometry/curve.cc", "segments of the standard profiles"},

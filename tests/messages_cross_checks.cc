@@ -20,6 +20,10 @@ namespace
       "--set: Run/Averaging distance = 200 mm: longer than Run/Rolling distance = 100 mm; the mean is taken "
       "over the last part of the run, so at most that is possible");
     check_set(
+      "Mesh/Prepared distance = 50 mm",
+      "--set: Mesh/Prepared distance = 50 mm: shorter than Run/Rolling distance = 100 mm; write auto, or "
+      "a longer distance for a run that is to be resumed with more");
+    check_set(
       "Run/Rolling distance = 1.7 m",
       "--set: Run/Rolling distance = 1700 mm: with 100 mm of free rail at each end this needs a rail of 1900 "
       "mm, and Track/Rail length is 1800 mm; roll at most 1600 mm or lengthen the rail");

@@ -27,12 +27,6 @@ namespace
     return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   }
 
-  int
-  ranks()
-  {
-    return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-  }
-
   void
   write(const std::string &path, const std::string &text)
   {
@@ -79,49 +73,87 @@ namespace
                  "directory. Check that the folder still exists and may be written to.");
   }
 
-  void
-  check_state(const std::string &parameters, const std::string &expected)
+  const std::string parameters =
+    "set Title = x\nsubsection Run\n  set Rolling distance = 30 mm\nend\n"
+    "subsection Wheelset\n  set Velocity = 140 km/h\nend\n";
+
+  /// What --resume answers in runs/saved for a scene with these entries and this distance [m].
+  std::string
+  answer(const std::string &entries, const double distance = 0.03)
   {
-    check_text(
-      message_of([&]() { read_checkpoint("runs/saved", parameters, MPI_COMM_WORLD); }), expected, expected);
+    Scene scene;
+    scene.folder           = "runs/saved";
+    scene.rolling_distance = distance;
+    return message_of([&]() { read_checkpoint(scene, entries, MPI_COMM_WORLD); });
+  }
+
+  void
+  check_state(const std::string &found, const std::string &expected)
+  {
+    check_text(found, "--resume, Output/Folder = runs/saved: " + expected, expected);
+  }
+
+  /// A state without nodes that has rolled 10 mm on a mesh for 30 mm.
+  Checkpoint
+  small_state()
+  {
+    Checkpoint state;
+    state.parameters        = parameters;
+    state.prepared_distance = 0.03;
+    state.axle.travelled    = 0.01;
+    state.viscous = state.support_work = {0.};
+    return state;
+  }
+
+  void
+  test_differences()
+  {
+    check_text(answer(parameters), "no message", "a state of the same entries is read");
+    check_state(
+      answer("set Title = y\nsubsection Run\n  set Rolling distance = 20 mm\nend\n"
+             "subsection Wheelset\n  set Velocity = 100 km/h\nend\n"),
+      "entries differ from those of the saved state, which must not change: Wheelset/Velocity = 100 "
+      "km/h, saved with 140 km/h; set them back, or start anew in another Output/Folder");
+    check_state(answer("set Title = y\n"),
+                "entries differ from those of the saved state, which must not change: Wheelset/Velocity = "
+                "(not there), saved with 140 km/h; set them back, or start anew in another Output/Folder");
+    check_state(
+      answer(parameters, 0.04),
+      "Run/Rolling distance = 40 mm: the mesh of the saved state was made for 30 mm of rolling; give "
+      "at most that, or start anew with Mesh/Prepared distance = 40 mm");
+    check_state(answer(parameters, 0.01),
+                "Run/Rolling distance = 10 mm: the saved state has rolled 10 mm; give more than that, and at "
+                "most 30 mm");
   }
 
   void
   test_saved_states()
   {
-    const std::string parameters = "set Title = x\nsubsection Run\n  set Rolling distance = 30 mm\nend\n";
-    const std::string folder     = "--resume, Output/Folder = runs/saved: ";
-    check_state(parameters, folder + "there is no saved state to go on from; start without --resume");
+    const std::string anew = "; start anew without --resume";
+    check_state(answer(parameters), "there is no run to go on with; start without --resume");
     write("runs/saved/summary.json", "{\"finished\": true}");
-    check_state(parameters, folder + "the run in this folder has finished; there is nothing to go on with");
+    check_state(answer(parameters), "the run in this folder has finished; there is nothing to go on with");
     write("runs/saved/summary.json", "{\"finished\": false}");
-    write("runs/saved/checkpoint_last", "format = 0\n");
-    check_state(parameters,
-                folder +
-                  "the state was saved in format \"0\", this version of the program reads format 1; start "
-                  "anew without --resume");
+    write("runs/saved/checkpoint.json", "{\"format\": 1}");
+    check_state(answer(parameters),
+                "checkpoint.json is of format 1, this version of the program reads format 2" + anew);
+    write("runs/saved/checkpoint.json", "no JSON");
+    check_state(answer(parameters),
+                "checkpoint.json is of format \"none\", this version of the program reads format 2" + anew);
+    write("runs/saved/checkpoint.json", "{\"format\": 2}");
+    check_state(answer(parameters), "checkpoint.json lists no saved state" + anew);
 
-    Checkpoint checkpoint;
-    checkpoint.parameters = parameters;
-    if (rank() == 0)
-      fs::remove("runs/saved/checkpoint_last");
-    write_checkpoint(checkpoint, "runs/saved", MPI_COMM_WORLD);
-    check_text(message_of([&]() { read_checkpoint("runs/saved", parameters, MPI_COMM_WORLD); }),
-               "no message",
-               "a state of the same entries is read");
-    check_state("set Title = y\nsubsection Run\n  set Rolling distance = 40 mm\nend\n",
-                folder +
-                  "entries differ from those of the saved state, which must not change: Run/Rolling "
-                  "distance = 40 mm, saved with 30 mm");
-    write("runs/saved/checkpoint_0_rank0.h5", "damaged");
-    check_state(parameters,
-                folder +
-                  "runs/saved/checkpoint_0_rank0.h5 is damaged or missing (its checksum is not the one in "
-                  "checkpoint_last); start anew without --resume");
-    write("runs/saved/checkpoint_last", "format = 1\nfiles = checkpoint_0\nranks = 7\n");
-    check_state(parameters,
-                folder + "the state was saved by 7 ranks and goes on with the same number only, not with " +
-                  std::to_string(ranks()) + "; give --ranks 7");
+    write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD);
+    test_differences();
+    const std::string damaged =
+      "checkpoint_0.h5 is damaged or missing (its checksum is not the one in checkpoint.json)";
+    write("runs/saved/checkpoint_0.h5", "damaged");
+    check_state(answer(parameters), damaged + anew);
+    write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD);
+    write("runs/saved/checkpoint_1.h5", "damaged");
+    check_state(answer(parameters),
+                "checkpoint_1.h5 is damaged or missing (its checksum is not the one in checkpoint.json); " +
+                  damaged + anew);
   }
 } // namespace
 

@@ -133,15 +133,15 @@ namespace
 
     const PatchFields patch = hertz_patch(7.162e-3, 5.387e-3, 1e-3, 0.3, 0.4);
     {
-      PatchFile file(folder + "/patch.h5");
+      TickFile file(folder + "/patch.h5", false, 0);
       for (unsigned int tick = 0; tick < 3; ++tick)
-        file.append(patch);
+        append_patch(file, patch);
     }
-    PatchFile resumed(folder + "/patch.h5", true, 2);
+    TickFile resumed(folder + "/patch.h5", true, 2);
     check(resumed.n_ticks() == 2, "a resumed patch file keeps the ticks asked for");
     PatchFields later = patch;
     later.time        = 0.25;
-    resumed.append(later);
+    append_patch(resumed, later);
     const PatchFields read = read_patch(folder + "/patch.h5", 2);
     check(read.n_along == patch.n_along && read.n_lateral == patch.n_lateral && read.time == 0.25 &&
             read.pressure == patch.pressure && read.gap == patch.gap && read.state == patch.state,
@@ -171,8 +171,8 @@ namespace
     std::string message;
     try
       {
-        PatchFile file(folder + "/patch.h5", true, 3);
-        file.append(patch);
+        TickFile file(folder + "/patch.h5", true, 3);
+        append_patch(file, patch);
       }
     catch (const RunError &error)
       {

@@ -1,238 +1,257 @@
 #include <wheelrail/application/checkpoint.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/output/hdf5_handles.h>
 
 #include <algorithm>
-#include <sstream>
-#include <type_traits>
+#include <cmath>
+#include <numeric>
 
 namespace wheelrail
 {
-  using namespace hdf5;
-
   namespace
   {
-    // --- what is in a file: the lists serve writing and reading alike ---
+    // --- one rank's part ---
 
-    template <typename C, typename Visit>
-    void
-    visit_numbers(C &c, const Visit &visit)
+    /// Values of the rank's nodes that it owns, three each; the arrays of Solid have four numbers a node.
+    NumberedValues
+    owned_values(const LocalMesh &mesh, const AlignedVector<double> &values)
     {
-      visit("wall_time", c.wall_time);
-      visit("ticks", c.ticks);
-      visit("time", c.rolling.time);
-      visit("steps", c.rolling.steps);
-      visit("viscous", c.rolling.viscous);
-      visit("friction", c.rolling.friction);
-      visit("contact_damping", c.rolling.contact_damping);
-      visit("support_work", c.rolling.support_work);
-      visit("balance_started", c.rolling.balance_started);
-      visit("energy_at_start", c.rolling.energy_at_start);
-      visit("energy_error", c.rolling.energy_error);
-      visit("height", c.axle.height);
-      visit("lift", c.axle.lift);
-      visit("vertical_speed", c.axle.vertical_speed);
-      visit("angle", c.axle.angle);
-      visit("pitch_rate", c.axle.pitch_rate);
-      visit("travelled", c.axle.travelled);
-      visit("sprung_height", c.axle.sprung_height);
-      visit("sprung_speed", c.axle.sprung_speed);
-      visit("damped", c.axle.work.damped);
-      visit("torque_work", c.axle.work.torque_work);
-      visit("hold_work", c.axle.work.hold_work);
-      visit("rail_first", c.contact.window.rail_first);
-      visit("rail_last", c.contact.window.rail_last);
-      visit("wheel_first", c.contact.window.wheel_first);
-      visit("wheel_last", c.contact.window.wheel_last);
+      NumberedValues owned{3, {}};
+      for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+        if (mesh.owned[n])
+          owned.values.insert(owned.values.end(), &values[4 * n], &values[4 * n + 3]);
+      return owned;
     }
 
-    template <typename C, typename Visit>
-    void
-    visit_arrays(C &c, const Visit &visit)
+    /// Place of element e's first number in an array of visit_histories().
+    std::size_t
+    packed_place(const std::size_t e, const unsigned int width, const unsigned int components)
     {
-      visit("global_node", c.global_node);
-      visit("displacement", c.displacement);
-      visit("velocity", c.velocity);
-      visit("dilatation_rail", c.dilatation[0]);
-      visit("dilatation_wheel", c.dilatation[1]);
-      visit("plastic_rail", c.plastic[0]);
-      visit("plastic_wheel", c.plastic[1]);
+      return e / width * width * components + e % width;
     }
 
-    /// Pressure, shear (3), facet (2) and place in it (2) of each node.
-    constexpr std::size_t contact_numbers = 8;
-
-    std::vector<double>
-    pack(const std::vector<ContactNode> &nodes)
+    /// Histories of the elements of both bodies in the order of the rank's cells; those of
+    /// plastic flow if either body may flow, with zeros for the other one.
+    std::map<std::string, NumberedValues>
+    histories(const Solid &solid)
     {
-      std::vector<double> values;
-      for (const ContactNode &n : nodes)
-        values.insert(values.end(),
-                      {n.pressure,
-                       n.shear[0],
-                       n.shear[1],
-                       n.shear[2],
-                       double(n.facet_i),
-                       double(n.facet_j),
-                       n.xi,
-                       n.eta});
-      return values;
-    }
-
-    std::vector<ContactNode>
-    unpack(const std::vector<double> &values)
-    {
-      std::vector<ContactNode> nodes(values.size() / contact_numbers);
-      for (std::size_t k = 0; k < nodes.size(); ++k)
+      std::map<std::string, NumberedValues> all;
+      // the two bodies may have elements of different forms: rows of one length hold either
+      for (const ElementBlocks &blocks : solid.blocks)
+        visit_histories(blocks, [&](const char *name, const unsigned int n, const auto &) {
+          all[name].components = std::max(all[name].components, n);
+        });
+      for (auto &entry : all)
+        entry.second.values.resize(entry.second.components * solid.mesh.cells.size());
+      for (int body = 0; body < 2; ++body)
         {
-          const double *v   = &values[contact_numbers * k];
-          nodes[k].pressure = v[0];
-          nodes[k].shear    = {v[1], v[2], v[3]};
-          nodes[k].facet_i  = static_cast<int>(v[4]);
-          nodes[k].facet_j  = static_cast<int>(v[5]);
-          nodes[k].xi       = v[6];
-          nodes[k].eta      = v[7];
+          const ElementBlocks &blocks = solid.blocks[body];
+          visit_histories(blocks,
+                          [&](const char *name, const unsigned int n, const AlignedVector<double> &packed) {
+                            NumberedValues &v = all[name];
+                            for (std::size_t e = 0; e < blocks.n_elements; ++e)
+                              for (unsigned int i = 0; i < n; ++i)
+                                v.values[v.components * solid.block_cells[body][e] + i] =
+                                  packed[packed_place(e, blocks.width, n) + i * blocks.width];
+                          });
         }
-      return nodes;
+      return all;
     }
 
-    // --- tables: one array, column by column, the names and units as lines of text ---
+    // --- all ranks ---
 
-    std::string
-    join_lines(const std::vector<std::string> &lines)
+    /// The values of all ranks one after the other, on rank 0.
+    template <typename T>
+    std::vector<T>
+    gather(const std::vector<T> &own, const MPI_Datatype type, MPI_Comm communicator)
     {
-      std::string text;
-      for (const std::string &line : lines)
-        text += line + "\n";
-      return text;
+      int rank, size;
+      MPI_Comm_rank(communicator, &rank);
+      MPI_Comm_size(communicator, &size);
+      const int        n = static_cast<int>(own.size());
+      std::vector<int> counts(size), begin(size, 0);
+      MPI_Gather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, communicator);
+      for (int r = 1; r < size; ++r)
+        begin[r] = begin[r - 1] + counts[r - 1];
+      std::vector<T> all(rank == 0 ? begin.back() + counts.back() : 0);
+      MPI_Gatherv(own.data(), n, type, all.data(), counts.data(), begin.data(), type, 0, communicator);
+      return all;
     }
 
-    std::vector<std::string>
-    split_lines(const std::string &text)
+    /// Puts rows in the order of their numbers.
+    std::vector<double>
+    in_order(const std::vector<std::uint32_t> &number,
+             const std::vector<double>        &values,
+             const unsigned int                components)
     {
-      std::vector<std::string> lines;
-      std::istringstream       stream(text);
-      for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-      return lines;
+      std::vector<double> ordered(values.size());
+      for (std::size_t k = 0; k < number.size(); ++k)
+        std::copy_n(&values[components * k], components, &ordered[std::size_t(components) * number[k]]);
+      return ordered;
+    }
+
+    std::map<std::string, NumberedValues>
+    gather_values(const std::map<std::string, NumberedValues> &parts,
+                  const std::vector<std::uint32_t>            &number,
+                  MPI_Comm                                     communicator)
+    {
+      std::map<std::string, NumberedValues> whole;
+      for (const auto &[name, part] : parts)
+        {
+          const auto all = gather(part.values, MPI_DOUBLE, communicator);
+          whole[name]    = {part.components, in_order(number, all, part.components)};
+        }
+      return whole;
+    }
+
+    // --- restoring ---
+
+    bool
+    fits(const Checkpoint &whole, const Solid &solid)
+    {
+      const LocalMesh &mesh  = solid.mesh;
+      const auto       below = [](const std::vector<std::uint32_t> &numbers, const std::size_t n) {
+        return std::all_of(numbers.begin(), numbers.end(), [n](const std::uint32_t k) { return k < n; });
+      };
+      const bool same_mesh =
+        whole.node.size() == solid.quality.nodes && whole.cell.size() == solid.quality.elements &&
+        below(mesh.node_number, whole.node.size()) && below(mesh.cell_number, whole.cell.size());
+      const auto has = [](const auto &all, const std::string &name, const unsigned int n) {
+        return all.count(name) == 1 && all.at(name).components >= n;
+      };
+      bool complete = has(whole.node_values, "displacement", 3) && has(whole.node_values, "velocity", 3);
+      for (const auto &blocks : solid.blocks)
+        visit_histories(blocks, [&](const char *name, const unsigned int n, const auto &) {
+          complete = complete && has(whole.cell_values, name, n);
+        });
+      return same_mesh && complete;
     }
 
     void
-    write_table(const hid_t file, const std::string &name, const History &table)
+    restore_solid(const Checkpoint &whole, Solid &solid)
     {
-      std::vector<double> values;
-      for (const auto &column : table.columns)
-        values.insert(values.end(), column.begin(), column.end());
-      write_dataset(file, name, {values.size()}, values, "SI");
-      write_attribute(file, name + "_names", join_lines(table.names));
-      write_attribute(file, name + "_units", join_lines(table.units));
+      const auto restore_nodes = [&](const char *name, AlignedVector<double> &values) {
+        const auto &saved = whole.node_values.at(name).values;
+        for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+          std::copy_n(&saved[3 * std::size_t(solid.mesh.node_number[n])], 3, &values[4 * n]);
+      };
+      restore_nodes("displacement", solid.displacement);
+      restore_nodes("velocity", solid.velocity);
+      for (int body = 0; body < 2; ++body)
+        {
+          ElementBlocks &blocks = solid.blocks[body];
+          visit_histories(blocks, [&](const char *name, const unsigned int n, AlignedVector<double> &packed) {
+            const NumberedValues &saved = whole.cell_values.at(name);
+            for (std::size_t e = 0; e < blocks.n_elements; ++e)
+              for (unsigned int i = 0; i < n; ++i)
+                {
+                  const std::size_t cell = solid.mesh.cell_number[solid.block_cells[body][e]];
+                  packed[packed_place(e, blocks.width, n) + i * blocks.width] =
+                    saved.values[saved.components * cell + i];
+                }
+          });
+          mark_flowed(blocks);
+        }
     }
 
-    History
-    read_table(const hid_t file, const std::string &name)
+    /// What of a sum over ranks this rank goes on with.
+    double
+    share(const std::vector<double> &of_ranks, MPI_Comm communicator)
     {
-      History table;
-      table.names         = split_lines(read_text_attribute(file, name + "_names"));
-      table.units         = split_lines(read_text_attribute(file, name + "_units"));
-      const auto   values = read_dataset(file, name);
-      const size_t rows   = table.names.empty() ? 0 : values.size() / table.names.size();
-      for (auto begin = values.begin(); table.columns.size() < table.names.size(); begin += rows)
-        table.columns.emplace_back(begin, begin + rows);
-      return table;
+      int rank, size;
+      MPI_Comm_rank(communicator, &rank);
+      MPI_Comm_size(communicator, &size);
+      if (of_ranks.size() == std::size_t(size))
+        return of_ranks[rank];
+      return rank == 0 ? std::accumulate(of_ranks.begin(), of_ranks.end(), 0.) : 0.;
     }
-
   } // namespace
 
 
   Checkpoint
   take_checkpoint(const Model &model, const Axle &axle, const Rolling &rolling, const Recorder &recorder)
   {
-    const Solid &solid = model.solid;
-    Checkpoint   checkpoint;
-    checkpoint.global_node.assign(solid.mesh.global_node.begin(), solid.mesh.global_node.end());
-    checkpoint.displacement.assign(solid.displacement.begin(), solid.displacement.end());
-    checkpoint.velocity.assign(solid.velocity.begin(), solid.velocity.end());
-    for (int body = 0; body < 2; ++body)
-      checkpoint.dilatation[body].assign(solid.blocks[body].dilatation.begin(),
-                                         solid.blocks[body].dilatation.end());
-    for (int body = 0; body < 2; ++body)
-      checkpoint.plastic[body] = plastic_state(solid.blocks[body]);
-    checkpoint.contact  = model.contact->state();
-    checkpoint.axle     = axle.state();
-    checkpoint.rolling  = rolling.state();
-    checkpoint.recorder = recorder.state();
-    return checkpoint;
+    const LocalMesh &mesh = model.solid.mesh;
+    Checkpoint       part;
+    part.time_step = model.time_step;
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      if (mesh.owned[n])
+        part.node.push_back(mesh.node_number[n]);
+    part.cell                        = mesh.cell_number;
+    part.node_values["displacement"] = owned_values(mesh, model.solid.displacement);
+    part.node_values["velocity"]     = owned_values(mesh, model.solid.velocity);
+    part.cell_values                 = histories(model.solid);
+    part.contact                     = model.contact->state();
+    part.axle                        = axle.state();
+    part.rolling                     = rolling.state();
+    part.recorder                    = recorder.state();
+    part.viscous                     = {part.rolling.viscous};
+    part.support_work                = {part.rolling.support_work};
+    return part;
+  }
+
+
+  bool
+  is_finite(const Checkpoint &part, MPI_Comm communicator)
+  {
+    int finite = 1;
+    for (const auto &entry : part.node_values)
+      for (const double value : entry.second.values)
+        finite = finite && std::isfinite(value);
+    MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, communicator);
+    return finite == 1;
+  }
+
+
+  Checkpoint
+  gather_checkpoint(const Checkpoint &part, MPI_Comm communicator)
+  {
+    int rank;
+    MPI_Comm_rank(communicator, &rank);
+    Checkpoint whole;
+    whole.node         = gather(part.node, MPI_UINT32_T, communicator);
+    whole.cell         = gather(part.cell, MPI_UINT32_T, communicator);
+    whole.node_values  = gather_values(part.node_values, whole.node, communicator);
+    whole.cell_values  = gather_values(part.cell_values, whole.cell, communicator);
+    whole.viscous      = gather(part.viscous, MPI_DOUBLE, communicator);
+    whole.support_work = gather(part.support_work, MPI_DOUBLE, communicator);
+    if (rank > 0)
+      return {};
+    std::iota(whole.node.begin(), whole.node.end(), 0);
+    std::iota(whole.cell.begin(), whole.cell.end(), 0);
+    whole.parameters        = part.parameters;
+    whole.wall_time         = part.wall_time;
+    whole.ticks             = part.ticks;
+    whole.time_step         = part.time_step;
+    whole.prepared_distance = part.prepared_distance;
+    whole.contact           = part.contact;
+    whole.axle              = part.axle;
+    whole.rolling           = part.rolling;
+    whole.recorder          = part.recorder;
+    return whole;
   }
 
 
   void
-  restore_checkpoint(const Checkpoint &checkpoint,
+  restore_checkpoint(const Checkpoint &whole,
                      Model            &model,
                      Axle             &axle,
                      Rolling          &rolling,
                      Recorder         &recorder,
                      MPI_Comm          communicator)
   {
-    Solid      &solid = model.solid;
-    const auto &nodes = solid.mesh.global_node;
-    int         same =
-      std::equal(nodes.begin(), nodes.end(), checkpoint.global_node.begin(), checkpoint.global_node.end());
-    for (int body = 0; body < 2; ++body)
-      same = same && checkpoint.dilatation[body].size() == solid.blocks[body].dilatation.size();
+    int same = fits(whole, model.solid) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
     if (same == 0)
       throw InputError(
         "--resume: the mesh is not that of the saved state, which another version of the program wrote: "
         "start anew without --resume");
-    solid.displacement.assign(checkpoint.displacement.begin(), checkpoint.displacement.end());
-    solid.velocity.assign(checkpoint.velocity.begin(), checkpoint.velocity.end());
-    for (int body = 0; body < 2; ++body)
-      solid.blocks[body].dilatation.assign(checkpoint.dilatation[body].begin(),
-                                           checkpoint.dilatation[body].end());
-    for (int body = 0; body < 2; ++body)
-      set_plastic_state(solid.blocks[body], checkpoint.plastic[body]);
-    model.contact->set_state(checkpoint.contact);
-    axle.set_state(checkpoint.axle);
-    rolling.set_state(checkpoint.rolling);
-    recorder.set_state(checkpoint.recorder);
-  }
-
-
-  std::vector<char>
-  checkpoint_bytes(const Checkpoint &checkpoint)
-  {
-    const Quiet  quiet;
-    const Handle file(open_in_memory(), H5Fclose, "make a file in memory");
-    write_attribute(file, "parameters", checkpoint.parameters);
-    visit_numbers(checkpoint, [&](const char *name, const auto value) {
-      write_attribute(file, name, static_cast<double>(value));
-    });
-    const auto write = [&](const char *name, const std::vector<double> &values) {
-      write_dataset(file, name, {values.size()}, values, "SI");
-    };
-    visit_arrays(checkpoint, write);
-    write("contact", pack(checkpoint.contact.nodes));
-    write_table(file, "history", checkpoint.recorder.history);
-    write_table(file, "patches", checkpoint.recorder.patches);
-    return file_image(file);
-  }
-
-
-  Checkpoint
-  checkpoint_from_bytes(const std::string &bytes)
-  {
-    const Quiet  quiet;
-    const Handle file(open_in_memory(bytes), H5Fclose, "read it");
-    Checkpoint   checkpoint;
-    checkpoint.parameters = read_text_attribute(file, "parameters");
-    visit_numbers(checkpoint, [&](const char *name, auto &value) {
-      value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
-    });
-    visit_arrays(checkpoint,
-                 [&](const char *name, std::vector<double> &values) { values = read_dataset(file, name); });
-    checkpoint.contact.nodes    = unpack(read_dataset(file, "contact"));
-    checkpoint.recorder.history = read_table(file, "history");
-    checkpoint.recorder.patches = read_table(file, "patches");
-    return checkpoint;
+    restore_solid(whole, model.solid);
+    model.contact->set_state(whole.contact);
+    axle.set_state(whole.axle);
+    Rolling::State state = whole.rolling;
+    state.viscous        = share(whole.viscous, communicator);
+    state.support_work   = share(whole.support_work, communicator);
+    rolling.set_state(state);
+    recorder.set_state(whole.recorder);
   }
 } // namespace wheelrail

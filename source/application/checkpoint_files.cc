@@ -1,22 +1,26 @@
+#include <wheelrail/application/checkpoint_checks.h>
 #include <wheelrail/application/checkpoint_files.h>
-#include <wheelrail/application/input_file.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <map>
-#include <set>
-#include <sstream>
 
 namespace wheelrail
 {
   namespace
   {
+    using Json = nlohmann::ordered_json;
+
     /// Counts up whenever a field of a checkpoint is added or changes its meaning.
-    constexpr int format = 1;
+    constexpr int format = 2;
+
+    constexpr const char *file_names[2] = {"checkpoint_0.h5", "checkpoint_1.h5"};
 
     /// FNV-1a of 64 bits (Fowler, Noll and Vo), in hexadecimal digits.
     std::string
@@ -30,71 +34,34 @@ namespace wheelrail
       return text;
     }
 
-    // --- the marker checkpoint_last: lines "name = value" ---
-
-    using Marker = std::map<std::string, std::string>;
-
     std::string
     marker_path(const std::string &folder)
     {
-      return folder + "/checkpoint_last";
+      return folder + "/checkpoint.json";
     }
 
-    Marker
+    /// The marker as written, or null when it is missing or no JSON object.
+    Json
     read_marker(const std::string &folder)
     {
-      Marker             marker;
-      std::istringstream text(read_whole_file(marker_path(folder)));
-      for (std::string line; std::getline(text, line);)
-        if (const auto sign = line.find(" = "); sign != std::string::npos)
-          marker[line.substr(0, sign)] = line.substr(sign + 3);
-      return marker;
+      if (!std::filesystem::exists(marker_path(folder)))
+        return nullptr;
+      Json marker = Json::parse(read_whole_file(marker_path(folder)), nullptr, false);
+      return marker.is_object() ? marker : Json(nullptr);
     }
 
-    std::string
-    file_path(const std::string &folder, const std::string &files, const int rank)
+    /// The saved states that the marker lists, the newest first.
+    std::vector<Json>
+    listed_states(const Json &marker)
     {
-      return folder + "/" + files + "_rank" + std::to_string(rank) + ".h5";
+      std::vector<Json> states;
+      if (marker.is_object() && marker.contains("states") && marker["states"].is_array())
+        for (const Json &state : marker["states"])
+          if (state.is_object() && state.value("file", Json()).is_string() &&
+              state.value("checksum", Json()).is_string())
+            states.push_back(state);
+      return states;
     }
-
-    // --- all ranks together ---
-
-    void
-    broadcast(std::string &text, const int root, MPI_Comm communicator)
-    {
-      unsigned long size = text.size();
-      MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, root, communicator);
-      text.resize(size);
-      MPI_Bcast(&text[0], static_cast<int>(size), MPI_CHAR, root, communicator);
-    }
-
-    /// Does the work on all ranks; the failure of the lowest one that failed is thrown on all.
-    template <typename Error, typename Work>
-    void
-    together(MPI_Comm communicator, const Work &work)
-    {
-      std::string fault;
-      int         rank, size;
-      MPI_Comm_rank(communicator, &rank);
-      MPI_Comm_size(communicator, &size);
-      int failed = size;
-      try
-        {
-          work();
-        }
-      catch (const std::exception &error)
-        {
-          fault  = error.what();
-          failed = rank;
-        }
-      MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MIN, communicator);
-      if (failed == size)
-        return;
-      broadcast(fault, failed, communicator);
-      throw Error(fault);
-    }
-
-    // --- what must agree before a run goes on ---
 
     [[noreturn]] void
     refuse(const std::string &folder, const std::string &what)
@@ -102,139 +69,151 @@ namespace wheelrail
       throw InputError("--resume, Output/Folder = " + folder + ": " + what);
     }
 
-    void
-    check_marker(const std::string &folder, Marker &marker, const int size)
+    /// The bytes of a state; throws RunError when they are not those that were written.
+    std::string
+    read_state(const std::string &folder, const Json &state)
     {
-      if (marker["format"] != std::to_string(format))
+      const std::string bytes = read_whole_file(folder + "/" + state["file"].get<std::string>());
+      if (checksum(bytes.data(), bytes.size()) != state["checksum"].get<std::string>())
+        throw RunError("its checksum is not the one in checkpoint.json");
+      return bytes;
+    }
+
+    /// The newest state that is whole; empty when the run was ended before it had saved one.
+    std::string
+    read_newest(const std::string &folder, std::string &notes)
+    {
+      if (holds_finished_run(folder))
+        refuse(folder, "the run in this folder has finished; there is nothing to go on with");
+      if (!std::filesystem::exists(marker_path(folder)))
+        {
+          if (std::filesystem::exists(folder + "/parameters.prm"))
+            return "";
+          refuse(folder, "there is no run to go on with; start without --resume");
+        }
+      const Json marker = read_marker(folder);
+      const Json found  = marker.is_object() ? marker.value("format", Json("none")) : Json("none");
+      if (found != format)
         refuse(folder,
-               "the state was saved in format \"" + marker["format"] +
-                 "\", this version of the program reads format " + std::to_string(format) +
+               "checkpoint.json is of format " + found.dump() +
+                 ", this version of the program reads format " + std::to_string(format) +
                  "; start anew without --resume");
-      if (marker["ranks"] != std::to_string(size))
-        refuse(folder,
-               "the state was saved by " + marker["ranks"] +
-                 " ranks and goes on with the same number only, not with " + std::to_string(size) +
-                 "; give --ranks " + marker["ranks"]);
+      std::string faults;
+      for (const Json &state : listed_states(marker))
+        try
+          {
+            const std::string bytes = read_state(folder, state);
+            if (!faults.empty())
+              notes += faults + "; the run goes on from the state before it, " +
+                       state["file"].get<std::string>() + "\n";
+            return bytes;
+          }
+        catch (const RunError &error)
+          {
+            faults += (faults.empty() ? "" : "; ") + state["file"].get<std::string>() +
+                      " is damaged or missing (" + error.what() + ")";
+          }
+      refuse(folder,
+             (faults.empty() ? "checkpoint.json lists no saved state" : faults) +
+               "; start anew without --resume");
     }
 
-    std::map<std::string, std::string>
-    entries_of(const std::string &parameters)
-    {
-      std::map<std::string, std::string> values;
-      for (const Assignment &a : parse_input(parameters, "").assignments)
-        values[a.section.empty() ? a.name : a.section + "/" + a.name] = a.value;
-      return values;
-    }
-
+    /// MPI counts in int; a state may be larger than that.
     void
-    check_parameters(const std::string &folder, const std::string &saved, const std::string &now)
+    broadcast(std::string &text, MPI_Comm communicator)
     {
-      const std::set<std::string> may_differ = {
-        "Title", "Output/Folder", "Output/Volume fields", "Run/Energy limit", "Run/Averaging distance"};
-      auto        before = entries_of(saved), after = entries_of(now);
-      std::string differences;
-      for (const auto &table : {before, after})
-        for (const auto &[path, value] : table)
-          if (before[path] != after[path] && may_differ.count(path) == 0)
-            {
-              differences += (differences.empty() ? "" : "; ") + path + " = " + after[path] +
-                             ", saved with " + before[path];
-              before[path] = after[path]; // reported once
-            }
-      if (!differences.empty())
-        refuse(folder, "entries differ from those of the saved state, which must not change: " + differences);
+      unsigned long size = text.size();
+      MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, 0, communicator);
+      text.resize(size);
+      constexpr std::size_t piece = std::size_t(1) << 30;
+      for (std::size_t begin = 0; begin < size; begin += piece)
+        MPI_Bcast(&text[begin], static_cast<int>(std::min(piece, size - begin)), MPI_CHAR, 0, communicator);
     }
 
-    Checkpoint
-    read_own_file(const std::string &folder, const Marker &marker, const int rank)
+    std::string
+    mm(const double length)
     {
-      const auto entry = [&](const std::string &name) { return marker.count(name) ? marker.at(name) : ""; };
-      const std::string path = file_path(folder, entry("files"), rank);
-      try
-        {
-          const std::string bytes = read_whole_file(path);
-          if (checksum(bytes.data(), bytes.size()) != entry("checksum of rank " + std::to_string(rank)))
-            throw RunError("its checksum is not the one in checkpoint_last");
-          return checkpoint_from_bytes(bytes);
-        }
-      catch (const std::exception &error)
-        {
-          refuse(folder, path + " is damaged or missing (" + error.what() + "); start anew without --resume");
-        }
+      char text[40];
+      std::snprintf(text, sizeof text, "%.3f", 1e3 * length);
+      return text;
     }
   } // namespace
 
 
   double
-  write_checkpoint(const Checkpoint &checkpoint, const std::string &folder, MPI_Comm communicator)
+  write_checkpoint(const Checkpoint &part, const std::string &folder, MPI_Comm communicator)
   {
-    int rank, size;
-    MPI_Comm_rank(communicator, &rank);
-    MPI_Comm_size(communicator, &size);
-    std::string files = "checkpoint_0";
+    const Checkpoint whole = gather_checkpoint(part, communicator);
+    double           size  = 0;
     on_root(communicator, [&]() {
-      if (std::filesystem::exists(marker_path(folder)) && read_marker(folder)["files"] == files)
-        files = "checkpoint_1";
-    });
-    broadcast(files, 0, communicator);
+      const auto        before = listed_states(read_marker(folder));
+      const bool        second = !before.empty() && before.front()["file"] == file_names[0];
+      const std::string name   = file_names[second ? 1 : 0];
+      const auto        bytes  = checkpoint_bytes(whole);
+      size                     = bytes.size();
+      replace_file(folder + "/" + name, bytes.data(), bytes.size());
 
-    double      bytes_written = 0;
-    std::string sum(16, '0');
-    together<RunError>(communicator, [&]() {
-      const std::vector<char> bytes = checkpoint_bytes(checkpoint);
-      replace_file(file_path(folder, files, rank), bytes.data(), bytes.size());
-      sum           = checksum(bytes.data(), bytes.size());
-      bytes_written = bytes.size();
+      Json state;
+      state["file"]               = name;
+      state["rolled_distance_mm"] = std::stod(mm(whole.axle.travelled));
+      state["time_s"]             = whole.rolling.time;
+      state["time_steps"]         = whole.rolling.steps;
+      state["ranks"]              = whole.ranks();
+      state["program_version"]    = WHEELRAIL_VERSION;
+      state["bytes"]              = bytes.size();
+      state["checksum"]           = checksum(bytes.data(), bytes.size());
+      Json marker;
+      marker["about"] =
+        "Saved states of a run that has not finished, the newest first; \"run FILE --resume\" "
+        "goes on from the first that is whole.";
+      marker["format"] = format;
+      marker["states"] = Json::array({state});
+      if (!before.empty())
+        marker["states"].push_back(before.front());
+      replace_file(marker_path(folder), marker.dump(2) + "\n");
     });
-    std::string sums(16 * size, '0');
-    MPI_Gather(sum.data(), 16, MPI_CHAR, &sums[0], 16, MPI_CHAR, 0, communicator);
-    MPI_Allreduce(MPI_IN_PLACE, &bytes_written, 1, MPI_DOUBLE, MPI_SUM, communicator);
-
-    std::ostringstream marker;
-    marker << "# The saved state of a run that has not finished: \"run ... --resume\" goes on from it.\n"
-           << "format = " << format << "\nfiles = " << files
-           << "\nrolled distance = " << 1e3 * checkpoint.axle.travelled
-           << " mm\nsteps = " << checkpoint.rolling.steps << "\nranks = " << size << '\n';
-    for (int r = 0; r < size; ++r)
-      marker << "checksum of rank " << r << " = " << sums.substr(16 * r, 16) << '\n';
-    on_root(communicator, [&]() { replace_file(marker_path(folder), marker.str()); });
-    return bytes_written;
+    MPI_Bcast(&size, 1, MPI_DOUBLE, 0, communicator);
+    return size;
   }
 
 
-  Checkpoint
-  read_checkpoint(const std::string &folder, const std::string &parameters, MPI_Comm communicator)
+  std::optional<ResumePoint>
+  read_checkpoint(const Scene &scene, const std::string &parameters, MPI_Comm communicator)
   {
-    int rank, size;
-    MPI_Comm_rank(communicator, &rank);
+    std::string bytes, notes;
+    int         size;
     MPI_Comm_size(communicator, &size);
     on_root(communicator, [&]() {
-      if (holds_finished_run(folder))
-        refuse(folder, "the run in this folder has finished; there is nothing to go on with");
-      if (!std::filesystem::exists(marker_path(folder)))
-        refuse(folder, "there is no saved state to go on from; start without --resume");
+      bytes = read_newest(scene.folder, notes);
+      if (bytes.empty())
+        return;
+      const Checkpoint whole = checkpoint_from_bytes(bytes);
+      if (const auto obstacle = obstacle_to_resume(whole, scene, parameters); !obstacle.empty())
+        refuse(scene.folder, obstacle);
+      if (whole.ranks() != static_cast<unsigned int>(size))
+        notes += "the state was saved by " + std::to_string(whole.ranks()) + " ranks and goes on with " +
+                 std::to_string(size) + ": figures agree up to the growth of round-off\n";
     });
-    Checkpoint checkpoint;
-    together<InputError>(communicator, [&]() {
-      Marker marker = read_marker(folder);
-      check_marker(folder, marker, size);
-      checkpoint = read_own_file(folder, marker, rank);
-      check_parameters(folder, checkpoint.parameters, parameters);
-    });
-    return checkpoint;
+    broadcast(bytes, communicator);
+    broadcast(notes, communicator);
+    if (bytes.empty())
+      return {};
+    ResumePoint point{checkpoint_from_bytes(bytes), {}};
+    for (std::size_t begin = 0, end; begin < notes.size(); begin = end + 1)
+      {
+        end = notes.find('\n', begin);
+        point.notes.push_back(notes.substr(begin, end - begin));
+      }
+    return point;
   }
 
 
   void
   remove_checkpoints(const std::string &folder)
   {
-    std::error_code                    ignored; // a file that stays does no harm: the run is finished
-    std::vector<std::filesystem::path> files = {marker_path(folder)};
-    for (const auto &entry : std::filesystem::directory_iterator(folder, ignored))
-      if (const std::string name = entry.path().filename().string();
-          name.rfind("checkpoint_0_rank", 0) == 0 || name.rfind("checkpoint_1_rank", 0) == 0)
-        files.push_back(entry.path());
-    for (const auto &file : files)
-      std::filesystem::remove(file, ignored);
+    std::error_code ignored; // a file that stays does no harm: the run is finished
+    std::filesystem::remove(marker_path(folder), ignored);
+    for (const char *name : file_names)
+      std::filesystem::remove(folder + "/" + name, ignored);
   }
 } // namespace wheelrail

@@ -63,14 +63,19 @@ namespace wheelrail
       const double reach = patch ? 0.7 * patch->length : 0;
       const double needed =
         std::max(0.1, std::ceil(1e3 * (reach + scene.fine_margin + 3 * scene.coarse_cell_size)) / 1e3);
-      const double length = scene.rolling_distance + 2 * needed;
+      const double length = scene.mesh_distance() + 2 * needed;
       if (length > scene.rail_length * (1 + 1e-12))
-        found.push_back(entry_text(scene, "Run", "Rolling distance") + ": with " + mm(needed) +
-                        " of free rail at each end this needs a rail of " + mm(length) +
-                        ", and Track/Rail length is " + mm(scene.rail_length) + "; " +
+        found.push_back((scene.prepared_distance > 0 ? entry_text(scene, "Mesh", "Prepared distance")
+                                                     : entry_text(scene, "Run", "Rolling distance")) +
+                        ": with " + mm(needed) + " of free rail at each end this needs a rail of " +
+                        mm(length) + ", and Track/Rail length is " + mm(scene.rail_length) + "; " +
                         (scene.rail_length > 2 * needed
                            ? "roll at most " + mm(scene.rail_length - 2 * needed) + " or lengthen the rail"
                            : "lengthen the rail"));
+      if (scene.mesh_distance() < scene.rolling_distance)
+        found.push_back(entry_text(scene, "Mesh", "Prepared distance") + ": shorter than " +
+                        entry_text(scene, "Run", "Rolling distance") +
+                        "; write auto, or a longer distance for a run that is to be resumed with more");
       if (scene.averaging_distance > scene.rolling_distance)
         found.push_back(entry_text(scene, "Run", "Averaging distance") +
                         ": longer than Run/Rolling distance = " + mm(scene.rolling_distance) +

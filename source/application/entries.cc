@@ -318,6 +318,7 @@ namespace wheelrail
                "mm",
                B::between("0.1 mm", "50 mm"),
                field(&S::fine_margin)));
+      list.push_back(prepared_distance_entry());
       for (const Entry &entry : element_entries())
         list.push_back(entry);
     }
@@ -371,6 +372,7 @@ namespace wheelrail
         choice_entry<bool>({"Output", "Volume fields", "true", "Write the whole mesh at start and end."},
                            {{"true", true}, {"false", false}},
                            field(&S::volume_fields)));
+      list.push_back(checkpoint_interval_entry());
     }
 
     void

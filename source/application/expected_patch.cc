@@ -66,7 +66,7 @@ namespace wheelrail
     const double     h = scene.cell_size, coarse = std::max(scene.coarse_cell_size, h);
     // the strip covers the interpenetration at the full approach, in whole blocks
     const double width  = std::ceil((1.3 * patch.width + 2 * scene.fine_margin) / coarse) * coarse;
-    const double length = scene.rolling_distance + 1.35 * patch.length + 2 * scene.fine_margin;
+    const double length = scene.mesh_distance() + 1.35 * patch.length + 2 * scene.fine_margin;
     const double layers = std::ceil(scene.fine_depth / h);
     const double fine   = coarse > h ? 2 * (length / h) * (width / h) * layers : 0;
     // halving from size to size takes about 0.4 of the finest cells more

@@ -134,10 +134,10 @@ namespace wheelrail
     plan.sectors         = std::lround(2 * M_PI * geometry.rolling_radius / block);
     const double reach   = half_length_bound(expected_approach, geometry.rolling_radius) + scene.fine_margin;
     plan.fine_begin      = -reach;
-    plan.fine_end        = scene.rolling_distance + reach;
+    plan.fine_end        = scene.mesh_distance() + reach;
     plan.fine_depth      = scene.fine_depth;
     const double spacing = 2 * M_PI * geometry.rolling_radius / plan.sectors;
-    const double middle  = 0.5 * scene.rolling_distance;
+    const double middle  = 0.5 * scene.mesh_distance();
     plan.rail_stations   = rail_stations(middle - 0.5 * scene.rail_length,
                                        middle + 0.5 * scene.rail_length,
                                        plan.fine_begin,

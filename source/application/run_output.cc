@@ -1,4 +1,5 @@
 #include <wheelrail/application/run_output.h>
+#include <wheelrail/application/slices.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/output/root.h>
 
@@ -11,7 +12,8 @@ namespace wheelrail
   {
     on_root(parts_.communicator, [&]() {
       const std::string &folder = parts_.scene.folder;
-      patch_file_               = std::make_unique<PatchFile>(folder + "/patch.h5", resume, ticks);
+      patch_file_               = std::make_unique<TickFile>(folder + "/patch.h5", resume, ticks);
+      slice_file_               = std::make_unique<TickFile>(folder + "/slices.h5", resume, ticks);
       surface_series_           = std::make_unique<PvdSeries>(folder + "/surface.pvd");
       window_series_            = std::make_unique<PvdSeries>(folder + "/window.pvd");
       for (const auto &series : {surface_series_.get(), window_series_.get()})
@@ -24,9 +26,11 @@ namespace wheelrail
   void
   RunOutput::tick(const unsigned int tick)
   {
+    const double time = parts_.rolling.time(), travelled = parts_.axle.travelled();
+    const auto   slices = make_slices(parts_.model, travelled, parts_.communicator);
     on_root(parts_.communicator, [&]() {
-      patch_file_->append(patch_fields(
-        *parts_.model.contact, parts_.model.axle, parts_.rolling.time(), parts_.axle.travelled()));
+      append_patch(*patch_file_, patch_fields(*parts_.model.contact, parts_.model.axle, time, travelled));
+      append_slices(*slice_file_, time, travelled, slices);
       write_history(parts_.recorder.history(), parts_.scene.folder + "/history.h5");
     });
     write_series("surface", Selection::surface, tick, surface_series_.get());

@@ -1,13 +1,13 @@
 #include <wheelrail/application/checkpoint_files.h>
 #include <wheelrail/application/cross_checks.h>
 #include <wheelrail/application/run_end.h>
+#include <wheelrail/application/run_start.h>
 #include <wheelrail/application/run_texts.h>
+#include <wheelrail/application/saved_states.h>
 #include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
-#include <wheelrail/dynamics/rolling_velocities.h>
-#include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 
@@ -54,6 +54,7 @@ namespace wheelrail
         : scene_(scene)
         , options_(options)
         , start_(seconds())
+        , states_(scene, options.parameters_text, scene.checkpoint_interval, communicator_)
       {
         MPI_Comm_rank(communicator_, &rank_);
         MPI_Comm_size(communicator_, &size_);
@@ -62,26 +63,36 @@ namespace wheelrail
       int
       run()
       {
-        const std::vector<std::string> warnings = check_machine(scene_, communicator_);
+        warnings_ = check_machine(scene_, communicator_);
         if (options_.resume)
-          good_ = read_checkpoint(scene_.folder, options_.parameters_text, communicator_);
+          resume_point_ = read_checkpoint(scene_, options_.parameters_text, communicator_);
+        if (resume_point_)
+          scene_.prepared_distance = resume_point_->whole.prepared_distance;
         model_          = make_model(scene_, communicator_);
-        const auto mode = options_.resume      ? FolderMode::resume
+        const auto mode = resume_point_        ? FolderMode::resume
                           : options_.overwrite ? FolderMode::overwrite
                                                : FolderMode::fresh;
         prepare_folder(scene_.folder, mode, options_.prm_text, options_.parameters_text, communicator_);
-        if (rank_ == 0)
-          log_ = Log(scene_.folder + "/log.txt", options_.resume);
-        write_header(log_, scene_, model_, size_, warnings);
-        log_.value("set-up", format_duration(seconds() - start_));
-        if (options_.resume)
-          resume_rolling();
-        else
-          start_rolling();
-        return end(roll());
+        std::string stop;
+        try
+          {
+            set_out();
+            stop = roll();
+            end(stop);
+          }
+        catch (const RunError &error)
+          {
+            leave_word(error.what());
+            throw;
+          }
+        if (!stop.empty() && stop != interrupted)
+          throw RunError("the run stopped: " + stop);
+        return stop.empty() ? 0 : 3;
       }
 
     private:
+      void
+      set_out();
       void
       start_rolling();
       void
@@ -90,29 +101,31 @@ namespace wheelrail
       make_rolling(double lift, double rate);
       std::string
       roll();
-      int
+      void
       end(const std::string &stop);
       void
       record();
       void
       keep_state();
-      double
-      save_state();
       void
       tick();
       bool
       must_stop() const;
       void
       finish(const std::string &stop_reason);
+      void
+      leave_word(const std::string &error) const;
 
-      const Scene               &scene_;
+      Scene                      scene_;
       const RunOptions          &options_;
       double                     start_;
       MPI_Comm                   communicator_ = MPI_COMM_WORLD;
       int                        rank_ = 0, size_ = 1;
+      std::vector<std::string>   warnings_; ///< what the machine may lack
       Log                        log_;
       Model                      model_;
-      Checkpoint                 good_; ///< state of the last regular tick, or of an interruption
+      std::optional<ResumePoint> resume_point_;
+      SavedStates                states_;
       std::unique_ptr<Axle>      axle_;
       std::unique_ptr<Rolling>   rolling_;
       std::unique_ptr<Recorder>  recorder_;
@@ -125,49 +138,52 @@ namespace wheelrail
     };
 
 
+    /// To the first step: the header, then the static start or the saved state.
+    void
+    Simulation::set_out()
+    {
+      on_root(communicator_, [&]() { log_ = Log(scene_.folder + "/log.txt", resume_point_.has_value()); });
+      write_header(log_, scene_, model_, size_, warnings_);
+      log_.value("set-up", format_duration(seconds() - start_));
+      if (options_.resume && !resume_point_)
+        log_.warning("the run in this folder had not saved a state yet; it starts anew");
+      if (resume_point_)
+        resume_rolling();
+      else
+        start_rolling();
+    }
+
+
     void
     Simulation::start_rolling()
     {
-      StaticLoads loads;
-      loads.axle                 = model_.axle;
-      loads.rolling_radius       = model_.geometry.rolling_radius;
-      loads.traction_coefficient = scene_.traction_coefficient;
-      loads.rate_held            = scene_.drive == Drive::rate;
-      loads.creepage             = scene_.creepage;
-      loads.first_approach       = model_.expected_approach;
-      const double       begin   = seconds();
-      const StaticResult result =
-        static_start(*model_.forest, model_.solid, *model_.contact, loads, [&](const std::string &line) {
-          log_.status(line);
-        });
-      const double rate = scene_.velocity / loads.rolling_radius * (1 + result.creepage);
-      rolling_velocities(model_.solid, model_.axle, rate, communicator_);
-      make_rolling(result.lift, rate);
-      log_.value("static start",
-                 text("%d Newton steps, %d CG steps, %s; axle lowered by %.4f mm, predicted creepage %.5f",
-                      result.newton_steps,
-                      result.cg_steps,
-                      format_duration(seconds() - begin).c_str(),
-                      -1e3 * result.lift,
-                      result.creepage));
-      if (model_.solid.blocks[0].plastic() || model_.solid.blocks[1].plastic())
-        log_.value("plastic flow", "from the first time step on; the static start is elastic");
-      keep_state();
+      const RunStart start = start_from_rest(scene_, model_, log_, communicator_);
+      make_rolling(start.lift, start.rate);
+    if (model_.solid.blocks[0].plastic() || model_.solid.blocks[1].plastic())
+      log_.value("plastic flow", "from the first time step on; the static start is elastic");
       if (scene_.volume_fields)
         output_->volume("volume_start");
+      keep_state();
+      states_.save();
     }
 
 
     void
     Simulation::resume_rolling()
     {
+      const Checkpoint &whole = resume_point_->whole;
+      tick_                   = whole.ticks;
+      model_.time_step        = whole.time_step; // another Run/Rolling distance would round it otherwise
       make_rolling(0, 0);
-      restore_checkpoint(good_, model_, *axle_, *rolling_, *recorder_, communicator_);
-      tick_           = good_.ticks;
+      restore_checkpoint(whole, model_, *axle_, *rolling_, *recorder_, communicator_);
       first_step_     = rolling_->steps();
       first_distance_ = axle_->travelled();
-      wall_before_    = good_.wall_time;
+      wall_before_    = whole.wall_time;
+      for (const std::string &note : resume_point_->notes)
+        log_.warning(note);
       log_.value("resumed", text("at %.3f mm rolled, after %lu steps", 1e3 * first_distance_, first_step_));
+      resume_point_->whole = Checkpoint(); // its memory
+      keep_state();
     }
 
 
@@ -180,7 +196,7 @@ namespace wheelrail
       recorder_ = std::make_unique<Recorder>(model_);
       parts_ =
         std::make_unique<RunParts>(RunParts{scene_, model_, *axle_, *rolling_, *recorder_, communicator_});
-      output_ = std::make_unique<RunOutput>(*parts_, options_.resume, good_.ticks);
+      output_ = std::make_unique<RunOutput>(*parts_, resume_point_.has_value(), tick_);
     }
 
 
@@ -199,7 +215,6 @@ namespace wheelrail
     {
       const unsigned long n_steps = std::lround(scene_.rolling_distance / scene_.velocity / model_.time_step);
       const unsigned long every   = std::max<unsigned long>(1, n_steps / 1000);
-      const unsigned int  saves   = std::max(1u, scene_.ticks / 5); // ticks from one to the next
       std::string         stop;
       loop_start_ = seconds();
       for (unsigned long n = first_step_ + 1; n <= n_steps && stop.empty(); ++n)
@@ -220,8 +235,11 @@ namespace wheelrail
           tick_ += regular; // a resumed run writes the tick of an interruption over
           if (good && (regular || stop == interrupted))
             keep_state();
-          if (regular && stop.empty() && n < n_steps && tick_ % saves == 0)
-            save_state();
+          if (record_now && stop.empty() && n < n_steps && states_.due())
+            {
+              keep_state();
+              states_.save();
+            }
         }
       return stop;
     }
@@ -238,18 +256,7 @@ namespace wheelrail
     void
     Simulation::keep_state()
     {
-      good_            = take_checkpoint(model_, *axle_, *rolling_, *recorder_);
-      good_.parameters = options_.parameters_text;
-      good_.ticks      = tick_;
-      good_.wall_time  = wall_before_ + seconds() - start_;
-    }
-
-
-    /// Gives the size of what it wrote [bytes].
-    double
-    Simulation::save_state()
-    {
-      return write_checkpoint(good_, scene_.folder, communicator_);
+      states_.keep(*parts_, tick_, wall_before_ + seconds() - start_);
     }
 
 
@@ -274,25 +281,21 @@ namespace wheelrail
     }
 
 
-    /// Writes the figures and, when the run stopped, its last good state; gives the exit code.
-    int
+    /// Writes the figures, and the last good state when the run stopped.
+    void
     Simulation::end(const std::string &stop)
     {
-      const double bytes = stop.empty() ? 0 : save_state();
+      const double bytes = stop.empty() ? 0 : states_.save();
       finish(stop);
       if (stop.empty())
-        {
-          on_root(communicator_, [&]() { remove_checkpoints(scene_.folder); });
-          return 0;
-        }
-      log_.value(
-        "saved",
-        text("the state at %.3f mm rolled (%.1f MB); go on with ", 1e3 * good_.axle.travelled, 1e-6 * bytes) +
-          "./wheelrail run " + scene_.folder + "/parameters.prm --ranks " + std::to_string(size_) +
-          " --resume");
-      if (stop != interrupted)
-        throw RunError("the run stopped: " + stop);
-      return 3;
+        on_root(communicator_, [&]() { remove_checkpoints(scene_.folder); });
+      else
+        log_.value("saved",
+                   text("the state at %.3f mm rolled (%.1f MB); go on with ",
+                        1e3 * states_.kept().axle.travelled,
+                        1e-6 * bytes) +
+                     "./wheelrail run " + scene_.folder + "/parameters.prm --ranks " + std::to_string(size_) +
+                     " --resume");
     }
 
 
@@ -315,10 +318,36 @@ namespace wheelrail
                       t.exchange,
                       t.contact,
                       t.update));
+      log_.value("saving states", text("%.2f s", states_.seconds_saving()));
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
         print_summary(summary, std::cout);
       });
+    }
+
+
+    /// After a failure: why, in summary.json with the means so far, as far as that can still be written.
+    void
+    Simulation::leave_word(const std::string &error) const
+    {
+      if (rank_ > 0)
+        return;
+      try
+        {
+          Summary summary;
+          summary.title           = scene_.title;
+          summary.program_version = options_.program_version;
+          if (recorder_)
+            recorder_->fill(summary, scene_.averaging_distance);
+          if (axle_)
+            summary.rolled_distance = axle_->travelled();
+          summary.stop_reason = error;
+          write_summary(summary, scene_.folder + "/summary.json");
+        }
+      catch (const std::exception &)
+        {
+          // the failure itself is reported on the screen
+        }
     }
   } // namespace
 

@@ -77,6 +77,58 @@ namespace wheelrail
   }
 
   Entry
+  with_auto(Entry entry, const Field<double> &place)
+  {
+    const auto set = entry.set;
+    const auto get = entry.get;
+    entry.accepted = "auto, or " + entry.accepted;
+    entry.set      = [set, place](Scene &scene, const std::string &text) {
+      if (text == "auto")
+        place(scene) = 0;
+      else
+        set(scene, text);
+    };
+    entry.get = [get, place](const Scene &scene) {
+      Scene copy = scene;
+      return place(copy) == 0 ? "auto" : get(scene);
+    };
+    return entry;
+  }
+
+  Entry
+  prepared_distance_entry()
+  {
+    const auto place = field(&Scene::prepared_distance);
+    return with_auto(
+      number_entry({"Mesh",
+                    "Prepared distance",
+                    "auto",
+                    "The mesh is made for rolling that far, so that a run can be resumed with a "
+                    "longer Run/Rolling distance; auto: Run/Rolling distance."},
+                   Dimension::length,
+                   "mm",
+                   Bounds::above("0 mm", "10 m"),
+                   place),
+      place);
+  }
+
+  Entry
+  checkpoint_interval_entry()
+  {
+    const auto place = field(&Scene::checkpoint_interval);
+    return with_auto(number_entry({"Output",
+                                   "Checkpoint interval",
+                                   "auto",
+                                   "Wall time between two saved states, for --resume; auto: one minute, or a "
+                                   "hundred times what saving takes when that is longer."},
+                                  Dimension::time,
+                                  "s",
+                                  Bounds::above("0 s", "86400 s"),
+                                  place),
+                     place);
+  }
+
+  Entry
   yield_stress_entry(const std::string &section, MaterialData Scene::*part)
   {
     Entry entry =

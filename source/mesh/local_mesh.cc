@@ -3,6 +3,7 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/numbering.h>
 
 #include <algorithm>
 #include <unordered_map>
@@ -26,6 +27,17 @@ namespace wheelrail
         return entry->second;
       }
     };
+
+    /// Unique over the forest, the same for any partition: coarse cell, then the path of children with a
+    /// leading one.
+    std::uint64_t
+    key_of(const dealii::CellId &id)
+    {
+      std::uint64_t path = 1;
+      for (const auto child : id.get_child_indices())
+        path = path * 8 + child;
+      return (std::uint64_t(id.get_coarse_cell_id()) << 32) | path;
+    }
 
     /// Finds the nodes that several ranks hold and the lowest rank that holds each.
     void
@@ -65,6 +77,7 @@ namespace wheelrail
     NodeNumbers                                  number;
     std::vector<std::array<double, 3>>           position;
     std::vector<dealii::types::global_dof_index> dof(24);
+    std::vector<std::uint64_t>                   cell_key;
 
     const auto place = [&](const unsigned int node, const std::array<double, 3> &x, const Body body) {
       if (node >= position.size())
@@ -102,6 +115,7 @@ namespace wheelrail
               place(nodes[v], known.at(dof[3 * v] / 3).first, body);
             }
           mesh.cells.push_back(nodes);
+          cell_key.push_back(key_of(cell->id()));
           mesh.cell_body.push_back(body);
           mesh.cell_level.push_back(cell->level());
           for (unsigned int f = 0; f < 6; ++f)
@@ -151,6 +165,7 @@ namespace wheelrail
           mesh.reference[4 * mesh.hanging[k] + i] = mean;
         }
     find_neighbours(mesh, communicator());
+    number_cells_and_nodes(mesh, cell_key, communicator());
     return mesh;
   }
 } // namespace wheelrail

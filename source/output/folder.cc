@@ -24,7 +24,8 @@ namespace wheelrail
     bool
     is_own_file(const fs::path &path)
     {
-      const std::string name = path.filename().string(), ending = path.extension().string();
+      const fs::path    whole = path.extension() == ".part" ? path.stem() : path.filename();
+      const std::string name = whole.string(), ending = whole.extension().string();
       for (const char *own : {"summary.json",
                               "log.txt",
                               "history.h5",
@@ -32,10 +33,11 @@ namespace wheelrail
                               "halfspace.h5",
                               "compare.json",
                               "compare.html",
+                              "slices.h5",
                               "report.html",
                               "input.prm",
                               "parameters.prm"})
-        if (name == own || name == std::string(own) + ".part")
+        if (name == own)
           return true;
       return ending == ".vtu" || ending == ".pvd" || name.rfind("checkpoint", 0) == 0;
     }
@@ -53,6 +55,18 @@ namespace wheelrail
             own.push_back(entry.path());
       for (const fs::path &path : own)
         fs::remove_all(path);
+    }
+
+    /// What a run that was killed had not finished writing.
+    void
+    remove_unfinished_files(const fs::path &folder)
+    {
+      std::vector<fs::path> parts;
+      for (const auto &entry : fs::directory_iterator(folder))
+        if (entry.path().extension() == ".part" && is_own_file(entry.path()))
+          parts.push_back(entry.path());
+      for (const fs::path &path : parts)
+        fs::remove(path);
     }
 
     /// Makes the folder and those above it that are missing; gives the topmost one made, or an empty path.
@@ -154,9 +168,11 @@ namespace wheelrail
           try_to_write(folder);
           if (mode != FolderMode::resume && fs::exists(folder + "/parameters.prm"))
             remove_earlier_run(folder);
+          remove_unfinished_files(folder);
+          // first the file by which the folder is known as the program's own, should it end between the two
+          replace_file(folder + "/parameters.prm", parameters);
           if (mode != FolderMode::resume || !fs::exists(folder + "/input.prm"))
             replace_file(folder + "/input.prm", input);
-          replace_file(folder + "/parameters.prm", parameters);
         }
       catch (...)
         {

@@ -3,10 +3,7 @@
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/output/replace_file.h>
 
-#include <algorithm>
 #include <array>
-#include <cstdio>
-#include <filesystem>
 
 namespace wheelrail
 {
@@ -32,14 +29,6 @@ namespace wheelrail
                                                         {"state", "1", &PatchFields::state},
                                                         {"area", "m2", &PatchFields::area}}};
 
-    std::string
-    tick_name(const unsigned int tick)
-    {
-      char name[32];
-      std::snprintf(name, sizeof(name), "tick_%04u", tick);
-      return name;
-    }
-
     /// Adds the name of the file to what went wrong in it.
     template <typename Work>
     auto
@@ -53,15 +42,6 @@ namespace wheelrail
         {
           throw RunError("The HDF5 file \"" + path + "\": " + error.what());
         }
-    }
-
-    unsigned int
-    count_ticks(const hid_t file)
-    {
-      unsigned int n = 0;
-      while (H5Lexists(file, tick_name(n).c_str(), H5P_DEFAULT) > 0)
-        ++n;
-      return n;
     }
 
     /// A file from the disk, in memory.
@@ -138,61 +118,23 @@ namespace wheelrail
     });
   }
 
-  PatchFile::PatchFile(std::string path)
-    : PatchFile(std::move(path), false, 0)
-  {
-  }
-
-  PatchFile::PatchFile(std::string path, const bool resume, const unsigned int keep_ticks)
-    : path_(std::move(path))
-    , file_(H5I_INVALID_HID)
-  {
-    const Quiet quiet;
-    naming(path_, [&]() {
-      const bool there = resume && std::filesystem::exists(path_);
-      file_            = open_in_memory(there ? read_whole_file(path_) : "");
-      require(file_ < 0 ? -1 : 0, there ? "read it: it is no complete HDF5 file" : "make a file in memory");
-      const unsigned int found = count_ticks(file_);
-      n_ticks_                 = std::min(found, keep_ticks);
-      for (unsigned int tick = n_ticks_; tick < found; ++tick)
-        H5Ldelete(file_, tick_name(tick).c_str(), H5P_DEFAULT);
-    });
-  }
-
-  PatchFile::~PatchFile()
-  {
-    const Quiet quiet;
-    if (file_ >= 0)
-      H5Fclose(file_);
-  }
-
   void
-  PatchFile::append(const PatchFields &patch)
+  append_patch(TickFile &file, const PatchFields &patch)
   {
-    const Quiet       quiet;
-    const std::string name  = tick_name(n_ticks_);
-    const auto        bytes = naming(path_, [&]() {
-      for (const PatchColumn &column : patch_columns)
-        if ((patch.*column.values).size() != std::size_t(patch.n_along) * patch.n_lateral)
-          throw RunError("The field " + std::string(column.name) + " of " + name + " has " +
-                         std::to_string((patch.*column.values).size()) + " values where " +
-                         std::to_string(patch.n_along) + " x " + std::to_string(patch.n_lateral) +
-                         " belong.");
-
-      const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                         H5Gclose,
-                         "make the group " + name);
-      write_attribute(group, "time_s", patch.time);
-      write_attribute(group, "rolled_distance_m", patch.rolled_distance);
+    const std::string name = tick_name(file.n_ticks());
+    for (const PatchColumn &column : patch_columns)
+      if ((patch.*column.values).size() != std::size_t(patch.n_along) * patch.n_lateral)
+        throw RunError("The HDF5 file \"" + file.path() + "\": the field " + std::string(column.name) +
+                       " of " + name + " has " + std::to_string((patch.*column.values).size()) +
+                       " values where " + std::to_string(patch.n_along) + " x " +
+                       std::to_string(patch.n_lateral) + " belong.");
+    file.append(patch.time, patch.rolled_distance, [&](const std::int64_t group) {
       write_attribute(group, "n_along", patch.n_along);
       write_attribute(group, "n_lateral", patch.n_lateral);
       for (const PatchColumn &column : patch_columns)
         write_dataset(
           group, column.name, {patch.n_along, patch.n_lateral}, patch.*column.values, column.unit);
-      return file_image(file_);
     });
-    ++n_ticks_;
-    replace_file(path_, bytes.data(), bytes.size());
   }
 
   PatchFields

@@ -55,6 +55,19 @@ namespace wheelrail
         }
       return 0;
     }
+    /// Brings the new name to the disk, so that files of a later call never get there before this one. The
+    /// file is complete either way, so a file system that cannot do it is no fault.
+    void
+    sync_folder_of(const std::string &path)
+    {
+      const auto        slash  = path.rfind('/');
+      const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+      const int         id     = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+      if (id < 0)
+        return;
+      ::fsync(id);
+      ::close(id);
+    }
   } // namespace
 
   void
@@ -78,6 +91,7 @@ namespace wheelrail
         ::unlink(part.c_str());
         fail(path, reason);
       }
+    sync_folder_of(path);
   }
 
   void

@@ -154,8 +154,8 @@ namespace wheelrail
       json[figure.key] = to_json(summary.*figure.value, figure.count);
     for (const auto &figure : summary.further)
       json[figure.first] = to_json(figure.second, false);
-    json["finished"]    = summary.finished;
-    json["stop_reason"] = summary.stop_reason;
+    json["finished"]        = summary.finished;
+    json["stopped_because"] = summary.stop_reason;
 
     // a title may hold bytes that are no UTF-8; they must not stop a run at its end
     replace_file(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -176,7 +176,7 @@ namespace wheelrail
         summary.title = item.value().get<std::string>();
       else if (item.value().is_string() && item.key() == "program_version")
         summary.program_version = item.value().get<std::string>();
-      else if (item.value().is_string() && item.key() == "stop_reason")
+      else if (item.value().is_string() && item.key() == "stopped_because")
         summary.stop_reason = item.value().get<std::string>();
       else if (item.value().is_boolean() && item.key() == "finished")
         summary.finished = item.value().get<bool>();

@@ -85,7 +85,7 @@ def table(rows):
 def state_sentence(summary):
     if summary.get("finished"):
         return "<p class=good>The run finished.</p>"
-    reason = html.escape(str(summary.get("stop_reason") or "No reason is recorded."))
+    reason = html.escape(str(summary.get("stopped_because") or "No reason is recorded."))
     return f"<p class=bad>The run did not finish. {reason}</p>"
 
 

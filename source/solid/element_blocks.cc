@@ -234,6 +234,18 @@ namespace wheelrail
   }
 
 
+  void
+  mark_flowed(ElementBlocks &blocks)
+  {
+    const std::size_t size = std::size_t(blocks.history_rows()) * blocks.width;
+    for (std::size_t batch = 0; batch < blocks.flowed.size(); ++batch)
+      {
+        const auto begin = blocks.history.begin() + batch * size;
+        blocks.flowed[batch] =
+          std::any_of(begin, begin + size, [](const double value) { return value != 0; }) ? 1 : 0;
+      }
+  }
+
   std::vector<double>
   plastic_state(const ElementBlocks &blocks)
   {

@@ -20,8 +20,8 @@ namespace wheelrail
     MPI_Comm        communicator;
   };
 
-  /// The files that a run writes tick by tick into its folder: patch.h5, history.h5 and the series of VTU
-  /// files.
+  /// The files that a run writes tick by tick into its folder: patch.h5, slices.h5, history.h5 and the
+  /// series of VTU files.
   class RunOutput
   {
   public:
@@ -42,7 +42,7 @@ namespace wheelrail
     write_series(const char *kind, Selection selection, unsigned int tick, PvdSeries *series);
 
     RunParts                   parts_;
-    std::unique_ptr<PatchFile> patch_file_;                     ///< on rank 0 only, as the series
+    std::unique_ptr<TickFile>  patch_file_, slice_file_;        ///< on rank 0 only, as the series
     std::unique_ptr<PvdSeries> surface_series_, window_series_; ///< for ParaView
   };
 } // namespace wheelrail

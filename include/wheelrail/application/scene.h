@@ -82,6 +82,7 @@ namespace wheelrail
     double      fine_margin = 3e-3; ///< fine cells beyond the expected patch [m] ("Fine margin")
     ElementForm element     = ElementForm::reduced;
     std::optional<ElementForm> rail_element, wheel_element; ///< none: as `element`
+    double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 
     // Run
     double rolling_distance   = 0.1;  ///< [m]
@@ -92,15 +93,23 @@ namespace wheelrail
     double energy_limit       = 0.05; ///< energy error at which the run stops
 
     // Output
-    std::string  folder        = "output/scene";
-    unsigned int ticks         = 20;   ///< evenly spaced outputs of patch and surface fields over the run
-    bool         volume_fields = true; ///< VTU of the whole mesh at start and end
+    std::string  folder              = "output/scene";
+    unsigned int ticks               = 20; ///< evenly spaced outputs of patch and surface fields over the run
+    bool         volume_fields       = true; ///< VTU of the whole mesh at start and end
+    double       checkpoint_interval = 0;    ///< between two saved states [s], 0: see SavedStates
 
     // Half-space
     double        halfspace_element_size = 0.4e-3; ///< [m]
     HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
     double        halfspace_lateral      = 0; ///< wheel section moved against the rail to the track centre [m]
     double        halfspace_inclination  = 0; ///< rail head turned to the track centre [rad]
+
+    /// How far the mesh lets the wheel roll [m].
+    double
+    mesh_distance() const
+    {
+      return prepared_distance > 0 ? prepared_distance : rolling_distance;
+    }
   };
 
   /// The friction law of a scene.

@@ -19,6 +19,18 @@ namespace wheelrail
   Entry
   fine_depth_entry();
 
+  /// A number for which "auto" is accepted, too, and stored as 0.
+  Entry
+  with_auto(Entry entry, const Field<double> &place);
+
+  /// Mesh/Prepared distance: a length or "auto".
+  Entry
+  prepared_distance_entry();
+
+  /// Output/Checkpoint interval: a wall time or "auto".
+  Entry
+  checkpoint_interval_entry();
+
   /// Yield stress of one body: a stress or "none", stored as infinity.
   Entry
   yield_stress_entry(const std::string &section, MaterialData Scene::*part);

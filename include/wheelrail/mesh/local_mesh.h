@@ -48,6 +48,10 @@ namespace wheelrail
     std::vector<Body>                        cell_body;
     std::vector<unsigned char>               cell_level;
 
+    /// Numbers over all ranks that do not depend on the partition, each from 0 on without gaps; global_node
+    /// does depend on it.
+    std::vector<std::uint32_t> cell_number, node_number;
+
     /// Hanging nodes: value of node hanging[k] = sum of weight x value over
     /// parents[hanging_begin[k] .. hanging_begin[k + 1]).
     std::vector<unsigned int> hanging, hanging_begin, parents;

@@ -88,6 +88,25 @@ namespace wheelrail
     }
   };
 
+  /// Calls visit(name, components, array) for every array of numbers per element that one step leaves to
+  /// the next: all that a saved run needs of them. Such an array holds, per batch, `components` rows of
+  /// `width` numbers. `flowed` follows from them, see mark_flowed().
+  template <typename Blocks, typename Visit>
+  void
+  visit_histories(Blocks &blocks, const Visit &visit)
+  {
+    visit("dilatation", 1u, blocks.dilatation);
+    if (blocks.plastic())
+      {
+        visit("plastic_history", static_cast<unsigned int>(blocks.history_rows()), blocks.history);
+        visit("plastic_work", 1u, blocks.plastic_work);
+      }
+  }
+
+  /// Sets `flowed` of a plastic body from its history.
+  void
+  mark_flowed(ElementBlocks &blocks);
+
   /// Packs elements given by their geometry and local nodes.
   ElementBlocks
   pack_elements(const std::vector<ElementGeometry>             &geometry,

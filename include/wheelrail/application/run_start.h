@@ -1,0 +1,20 @@
+#pragma once
+
+#include <wheelrail/application/model.h>
+#include <wheelrail/base/log.h>
+
+namespace wheelrail
+{
+  /// What the axle starts with; the state of the bodies and of the contact is in the model.
+  struct RunStart
+  {
+    double lift = 0; ///< static vertical displacement of the axle [m]
+    double rate = 0; ///< pitch rate [rad/s]
+  };
+
+  /// Brings a model into static equilibrium under its loads and gives both bodies the velocities of
+  /// rolling, see static_start() and rolling_velocities(). Collective; throws RunError when no equilibrium is
+  /// found.
+  RunStart
+  start_from_rest(const Scene &scene, Model &model, Log &log, MPI_Comm communicator);
+} // namespace wheelrail

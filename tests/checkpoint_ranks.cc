@@ -1,0 +1,180 @@
+// ranks: 1 2 3
+
+// Numbers of nodes and cells that do not depend on the partition, and a state that one number of ranks
+// writes and another reads, with the plastic history of the elements.
+
+#include <wheelrail/application/checkpoint.h>
+#include <wheelrail/base/errors.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  /// A model with the parts that a checkpoint holds.
+  struct Parts
+  {
+    Model    model;
+    Axle     axle;
+    Rolling  rolling;
+    Recorder recorder;
+
+    explicit Parts(MPI_Comm communicator)
+      : model(plastic_model(communicator))
+      , axle(model.axle, model.solid, -1e-4, 80, communicator)
+      , rolling(model.solid, *model.contact, axle, model.time_step, 0.06, communicator)
+      , recorder(model)
+    {
+    }
+
+    static Model
+    plastic_model(MPI_Comm communicator)
+    {
+      Model      model = make_model(small_scene(4e-3), communicator);
+      Plasticity law;
+      law.yield_stress    = 300e6;
+      law.tangent_modulus = 21e9;
+      set_plasticity(model.solid.blocks[0], law); // the rail alone
+      return model;
+    }
+  };
+
+  /// A number that tells where it belongs: to component i of a node or cell at X.
+  double
+  mark(const Vector3 &X, const int i)
+  {
+    return 1 + X[0] + 10 * X[1] + 100 * X[2] + 1000 * i;
+  }
+
+  Vector3
+  centre(const LocalMesh &mesh, const std::size_t cell)
+  {
+    Vector3 sum{};
+    for (const unsigned int n : mesh.cells[cell])
+      for (int d = 0; d < 3; ++d)
+        sum[d] += mesh.reference[4 * n + d] / 8;
+    return sum;
+  }
+
+  /// Calls work(value, wanted) for every number of the state that is marked by its place.
+  template <typename Work>
+  void
+  for_each(Solid &solid, const Work &work)
+  {
+    const LocalMesh &mesh = solid.mesh;
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      for (int d = 0; d < 3; ++d)
+        {
+          const double *R = &mesh.reference[4 * n];
+          const Vector3 X = {R[0], R[1], R[2]};
+          work(solid.displacement[4 * n + d], mark(X, d));
+          work(solid.velocity[4 * n + d], mark(X, 3 + d));
+        }
+    for (int body = 0; body < 2; ++body)
+      {
+        ElementBlocks &blocks = solid.blocks[body];
+        for (std::size_t e = 0; e < blocks.n_elements; ++e)
+          {
+            const Vector3     X     = centre(mesh, solid.block_cells[body][e]);
+            const std::size_t batch = e / blocks.width, lane = e % blocks.width;
+            work(blocks.dilatation[e], mark(X, 6));
+            if (!blocks.plastic())
+              continue;
+            work(blocks.plastic_work[e], mark(X, 7));
+            // half of the rail has flowed
+            const double flowed = X[2] > 0 ? 1 : 0;
+            for (int row = 0; row < blocks.history_rows(); ++row)
+              work(blocks.history[(batch * blocks.history_rows() + row) * blocks.width + lane],
+                   flowed * mark(X, 8 + row));
+          }
+      }
+  }
+
+  /// A whole checkpoint on all ranks.
+  Checkpoint
+  everywhere(const Checkpoint &whole, const int rank)
+  {
+    std::vector<char> bytes;
+    if (rank == 0)
+      bytes = checkpoint_bytes(whole);
+    unsigned long size = bytes.size();
+    MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
+    bytes.resize(size);
+    MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
+    return checkpoint_from_bytes({bytes.begin(), bytes.end()});
+  }
+
+  void
+  check_restored(Parts &parts, const Checkpoint &whole, MPI_Comm communicator, const std::string &what)
+  {
+    restore_checkpoint(whole, parts.model, parts.axle, parts.rolling, parts.recorder, communicator);
+    // positions are the same up to round-off, since another cell may come first at a node
+    double largest = 0;
+    for_each(parts.model.solid, [&](const double value, const double wanted) {
+      largest = std::max(largest, std::abs(value - wanted));
+    });
+    check_near(largest, 0, 1e-9, what + ": every number is at its place, largest difference");
+    check(parts.axle.height() == -2e-4 && parts.axle.pitch_rate() == 81, what + ": the axle");
+
+    const ElementBlocks &rail = parts.model.solid.blocks[0];
+    bool                 same = true;
+    for (std::size_t batch = 0; batch < rail.flowed.size(); ++batch)
+      {
+        bool flowed = false;
+        for (std::size_t e = batch * rail.width; e < std::min((batch + 1) * rail.width, rail.n_elements); ++e)
+          flowed = flowed || centre(parts.model.solid.mesh, parts.model.solid.block_cells[0][e])[2] > 0;
+        same = same && flowed == (rail.flowed[batch] == 1);
+      }
+    check(same, what + ": the batches that have flowed are known");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel    parallel(argc, argv);
+  Parts       parts(MPI_COMM_WORLD);
+  Axle::State axle = parts.axle.state();
+  axle.height = -2e-4, axle.pitch_rate = 81;
+  parts.axle.set_state(axle);
+  Rolling::State rolling = parts.rolling.state();
+  rolling.viscous        = 1 + parallel.rank;
+  parts.rolling.set_state(rolling);
+  for_each(parts.model.solid, [](double &value, const double wanted) { value = wanted; });
+
+  const Checkpoint part = take_checkpoint(parts.model, parts.axle, parts.rolling, parts.recorder);
+  check(is_finite(part, MPI_COMM_WORLD), "the state is finite");
+  const Checkpoint whole = everywhere(gather_checkpoint(part, MPI_COMM_WORLD), parallel.rank);
+  check(whole.ranks() == static_cast<unsigned int>(parallel.size), "the state tells its number of ranks");
+  const MeshQuality &quality = parts.model.solid.quality;
+  check(whole.node.size() == quality.nodes && whole.cell.size() == quality.elements, "all nodes and cells");
+
+  Parts again(MPI_COMM_WORLD);
+  check_restored(again, whole, MPI_COMM_WORLD, "as many ranks");
+  check(again.rolling.state().viscous == 1 + parallel.rank, "as many ranks: each has its own sum");
+  Parts alone(MPI_COMM_SELF);
+  check_restored(alone, whole, MPI_COMM_SELF, "one rank");
+  check(alone.rolling.state().viscous == parallel.size * (parallel.size + 1) / 2, "one rank: all sums");
+
+  Checkpoint broken = part;
+  if (parallel.rank == parallel.size - 1)
+    broken.node_values["velocity"].values.back() = std::nan("");
+  check(!is_finite(broken, MPI_COMM_WORLD), "a value that is not finite is seen on all ranks");
+  Checkpoint other = whole;
+  other.node.pop_back();
+  std::string error;
+  try
+    {
+      restore_checkpoint(other, alone.model, alone.axle, alone.rolling, alone.recorder, MPI_COMM_SELF);
+    }
+  catch (const InputError &refused)
+    {
+      error = refused.what();
+    }
+  check(error.find("the mesh is not that of the saved state") != std::string::npos,
+        "another mesh is refused");
+  return parallel.report();
+}

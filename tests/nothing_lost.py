@@ -1,0 +1,362 @@
+"""Runs of the program that are interrupted, killed, or meet a full or read-only disk.
+
+Usage: nothing_lost.py PROGRAM MPIEXEC WHAT [BASE]
+
+WHAT is one of the functions at the end. Each works in the current folder; BASE is the folder in which
+`interrupt` was run before, whose saved state the others start from.
+"""
+
+import glob
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+import h5py
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+
+PROGRAM, MPIEXEC = sys.argv[1:3]
+SKIPPED = 77
+
+# the rolling scene in a size for tests, which saves its state often
+SCENE = """
+set Title = small
+subsection Track
+  set Rail length = 300 mm
+end
+subsection Mesh
+  set Solution cell size = 4 mm
+  set Coarse cell size = 16 mm
+  set Fine depth = 8 mm
+  set Fine margin = 8 mm
+end
+subsection Run
+  set Rolling distance = 6 mm
+  set Averaging distance = 2 mm
+end
+subsection Output
+  set Ticks = 3
+  set Checkpoint interval = 0.1 s
+end
+"""
+
+FIGURES = """normal_force_N longitudinal_force_N lateral_force_N max_pressure_Pa contact_area_m2 patch_lateral_m
+    max_shear_traction_Pa stick_fraction creepage max_von_mises_Pa rolled_distance_m time_steps energy_error
+    relative_roll_rad normal_force_std_N""".split()
+
+failures = 0
+
+
+def check(condition, text):
+    global failures
+    failures += not condition
+    print("ok      " if condition else "FAILED  ", text, sep="", flush=True)
+
+
+def skip(reason):
+    print("skipped: " + reason, flush=True)
+    sys.exit(SKIPPED)
+
+
+# --- running the program --------------------------------------------------------------------------
+
+def command(folder, *options, ranks=1, sets=()):
+    scene = os.path.abspath("small.prm")
+    with open(scene, "w") as file:
+        file.write(SCENE)
+    line = [MPIEXEC, "--bind-to", "none", "--oversubscribe", "-q", "-n", str(ranks)] if ranks > 1 else []
+    line += [PROGRAM, "run", scene, "--set", "Output/Folder = " + folder, *options]
+    for entry in sets:
+        line += ["--set", entry]
+    return line
+
+
+def start(folder, *options, ranks=1, sets=(), **how):
+    with open("screen.txt", "a") as screen:
+        return subprocess.Popen(command(folder, *options, ranks=ranks, sets=sets), stdout=screen,
+                                stderr=subprocess.STDOUT, start_new_session=True, **how)
+
+
+def run(folder, *options, ranks=1, sets=(), **how):
+    """Exit code and what was written on the screen."""
+    done = subprocess.run(command(folder, *options, ranks=ranks, sets=sets), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True, start_new_session=True, **how)
+    return done.returncode, done.stdout
+
+
+def descendants(root):
+    """The processes that a process has started, and theirs."""
+    parents = {}
+    for path in glob.glob("/proc/[0-9]*/stat"):
+        try:
+            with open(path) as file:
+                text = file.read()
+        except OSError:
+            continue
+        fields = text[text.rindex(")") + 2:].split()
+        parents.setdefault(int(fields[1]), []).append(int(path.split("/")[2]))
+    found, waiting = [], [root]
+    while waiting:
+        children = parents.get(waiting.pop(), [])
+        found += children
+        waiting += children
+    return found
+
+
+def kill(process):
+    """kill -9 of the run and of all its ranks."""
+    for pid in descendants(process.pid) + [process.pid]:
+        try:
+            os.kill(pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+    process.wait()
+
+
+def wait_for(path, text, process, seconds=300):
+    end = time.time() + seconds
+    while time.time() < end and process.poll() is None:
+        if os.path.exists(path) and text in open(path).read():
+            return True
+        time.sleep(0.01)
+    return False
+
+
+def copy(base, name):
+    folder = os.path.abspath(name)
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(base, folder)
+    return folder
+
+
+# --- looking at what is there ---------------------------------------------------------------------
+
+def summary_of(folder):
+    with open(os.path.join(folder, "summary.json")) as file:
+        return json.load(file)
+
+
+def largest_difference(one, other):
+    """Largest relative difference of the figures and its name; the energy error is relative in itself."""
+    a, b = summary_of(one), summary_of(other)
+    return max((abs(a[key] - b[key]) / (1 if key == "energy_error" else abs(a[key])), key) for key in FIGURES)
+
+
+def check_files(folder, what):
+    """Every file there is whole."""
+    broken = []
+    for path in glob.glob(os.path.join(folder, "*")):
+        name = os.path.basename(path)
+        try:
+            if name.endswith(".part"):
+                broken.append(name)
+            elif name.endswith(".h5"):
+                with h5py.File(path, "r") as file:
+                    file.visititems(lambda _, item: item[()] if isinstance(item, h5py.Dataset) else None)
+            elif name.endswith(".json"):
+                with open(path) as file:
+                    json.load(file)
+            elif name.endswith(".vtu"):
+                reader = vtkXMLUnstructuredGridReader()
+                reader.SetFileName(path)
+                reader.Update()
+                if reader.GetOutput().GetNumberOfCells() == 0 or reader.GetErrorCode() != 0:
+                    broken.append(name)
+            elif name.endswith(".pvd"):
+                with open(path) as file:
+                    if "</VTKFile>" not in file.read():
+                        broken.append(name)
+        except (OSError, ValueError, KeyError):
+            broken.append(name)
+    check(not broken, f"{what}: every file is whole {broken or ''}")
+
+
+def in_own_mounts():
+    """Starts the script anew where it may mount, so that nothing of it is left behind."""
+    if os.geteuid() != 0:
+        skip("only root can mount the small disk of this test")
+    if os.environ.get("NOTHING_LOST_MOUNTS") == "own":
+        return
+    if subprocess.run(["unshare", "-m", "mount", "-t", "tmpfs", "tmpfs", "/mnt"],
+                      stderr=subprocess.DEVNULL).returncode != 0:
+        skip("no mounts are allowed here")
+    os.environ["NOTHING_LOST_MOUNTS"] = "own"
+    os.execvp("unshare", ["unshare", "-m", sys.executable, *sys.argv])
+
+
+def mount(folder, size):
+    os.makedirs(folder, exist_ok=True)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=" + size, "tmpfs", folder], check=True)
+
+
+# --- the tests ------------------------------------------------------------------------------------
+
+def interrupt():
+    """SIGUSR1, as the launcher sends it for Ctrl-C: saved, with exit code 3."""
+    folder = os.path.abspath("base")
+    shutil.rmtree(folder, ignore_errors=True)
+    process = start(folder, ranks=2)
+    reached = wait_for(os.path.join(folder, "checkpoint.json"), "checkpoint_1.h5", process)
+    check(reached, "two states are saved")
+    process.send_signal(signal.SIGUSR1)
+    check(process.wait() == 3, "an interrupted run ends with exit code 3")
+    summary = summary_of(folder)
+    check(summary["finished"] is False and summary["stopped_because"] == "interrupted", "its summary says so")
+    check(0 < summary["time_steps"] < 397, f"after {summary['time_steps']} of 397 steps")
+    with open(os.path.join(folder, "checkpoint.json")) as file:
+        newest = json.load(file)["states"][0]
+    check(newest["time_steps"] == summary["time_steps"] and newest["ranks"] == 2, "that step is saved")
+    check_files(folder, "interrupted")
+
+
+def resume(base):
+    """On as many ranks the same figures bit for bit, on others up to round-off."""
+    folders = {}
+    for ranks in (2, 1, 3):
+        folders[ranks] = copy(base, f"resumed_{ranks}")
+        code, text = run(folders[ranks], "--resume", ranks=ranks)
+        check(code == 0, f"resumed on {ranks} ranks")
+        check(("saved by 2 ranks" in text) == (ranks != 2), "another number of ranks is told")
+        check_files(folders[ranks], f"{ranks} ranks")
+    for ranks in (1, 3):
+        difference, name = largest_difference(folders[2], folders[ranks])
+        check(difference < 1e-9, f"{ranks} ranks against 2: largest difference {difference:.1e} ({name})")
+
+
+def limit(base):
+    """A run that stops by itself leaves its last good state and says why."""
+    folder = copy(base, "limit")
+    code, text = run(folder, "--resume", sets=["Run/Energy limit = 1e-9"])
+    check(code == 2 and "error: the run stopped: the energy balance is off by" in text, "exit code 2 and a sentence")
+    summary = summary_of(folder)
+    check(summary["finished"] is False and "energy balance" in summary["stopped_because"], "the summary says why")
+    check_files(folder, "stopped")
+    check(os.path.exists(os.path.join(folder, "checkpoint.json")), "its last good state is there")
+
+
+def disk(base):
+    in_own_mounts()
+    # no room at all: nothing is made
+    place = os.path.abspath("full")
+    mount(place, "64k")
+    filler = os.open(os.path.join(place, "filler"), os.O_WRONLY | os.O_CREAT)
+    try:
+        while True:
+            os.write(filler, bytes(4096))
+    except OSError:
+        os.close(filler)
+    code, text = run(os.path.join(place, "run"))
+    check(code == 1 and "No space left on device" in text and "error: " in text, "full disk: exit code 1 and why")
+    check(os.listdir(place) == ["filler"], "full disk: no folder is left")
+
+    # room for a part: what is there is whole, and the run goes on once there is more
+    place = os.path.abspath("small")
+    size = sum(os.path.getsize(path) for path in glob.glob(os.path.join(base, "*"))) // 1024
+    mount(place, f"{size + 600}k")
+    folder = copy(base, os.path.join(place, "run"))
+    code, text = run(folder, "--resume")
+    check(code == 2 and "No space left on device. Free some space" in text, "a disk that fills up: exit code 2 and why")
+    check_files(folder, "a disk that fills up")
+    summary = summary_of(folder)
+    check(summary["finished"] is False and summary["stopped_because"] != "", "the summary does not say finished")
+    subprocess.run(["mount", "-o", "remount,size=100m", place], check=True)
+    code, text = run(folder, "--resume")
+    check(code == 0 and summary_of(folder)["finished"] is True, "with more room it goes on to the end")
+    check_files(folder, "after that")
+
+    # read-only
+    place = os.path.abspath("read_only")
+    mount(place, "1m")
+    subprocess.run(["mount", "-o", "remount,ro", place], check=True)
+    code, text = run(os.path.join(place, "run"))
+    check(code == 1 and "Read-only file system" in text and "may write" in text, "read-only: exit code 1 and why")
+    check(os.listdir(place) == [], "read-only: no folder is left")
+
+
+def rights():
+    """A folder in which the user may not write."""
+    place = os.path.abspath("foreign")
+    os.makedirs(place, exist_ok=True)
+    how = {}
+    if os.geteuid() == 0:
+        how = {"user": 65534, "group": 65534, "extra_groups": []}
+        if subprocess.run([PROGRAM, "version"], stdout=subprocess.DEVNULL, **how).returncode != 0:
+            skip("the program cannot be started by another user here")
+    else:
+        os.chmod(place, 0o555)
+    code, text = run(os.path.join(place, "run"), **how)
+    check(code == 1 and "Permission denied" in text and "may write" in text, "no rights: exit code 1 and why")
+    check(os.listdir(place) == [], "no rights: no folder is left")
+
+
+def kills(base):
+    """kill -9 at random moments: a resumed run ends like one that was not killed."""
+    draw = random.Random(2017)
+    one_go = copy(base, "one_go")
+    begin = time.time()
+    check(run(one_go, "--resume", ranks=2)[0] == 0, "the run that is not killed")
+    length = time.time() - begin
+    cut = 0
+    for k in range(17):
+        folder = copy(base, "killed")
+        process = start(folder, "--resume", ranks=2)
+        moment = draw.uniform(0, length)
+        time.sleep(moment)
+        cut += process.poll() is None
+        kill(process)
+        if not summary_of(folder)["finished"]:
+            code, text = run(folder, "--resume", ranks=2)
+            check(code == 0, f"kill {k} after {moment:.2f} s: resumed")
+        difference, name = largest_difference(one_go, folder)
+        check(difference == 0, f"kill {k}: the same figures bit for bit ({difference:.1e}, {name})")
+        check_files(folder, f"kill {k}")
+    check(cut >= 10, f"{cut} of 17 runs were killed before their end")
+    fresh_kills(draw, length)
+
+
+def fresh_kills(draw, length):
+    """The same from the very start: the static start is computed anew when no state was saved."""
+    one_go = os.path.abspath("fresh_one_go")
+    begin = time.time()
+    check(run(one_go, "--overwrite", ranks=2)[0] == 0, "a run from the start")
+    length = time.time() - begin
+    for k in range(3):
+        folder = os.path.abspath("fresh_killed")
+        shutil.rmtree(folder, ignore_errors=True)
+        process = start(folder, ranks=2)
+        moment = draw.uniform(0.2, 0.9) * length
+        time.sleep(moment)
+        kill(process)
+        options = ["--resume"] if os.path.exists(os.path.join(folder, "parameters.prm")) else []
+        if not (os.path.exists(os.path.join(folder, "summary.json")) and summary_of(folder)["finished"]):
+            check(run(folder, *options, ranks=2)[0] == 0, f"fresh kill {k} after {moment:.1f} s: gone on")
+        difference, name = largest_difference(one_go, folder)
+        check(difference < 1e-9, f"fresh kill {k}: the same figures, largest difference {difference:.1e} ({name})")
+        check_files(folder, f"fresh kill {k}")
+
+
+def ranks():
+    """1, 2, 3 and 4 ranks from the static start on; they differ by what its solver leaves unsolved."""
+    folders = {n: os.path.abspath(f"ranks_{n}") for n in (1, 2, 3, 4)}
+    for n, folder in folders.items():
+        check(run(folder, "--overwrite", ranks=n)[0] == 0, f"a run on {n} ranks")
+    for n in (2, 3, 4):
+        a, b = summary_of(folders[1]), summary_of(folders[n])
+        for key in FIGURES:
+            if key in ("energy_error", "normal_force_std_N"):
+                continue
+            difference = abs(b[key] - a[key]) / abs(a[key])
+            bound = 2e-3 if key in ("creepage", "stick_fraction", "relative_roll_rad") else 2e-4
+            check(difference < bound, f"{n} ranks, {key}: relative difference {difference:.1e}")
+
+
+if __name__ == "__main__":
+    tests = dict(interrupt=interrupt, resume=resume, limit=limit, disk=disk, rights=rights, kills=kills, ranks=ranks)
+    arguments = [os.path.join(sys.argv[4], "base")] if len(sys.argv) > 4 else []
+    tests[sys.argv[3]](*arguments)
+    print("all checks passed" if failures == 0 else f"{failures} checks FAILED")
+    sys.exit(1 if failures else 0)
