@@ -105,6 +105,19 @@ namespace wheelrail
 
     // --- restoring ---
 
+    /// Whether the nodes of the rank lie where those of the saved state did, but for round-off.
+    bool
+    same_places(const std::vector<double> &saved, const LocalMesh &mesh)
+    {
+      constexpr double tolerance = 1e-10; // [m]
+      for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+        for (int d = 0; d < 3; ++d)
+          if (!(std::abs(saved[3 * std::size_t(mesh.node_number[n]) + d] - mesh.reference[4 * n + d]) <
+                tolerance))
+            return false;
+      return true;
+    }
+
     bool
     fits(const Checkpoint &whole, const Solid &solid)
     {
@@ -118,12 +131,13 @@ namespace wheelrail
       const auto has = [](const auto &all, const std::string &name, const unsigned int n) {
         return all.count(name) == 1 && all.at(name).components >= n;
       };
-      bool complete = has(whole.node_values, "displacement", 3) && has(whole.node_values, "velocity", 3);
+      bool complete = has(whole.node_values, "position", 3) && has(whole.node_values, "displacement", 3) &&
+                      has(whole.node_values, "velocity", 3);
       for (const auto &blocks : solid.blocks)
         visit_histories(blocks, [&](const char *name, const unsigned int n, const auto &) {
           complete = complete && has(whole.cell_values, name, n);
         });
-      return same_mesh && complete;
+      return same_mesh && complete && same_places(whole.node_values.at("position").values, mesh);
     }
 
     void
@@ -177,6 +191,7 @@ namespace wheelrail
       if (mesh.owned[n])
         part.node.push_back(mesh.node_number[n]);
     part.cell                        = mesh.cell_number;
+    part.node_values["position"]     = owned_values(mesh, mesh.reference);
     part.node_values["displacement"] = owned_values(mesh, model.solid.displacement);
     part.node_values["velocity"]     = owned_values(mesh, model.solid.velocity);
     part.cell_values                 = histories(model.solid);
@@ -243,7 +258,7 @@ namespace wheelrail
     MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
     if (same == 0)
       throw InputError(
-        "--resume: the mesh is not that of the saved state, which another version of the program wrote: "
+        "--resume: the mesh is not that of the saved state, since a profile file or the program has changed: "
         "start anew without --resume");
     restore_solid(whole, model.solid);
     model.contact->set_state(whole.contact);

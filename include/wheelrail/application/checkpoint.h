@@ -30,7 +30,7 @@ namespace wheelrail
     double       prepared_distance = 0; ///< for which the mesh was made [m]
 
     std::vector<std::uint32_t>            node, cell;  ///< numbers of the nodes and cells that follow
-    std::map<std::string, NumberedValues> node_values; ///< displacement [m], velocity [m/s]
+    std::map<std::string, NumberedValues> node_values; ///< position, displacement [m], velocity [m/s]
     std::map<std::string, NumberedValues> cell_values; ///< see visit_histories()
     std::vector<double> viscous, support_work;         ///< sums of Rolling that each rank has of its own [J]
 
