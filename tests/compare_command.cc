@@ -40,7 +40,8 @@ namespace
     fs::create_directories(folder);
     write_summary(run, (folder / "summary.json").string());
     std::ofstream(folder / "parameters.prm") << print_parameters(scene);
-    PatchFile((folder / "patch.h5").string()).append(result.patch);
+    TickFile patches((folder / "patch.h5").string(), false, 0);
+    append_patch(patches, result.patch);
   }
 
   void

@@ -237,7 +237,8 @@ namespace wheelrail
                                    {"sentence", sentence}};
     replace_file((path / "compare.json").string(),
                  json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-    PatchFile((path / "halfspace.h5").string()).append(result.patch);
+    TickFile patches((path / "halfspace.h5").string(), false, 0);
+    append_patch(patches, result.patch);
     write_summary(run, (path / "summary.json").string());
     const int drawn = run_script("compare.py", {path.string()});
     return halfspace.finished && drawn == 0 ? 0 : 2;

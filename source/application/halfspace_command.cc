@@ -65,7 +65,8 @@ namespace wheelrail
     std::error_code ignored; // a folder that cannot be made shows when its first file is written
     std::filesystem::create_directories(folder, ignored);
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
-    PatchFile((folder / "halfspace.h5").string()).append(result.patch);
+    TickFile patches((folder / "halfspace.h5").string(), false, 0);
+    append_patch(patches, result.patch);
     write_summary(figures, (folder / "summary.json").string());
     out << "Results in " << folder.string() << std::endl;
     run_script("halfspace.py", {folder.string()});
