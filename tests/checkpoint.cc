@@ -237,13 +237,13 @@ namespace
 
     const Scene saved      = copy(base, "refused");
     Scene       other      = saved;
-    other.cell_size        = 3e-3;
+    other.cell_size        = 2e-3;
     other.velocity         = 30;
     other.rolling_distance = 7e-3;
     other.ticks            = 2;
     other.title            = "another title is accepted";
     check_refusal(other,
-                  "Mesh/Solution cell size = 3 mm, saved with 4 mm; Wheelset/Velocity = 108 km/h, saved with "
+                  "Mesh/Solution cell size = 2 mm, saved with 4 mm; Wheelset/Velocity = 108 km/h, saved with "
                   "140 km/h; set them back",
                   "other entries are named");
     const std::string error = error_of<InputError>(other, true);
