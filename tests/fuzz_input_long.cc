@@ -6,5 +6,5 @@
 int
 main(int argc, char **argv)
 {
-  return test::fuzz_input(argc, argv, 20000);
+  return test::fuzz_input(argc, argv, 10000);
 }
