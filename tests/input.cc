@@ -94,6 +94,7 @@ namespace
       {"Run/Rolling distance", "260 mm"},
       {"Run/Averaging distance", "50 mm"},
       {"Run/Time step factor", "0.8"},
+      {"Run/Start", "without tractions"},
       {"Run/Bulk viscosity", "0.03"},
       {"Run/Energy limit", "0.02"},
       {"Output/Folder", "output/other"},

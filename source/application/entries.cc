@@ -337,6 +337,21 @@ namespace wheelrail
                             "mm",
                             B::above("0 mm", "10 m"),
                             field(&S::averaging_distance)));
+      list.push_back(
+        choice_entry<StartState>({"Run",
+                                  "Start",
+                                  "steady rolling",
+                                  "What the run begins with. steady rolling: static equilibrium with the "
+                                  "creepage and the tractions of "
+                                  "half-spaces, and the velocities of fields that travel with the contact; "
+                                  "the others leave out one of "
+                                  "the three, or (normal load) all, and roll longer until they are steady."},
+                                 {{"steady rolling", StartState::steady_rolling},
+                                  {"without creepage", StartState::without_creepage},
+                                  {"without tractions", StartState::without_tractions},
+                                  {"without velocities", StartState::without_velocities},
+                                  {"normal load", StartState::normal_load}},
+                                 field(&S::start)));
       list.push_back(pure({"Run", "Time step factor", "0.95", "Time step as a fraction of the stable one."},
                           B::above("0", "1"),
                           field(&S::time_step_factor)));

@@ -355,7 +355,7 @@ namespace wheelrail
     summary.patch_longitudinal        = result.measures.length;
     summary.patch_centre_lateral      = result.measures.centre_lateral;
     summary.patch_centre_longitudinal = result.measures.centre_along;
-    summary.max_shear_traction        = s.peak_shear;
+    summary.max_shear_traction        = result.measures.max_shear;
     summary.stick_fraction            = result.measures.stick_fraction;
     summary.creepage                  = s.xi;
     summary.friction_coefficient      = scene.friction_coefficient;

@@ -1,6 +1,8 @@
 #include <wheelrail/application/recorder.h>
+#include <wheelrail/application/settling.h>
 #include <wheelrail/output/patch_measures.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -107,24 +109,6 @@ namespace wheelrail
   }
 
 
-  Mean
-  mean_from(const std::vector<double> &distance, const std::vector<double> &values, const double from)
-  {
-    double n = 0, sum = 0, squares = 0;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (distance[k] >= from)
-        {
-          n += 1;
-          sum += values[k];
-        }
-    const double mean = n > 0 ? sum / n : std::nan("");
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (distance[k] >= from)
-        squares += (values[k] - mean) * (values[k] - mean);
-    return {mean, n > 1 ? std::sqrt(squares / (n - 1)) : 0.};
-  }
-
-
   void
   Recorder::fill(Summary &summary, const double distance) const
   {
@@ -144,5 +128,17 @@ namespace wheelrail
     const auto &patch_rolled = column(patches, "rolled_distance");
     for (std::size_t c = 1; c < patches.names.size(); ++c)
       put_mean(patches.names[c], patches.units[c], mean_from(patch_rolled, patches.columns[c], from));
+
+    // where a force or traction is hardly there, a small part of what presses counts
+    const auto settled = [&](const History &table, const char *name, const char *pressing) {
+      const auto  &along = column(table, "rolled_distance"), &values = column(table, name);
+      const double final = mean_from(along, values, from).mean;
+      const double least = 0.05 * mean_from(along, column(table, pressing), from).mean;
+      return settled_after(along, values, final, 0.01 * std::max(std::abs(final), least), 2e-3);
+    };
+    set_figure(summary,
+               "settled_after_m",
+               std::max(settled(history, "longitudinal_force", "normal_force"),
+                        settled(patches, "max_shear_traction", "max_pressure")));
   }
 } // namespace wheelrail

@@ -31,7 +31,8 @@ namespace wheelrail
     on_root(parts_.communicator, [&]() {
       append_patch(*patch_file_, patch_fields(*parts_.model.contact, parts_.model.axle, time, travelled));
       append_slices(*slice_file_, time, travelled, slices);
-      write_history(parts_.recorder.history(), parts_.scene.folder + "/history.h5");
+      write_history(parts_.recorder.state().history, parts_.scene.folder + "/history.h5");
+      write_history(parts_.recorder.state().patches, parts_.scene.folder + "/patch_history.h5");
     });
     write_series("surface", Selection::surface, tick, surface_series_.get());
     write_series("window", Selection::window, tick, window_series_.get());

@@ -17,12 +17,18 @@ namespace wheelrail
     loads.rate_held            = scene.drive == Drive::rate;
     loads.creepage             = scene.creepage;
     loads.first_approach       = model.expected_approach;
+    const auto without         = [&](const StartState part) {
+      return scene.start == part || scene.start == StartState::normal_load;
+    };
+    loads.tractions = !without(StartState::without_tractions);
 
     const auto         begin  = std::chrono::steady_clock::now();
     const StaticResult result = static_start(
       *model.forest, model.solid, *model.contact, loads, [&](const std::string &line) { log.status(line); });
-    const double rate = scene.velocity / loads.rolling_radius * (1 + result.creepage);
-    rolling_velocities(model.solid, model.axle, rate, communicator);
+    const bool   at_radius = !loads.rate_held && without(StartState::without_creepage);
+    const double creepage  = at_radius ? 0 : result.creepage;
+    const double rate      = scene.velocity / loads.rolling_radius * (1 + creepage);
+    rolling_velocities(model.solid, model.axle, rate, communicator, !without(StartState::without_velocities));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     log.value("static start",
               text("%d Newton steps, %d CG steps, %s; axle lowered by %.4f mm, predicted creepage %.5f",

@@ -3,9 +3,15 @@
 namespace wheelrail
 {
   void
-  rolling_velocities(Solid &solid, const AxleData &axle, const double pitch_rate, MPI_Comm communicator)
+  rolling_velocities(Solid          &solid,
+                     const AxleData &axle,
+                     const double    pitch_rate,
+                     MPI_Comm        communicator,
+                     const bool      travelling)
   {
-    const auto gradient = nodal_gradient(solid, communicator);
+    auto gradient = nodal_gradient(solid, communicator);
+    if (!travelling)
+      gradient.assign(gradient.size(), 0.);
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       {
         const double *H = &gradient[9 * n], *X = &solid.mesh.reference[4 * n];

@@ -114,6 +114,21 @@ namespace wheelrail
   }
 
 
+  double
+  StaticSystem::bore_force(const LocalMesh &mesh, const AlignedVector<double> &nodal) const
+  {
+    double sum = 0;
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      {
+        const auto dof = 3 * mesh.global_node[n] + 1;
+        if (owned_.is_element(dof) && constraints_.is_inhomogeneously_constrained(dof))
+          sum += nodal[4 * n + 1];
+      }
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, forest_.communicator());
+    return sum;
+  }
+
+
   void
   StaticSystem::load_springs(const std::vector<Contact::Spring> &springs)
   {
@@ -195,6 +210,27 @@ namespace wheelrail
     list.set("null space: dimension", 6);
     list.set("null space: vectors", modes_.data());
     preconditioner_.initialize(loaded_, list);
+  }
+
+
+  unsigned int
+  StaticSystem::solve_lift(const LocalMesh &mesh, Vector &x, const double tolerance) const
+  {
+    Vector rigid = owned_vector();
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      {
+        const auto dof = 3 * mesh.global_node[n] + 1;
+        if (owned_.is_element(dof) && mesh.node_body[n] == Body::wheel && !constraints_.is_constrained(dof))
+          rigid(dof) = 1;
+      }
+    rigid.compress(dealii::VectorOperation::insert);
+    Vector load = owned_vector();
+    loaded_.vmult(load, rigid);
+    load.sadd(-1, lift_load_);
+    x -= rigid;
+    const unsigned int steps = solve(load, x, tolerance);
+    x += rigid;
+    return steps;
   }
 
 

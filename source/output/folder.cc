@@ -29,6 +29,7 @@ namespace wheelrail
       for (const char *own : {"summary.json",
                               "log.txt",
                               "history.h5",
+                              "patch_history.h5",
                               "patch.h5",
                               "halfspace.h5",
                               "compare.json",

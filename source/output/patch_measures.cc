@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/output/patch_edge.h>
 #include <wheelrail/output/patch_measures.h>
+#include <wheelrail/output/slip_edge.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +76,6 @@ namespace wheelrail
           moment_lateral += force * patch.lateral[k];
           measures.shear_force_along += patch.shear_along[k] * patch.area[k];
           measures.shear_force_lateral += patch.shear_lateral[k] * patch.area[k];
-          measures.max_shear =
-            std::max(measures.max_shear, std::hypot(patch.shear_along[k], patch.shear_lateral[k]));
           if (patch.pressure[k] > 0)
             {
               loaded_area += patch.area[k];
@@ -100,6 +99,7 @@ namespace wheelrail
     check_lengths(patch);
     PatchMeasures measures;
     add_sums(patch, measures);
+    measures.max_shear = largest_shear(patch);
 
     const auto top = std::max_element(patch.pressure.begin(), patch.pressure.end());
     if (top == patch.pressure.end() || !(*top > 0))

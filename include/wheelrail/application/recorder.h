@@ -22,12 +22,6 @@ namespace wheelrail
     void
     add_patch(const PatchFields &patch);
 
-    const History &
-    history() const
-    {
-      return state_.history;
-    }
-
     /// The rows of add() and of add_patch() so far.
     struct State
     {
@@ -44,7 +38,8 @@ namespace wheelrail
       state_ = std::move(state);
     }
 
-    /// Means and standard deviations over the rows of the last `distance` [m].
+    /// Means and standard deviations over the rows of the last `distance` [m], and the rolled distance
+    /// from which longitudinal force and peak shear stay within 1 % of their means ("settled_after_m").
     void
     fill(Summary &summary, double distance) const;
 
@@ -52,12 +47,4 @@ namespace wheelrail
     const Model &model_;
     State        state_;
   };
-
-  /// Mean and standard deviation of the values whose distance is at least `from`.
-  struct Mean
-  {
-    double mean = 0, deviation = 0;
-  };
-  Mean
-  mean_from(const std::vector<double> &distance, const std::vector<double> &values, double from);
 } // namespace wheelrail

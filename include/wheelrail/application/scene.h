@@ -30,6 +30,16 @@ namespace wheelrail
     rate    ///< pitch rate held at the prescribed creepage
   };
 
+  /// What a run begins with, of the steady rolling that the half-space theory predicts.
+  enum class StartState
+  {
+    steady_rolling,     ///< creepage, tractions, and the velocities of fields that travel with the contact
+    without_creepage,   ///< the wheel turns at V / R
+    without_tractions,  ///< no shear traction
+    without_velocities, ///< rail at rest, wheel turning as a rigid body
+    normal_load         ///< none of the three
+  };
+
   /// Where the rigid slip of the half-space contact comes from.
   enum class HalfspaceSpin
   {
@@ -85,12 +95,13 @@ namespace wheelrail
     double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 
     // Run
-    double rolling_distance   = 0.1;  ///< [m]
-    double averaging_distance = 0.02; ///< last stretch over which the figures are means [m]
-    double time_step_factor   = 0.95; ///< fraction of the stable step
-    double bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
-    double gravity            = 9.81; ///< [m/s2]
-    double energy_limit       = 0.05; ///< energy error at which the run stops
+    StartState start              = StartState::steady_rolling;
+    double     rolling_distance   = 0.1;  ///< [m]
+    double     averaging_distance = 0.02; ///< last stretch over which the figures are means [m]
+    double     time_step_factor   = 0.95; ///< fraction of the stable step
+    double     bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
+    double     gravity            = 9.81; ///< [m/s2]
+    double     energy_limit       = 0.05; ///< energy error at which the run stops
 
     // Output
     std::string  folder              = "output/scene";
@@ -101,8 +112,8 @@ namespace wheelrail
     // Half-space
     double        halfspace_element_size = 0.4e-3; ///< [m]
     HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
-    double        halfspace_lateral      = 0; ///< wheel section moved against the rail to the track centre [m]
-    double        halfspace_inclination  = 0; ///< rail head turned to the track centre [rad]
+    double        halfspace_lateral     = 0; ///< wheel section moved against the rail to the track centre [m]
+    double        halfspace_inclination = 0; ///< rail head turned to the track centre [rad]
 
     /// How far the mesh lets the wheel roll [m].
     double

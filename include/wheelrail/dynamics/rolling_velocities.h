@@ -6,7 +6,12 @@ namespace wheelrail
 {
   /// Velocities of steady rolling for the static field: the wheel turns at `pitch_rate` while its
   /// field stands in the frame of the axle, v = V + (I + grad u)(omega x r); the rail's field runs
-  /// along with the contact, v = -V du/dz. Collective.
+  /// along with the contact, v = -V du/dz. Without `travelling` fields the wheel turns as a rigid body
+  /// and the rail rests. Collective.
   void
-  rolling_velocities(Solid &solid, const AxleData &axle, double pitch_rate, MPI_Comm communicator);
+  rolling_velocities(Solid          &solid,
+                     const AxleData &axle,
+                     double          pitch_rate,
+                     MPI_Comm        communicator,
+                     bool            travelling = true);
 } // namespace wheelrail

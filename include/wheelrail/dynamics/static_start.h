@@ -17,6 +17,7 @@ namespace wheelrail
     double   traction_coefficient = 0;    ///< longitudinal force over wheel load, when the drive is a torque
     bool     rate_held            = false;
     double   creepage             = 0;    ///< when the rate is held
+    bool     tractions            = true; ///< false: without shear, the creepage is still predicted
     double   first_approach       = 1e-4; ///< lowering of the wheel that the search starts from [m]
   };
 

@@ -38,6 +38,10 @@ namespace wheelrail
                  double                 lift,
                  AlignedVector<double> &nodal) const;
 
+    /// Sum of the vertical nodal forces on the bore [N], from local forces summed over ranks. Collective.
+    double
+    bore_force(const LocalMesh &mesh, const AlignedVector<double> &nodal) const;
+
     /// Sets the matrix to the stiffness of both bodies plus the contact springs of the moment.
     void
     load_springs(const std::vector<Contact::Spring> &springs);
@@ -52,12 +56,11 @@ namespace wheelrail
     unsigned int
     solve(const Vector &rhs, Vector &x, double tolerance) const;
 
-    /// Forces that hold the bodies when the bore is raised by 1 m.
-    const Vector &
-    lift_load() const
-    {
-      return lift_load_;
-    }
+    /// Increment x of the free unknowns when the bore is raised by 1 m: a rigid lift of the wheel, minus what
+    /// the springs hold back, which is solved for to `tolerance` of its own load (the forces at the bore
+    /// are 10^4 times as large and would hide it). Begins with the x given; returns the CG steps.
+    unsigned int
+    solve_lift(const LocalMesh &mesh, Vector &x, double tolerance) const;
 
     /// Vertical contact force on the wheel that the springs lose in an increment [N]. Collective.
     double

@@ -1,0 +1,36 @@
+// From where on a history stays at its final value.
+#include "check.h"
+
+#include <wheelrail/application/settling.h>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+int
+main()
+{
+  // 10 exp(-z / 10 mm) above 100, with a ripple of 3 that repeats every millimetre
+  std::vector<double> distance, ripple, smooth;
+  for (int k = 0; k <= 4000; ++k)
+    {
+      const double z = 0.1 * k / 4000;
+      distance.push_back(z);
+      smooth.push_back(100 + 10 * std::exp(-z / 0.01));
+      ripple.push_back(smooth.back() + 3 * std::sin(2 * M_PI * z / 1e-3));
+    }
+  const double exact = 0.01 * std::log(10.);
+  check_near(settled_after(distance, smooth, 100, 1, 0), exact, 3e-5, "10 exp(-z/10 mm) falls below 1 [m]");
+  // the mean over 2 mm behind lags by 1 mm
+  check_near(settled_after(distance, ripple, 100, 1, 2e-3),
+             exact + 1e-3,
+             2e-4,
+             "the same under a ripple of the cells [m]");
+  check(settled_after(distance, ripple, 100, 1, 0) > 0.099, "without the window the ripple never settles");
+  check(std::isinf(settled_after(distance, smooth, 105, 1, 0)), "away from the final value: infinity");
+  check(settled_after(distance, smooth, 100, 20, 0) == 0, "settled from the start");
+  const Mean mean = mean_from(distance, ripple, 0.09);
+  check_near(mean.mean, 100, 2e-3, "mean over the last tenth");
+  check_near(mean.deviation, 3 / std::sqrt(2.), 5e-3, "deviation of the ripple");
+  return test::report();
+}
