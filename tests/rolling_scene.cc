@@ -129,14 +129,15 @@ namespace
     check_near(
       run.start.contact_force[2] / wanted, 1, 0.005, "static start: longitudinal force over the wanted one");
     // the velocities of the start are not those of the coarse cells: one step of elastic slip and damping
-    check_near(run.first_force[2] / wanted, 1, 0.04, "first step: longitudinal force over the wanted one");
+    check_near(run.first_force[2] / wanted, 1, 0.05, "first step: longitudinal force over the wanted one");
     check_near(run.mean_force[1] / load, 1, 0.01, "mean vertical force over the weight");
     check_near(run.spread / load, 0, 0.03, "vertical force, largest departure from the mean over the weight");
     check_near(run.worst_energy, 0, 0.01, "energy error, largest");
     check(run.energy.friction > 0 && run.energy.viscous > 0 && run.energy.contact_damping >= 0,
           "dissipation is positive");
     check(run.creepage > 0 && run.creepage < 0.02, "driving: creepage is positive");
-    check(run.mean_force[2] > 0.5 * wanted, "driving: the wheel is pushed forward");
+    // with the creepage of a coarse half-space grid, 4 % would be lost
+    check_near(run.mean_force[2] / wanted, 1, 0.02, "mean longitudinal force over the wanted one");
 
     if (size > 1)
       compare(run, roll(scene(), MPI_COMM_SELF));

@@ -111,6 +111,8 @@ namespace wheelrail
       tick();
       bool
       must_stop() const;
+      double
+      averaging_start() const;
       void
       finish(const std::string &stop_reason);
       void
@@ -299,6 +301,14 @@ namespace wheelrail
     }
 
 
+    /// Rolled distance at which the means of the summary begin [m].
+    double
+    Simulation::averaging_start() const
+    {
+      return axle_->travelled() - scene_.averaging_distance;
+    }
+
+
     void
     Simulation::finish(const std::string &stop_reason)
     {
@@ -319,6 +329,12 @@ namespace wheelrail
                       t.contact,
                       t.update));
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
+      const double settled = get_figure(summary, "settled_after_m"), from = averaging_start();
+      if (summary.finished && from > 0 && settled > from)
+        log_.warning(
+          text("longitudinal force or peak shear have not come within 1 %% of their means before %.1f mm "
+               "rolled, where the means begin; roll farther (Run/Rolling distance)",
+               1e3 * from));
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
         print_summary(summary, std::cout);
