@@ -10,10 +10,10 @@ using namespace test;
 namespace
 {
   HertzRun
-  run(const HertzShape shape, const double cell, const double scale)
+  run(const HertzShape shape, const double cell, const double scale, const bool filter = true)
   {
-    const HertzRun result = run_hertz(shape, cell, scale);
-    std::cout << hertz_row(shape, cell, scale, &result) << std::endl;
+    const HertzRun result = run_hertz(shape, cell, scale, filter);
+    std::cout << hertz_row(shape, cell, scale, &result) << (filter ? "" : "  no filter") << std::endl;
     return result;
   }
 
@@ -22,27 +22,26 @@ namespace
   {
     const HertzRun coarse = run(shape, 2e-3, 10), fine = run(shape, 1e-3, 10);
     check_near(fine.force, 0, 1e-4, name + ": the contact carries the load");
+    check_near(coarse.peak, 0, 0.015, name + ", 2 mm: peak pressure");
     check_near(fine.peak, 0, 0.01, name + ", 1 mm: peak pressure");
     if (shape != HertzShape::line)
       check_near(fine.approach, 0, 0.01, name + ", 1 mm: approach");
+    check_near(coarse.area, 0, 0.02, name + ", 2 mm: area or width");
+    check_near(fine.area, 0, 0.02, name + ", 1 mm: area or width");
     check_near(fine.mises, 0, 0.03, name + ", 1 mm: largest von Mises stress");
-    check_near(fine.area, 0, 0.05, name + ", 1 mm: area or width");
-    check(std::abs(fine.peak) < 0.7 * std::abs(coarse.peak) && std::abs(fine.area) < std::abs(coarse.area) &&
-            std::abs(fine.mises) < 0.6 * std::abs(coarse.mises),
+    check(std::abs(fine.peak) < 0.7 * std::abs(coarse.peak) &&
+            std::abs(fine.mises) < 0.5 * std::abs(coarse.mises) &&
+            std::abs(fine.depth) < 0.5 * std::abs(coarse.depth),
           name + ": smaller cells are better");
   }
 
-  /// With the surface filter, as the program computes by default.
+  /// What the surface filter is for: the area of patches that are a few cells wide.
   void
-  filtered(const HertzShape shape, const std::string &name, const double cell, const double limit)
+  without_filter()
   {
-    const HertzRun result = run_hertz(shape, cell, 10, true);
-    std::cout << hertz_row(shape, cell, 10, &result) << "  filtered" << std::endl;
-    check_near(result.force, 0, 1e-4, name + ", filtered: the contact carries the load");
-    check_near(result.peak, 0, limit, name + ", filtered: peak pressure");
-    if (shape != HertzShape::line)
-      check_near(result.approach, 0, 0.01, name + ", filtered: approach");
-    check_near(result.area, 0, 0.02, name + ", filtered: area or width");
+    const HertzRun with = run(HertzShape::point, 2e-3, 10), without = run(HertzShape::point, 2e-3, 10, false);
+    check(std::abs(with.area) < 0.3 * std::abs(without.area), "2 mm: the filter mends the area");
+    check(std::abs(with.peak) < 0.7 * std::abs(without.peak), "2 mm: and the peak pressure");
   }
 
   /// A half-space solver with the layer loses this much of the peak pressure (ellipse, 1 mm cells).
@@ -59,8 +58,9 @@ namespace
       {
         const HertzRun    result = run(HertzShape::ellipse, 1e-3, row.scale);
         const std::string name   = "f = " + std::to_string(row.scale).substr(0, 4);
-        check_near(result.peak, row.peak, 0.01, name + ": loss of peak pressure");
-        check_near(result.area, row.area, 0.04, name + ": growth of the area");
+        check_near(
+          (1 + result.peak) / (1 + row.peak), 1, 0.005, name + ": peak pressure over the half-space's");
+        check_near((1 + result.area) / (1 + row.area), 1, 0.03, name + ": area over the half-space's");
       }
   }
 } // namespace
@@ -70,11 +70,10 @@ main(int argc, char **argv)
 {
   Program program(argc, argv);
   std::cout << hertz_row(HertzShape::point, 0, 0, nullptr) << std::endl;
+  cells(HertzShape::point, "point");
   cells(HertzShape::ellipse, "ellipse");
   cells(HertzShape::line, "line");
-  filtered(HertzShape::point, "point, 2 mm", 2e-3, 0.015);
-  filtered(HertzShape::point, "point, 1 mm", 1e-3, 0.01);
-  filtered(HertzShape::line, "line, 1 mm", 1e-3, 0.01);
+  without_filter();
   penalty_sweep();
   return report();
 }

@@ -175,10 +175,12 @@ namespace scenes
 
   namespace
   {
-    /// Numbers the nodes of both surfaces one after the other, so that rigid ones fit in.
+    /// The whole surface, its nodes numbered from `first`, so that rigid ones fit in.
     Surface
-    renumbered(Surface surface, const std::size_t first)
+    whole_surface(const Surface &part, const Symmetry &symmetry, const std::size_t first)
     {
+      Surface surface = mirrored(part, symmetry).surface;
+      surface.local.resize(surface.reference.size());
       for (std::size_t k = 0; k < surface.local.size(); ++k)
         surface.local[k] = first + k;
       surface.owner.assign(surface.local.size(), 0);
@@ -219,15 +221,15 @@ namespace scenes
 
   ContactPair::ContactPair(Dynamics              &scene,
                            const RunningSurfaces &surfaces,
-                           Surface                rail,
-                           Surface                wheel,
+                           const Surface         &rail,
+                           const Surface         &wheel,
                            const ContactSetup    &setup)
     : follow([this](double) {
       const double radius = contact.surfaces().rolling_radius;
       return std::array<double, 2>{this->wheel.move[2], radius * this->wheel.angle - this->wheel.move[2]};
     })
-    , contact(renumbered(rail, 0),
-              renumbered(wheel, rail.reference.size()),
+    , contact(whole_surface(rail, setup.symmetry, 0),
+              whole_surface(wheel, setup.symmetry, mirrored(rail, setup.symmetry).sources.size()),
               surfaces,
               law_of(scene, rail, wheel, setup),
               setup.half_window,
@@ -239,10 +241,11 @@ namespace scenes
       {
         if (setup.added_mass)
           add_surface_mass(*surface, penalty.added_mass, scene.solid.added_mass.data());
-        node_.insert(node_.end(), surface->local.begin(), surface->local.end());
-        rigid_.insert(rigid_.end(), surface->reference.begin(), surface->reference.end());
+        const WholeSurface whole = mirrored(*surface, setup.symmetry);
+        sources_.insert(sources_.end(), whole.sources.begin(), whole.sources.end());
+        rigid_.insert(rigid_.end(), whole.surface.reference.begin(), whole.surface.reference.end());
       }
-    displacement_.assign(4 * node_.size(), 0);
+    displacement_.assign(4 * sources_.size(), 0);
     velocity_ = velocity_before_ = force_ = displacement_;
     scene.add_force(
       [this](const double time, const Solid &solid, double *force) { add_forces(time, solid, force); });
@@ -254,12 +257,12 @@ namespace scenes
   {
     velocity_before_     = velocity_;
     const Vector3 centre = {0, contact.surfaces().nominal_radius, 0};
-    for (std::size_t k = 0; k < node_.size(); ++k)
-      if (node_[k] >= 0)
+    for (std::size_t k = 0; k < sources_.size(); ++k)
+      if (const NodeSource &from = sources_[k]; from.node >= 0)
         for (int i = 0; i < 3; ++i)
           {
-            displacement_[4 * k + i] = solid.displacement[4 * node_[k] + i];
-            velocity_[4 * k + i]     = solid.velocity[4 * node_[k] + i];
+            displacement_[4 * k + i] = from.sign[i] * solid.displacement[4 * from.node + i];
+            velocity_[4 * k + i]     = from.sign[i] * solid.velocity[4 * from.node + i];
           }
       else
         {
@@ -282,10 +285,10 @@ namespace scenes
     sums = contact.evaluate(scene_.time_step);
     std::fill(force_.begin(), force_.end(), 0.);
     contact.add_forces(force_.data());
-    for (std::size_t k = 0; k < node_.size(); ++k)
-      if (node_[k] >= 0)
+    for (std::size_t k = 0; k < sources_.size(); ++k)
+      if (const NodeSource &to = sources_[k]; to.node >= 0)
         for (int i = 0; i < 3; ++i)
-          force[4 * node_[k] + i] += force_[4 * k + i];
+          force[4 * to.node + i] += to.share * force_[4 * k + i];
     const double step = scene_.steps() == 0 ? 0.5 * scene_.time_step : scene_.time_step;
     friction_energy += step * sums.friction_power;
     damping_energy += step * sums.damping_power;
@@ -295,29 +298,24 @@ namespace scenes
 
 
   PatchFields
-  ContactPair::patch(const int mirror) const
+  ContactPair::patch() const
   {
     const Lattice &lattice = contact.lattice();
-    const int      n = lattice.n_along, m = lattice.n_lateral;
-    const int      first_i = mirror == 1 || mirror == 3 ? 1 - n : 0,
-              first_j      = mirror == 1 || mirror == 2 ? 1 - m : 0;
-    PatchFields patch;
-    patch.n_along   = n - first_i;
-    patch.n_lateral = m - first_j;
-    for (int i = first_i; i < n; ++i)
-      for (int j = first_j; j < m; ++j)
+    PatchFields    patch;
+    patch.n_along   = lattice.n_along;
+    patch.n_lateral = lattice.n_lateral;
+    for (unsigned int i = 0; i < lattice.n_along; ++i)
+      for (unsigned int j = 0; j < lattice.n_lateral; ++j)
         {
-          const std::size_t  k      = lattice.index(std::abs(i), std::abs(j));
-          const ContactNode &node   = contact.nodes()[k];
-          const double       back_i = i < 0 ? -1 : 1, back_j = j < 0 ? -1 : 1;
-          patch.along.push_back(back_i * (lattice.first_station + std::abs(i)) * lattice.spacing_along);
-          patch.lateral.push_back(back_j * (lattice.s_begin + std::abs(j) * lattice.spacing_lateral));
+          const ContactNode &node = contact.nodes()[lattice.index(i, j)];
+          patch.along.push_back((lattice.first_station + static_cast<int>(i)) * lattice.spacing_along);
+          patch.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
           patch.gap.push_back(node.gap);
           patch.pressure.push_back(node.pressure);
           patch.shear_along.push_back(node.traction[2]);
-          patch.shear_lateral.push_back(back_j * node.traction[0]);
+          patch.shear_lateral.push_back(node.traction[0]);
           patch.slip_along.push_back(node.slip[2]);
-          patch.slip_lateral.push_back(back_j * node.slip[0]);
+          patch.slip_lateral.push_back(node.slip[0]);
           patch.state.push_back(node.pressure <= 0 ? 0 : node.slipping ? 2 : 1);
           patch.area.push_back(lattice.spacing_along * lattice.spacing_lateral);
         }

@@ -5,6 +5,7 @@
 // and the wheel touches it in the origin.
 
 #include "dynamics.h"
+#include "mirrored.h"
 
 #include <wheelrail/contact/penalty.h>
 #include <wheelrail/output/fields.h>
@@ -73,18 +74,20 @@ namespace scenes
     Elasticity  material; ///< of the penalty
     FrictionLaw friction;
     double      half_window = 1;    ///< [m]
-    bool        filter      = true; ///< of elastic bodies, as in the program; not across planes of symmetry
+    bool        filter      = true; ///< of elastic bodies, as in the program
     bool        added_mass  = true; ///< without it the step must be shortened by the caller
+    Symmetry    symmetry;           ///< of the elastic bodies
   };
 
-  /// Contact between nodes of a scene's mesh and a wheel, added to the forces of every step.
+  /// Contact between nodes of a scene's mesh and a wheel, added to the forces of every step. Bodies cut at
+  /// planes of symmetry touch with their whole surfaces: sums and energies are those of whole bodies.
   class ContactPair
   {
   public:
     ContactPair(Dynamics              &scene,
                 const RunningSurfaces &surfaces,
-                Surface                rail,
-                Surface                wheel,
+                const Surface         &rail,
+                const Surface         &wheel,
                 const ContactSetup    &setup);
     ContactPair(const ContactPair &) = delete;
 
@@ -100,19 +103,17 @@ namespace scenes
     double      friction_energy = 0, damping_energy = 0; ///< up to the last half step [J]
     double      work = 0;                                ///< of the contact forces on both bodies [J]
 
-    /// The patch; with `mirror` a quarter x, z >= 0 (1), a half x >= 0 (2) or z >= 0 (3)
-    /// is completed by symmetry.
     wheelrail::PatchFields
-    patch(int mirror = 0) const;
+    patch() const;
 
   private:
     void
     add_forces(double time, const Solid &solid, double *force);
 
-    Dynamics            &scene_;
-    std::vector<int>     node_; ///< of the mesh for each entry of both surfaces, or -1
-    std::vector<Vector3> rigid_;
-    std::vector<double>  displacement_, velocity_, velocity_before_, force_;
+    Dynamics               &scene_;
+    std::vector<NodeSource> sources_; ///< of the nodes of the rail, then of the wheel
+    std::vector<Vector3>    rigid_;
+    std::vector<double>     displacement_, velocity_, velocity_before_, force_;
   };
 
   /// Elastic half-space under an elliptic pressure, rolled up from point loads: the displacement at the

@@ -30,9 +30,8 @@ namespace scenes
   /// Relaxes the contact with cells of size `cell` [m] and the penalty scale f between the two bodies. A
   /// quarter of the block is modelled (a strip for the line); its outer faces move as the half-space under
   /// the exact pressure would, so the approach is that of the half-space. The line has none (error 0).
-  /// With the surface filter the whole block is modelled, since the filter knows no planes of symmetry.
   HertzRun
-  run_hertz(HertzShape shape, double cell, double scale, bool filter = false);
+  run_hertz(HertzShape shape, double cell, double scale, bool filter = true);
 
   /// One line of a table with these figures in per cent; an empty `run` gives the heading.
   std::string

@@ -158,7 +158,7 @@ namespace scenes
     contact.cell_size     = setup.cell;
     contact.damping_ratio = setup.damping_ratio;
     contact.friction      = setup.friction;
-    contact.filter        = setup.strip || setup.whole;
+    contact.symmetry      = {!setup.strip && !setup.whole, false};
     contact.half_window   = 13e-3;
     const LocalMesh &mesh = scene.solid.mesh;
     ContactPair      pair(
@@ -192,11 +192,10 @@ namespace scenes
         longitudinal.add(pair.sums.force[2]);
         peak.add(pair.sums.largest_pressure);
       }
-    const double both   = setup.strip || setup.whole ? 1 : 2;
     run.seconds         = double(std::clock() - start) / CLOCKS_PER_SEC;
     run.steps           = scene.steps();
     run.elements        = mesh.cells.size();
-    run.force           = {both * lateral.mean(), both * normal.mean(), both * longitudinal.mean()};
+    run.force           = {lateral.mean(), normal.mean(), longitudinal.mean()};
     run.noise           = normal.deviation() / normal.mean();
     run.peak            = peak.mean();
     run.peak_noise      = peak.deviation() / peak.mean();
@@ -204,7 +203,7 @@ namespace scenes
     run.damping_energy  = pair.damping_energy;
     const double kept   = pair.sums.stored_energy + pair.friction_energy + pair.damping_energy;
     run.energy_error    = std::abs(pair.work + kept) / kept;
-    run.patch           = pair.patch(setup.strip || setup.whole ? 0 : 2);
+    run.patch           = pair.patch();
     for (double &z : run.patch.along)
       z -= setup.velocity * (scene.time() - scene.time_step);
     return run;

@@ -30,7 +30,7 @@ namespace scenes
 
   struct RollingPairRun
   {
-    Vector3 force{};                  ///< mean on the wheel [N]; twice the half's, per cell width for a strip
+    Vector3 force{};                  ///< mean on the wheel [N], per cell width for a strip
     double  noise = 0;                ///< standard deviation of the normal over its mean
     double  peak = 0, peak_noise = 0; ///< mean largest nodal pressure [Pa], its standard deviation over it
     double  energy_error    = 0; ///< springs, friction and damping against the work of the contact forces
