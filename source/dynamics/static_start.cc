@@ -83,9 +83,9 @@ namespace wheelrail
       move(const Step &step, double factor);
       Balance
       search_along(const Step &step, const Balance &start);
-      void
-      renew_tractions();
       bool
+      renew_tractions();
+      void
       set_tractions();
 
       StartTractions tractions; ///< the given ones; none before the first renewal
@@ -242,12 +242,14 @@ namespace wheelrail
     }
 
 
-    /// Tractions for the present pressures as loads, and the rate of turning that goes with them.
-    void
+    /// Tractions for the present pressures as loads, and the rate of turning that goes with them. Whether
+    /// creepage or force have changed by more than 1e-5.
+    bool
     Search::renew_tractions()
     {
-      tractions = wanted_tractions(solid_, contact_, loads_, wheel_load());
-      rate_     = loads_.axle.velocity / loads_.rolling_radius * (1 + tractions.creepage);
+      const StartTractions before = std::move(tractions);
+      tractions                   = wanted_tractions(solid_, contact_, loads_, wheel_load());
+      rate_                       = loads_.axle.velocity / loads_.rolling_radius * (1 + tractions.creepage);
       if (!loads_.tractions)
         tractions.shear.assign(tractions.shear.size(), Vector3{});
       drag_.assign(solid_.force.size(), 0.);
@@ -255,19 +257,18 @@ namespace wheelrail
       drag_sum_ = contact_forces(&tractions.shear, drag_).force - contact_forces(nullptr, pressures).force;
       for (std::size_t k = 0; k < drag_.size(); ++k)
         drag_[k] -= pressures[k];
+      return std::abs(tractions.creepage - before.creepage) > 1e-5 * std::abs(tractions.creepage) ||
+             std::abs(tractions.force - before.force) > 1e-5 * wheel_load();
     }
 
 
-    /// Whether the friction bound of the present pressures leaves the tractions their force, which then are
-    /// set in the contact.
-    bool
+    /// Sets the tractions in the contact, bounded by its pressures.
+    void
     Search::set_tractions()
     {
-      if (tractions.shear.empty())
-        return false;
       AlignedVector<double> ignored(solid_.force.size(), 0.);
-      const double          force = contact_forces(&tractions.shear, ignored).force[2];
-      return !loads_.tractions || std::abs(force - tractions.force) < 2e-4 * wheel_load();
+      if (!tractions.shear.empty())
+        contact_forces(&tractions.shear, ignored);
     }
   } // namespace
 
@@ -287,7 +288,7 @@ namespace wheelrail
     result.wheel_load = search.wheel_load();
 
     // rounds of tractions still to come: they change the pressures that bound them
-    int     rounds  = frictionless(contact.law().friction) ? 0 : 6;
+    int     rounds  = frictionless(contact.law().friction) ? 0 : 12;
     Balance balance = search.balance();
     for (int step = 0;; ++step)
       {
@@ -296,15 +297,11 @@ namespace wheelrail
         const bool   settled = result.residual < 2e-6 && std::abs(missing) < 1e-5 * result.wheel_load;
         if (settled || (rounds > 0 && result.residual < 1e-3))
           {
-            const bool met = search.set_tractions();
-            if (settled && (rounds == 0 || met))
+            const bool changed = rounds > 0 && search.renew_tractions();
+            if (settled && !changed)
               break;
-            if (rounds > 0 && !met)
-              {
-                search.renew_tractions();
-                --rounds;
-                balance = search.balance();
-              }
+            --rounds;
+            balance = search.balance();
           }
         if (step == most_steps)
           throw RunError("the static start did not converge: after " + std::to_string(most_steps) +
@@ -316,6 +313,7 @@ namespace wheelrail
             "the static start lost the contact between wheel and rail; give a smaller first approach");
         result.newton_steps = step + 1;
       }
+    search.set_tractions();
     result.lift          = search.lift;
     result.cg_steps      = search.cg_steps;
     result.contact_force = balance.sums.force;
