@@ -184,21 +184,21 @@ namespace
     const Mesh mesh = brick({3, 3, 3}, {1, 1, 1}, 0.2); // 27 cells: the last batch is not full
     Body       body(mesh, Elasticity(), soft), other = body;
     body.move_to(nodal(mesh, [](const Vector &X) { return rough(X, 1); }));
-    set_plastic_state(other.blocks, plastic_state(body.blocks));
+    // as a checkpoint does it
+    std::vector<AlignedVector<double>> saved;
+    visit_histories(body.blocks, [&](const char *, unsigned int, const AlignedVector<double> &values) {
+      saved.push_back(values);
+    });
+    std::size_t next = 0;
+    visit_histories(other.blocks, [&](const char *, unsigned int, AlignedVector<double> &values) {
+      values = saved[next++];
+    });
+    mark_flowed(other.blocks);
     for (Body *b : {&body, &other})
       b->move_to(nodal(mesh, [](const Vector &X) { return rough(X, -0.5); }));
     check_near(difference(body.f, other.f), 0, 0, "a restored history goes on with the same forces");
     check_near(body.energy.plastic_work - other.energy.plastic_work, 0, 0, "and the same plastic work");
-    bool refused = false;
-    try
-      {
-        set_plastic_state(other.blocks, std::vector<double>(7));
-      }
-    catch (const RunError &)
-      {
-        refused = true;
-      }
-    check(refused, "a history of another length is refused");
+    check(saved.size() == 3 && largest(saved[1]) > 1e-3, "dilatation, history and plastic work are visited");
   }
 
   /// Moment over fully plastic moment of a beam of `layers` cells through its

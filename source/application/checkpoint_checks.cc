@@ -2,6 +2,7 @@
 #include <wheelrail/application/input_file.h>
 #include <wheelrail/base/quantity.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -27,13 +28,13 @@ namespace wheelrail
                                                    "Run/Averaging distance",
                                                    "Run/Rolling distance",
                                                    "Mesh/Prepared distance"};
-      return path.rfind("Output/", 0) == 0 || single.count(path) > 0;
+      return path.rfind("Output/", 0) == 0 || path.rfind("Half-space/", 0) == 0 || single.count(path) > 0;
     }
 
     std::string
     mm(const double length)
     {
-      return format_number(1e-6 * static_cast<double>(static_cast<long>(length * 1e9 + 0.5))) + " mm";
+      return format_number(std::round(length * 1e9) / 1e6) + " mm";
     }
 
     std::string

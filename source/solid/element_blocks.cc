@@ -246,32 +246,6 @@ namespace wheelrail
       }
   }
 
-  std::vector<double>
-  plastic_state(const ElementBlocks &blocks)
-  {
-    std::vector<double> state(blocks.history.begin(), blocks.history.end());
-    state.insert(state.end(), blocks.plastic_work.begin(), blocks.plastic_work.end());
-    return state;
-  }
-
-
-  void
-  set_plastic_state(ElementBlocks &blocks, const std::vector<double> &state)
-  {
-    const std::size_t n = blocks.history.size();
-    if (state.size() != n + blocks.plastic_work.size())
-      throw RunError("the plastic history holds " + std::to_string(state.size()) +
-                     " numbers where the body has " + std::to_string(n + blocks.plastic_work.size()) +
-                     ": it belongs to another mesh or another material");
-    std::copy_n(state.begin(), n, blocks.history.begin());
-    std::copy(state.begin() + n, state.end(), blocks.plastic_work.begin());
-    const std::size_t stride = blocks.history_rows() * blocks.width;
-    for (std::size_t batch = 0; batch < blocks.flowed.size(); ++batch)
-      blocks.flowed[batch] = std::any_of(blocks.history.begin() + batch * stride,
-                                         blocks.history.begin() + (batch + 1) * stride,
-                                         [](const double value) { return value != 0; });
-  }
-
 
   std::vector<double>
   element_plastic_strain(const ElementBlocks &blocks)

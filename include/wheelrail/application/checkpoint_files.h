@@ -27,8 +27,8 @@ namespace wheelrail
   /// A file that is missing or does not fit its checksum is passed over for the other one, with a note.
   /// Collective; throws InputError on all ranks when the run in the folder has finished, when there is no
   /// run, when no state is whole, when it is of another format, and when entries differ that the state
-  /// depends on (all of them are named). Title, all entries of Output, Run/Energy limit, Run/Averaging
-  /// distance may differ, and Run/Rolling distance as far as the mesh was made for it.
+  /// depends on (all of them are named). Title, all entries of Output and Half-space, Run/Energy limit,
+  /// Run/Averaging distance may differ, and Run/Rolling distance as far as the mesh was made for it.
   std::optional<ResumePoint>
   read_checkpoint(const Scene &scene, const std::string &parameters, MPI_Comm communicator);
 

@@ -120,14 +120,6 @@ namespace wheelrail
   void
   set_plasticity(ElementBlocks &blocks, const Plasticity &plasticity);
 
-  /// History and plastic work in one array, for a checkpoint; empty in elastic bodies.
-  std::vector<double>
-  plastic_state(const ElementBlocks &blocks);
-
-  /// Takes such an array back. Throws RunError when its length is not that of these blocks.
-  void
-  set_plastic_state(ElementBlocks &blocks, const std::vector<double> &state);
-
   /// Accumulated plastic strain of each element [1], the largest of its integration points; zeros in
   /// elastic bodies.
   std::vector<double>
