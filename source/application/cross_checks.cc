@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 
 namespace wheelrail
@@ -44,8 +45,9 @@ namespace wheelrail
     std::string
     about(const double value)
     {
-      const double digit = std::pow(10., std::floor(std::log10(std::max(value, 1e-300))) - 1);
-      return format_number(std::round(value / digit) * digit);
+      char out[32];
+      std::snprintf(out, sizeof(out), "%.1e", value);
+      return format_number(std::strtod(out, nullptr));
     }
 
     /// A number of things: 97000, 17 million.
