@@ -181,6 +181,7 @@ namespace
                "messages/binary.txt: not a text file; a parameter file (.prm) is needed",
                "a binary file");
     fs::remove_all("messages");
+    test::check_unreadable([](const std::string &path) { read_input_file(path); });
   }
 
   void

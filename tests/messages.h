@@ -7,11 +7,16 @@
 #include <wheelrail/application/parameters.h>
 #include <wheelrail/base/errors.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
 #include <functional>
 
 namespace test
 {
   using wheelrail::InputError;
+  using wheelrail::RunError;
   using wheelrail::scene_from_text;
 
   inline std::string
@@ -25,7 +30,35 @@ namespace test
       {
         return error.what();
       }
+    catch (const RunError &error)
+      {
+        return error.what();
+      }
     return "no message";
+  }
+
+  /// Makes a file that may not be read, reads it by `read`, and compares the message. Root may read
+  /// everything, so the effective user is nobody meanwhile.
+  inline void
+  check_unreadable(const std::function<void(const std::string &)> &read)
+  {
+    char name[] = "/tmp/wheelrail-unreadable-XXXXXX";
+    close(mkstemp(name));
+    chmod(name, 0);
+    const bool  root = geteuid() == 0;
+    std::string found;
+    if (root && seteuid(65534) != 0)
+      std::cout << "        left out: " << name
+                << " stays readable, since root may not be another user here\n";
+    else
+      {
+        found = message_of([&]() { read(name); });
+        if (root && seteuid(0) != 0)
+          std::abort();
+        check_text(
+          found, name + std::string(": cannot be read; check its permissions"), "an unreadable file");
+      }
+    unlink(name);
   }
 
   inline void

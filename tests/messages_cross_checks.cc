@@ -172,7 +172,7 @@ namespace
     check_error(
       {"Wheelset/Lateral shift = -9 mm"},
       "Mesh/Coarse cell size = 16 mm: rail and wheel cannot be divided into cells at Wheelset/Lateral shift "
-      "= -9 mm: The profile has no front of the flange tip: its tangent nowhere has the angle of 40.000000 "
+      "= -9 mm: The profile has no front of the flange tip: its tangent nowhere has the angle of 40 "
       "degrees that marks this place. A section needs the complete outline of a rail, or a tread from the "
       "field side over the flange to its back, without steps.");
     check_error({"Wheelset/Fillet radius = 99 mm"},
@@ -182,8 +182,9 @@ namespace
     check_error(
       {"Mesh/Coarse cell size = 64 mm", "Mesh/Solution cell size = 4 mm", "Mesh/Fine margin = 50 mm"},
       "Mesh/Coarse cell size = 64 mm: rail and wheel cannot be divided into cells at Wheelset/Lateral shift "
-      "= 0 mm: The section mesh has a folded block in its part 'running layer' at (-30.362228, -54.688274) "
-      "mm. The fine strip or the dimensions leave too little room there: reduce the block size, narrow the "
+      "= 0 mm: The section mesh has a folded block in its part 'running layer' at (-30.362 mm, "
+      "-54.688 mm). The fine strip or the dimensions leave too little room there: reduce the block size, "
+      "narrow the "
       "strip, or check the dimensions of the section.");
     check_error({"Run/Rolling distance = 1.7 m"},
                 "Run/Rolling distance = 1700 mm: with 100 mm of free rail at each end this needs a rail of "

@@ -3,9 +3,12 @@
 #include "messages.h"
 
 #include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/geometry/smoothing_spline.h>
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <random>
 
 using namespace wheelrail;
@@ -86,8 +89,53 @@ namespace
   }
 
   void
+  test_files()
+  {
+    const auto check_file = [](const std::string &path, const std::string &expected) {
+      check_text(message_of([&]() { read_profile_file(path, {}); }), expected, expected);
+    };
+    check_file(
+      "nowhere.prr",
+      "nowhere.prr: no such file; a profile file is sought from the folder where the command is given");
+    check_file(".", ".: not a file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
+    std::ofstream("large.txt") << std::string(largest_profile_file + 1, ' ');
+    check_file(
+      "large.txt",
+      "large.txt: larger than 10 MB; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
+    std::filesystem::remove("large.txt");
+    test::check_unreadable([](const std::string &path) { read_profile_file(path, {}); });
+
+    const std::string profiles = std::string(WHEELRAIL_TEST_DIR) + "/profiles/";
+    check_file(profiles + "broken_gap.prr",
+               profiles +
+                 "broken_gap.prr: a gap of 20.96 mm between lines 93 and 94; up to 10 mm is bridged: "
+                 "measure again or add points");
+    check_file(profiles + "broken_loop.txt",
+               profiles +
+                 "broken_loop.txt: the line of points crosses itself between line 101 and line 110; a "
+                 "profile without loops is needed: remove the points of the loop");
+  }
+
+  void
   test_formats()
   {
+    check_profile("",
+                  "r.txt: no points found; a SIMPACK (.prr, .prw), MiniProf (.ban, .whl) or two-column file "
+                  "with lateral and vertical coordinates is needed");
+    check_profile(std::string("1 2\0 3", 6),
+                  "r.txt: not a text file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
+    check_profile(
+      "1 2\n3 4x\n",
+      "r.txt:2: \"4x\" is not a number; a line of points holds two: lateral and vertical coordinate");
+    check_profile(
+      "1 2\n3 nan\n",
+      "r.txt:2: \"nan\" is not a number; a line of points holds two: lateral and vertical coordinate");
+    check_profile(
+      "1 2\n3\n",
+      "r.txt:2: \"3\" holds 1 number; a line of points holds two: lateral and vertical coordinate");
+    check_profile("12,5;3,7\n",
+                  "r.txt:1: \"12,5;3,7\" holds 4 columns; two are accepted, lateral and vertical "
+                  "coordinate, with a point as decimal mark (a third one is left out)");
     check_profile(
       std::string(largest_profile_file + 1, ' '),
       "r.txt: larger than 10 MB; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
@@ -118,6 +166,9 @@ namespace
                   "r.txt:3: type = \"2\": 0 (rail) or 1 (wheel) is accepted");
     check_profile(simpack("type = 1\n", head_points()),
                   "r.txt:3: type = 1, a wheel; Profiles/Rail needs a rail profile");
+    check_profile(simpack("type = 0\n", head_points()),
+                  "r.txt:3: type = 0, a rail; Profiles/Wheel needs a wheel profile",
+                  wheel_options());
     check_profile(simpack("units.len.f = 0\n", head_points()),
                   "r.txt:3: units.len.f = \"0\": file units per metre are needed, 1000 for mm");
     check_profile(simpack("units.len.f = many\n", head_points()),
@@ -175,7 +226,27 @@ namespace
     check_profile(loop + head_points(0.55, 1),
                   "r.txt: the line of points crosses itself between line 222 and line 279; a profile without "
                   "loops is needed: remove the points of the loop");
+    std::vector<Point2> kinked;
+    for (int i = 0; i < 20; ++i)
+      kinked.push_back({5e-4 * i, 0});
+    check_text(message_of([&]() {
+                 smoothing_spline(kinked, {8, 10}, 1e-5);
+               }),
+               "between two kinks of the profile lie fewer than four points: measure denser",
+               "kinks too close");
+    ProfileFileOptions metres;
+    metres.unit = ProfileUnit::metre;
+    check_profile(head_points(),
+                  "r.txt: the profile is 72801.0989 mm across; 5 mm to 500 mm is accepted; multiplied by "
+                  "0.001 it would be 72.8 mm, so the unit may be wrong. Set Profiles/Wheel unit or "
+                  "Profiles/Rail unit",
+                  metres);
     ProfileFileOptions smooth;
+    smooth.noise = 1;
+    check_profile(changed_head(none),
+                  "r.txt: the smoothing of the profile failed, since its points are too uneven: give points "
+                  "at steps of 0.2 mm to 1 mm, or set Profiles/Smoothing to another length",
+                  smooth);
     smooth.noise = 20e-3;
     // the length is that of an equation solved in floating point numbers: not compared digit by digit
     const std::string message = message_of([&]() { read_profile_text(head_points(), "r.txt", smooth); });
@@ -225,6 +296,7 @@ namespace
 int
 main()
 {
+  test_files();
   test_formats();
   test_points();
   test_shapes();

@@ -65,6 +65,14 @@ namespace
     check_folder("runs/foreign",
                  "Output/Folder = runs/foreign: the folder holds another input.prm, which the copy of this "
                  "input would replace. Choose another Output/Folder, or rename that file.");
+    write("runs/done/summary.json", "{\"finished\": true}");
+    check_folder("runs/done",
+                 "Output/Folder = runs/done: the folder holds a finished run, which is kept. Choose another "
+                 "Output/Folder, or give --overwrite to replace it.");
+    check_folder(
+      "/proc/below",
+      "Output/Folder = /proc/below: the folder cannot be made: No such file or directory. Choose a "
+      "place in which you may write.");
     check(!fs::exists("runs/foreign/parameters.prm"), "and nothing was written there");
     // a folder of the kernel, in which not even root can make files
     check_folder("/proc",

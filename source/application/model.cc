@@ -2,6 +2,7 @@
 #include <wheelrail/application/model.h>
 #include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/contact/penalty.h>
 #include <wheelrail/contact/surface_response.h>
 #include <wheelrail/solid/highest_frequency.h>
@@ -27,9 +28,8 @@ namespace wheelrail
       if (first * spacing < begin + spacing || last * spacing > end - spacing)
         throw InputError(
           "Track/Rail length is too short: the rolled stretch with its fine cells reaches from " +
-          std::to_string(1e3 * first * spacing) + " to " + std::to_string(1e3 * last * spacing) +
-          " mm, the rail from " + std::to_string(1e3 * begin) + " to " + std::to_string(1e3 * end) +
-          " mm; take a longer rail or a shorter Run/Rolling distance");
+          in_mm(first * spacing) + " to " + in_mm(last * spacing) + ", the rail from " + in_mm(begin) +
+          " to " + in_mm(end) + "; take a longer rail or a shorter Run/Rolling distance");
       std::vector<double> stations;
       const auto          fill = [&](const double from, const double to) {
         const int n = std::max(1, static_cast<int>(std::lround((to - from) / spacing)));

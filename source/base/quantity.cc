@@ -249,6 +249,12 @@ namespace wheelrail
   }
 
   std::string
+  in_mm(const double length, const double parts)
+  {
+    return format_number(std::round(length * 1e3 * parts) / parts) + " mm";
+  }
+
+  std::string
   format_quantity(const double value, const std::string &unit_name)
   {
     if (unit_name.empty())

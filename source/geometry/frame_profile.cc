@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/frame_profile.h>
 
 #include <algorithm>
@@ -74,8 +75,8 @@ namespace wheelrail
       }
     if (start < 0)
       throw InputError("A profile does not pass over the contact point (lateral coordinate " +
-                       std::to_string(1e3 * frame.origin.x) + " mm in the track plane) with a slope below " +
-                       std::to_string(max_slope) +
+                       in_mm(frame.origin.x) + " in the track plane) with a slope below " +
+                       format_number(max_slope) +
                        ". Choose a lateral shift at which tread and rail head lie above each other.");
 
     const double t_min = walk(curve_, start, -1, allowed), t_max = walk(curve_, start, 1, allowed);

@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/measured_profiles.h>
-#include <wheelrail/geometry/profile_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,16 +57,27 @@ namespace wheelrail
       if (marks.top > 1e-3 || marks.top < -15e-3)
         return false;
       return marks.field ? std::abs(*marks.field - half) < 1.5e-3
-                         : marks.gauge && *marks.gauge + half > -1.5e-3 && *marks.gauge + half < 8e-3;
+                         : *marks.gauge + half > -1.5e-3 && *marks.gauge + half < 8e-3;
+    }
+
+    /// The gauge side decides where the rail lies: it must not be made up.
+    void
+    check_gauge_side(const HeadMarks &marks, const MeasuredProfile &profile)
+    {
+      const std::string depth = in_mm(side_depth) + " below the top, where the gauge is measured; a profile ";
+      if (!marks.field && !marks.gauge)
+        throw InputError(profile.file + ": neither side of the head reaches " + depth +
+                         "that goes deeper is needed");
+      if (!marks.gauge)
+        throw InputError(profile.file + ": only the field side of the head reaches " + depth +
+                         "that goes deeper on the gauge side is needed (when the sides are exchanged, set "
+                         "Profiles/Rail mirror)");
     }
 
     /// The standard rail whose head is as wide; where both sides were measured by the width, which wear of
     /// the gauge side makes smaller.
     RailProfile
-    choose_body(const HeadMarks          &marks,
-                const std::string        &name,
-                const std::string        &file,
-                std::vector<std::string> &notes)
+    choose_body(const HeadMarks &marks, const std::string &name, std::vector<std::string> &notes)
     {
       if (name != "auto")
         return rail_profile(name);
@@ -86,9 +97,6 @@ namespace wheelrail
               least = difference;
             }
         }
-      if (!marks.field && !marks.gauge)
-        throw InputError(file + ": neither side of the head reaches " + in_mm(side_depth) +
-                         " below the top, where the gauge is measured; a profile that goes deeper is needed");
       notes.push_back("body of the rail: " + best +
                       (marks.field ? ", whose head is as wide" : ", the first of the standard ones") +
                       "; Profiles/Rail body changes it");
@@ -113,17 +121,17 @@ namespace wheelrail
     /// From the end p of a measured head (mirrored to x > 0) to the end of the body's lower corner: a
     /// line to the side of the standard head and what follows there.
     std::vector<Segment>
-    lower_part(const RailProfile &body, const Point2 &p, const std::string &file)
+    lower_part(const RailProfile &body, const Point2 &p, const std::string &file, const char *side)
     {
       const std::size_t corner = body.head.segments().size() / 2 - 1;
       const double      near   = body.outline.closest(p);
       const double      apart  = norm(body.outline.at(near).position - p);
       if (apart > 12e-3 || near > static_cast<double>(corner))
-        throw InputError(
-          file + ": an end of the head at x = " + in_mm(p.x, 10) + ", y = " + in_mm(p.y, 10) + " lies " +
-          in_mm(apart, 10) + " off the head of " + body.name +
-          ", to which it is joined (up to 12 mm, and above its lower corner); check the orientation "
-          "of the file, or set Profiles/Rail body to another one");
+        throw InputError(file + ": the " + side + "-side end of the head, " + in_mm(-p.y, 10) +
+                         " below the top of " + body.name + ", lies " + in_mm(apart, 10) +
+                         " off the side of that rail, to which it is joined (up to 12 mm, and above its "
+                         "lower corner); check the orientation "
+                         "of the file, or set Profiles/Rail body to another one");
       const double target =
         std::min(body.outline.advance(near, std::max(5e-3, 4 * apart)), static_cast<double>(corner));
       const std::size_t    first = static_cast<std::size_t>(target);
@@ -134,7 +142,8 @@ namespace wheelrail
       return part;
     }
 
-    /// The measured pieces above the lower corners of the body.
+    /// The measured pieces above the lower corners of the body. There are some: find_move() leaves the top
+    /// at most 15 mm below that of the body, and the corners lie deeper.
     std::vector<Segment>
     running_part(const Curve &curve, const Point2 &move, const RailProfile &body)
     {
@@ -179,17 +188,14 @@ namespace wheelrail
   RailProfile
   measured_rail(const MeasuredProfile &profile, const std::string &body_name, std::vector<std::string> &notes)
   {
-    const HeadMarks   marks = marks_of(profile.curve);
-    const RailProfile body  = choose_body(marks, body_name, profile.file, notes);
-    const Point2      move  = find_move(marks, body, notes);
-    const auto        head  = running_part(profile.curve, move, body);
-    if (head.empty())
-      throw InputError(profile.file + ": the head lies below that of " + body.name +
-                       "; check the orientation of the file, or set Profiles/Rail body to another one");
-
-    const Point2 field_end = head.front().start, gauge_end = head.back().end;
-    const auto   field = lower_part(body, field_end, profile.file);
-    const auto   gauge = on_gauge_side(lower_part(body, {-gauge_end.x, gauge_end.y}, profile.file));
+    const HeadMarks marks = marks_of(profile.curve);
+    check_gauge_side(marks, profile);
+    const RailProfile body      = choose_body(marks, body_name, notes);
+    const Point2      move      = find_move(marks, body, notes);
+    const auto        head      = running_part(profile.curve, move, body);
+    const Point2      field_end = head.front().start, gauge_end = head.back().end;
+    const auto        field = lower_part(body, field_end, profile.file, "field");
+    const auto gauge = on_gauge_side(lower_part(body, {-gauge_end.x, gauge_end.y}, profile.file, "gauge"));
     notes.push_back("joined to the sides of " + body.name + " " + in_mm(-field_end.y, 10) +
                     " (field side) and " + in_mm(-gauge_end.y, 10) +
                     " (gauge side) below its top; below that it is the body");

@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/measured_profiles.h>
-#include <wheelrail/geometry/profile_text.h>
 
 #include <algorithm>
 #include <cmath>

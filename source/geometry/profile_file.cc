@@ -122,6 +122,23 @@ namespace wheelrail
       return noise;
     }
 
+    /// The smoothing knows points only: its messages get the name of the file.
+    Curve
+    smoothed(const std::vector<Point2>      &points,
+             const std::vector<std::size_t> &kinks,
+             const double                    noise,
+             const std::string              &file)
+    {
+      try
+        {
+          return Curve(smoothing_spline(points, kinks, noise));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(file + ": " + error.what());
+        }
+    }
+
     void
     smooth(MeasuredProfile &profile, const double wanted)
     {
@@ -130,7 +147,7 @@ namespace wheelrail
         points.push_back(p.position);
       profile.noise     = smoothing_noise(profile, points, wanted);
       const auto  kinks = find_kinks(points, profile.noise);
-      const Curve curve(smoothing_spline(points, kinks, profile.noise));
+      const Curve curve = smoothed(points, kinks, profile.noise, profile.file);
       double      worst = 0;
       for (const Point2 &p : points)
         worst = std::max(worst, norm(curve.at(curve.closest(p)).position - p));

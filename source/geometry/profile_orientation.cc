@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/profile_orientation.h>
 #include <wheelrail/geometry/profile_text.h>
 

@@ -134,11 +134,6 @@ namespace wheelrail
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   }
 
-  std::string
-  in_mm(const double length, const double parts)
-  {
-    return format_number(std::round(length * 1e3 * parts) / parts) + " mm";
-  }
 
   bool
   HeaderValues::take(const Line &line)

@@ -229,8 +229,8 @@ namespace wheelrail
         }
       if (!good)
         throw InputError(
-          "The smoothing of a profile failed: its points are too uneven. Give points at "
-          "steps of 0.2 mm to 1 mm, or another Profiles/Smoothing.");
+          "the smoothing of the profile failed, since its points are too uneven: give points at "
+          "steps of 0.2 mm to 1 mm, or set Profiles/Smoothing to another length");
       fit.append(segments);
     }
   } // namespace
@@ -250,7 +250,7 @@ namespace wheelrail
     for (const std::size_t last : ends)
       {
         if (last < first + 3)
-          throw InputError("Between two kinks of a profile lie fewer than four points.");
+          throw InputError("between two kinks of the profile lie fewer than four points: measure denser");
         fit_stretch(make_stretch(points, first, last), std::max(1e3 * noise, 2e-5), segments);
         first = last;
       }

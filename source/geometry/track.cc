@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/track.h>
 
 #include <algorithm>
@@ -46,8 +47,8 @@ namespace wheelrail
     for (const double t : head.roots(above, 0, head.parameter_end()))
       gauge_side = std::max(gauge_side, placement.to_track(head.at(t).position).x);
     if (gauge_side == -std::numeric_limits<double>::max())
-      throw InputError("The gauge is to be measured " + std::to_string(1e3 * track.gauge_height) +
-                       " mm below the top of the rail, but the head of rail '" + rail.name +
+      throw InputError("The gauge is to be measured " + in_mm(track.gauge_height) +
+                       " below the top of the rail, but the head of rail '" + rail.name +
                        "' has no point at that height. Give a Track/Gauge height on the side of the head "
                        "(14 mm is usual).");
 

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/mesh/curve_stretch.h>
 
 #include <algorithm>
@@ -74,7 +75,7 @@ namespace wheelrail
         fa = fb;
       }
     throw InputError("The profile has no " + std::string(what) + ": its tangent nowhere has the angle of " +
-                     std::to_string(angle * 180 / pi) +
+                     format_number(std::round(angle * 1800 / pi) / 10) +
                      " degrees that marks this place. A section needs the complete outline of a rail, or a "
                      "tread from the field side over the flange to its back, without steps.");
   }

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/mesh/fine_strip.h>
 
 #include <algorithm>
@@ -30,8 +31,8 @@ namespace wheelrail
     require(const bool good, const std::string &what, const double value)
     {
       if (!good)
-        throw InputError("The fine strip cannot be laid out with " + what + " = " +
-                         std::to_string(value * 1000) + " mm: a positive length is needed.");
+        throw InputError("The fine strip cannot be laid out with " + what + " = " + in_mm(value) +
+                         ": a positive length is needed.");
     }
   } // namespace
 
@@ -74,9 +75,8 @@ namespace wheelrail
     if (!(strip.s1 - strip.s0 > 0.1 * block_size))
       throw InputError(
         "Wheel and rail are too steep at the contact point for a strip of fine cells: only " +
-        std::to_string((strip.s1 - strip.s0) * 1000) + " mm are left of " +
-        std::to_string(blocks * block_size * 1000) +
-        " mm. Choose a lateral shift without contact on the flange face, or a smaller cell size.");
+        in_mm(strip.s1 - strip.s0) + " are left of " + in_mm(blocks * block_size) +
+        ". Choose a lateral shift without contact on the flange face, or a smaller cell size.");
 
     // a block a quarter wider than wanted is better than two that are nearly half as wide: narrow
     // cells cut the stable time step

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/mesh/rail_section.h>
 #include <wheelrail/mesh/running_layer.h>
 
@@ -272,9 +273,8 @@ namespace wheelrail
                     const double       block_size)
   {
     if (!(block_size > 0))
-      throw InputError("The rail section cannot be divided into blocks of " +
-                       std::to_string(block_size * 1000) +
-                       " mm: a positive block size is needed, 16 mm is usual.");
+      throw InputError("The rail section cannot be divided into blocks of " + in_mm(block_size) +
+                       ": a positive block size is needed, 16 mm is usual.");
 
     Rail rail;
     rail.head        = {std::make_shared<const Curve>(profile.head), 1, 0};

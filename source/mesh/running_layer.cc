@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/mesh/running_layer.h>
 
 #include <algorithm>
@@ -25,11 +26,10 @@ namespace wheelrail
       if (s.size() < 2 || !std::is_sorted(s.begin(), s.end()))
         throw InputError("The fine strip needs two or more ascending block boundaries.");
       if (s.front() < profile.s_min() || s.back() > profile.s_max())
-        throw InputError(
-          "The fine strip from " + std::to_string(s.front() * 1000) + " to " +
-          std::to_string(s.back() * 1000) + " mm reaches beyond the part of the profile from " +
-          std::to_string(profile.s_min() * 1000) + " to " + std::to_string(profile.s_max() * 1000) +
-          " mm that can be seen from the contact point. Use a narrower strip.");
+        throw InputError("The fine strip from " + in_mm(s.front()) + " to " + in_mm(s.back()) +
+                         " reaches beyond the part of the profile from " + in_mm(profile.s_min()) + " to " +
+                         in_mm(profile.s_max()) +
+                         " that can be seen from the contact point. Use a narrower strip.");
       std::vector<double> t;
       for (const double value : s)
         t.push_back(profile.parameter(value));
@@ -51,8 +51,8 @@ namespace wheelrail
       if (end.movable)
         return rest < input.block_size ? curve.advance(strip, sign * input.block_size) : end.parameter;
       if (rest < 0.05 * input.block_size)
-        throw InputError("The fine strip ends " + std::to_string(rest * 1000) +
-                         " mm before the end of the running surface, which is too close or beyond it. Use a "
+        throw InputError("The fine strip ends " + in_mm(rest) +
+                         " before the end of the running surface, which is too close or beyond it. Use a "
                          "narrower strip or another lateral shift.");
       return end.parameter;
     }
@@ -67,8 +67,8 @@ namespace wheelrail
       while (n[0] + n[1] + strip < input.minimum_count)
         {
           if (n[0] + n[1] == 0)
-            throw InputError("With blocks of " + std::to_string(input.block_size * 1000) +
-                             " mm the fine strip covers the whole running surface with " +
+            throw InputError("With blocks of " + in_mm(input.block_size) +
+                             " the fine strip covers the whole running surface with " +
                              std::to_string(strip) + " blocks, where the section needs at least " +
                              std::to_string(input.minimum_count) +
                              ". Use smaller blocks or a narrower strip.");

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/mesh/section_builder.h>
 #include <wheelrail/mesh/section_smoothing.h>
 
@@ -39,9 +40,9 @@ namespace wheelrail
           const Point2 &p = section.corners[origin];
           if (!(cross(section.corners[x] - p, section.corners[y] - p) > 0))
             throw RunError(
-              "The section mesh has a folded block in its part '" + name + "' at (" +
-              std::to_string(p.x * 1000) + ", " + std::to_string(p.y * 1000) +
-              ") mm. The fine strip or the dimensions leave too little room there: reduce the block "
+              "The section mesh has a folded block in its part '" + name + "' at (" + in_mm(p.x) + ", " +
+              in_mm(p.y) +
+              "). The fine strip or the dimensions leave too little room there: reduce the block "
               "size, narrow the strip, or check the dimensions of the section.");
         }
     }

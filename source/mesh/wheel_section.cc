@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/mesh/running_layer.h>
 #include <wheelrail/mesh/wheel_section.h>
 
@@ -83,9 +84,8 @@ namespace wheelrail
       require(std::abs(d.hub_position - d.disc_position) + half < 0.5 * d.hub_length,
               "the disc with its fillets must lie within the length of the hub.");
       require(tread_width < d.rim_width + 1e-4,
-              "the profile is " + std::to_string(tread_width * 1000) +
-                " mm wide, which is more than the rim width of " + std::to_string(d.rim_width * 1000) +
-                " mm. Shorten the profile or widen the rim.");
+              "the profile is " + in_mm(tread_width) + " wide, which is more than the rim width of " +
+                in_mm(d.rim_width) + ". Shorten the profile or widen the rim.");
     }
 
     // Rim outline in the frame of the profile: up the field side, a 45 degree chamfer if the profile

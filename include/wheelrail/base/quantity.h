@@ -42,6 +42,10 @@ namespace wheelrail
   std::string
   format_number(double value);
 
+  /// A length [m] in millimetres, "1.25 mm", rounded to micrometres (1000 digits per mm) or as told.
+  std::string
+  in_mm(double length, double parts = 1000);
+
   /// Name with article for messages: "a velocity", "a pure number".
   std::string
   dimension_name(Dimension dimension);

@@ -42,10 +42,6 @@ namespace wheelrail
   std::string
   counted(std::size_t n, const std::string &what);
 
-  /// A length [m] in millimetres, "1.25 mm", rounded to micrometres (1000 digits per mm) or as told.
-  std::string
-  in_mm(double length, double parts = 1000);
-
   /// A finite number, or nothing. Fortran's D exponents and a leading plus are understood.
   std::optional<double>
   number_of(std::string text);
