@@ -1,5 +1,6 @@
 #include <wheelrail/application/entries.h>
 #include <wheelrail/application/profile_entries.h>
+#include <wheelrail/application/run_entries.h>
 #include <wheelrail/application/special_entries.h>
 
 #include <algorithm>
@@ -12,18 +13,6 @@ namespace wheelrail
     using B = Bounds;
     using S = Scene;
 
-    Entry
-    length(const EntryHead &head, const std::string &unit, const Bounds &bounds, const Field<double> &place)
-    {
-      return number_entry(head, D::length, unit, bounds, place);
-    }
-
-    Entry
-    pure(const EntryHead &head, const Bounds &bounds, const Field<double> &place)
-    {
-      return number_entry(head, D::none, "", bounds, place);
-    }
-
     void
     add_track(std::vector<Entry> &list)
     {
@@ -31,17 +20,17 @@ namespace wheelrail
       for (const Entry &entry : profile_entries())
         list.push_back(entry);
       list.push_back(
-        length({"Track", "Gauge", "1435 mm", "Distance between the two rails, at the gauge height."},
-               "mm",
-               B::between("500 mm", "2000 mm"),
-               field(&S::track, &TrackDimensions::gauge)));
-      list.push_back(length(
+        length_entry({"Track", "Gauge", "1435 mm", "Distance between the two rails, at the gauge height."},
+                     "mm",
+                     B::between("500 mm", "2000 mm"),
+                     field(&S::track, &TrackDimensions::gauge)));
+      list.push_back(length_entry(
         {"Track", "Gauge height", "14 mm", "Depth below the top of the rail at which the gauge is measured."},
         "mm",
         B::between("5 mm", "30 mm"),
         field(&S::track, &TrackDimensions::gauge_height)));
       list.push_back(inclination_entry());
-      list.push_back(length(
+      list.push_back(length_entry(
         {"Track", "Rail length", "1.8 m", "Length of the modelled piece of rail; its ends are clamped."},
         "m",
         B::between("200 mm", "10 m"),
@@ -89,32 +78,32 @@ namespace wheelrail
          &W::fillet_radius},
       };
       for (const Row &row : rows)
-        list.push_back(length({"Wheelset", row.name, row.default_text, row.meaning},
-                              "mm",
-                              B::between(row.low, row.high),
-                              field(&S::wheel, row.member)));
+        list.push_back(length_entry({"Wheelset", row.name, row.default_text, row.meaning},
+                                    "mm",
+                                    B::between(row.low, row.high),
+                                    field(&S::wheel, row.member)));
     }
 
     void
     add_wheelset(std::vector<Entry> &list)
     {
       list.push_back(nominal_radius_entry());
-      list.push_back(length({"Wheelset",
-                             "Flange back distance",
-                             "1360 mm",
-                             "Distance between the backs of the flanges of the two wheels."},
-                            "mm",
-                            B::between("400 mm", "1950 mm"),
-                            field(&S::track, &TrackDimensions::flange_back_distance)));
+      list.push_back(length_entry({"Wheelset",
+                                   "Flange back distance",
+                                   "1360 mm",
+                                   "Distance between the backs of the flanges of the two wheels."},
+                                  "mm",
+                                  B::between("400 mm", "1950 mm"),
+                                  field(&S::track, &TrackDimensions::flange_back_distance)));
       list.push_back(
-        length({"Wheelset",
-                "Lateral shift",
-                "0 mm",
-                "Lateral position of the wheelset; negative moves the flange root of the modelled "
-                "(right-hand) wheel towards the gauge corner."},
-               "mm",
-               B::between("-12 mm", "12 mm"),
-               field(&S::lateral_shift)));
+        length_entry({"Wheelset",
+                      "Lateral shift",
+                      "0 mm",
+                      "Lateral position of the wheelset; negative moves the flange root of the modelled "
+                      "(right-hand) wheel towards the gauge corner."},
+                     "mm",
+                     B::between("-12 mm", "12 mm"),
+                     field(&S::lateral_shift)));
       list.push_back(
         choice_entry<RollMode>({"Wheelset",
                                 "Roll",
@@ -174,30 +163,30 @@ namespace wheelrail
                                          {{"torque", Drive::torque}, {"rate", Drive::rate}},
                                          field(&S::drive)));
       list.push_back(
-        pure({"Wheelset",
-              "Traction coefficient",
-              "0.25",
-              "Longitudinal force over static wheel load, used with Drive = torque; positive drives, "
-              "negative brakes."},
-             B::between("-1", "1"),
-             field(&S::traction_coefficient)));
+        pure_entry({"Wheelset",
+                    "Traction coefficient",
+                    "0.25",
+                    "Longitudinal force over static wheel load, used with Drive = torque; positive drives, "
+                    "negative brakes."},
+                   B::between("-1", "1"),
+                   field(&S::traction_coefficient)));
       list.push_back(
-        pure({"Wheelset",
-              "Creepage",
-              "0",
-              "(rolling speed of the tread - velocity) / velocity, used with Drive = rate; positive "
-              "drives."},
-             B::between("-0.1", "0.1"),
-             field(&S::creepage)));
+        pure_entry({"Wheelset",
+                    "Creepage",
+                    "0",
+                    "(rolling speed of the tread - velocity) / velocity, used with Drive = rate; positive "
+                    "drives."},
+                   B::between("-0.1", "0.1"),
+                   field(&S::creepage)));
     }
 
     void
     add_friction(std::vector<Entry> &list)
     {
       list.push_back(
-        pure({"Contact", "Friction coefficient", "0.5", "Coulomb friction, at rest; 0: no friction."},
-             B::between("0", "1.5"),
-             field(&S::friction_coefficient)));
+        pure_entry({"Contact", "Friction coefficient", "0.5", "Coulomb friction, at rest; 0: no friction."},
+                   B::between("0", "1.5"),
+                   field(&S::friction_coefficient)));
       list.push_back(choice_entry<FrictionKind>(
         {"Contact",
          "Friction law",
@@ -209,12 +198,13 @@ namespace wheelrail
          {"exponential", FrictionKind::exponential},
          {"rational", FrictionKind::rational}},
         field(&S::friction_law)));
-      list.push_back(pure({"Contact",
-                           "Dynamic friction coefficient",
-                           "0.4",
-                           "Coefficient at high sliding speed, used unless the friction law is constant."},
-                          B::between("0", "1.5"),
-                          field(&S::dynamic_friction_coefficient)));
+      list.push_back(
+        pure_entry({"Contact",
+                    "Dynamic friction coefficient",
+                    "0.4",
+                    "Coefficient at high sliding speed, used unless the friction law is constant."},
+                   B::between("0", "1.5"),
+                   field(&S::dynamic_friction_coefficient)));
       list.push_back(number_entry({"Contact",
                                    "Friction decay",
                                    "0.05 s/m",
@@ -240,13 +230,13 @@ namespace wheelrail
     {
       add_friction(list);
       list.push_back(
-        pure({"Contact",
-              "Penalty scale",
-              "10",
-              "f of the contact stiffness f K / h (K bulk modulus, h solution cell size); 10 keeps the "
-              "loss of peak pressure below 1 %, the default of many codes, 0.1, costs a third of it."},
-             B::between("0.05", "50"),
-             field(&S::penalty_scale)));
+        pure_entry({"Contact",
+                    "Penalty scale",
+                    "10",
+                    "f of the contact stiffness f K / h (K bulk modulus, h solution cell size); 10 keeps the "
+                    "loss of peak pressure below 1 %, the default of many codes, 0.1, costs a third of it."},
+                   B::between("0.05", "50"),
+                   field(&S::penalty_scale)));
       list.push_back(
         choice_entry<bool>({"Contact",
                             "Surface filter",
@@ -255,9 +245,9 @@ namespace wheelrail
                             "in the cell size out of the surface response of the mesh; none: bare nodes."},
                            {{"consistent", true}, {"none", false}},
                            field(&S::surface_filter)));
-      list.push_back(pure({"Contact", "Damping", "0.3", "Contact damping as a fraction of critical."},
-                          B::between("0", "1"),
-                          field(&S::contact_damping)));
+      list.push_back(pure_entry({"Contact", "Damping", "0.3", "Contact damping as a fraction of critical."},
+                                B::between("0", "1"),
+                                field(&S::contact_damping)));
     }
 
     void
@@ -269,9 +259,9 @@ namespace wheelrail
                                   "GPa",
                                   B::between("1 GPa", "1000 GPa"),
                                   field(part, &M::youngs_modulus)));
-      list.push_back(pure({section, "Poisson's ratio", "0.3", "Lateral over axial strain, elastic."},
-                          B::between("0", "0.49"),
-                          field(part, &M::poissons_ratio)));
+      list.push_back(pure_entry({section, "Poisson's ratio", "0.3", "Lateral over axial strain, elastic."},
+                                B::between("0", "0.49"),
+                                field(part, &M::poissons_ratio)));
       list.push_back(number_entry({section, "Density", "7900 kg/m3", "Mass per volume."},
                                   D::density,
                                   "kg/m3",
@@ -289,143 +279,12 @@ namespace wheelrail
                      B::between("0 GPa", "1000 GPa"),
                      field(part, &M::tangent_modulus)));
       list.push_back(
-        pure({section,
-              "Kinematic hardening fraction",
-              "0",
-              "0: isotropic, 1: kinematic hardening; without effect while the yield stress is none."},
-             B::between("0", "1"),
-             field(part, &M::kinematic_hardening)));
-    }
-
-    void
-    add_mesh(std::vector<Entry> &list)
-    {
-      list.push_back(
-        length({"Mesh", "Solution cell size", "1 mm", "Edge of the cells in and around the patch."},
-               "mm",
-               B::between("0.1 mm", "16 mm"),
-               field(&S::cell_size)));
-      list.push_back(length({"Mesh",
-                             "Coarse cell size",
-                             "16 mm",
-                             "Edge of the cells far from the patch; 2, 4, 8, ... solution cells."},
-                            "mm",
-                            B::between("0.2 mm", "64 mm"),
-                            field(&S::coarse_cell_size)));
-      list.push_back(fine_depth_entry());
-      list.push_back(
-        length({"Mesh", "Fine margin", "3 mm", "Solution cells reach this far beyond the expected patch."},
-               "mm",
-               B::between("0.1 mm", "50 mm"),
-               field(&S::fine_margin)));
-      list.push_back(prepared_distance_entry());
-      for (const Entry &entry : element_entries())
-        list.push_back(entry);
-    }
-
-    void
-    add_run(std::vector<Entry> &list)
-    {
-      list.push_back(length({"Run", "Rolling distance", "100 mm", "How far the wheel rolls."},
-                            "mm",
-                            B::above("0 mm", "10 m"),
-                            field(&S::rolling_distance)));
-      list.push_back(length({"Run",
-                             "Averaging distance",
-                             "20 mm",
-                             "The figures of the summary are means over this last stretch of the run."},
-                            "mm",
-                            B::above("0 mm", "10 m"),
-                            field(&S::averaging_distance)));
-      list.push_back(
-        choice_entry<StartState>({"Run",
-                                  "Start",
-                                  "steady rolling",
-                                  "What the run begins with. steady rolling: static equilibrium with the "
-                                  "creepage and the tractions of "
-                                  "half-spaces, and the velocities of fields that travel with the contact; "
-                                  "the others leave out one of "
-                                  "the three, or (normal load) all, and roll longer until they are steady."},
-                                 {{"steady rolling", StartState::steady_rolling},
-                                  {"without creepage", StartState::without_creepage},
-                                  {"without tractions", StartState::without_tractions},
-                                  {"without velocities", StartState::without_velocities},
-                                  {"normal load", StartState::normal_load}},
-                                 field(&S::start)));
-      list.push_back(pure({"Run", "Time step factor", "0.95", "Time step as a fraction of the stable one."},
-                          B::above("0", "1"),
-                          field(&S::time_step_factor)));
-      list.push_back(
-        pure({"Run", "Bulk viscosity", "0.06", "Linear bulk viscosity coefficient; damps shocks."},
-             B::between("0", "1"),
-             field(&S::bulk_viscosity)));
-      list.push_back(
-        pure({"Run",
-              "Energy limit",
-              "0.05",
-              "Energy error, relative to strain plus dissipated energy, at which the run stops."},
-             B::above("0", "1"),
-             field(&S::energy_limit)));
-    }
-
-    void
-    add_output(std::vector<Entry> &list)
-    {
-      list.push_back(
-        text_entry({"Output",
-                    "Folder",
-                    "output/scene",
-                    "Folder of the results, made by the program; a relative one counts from where the "
-                    "command is given."},
-                   field(&S::folder)));
-      list.push_back(count_entry(
-        {"Output", "Ticks", "20", "Evenly spaced outputs of patch and surface fields over the run."},
-        1,
-        10000,
-        field(&S::ticks)));
-      list.push_back(
-        choice_entry<bool>({"Output", "Volume fields", "true", "Write the whole mesh at start and end."},
-                           {{"true", true}, {"false", false}},
-                           field(&S::volume_fields)));
-      list.push_back(checkpoint_interval_entry());
-    }
-
-    void
-    add_halfspace(std::vector<Entry> &list)
-    {
-      list.push_back(length({"Half-space",
-                             "Element size",
-                             "0.4 mm",
-                             "Edge of the contact elements of the commands halfspace and compare."},
-                            "mm",
-                            B::between("0.05 mm", "5 mm"),
-                            field(&S::halfspace_element_size)));
-      list.push_back(choice_entry<HalfspaceSpin>(
-        {"Half-space",
-         "Spin",
-         "local radius",
-         "Rigid slip of the wheel: local radius: from rolling radius and inclination of every slice; "
-         "contact: "
-         "one creepage and one spin, as the program CONTACT has it."},
-        {{"local radius", HalfspaceSpin::local_radius}, {"contact", HalfspaceSpin::contact}},
-        field(&S::halfspace_spin)));
-      list.push_back(length(
-        {"Half-space",
-         "Lateral offset",
-         "0 mm",
-         "Wheel section moved against the rail to the track centre after 2D-Geo, by the command halfspace."},
-        "mm",
-        B::between("-5 mm", "5 mm"),
-        field(&S::halfspace_lateral)));
-      list.push_back(number_entry(
-        {"Half-space",
-         "Extra inclination",
-         "0 mrad",
-         "Rail head turned to the track centre about the contact point, by the command halfspace."},
-        D::angle,
-        "mrad",
-        B::between("-20 mrad", "20 mrad"),
-        field(&S::halfspace_inclination)));
+        pure_entry({section,
+                    "Kinematic hardening fraction",
+                    "0",
+                    "0: isotropic, 1: kinematic hardening; without effect while the yield stress is none."},
+                   B::between("0", "1"),
+                   field(part, &M::kinematic_hardening)));
     }
   } // namespace
 
@@ -440,10 +299,8 @@ namespace wheelrail
       add_contact(list);
       add_material(list, "Rail material", &Scene::rail_material);
       add_material(list, "Wheel material", &Scene::wheel_material);
-      add_mesh(list);
-      add_run(list);
-      add_output(list);
-      add_halfspace(list);
+      for (const Entry &entry : run_entries())
+        list.push_back(entry);
       return list;
     }();
     return table;

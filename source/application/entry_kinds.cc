@@ -58,6 +58,21 @@ namespace wheelrail
   }
 
   Entry
+  length_entry(const EntryHead     &head,
+               const std::string   &unit,
+               const Bounds        &bounds,
+               const Field<double> &place)
+  {
+    return number_entry(head, Dimension::length, unit, bounds, place);
+  }
+
+  Entry
+  pure_entry(const EntryHead &head, const Bounds &bounds, const Field<double> &place)
+  {
+    return number_entry(head, Dimension::none, "", bounds, place);
+  }
+
+  Entry
   count_entry(const EntryHead           &head,
               const unsigned int         low,
               const unsigned int         high,

@@ -87,6 +87,17 @@ namespace wheelrail
                const Bounds        &bounds,
                const Field<double> &place);
 
+  /// A length.
+  Entry
+  length_entry(const EntryHead     &head,
+               const std::string   &unit,
+               const Bounds        &bounds,
+               const Field<double> &place);
+
+  /// A pure number.
+  Entry
+  pure_entry(const EntryHead &head, const Bounds &bounds, const Field<double> &place);
+
   /// A whole number from `low` to `high`.
   Entry
   count_entry(const EntryHead &head, unsigned int low, unsigned int high, const Field<unsigned int> &place);
