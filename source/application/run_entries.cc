@@ -38,7 +38,7 @@ namespace wheelrail
     void
     add_run(std::vector<Entry> &list)
     {
-      list.push_back(length_entry({"Run", "Rolling distance", "100 mm", "How far the wheel rolls."},
+      list.push_back(length_entry({"Run", "Rolling distance", "60 mm", "How far the wheel rolls."},
                                   "mm",
                                   B::above("0 mm", "10 m"),
                                   field(&S::rolling_distance)));

@@ -54,7 +54,7 @@ def shear(axes, fields, scale, title):
     pick &= fields.loaded & (fields.shear > 0.03 * scale.shear)
     axes.quiver(fields.lateral[pick], fields.along[pick], fields.shear_lateral[pick], fields.shear_along[pick],
                 angles="xy", scale_units="xy", scale=scale.shear / (1.6 * step * spacing), width=0.0035, color="#1a1a1a")
-    dress(axes, fields, scale, f"{title}, peak {fields.shear.max():.0f} MPa")
+    dress(axes, fields, scale, f"{title}, nodes up to {fields.shear.max():.0f} MPa")
     return image
 
 

@@ -149,7 +149,7 @@ def draw_shear(run, fields):
     spacing = step * np.ptp(fields.along) / (fields.along.shape[0] - 1)
     axes.quiver(fields.lateral[pick], fields.along[pick], fields.shear_lateral[pick], fields.shear_along[pick],
                 angles="xy", scale_units="xy", scale=top / (1.6 * spacing), width=0.0035, color="#1a1a1a")
-    dress(axes, fields, f"Shear traction on the rail, peak {fields.shear.max():.0f} MPa")
+    dress(axes, fields, f"Shear traction on the rail, nodes up to {fields.shear.max():.0f} MPa")
     color_bar(figure, axes, filled, "shear traction [MPa]")
     return [("Shear traction on the rail, surface", draw_surface(run, fields, fields.shear, "shear traction [MPa]",
                                                      "Magnitude of the shear traction", "shear_surface")),
