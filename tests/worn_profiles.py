@@ -1,0 +1,164 @@
+"""A worn wheel on a worn rail, both from files: the command geometry and a short run.
+
+Usage: worn_profiles.py PROGRAM MPIEXEC geometry
+       worn_profiles.py PROGRAM MPIEXEC run RANKS [FOLDER]
+
+The wheel file is in metres and mirrored, the rail file points downwards. FOLDER holds the same run on one
+rank, with whose figures those on RANKS ranks are compared.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+
+PROGRAM, MPIEXEC, WHAT = sys.argv[1:4]
+FILES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "profiles")
+WHEEL = os.path.join(FILES, "worn_S1002_metres.txt")
+RAIL = os.path.join(FILES, "worn_54E1.prr")
+
+SCENE = f"""
+set Title = worn
+subsection Profiles
+  set Wheel = {WHEEL}
+  set Rail = {RAIL}
+end
+subsection Track
+  set Rail length = 300 mm
+end
+subsection Mesh
+  set Solution cell size = 4 mm
+  set Coarse cell size = 16 mm
+  set Fine depth = 8 mm
+  set Fine margin = 8 mm
+end
+subsection Run
+  set Rolling distance = 3 mm
+  set Averaging distance = 2 mm
+end
+subsection Output
+  set Folder = run
+  set Ticks = 2
+  set Volume fields = false
+end
+"""
+
+# what is done to the two files, in the order in which it is done
+DONE = {
+    "Profiles/Wheel = " + WHEEL: [
+        r"two columns, 306 points",
+        r"unit taken as m, since the profile then is 129\.5 mm wide; Profiles/Wheel unit changes it",
+        r"mirrored: the flange of the file lies at positive lateral coordinates",
+        r"noise of 3\.\d* um found in the points smoothed; the curve lies at most 1\d\.\d* um off the points",
+        r"moved laterally by 31\.5\d* mm: flange back 70 mm off the running circle",
+        r"moved vertically by -0\.9\d* mm: the running circle has the nominal rolling radius",
+        r"tread continued straight by 0\.\d* mm on the field side"],
+    "Profiles/Rail = " + RAIL: [
+        r"SIMPACK, 215 points",
+        r"unit mm as the file states",
+        r"turned upside down: the vertical coordinate of the file points down",
+        r"not mirrored: x taken as positive to the field side; Profiles/Rail mirror changes it",
+        r"noise of 4\.\d* um found in the points smoothed; the curve lies at most \d*\.\d* um off the points",
+        r"body of the rail: 54E1, whose head is as wide; Profiles/Rail body changes it",
+        r"origin of the file kept: top at y = -0\.\d* mm of 54E1",
+        r"joined to the sides of 54E1 21\.8 mm \(field side\) and 30 mm \(gauge side\) below its top; below that it is "
+        r"the body"]}
+
+failures = 0
+
+
+def check(condition, text):
+    global failures
+    failures += not condition
+    print("ok      " if condition else "FAILED  ", text, sep="", flush=True)
+
+
+def check_near(value, expected, tolerance, text):
+    check(abs(value - expected) <= tolerance, f"{text}: {value:.6g}, expected {expected:.6g}, tolerance {tolerance:.2g}")
+
+
+def execute(*arguments, ranks=1):
+    """Exit code and what was written on the screen."""
+    with open("worn.prm", "w") as file:
+        file.write(SCENE)
+    line = [MPIEXEC, "--bind-to", "none", "--oversubscribe", "-q", "-n", str(ranks)] if ranks > 1 else []
+    done = subprocess.run(line + [PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        print(done.stdout)
+    return done.returncode, done.stdout
+
+
+def check_notes(text, where):
+    """Everything that is done to the files is told, in its order, and nothing else."""
+    for entry, patterns in DONE.items():
+        found = re.findall(r"^(?:note: |  profile +)" + re.escape(entry) + ": (.*)$", text, re.MULTILINE)
+        check(len(found) == len(patterns), f"{where}: {len(patterns)} notes on {os.path.basename(entry)}, {len(found)} found")
+        for pattern, note in zip(patterns, found):
+            check(re.fullmatch(pattern, note), f"{where}: {note}")
+
+
+def contact_of(text):
+    """Lateral places of the contact point on wheel and rail [mm], rolling radius [mm], angle [degrees]."""
+    part = text[text.index("The scene's own shift"):]
+    return [float(re.search(pattern, part)[1]) for pattern in
+            (r"point on the wheel \(x, y\) +(\S+),", r"point on the rail \(x, y\) +(\S+),", r"rolling radius +(\S+) mm",
+             r"contact angle +(\S+) deg")]
+
+
+def geometry():
+    code, text = execute("geometry", "worn.prm", "--shifts", "0")
+    check(code == 0, "geometry of two files")
+    check_notes(text, "screen")
+    wheel, rail, radius, angle = contact_of(text)
+    print(f"        contact at {wheel} mm of the wheel, {rail} mm of the rail, radius {radius} mm, {angle} degrees")
+    # hollow tread, worn crown and gauge corner: contact next to the flange root, on a larger radius
+    check(-30 < wheel < -10 and -30 < rail < -10, "contact lies towards the flange root")
+    check(460 < radius < 463 and 4 < angle < 12, "on a larger radius, inclined")
+    # the same worn profiles, measured by others: millimetres, not mirrored, another origin and another format
+    code, text = execute("geometry", "worn.prm", "--shifts", "0",
+                         "--set", "Profiles/Wheel = " + os.path.join(FILES, "worn_S1002.prw"),
+                         "--set", "Profiles/Rail = " + os.path.join(FILES, "worn_54E1.ban"))
+    check(code == 0, "geometry of the same profiles from other files")
+    # the axis of the second rail file is not known, but found from the side of its head
+    for value, expected, tolerance, name in zip(contact_of(text), (wheel, rail, radius, angle), (5e-3, 0.05, 5e-3, 5e-3),
+                                                ("wheel x [mm]", "rail x [mm]", "radius [mm]", "angle [degrees]")):
+        check_near(value, expected, tolerance, "the same profiles from other files, " + name)
+
+
+def run(ranks, alone=None):
+    code, text = execute("run", "worn.prm", "--overwrite", ranks=ranks)
+    check(code == 0, f"a run on {ranks} ranks ends")
+    with open("run/log.txt") as file:
+        log = file.read()
+    check_notes(log, "log")
+    with open("run/summary.json") as file:
+        found = json.load(file)
+    rail, wheel = (float(x) for x in
+                   re.search(r"contact point +rail x = (\S+) mm, wheel x = (\S+) mm", log).groups())
+    point = contact_of(execute("geometry", "worn.prm", "--shifts", "0")[1])
+    check_near(wheel, point[0], 6e-4, "contact point on the wheel as by geometry [mm]")
+    check_near(rail, point[1], 6e-4, "contact point on the rail as by geometry [mm]")
+    check_near(1e3 * found["rolling_radius_m"], point[2], 6e-4, "rolling radius as by geometry [mm]")
+    load = found["wheel_load_N"]
+    check_near(found["vertical_force_N"] / load, 1, 0.03, "vertical force over the weight")
+    check_near(found["longitudinal_force_N"] / load, 0.25, 0.0125, "longitudinal force over the weight")
+    # the head turns under its load, which moves the patch a little on such curved profiles
+    check_near(1e3 * found["patch_centre_lateral_m"], 0, 1, "centre of the patch off the contact point [mm]")
+    check_near(found["energy_error"], 0, 0.005, "energy error")
+    check(found["finished"] is True, "the run has finished")
+    if alone:
+        with open(os.path.join(alone, "summary.json")) as file:
+            expected = json.load(file)
+        for key in ("normal_force_N", "vertical_force_N", "longitudinal_force_N", "max_pressure_Pa", "contact_area_m2",
+                    "patch_lateral_m", "max_von_mises_Pa"):
+            check_near(found[key] / expected[key], 1, 2e-4, key + " over that of one rank")
+        check_near(found["creepage"] / expected["creepage"], 1, 2e-3, "creepage over that of one rank")
+
+
+if WHAT == "geometry":
+    geometry()
+else:
+    run(int(sys.argv[4]), *sys.argv[5:6])
+print("all checks passed" if failures == 0 else f"{failures} checks FAILED")
+sys.exit(1 if failures else 0)
