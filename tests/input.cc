@@ -104,6 +104,12 @@ namespace
       {"Half-space/Spin", "contact"},
       {"Half-space/Lateral offset", "-0.1 mm"},
       {"Half-space/Extra inclination", "1 mrad"},
+      {"Half-space/Undeformed distance", "hertz"},
+      {"Half-space/Radius along", "400 mm"},
+      {"Half-space/Radius across", "250 mm"},
+      {"Half-space/Normal force", "90 kN"},
+      {"Half-space/Approach", "0.08 mm"},
+      {"Half-space/Contact angle", "50 mrad"},
       {"Output/Checkpoint interval", "30 s"},
     };
     return values;

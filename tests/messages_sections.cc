@@ -120,7 +120,8 @@ namespace
   {
     const Pair pair;
     Scene      scene;
-    scene.rail_length = 0.15;
+    scene.rail_length      = 0.15;
+    scene.rolling_distance = 0.1;
     check_message(
       [&]() { sweep_plan(scene, pair.contact, 1e-4); },
       "Track/Rail length is too short: the rolled stretch with its fine cells reaches from -31.966 mm to "

@@ -1,5 +1,6 @@
 #include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/halfspace_case.h>
+#include <wheelrail/application/halfspace_parts.h>
 #include <wheelrail/application/model.h>
 #include <wheelrail/application/scene_profiles.h>
 
@@ -111,31 +112,6 @@ namespace wheelrail
         }
     }
 
-    HalfspaceBody
-    halfspace_body(const MaterialData &material)
-    {
-      return {material.youngs_modulus / (2 * (1 + material.poissons_ratio)), material.poissons_ratio};
-    }
-
-    HalfspaceFriction
-    halfspace_friction(const Scene &scene)
-    {
-      HalfspaceFriction friction;
-      friction.static_coefficient  = scene.friction_coefficient;
-      friction.kinetic_coefficient = scene.dynamic_friction_coefficient;
-      if (scene.friction_law == FrictionKind::exponential && scene.friction_decay > 0)
-        {
-          friction.law            = HalfspaceFriction::Law::exponential;
-          friction.velocity_scale = 1 / scene.friction_decay;
-        }
-      else if (scene.friction_law == FrictionKind::rational)
-        {
-          friction.law            = HalfspaceFriction::Law::rational;
-          friction.velocity_scale = scene.friction_half_velocity;
-        }
-      return friction;
-    }
-
     /// Means over the pressure.
     struct PressureMeans
     {
@@ -194,32 +170,6 @@ namespace wheelrail
               problem.rigid_slip_y[i + grid.mx * j] = turn * (grid.x(i) + offset);
             }
         }
-    }
-
-    /// The patch in the layout of a run: lateral fastest, slip of the wheel against the rail.
-    PatchFields
-    patch_of(const HalfspaceSolution &solution)
-    {
-      const HalfspaceGrid &grid = solution.grid;
-      PatchFields          patch;
-      patch.n_along   = grid.mx;
-      patch.n_lateral = grid.my;
-      for (int i = 0; i < grid.mx; ++i)
-        for (int j = 0; j < grid.my; ++j)
-          {
-            const std::size_t e = i + std::size_t(grid.mx) * j;
-            patch.along.push_back(grid.x(i));
-            patch.lateral.push_back(grid.y(j));
-            patch.gap.push_back(solution.gap[e]);
-            patch.pressure.push_back(solution.pressure[e]);
-            patch.shear_along.push_back(solution.traction_x[e]);
-            patch.shear_lateral.push_back(solution.traction_y[e]);
-            patch.slip_along.push_back(-solution.slip_x[e]);
-            patch.slip_lateral.push_back(-solution.slip_y[e]);
-            patch.state.push_back(solution.state[e]);
-            patch.area.push_back(grid.element_area());
-          }
-      return patch;
     }
 
     /// The normal problem alone, on a grid that is enlarged until the contact keeps off its edge.
@@ -327,7 +277,7 @@ namespace wheelrail
     result.spin             = std::sin(means.wheel_angle) / sections.geometry.rolling_radius;
     result.lateral          = -result.solution.fn * s - result.solution.fy * c;
     result.vertical         = result.solution.fn * c - result.solution.fy * s;
-    result.patch            = patch_of(result.solution);
+    result.patch            = halfspace_patch(result.solution);
     result.measures         = measure_patch(result.patch);
     const auto   rail_angle = [&](const double place) { return std::atan(sections.rail.at(place).slope); };
     const double middle = result.measures.centre_lateral, half = 0.5 * result.measures.width;

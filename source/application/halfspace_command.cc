@@ -1,4 +1,5 @@
 #include <wheelrail/application/contact_input.h>
+#include <wheelrail/application/given_distance.h>
 #include <wheelrail/application/halfspace_case.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/parameters.h>
@@ -39,8 +40,9 @@ namespace wheelrail
   int
   run_halfspace_command(const Scene &scene, const std::string &contact_input_file, std::ostream &out)
   {
-    const WheelRailLoad     load   = scene_load(scene);
-    const WheelRailSolution result = solve_wheel_rail(scene, load, scene_offsets(scene));
+    const bool              given = distance_is_given(scene);
+    const WheelRailSolution result =
+      given ? solve_given_distance(scene) : solve_wheel_rail(scene, scene_load(scene), scene_offsets(scene));
     if (!contact_input_file.empty())
       replace_file(contact_input_file, contact_input(result.problem, scene.title));
     const Summary        figures = halfspace_summary(scene, result);
@@ -49,9 +51,10 @@ namespace wheelrail
     char text[256];
     std::snprintf(text,
                   sizeof(text),
-                  "Half-space contact: wheel load %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
-                  1e-3 * load.force,
-                  load.rate_held ? "creepage given" : "longitudinal force given",
+                  "Half-space contact: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
+                  given ? "normal force" : "wheel load",
+                  1e-3 * (given ? result.solution.fn : result.vertical),
+                  scene.drive == Drive::rate ? "creepage given" : "longitudinal force given",
                   1e3 * grid.dx,
                   grid.mx,
                   grid.my);

@@ -1,3 +1,4 @@
+#include <wheelrail/application/halfspace_entries.h>
 #include <wheelrail/application/run_entries.h>
 #include <wheelrail/application/special_entries.h>
 
@@ -102,44 +103,6 @@ namespace wheelrail
                            field(&S::volume_fields)));
       list.push_back(checkpoint_interval_entry());
     }
-
-    void
-    add_halfspace(std::vector<Entry> &list)
-    {
-      list.push_back(length_entry({"Half-space",
-                                   "Element size",
-                                   "0.4 mm",
-                                   "Edge of the contact elements of the commands halfspace and compare."},
-                                  "mm",
-                                  B::between("0.05 mm", "5 mm"),
-                                  field(&S::halfspace_element_size)));
-      list.push_back(choice_entry<HalfspaceSpin>(
-        {"Half-space",
-         "Spin",
-         "local radius",
-         "Rigid slip of the wheel: local radius: from rolling radius and inclination of every slice; "
-         "contact: "
-         "one creepage and one spin, as the program CONTACT has it."},
-        {{"local radius", HalfspaceSpin::local_radius}, {"contact", HalfspaceSpin::contact}},
-        field(&S::halfspace_spin)));
-      list.push_back(length_entry(
-        {"Half-space",
-         "Lateral offset",
-         "0 mm",
-         "Wheel section moved against the rail to the track centre after 2D-Geo, by the command halfspace."},
-        "mm",
-        B::between("-5 mm", "5 mm"),
-        field(&S::halfspace_lateral)));
-      list.push_back(number_entry(
-        {"Half-space",
-         "Extra inclination",
-         "0 mrad",
-         "Rail head turned to the track centre about the contact point, by the command halfspace."},
-        D::angle,
-        "mrad",
-        B::between("-20 mrad", "20 mrad"),
-        field(&S::halfspace_inclination)));
-    }
   } // namespace
 
 
@@ -150,7 +113,8 @@ namespace wheelrail
     add_mesh(list);
     add_run(list);
     add_output(list);
-    add_halfspace(list);
+    for (const Entry &entry : halfspace_entries())
+      list.push_back(entry);
     return list;
   }
 } // namespace wheelrail

@@ -114,6 +114,12 @@ namespace wheelrail
     HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
     double        halfspace_lateral     = 0; ///< wheel section moved against the rail to the track centre [m]
     double        halfspace_inclination = 0; ///< rail head turned to the track centre [rad]
+    std::string   halfspace_distance    = "profiles"; ///< profiles, hertz, or a file of distances
+    double        halfspace_radius_along  = 0.46;     ///< Hertzian distance: relative radii [m]
+    double        halfspace_radius_across = 0.3;
+    double        halfspace_normal_force  = 0; ///< [N], 0: the static wheel load
+    double        halfspace_approach      = 0; ///< [m], 0: found from the normal force
+    double        halfspace_contact_angle = 0; ///< of the axle to the contact plane: the spin [rad]
 
     /// How far the mesh lets the wheel roll [m].
     double

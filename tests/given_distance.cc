@@ -1,0 +1,147 @@
+// Half-space contact with a given undeformed distance: Hertzian against Hertz and CONTACT, from a file, and
+// what faulty files are answered.
+#include "check.h"
+#include "messages.h"
+
+#include <wheelrail/application/distance_file.h>
+#include <wheelrail/application/given_distance.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_text;
+using test::message_of;
+
+namespace
+{
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "wheelrail-given-distance";
+
+  Scene
+  hertz_scene()
+  {
+    Scene scene;
+    scene.halfspace_distance     = "hertz";
+    scene.halfspace_normal_force = 100e3;
+    scene.halfspace_element_size = 0.25e-3;
+    return scene;
+  }
+
+  /// CONTACT (open-source version, revision 2707 of 2025-07-23): Rx 460, Ry 300, steel, mu 0.5, 100 kN,
+  /// elements of 0.25 mm, Fx = 0.5 mu N, no lateral force or spin asked: 1237.65 MPa, creepage 2.084e-3, 1951
+  /// elements, 85.375 mm2 of adhesion.
+  void
+  hertz()
+  {
+    const WheelRailSolution result = solve_given_distance(hertz_scene());
+    const auto             &s      = result.solution;
+    check(s.converged() && !s.touches_grid_edge, "converged, off the edge of the grid");
+    check_near(s.peak_pressure / 1237.65e6, 1, 1e-4, "peak pressure over that of CONTACT");
+    check_near(s.xi / 2.084e-3, 1, 1e-3, "creepage over that of CONTACT");
+    check_near(s.contact_elements, 1951, 0, "elements in contact");
+    check_near(s.adhesion_area / 85.375e-6, 1, 0.002, "adhesion area over that of CONTACT");
+    check_near(result.vertical, 100e3, 1, "normal force [N]");
+
+    Scene back                  = hertz_scene();
+    back.halfspace_normal_force = 0;
+    back.halfspace_approach     = s.approach;
+    check_near(solve_given_distance(back).solution.fn / 100e3,
+               1,
+               1e-5,
+               "normal force of the same approach over the given one");
+    back.halfspace_normal_force = 100e3;
+    check_text(
+      message_of([&]() { solve_given_distance(back); }),
+      "Half-space/Normal force and Half-space/Approach are both given; one follows from the other: set "
+      "one of them to auto",
+      "both given");
+    Scene held                   = hertz_scene();
+    held.drive                   = Drive::rate;
+    held.creepage                = s.xi;
+    held.halfspace_contact_angle = 0.05;
+    const auto spinning          = solve_given_distance(held);
+    check_near(spinning.solution.xi, s.xi, 1e-12, "the creepage is the given one");
+    check_near(
+      spinning.solution.phi * 0.46, std::sin(0.05), 1e-12, "spin x radius is the sine of the contact angle");
+    check(std::abs(spinning.solution.fy) > 1e3, "spin makes a lateral force");
+  }
+
+  std::string
+  file_of(const std::string &text)
+  {
+    std::filesystem::create_directories(folder);
+    const std::string path = (folder / "distance.txt").string();
+    std::ofstream(path) << text;
+    return path;
+  }
+
+  std::string
+  grid_text(const int n, const std::function<double(double, double)> &distance)
+  {
+    std::string text = "# x, y, distance [mm]\n";
+    for (int j = n; j >= -n; --j)
+      for (int i = -n; i <= n; ++i)
+        text += std::to_string(0.4 * i) + ", " + std::to_string(0.4 * j) + ", " +
+                std::to_string(distance(0.4 * i, 0.4 * j)) + "\n";
+    return text;
+  }
+
+  void
+  file()
+  {
+    // six decimals of a millimetre, steps of 0.4 mm
+    Scene scene = hertz_scene();
+    scene.halfspace_distance =
+      file_of(grid_text(30, [](const double x, const double y) { return 0.7 + x * x / 920 + y * y / 600; }));
+    const auto exact = solve_given_distance(hertz_scene()).solution,
+               read  = solve_given_distance(scene).solution;
+    check(!read.touches_grid_edge, "off the edge of the grid");
+    check_near(
+      read.peak_pressure / exact.peak_pressure, 1, 1e-4, "peak pressure of the file over the Hertzian one");
+    check_near(read.xi / exact.xi, 1, 1e-4, "creepage of the file over the Hertzian one");
+
+    scene.halfspace_distance =
+      file_of(grid_text(6, [](const double x, const double y) { return x * x / 920 + y * y / 600; }));
+    check(solve_given_distance(scene).solution.touches_grid_edge, "a file smaller than the patch is told");
+  }
+
+  void
+  check_file(const std::string &text, const std::string &expected)
+  {
+    const std::string path = file_of(text);
+    check_text(message_of([&]() { read_distance_file(path); }), path + expected, text.substr(0, 20));
+  }
+
+  void
+  faulty_files()
+  {
+    const std::string nothing = (folder / "nothing.txt").string();
+    check_text(message_of([&]() { read_distance_file(nothing); }),
+               nothing + ": the file cannot be read; rows x, y, distance in mm are needed",
+               "no file");
+    check_file("0 0 1\n1 0\n", ":2: three numbers x, y, distance in mm are needed");
+    check_file("0 0 one\n", ":1: three numbers x, y, distance in mm are needed");
+    check_file("0 0 1\n1 0 1\n0 1 1\n1 1 1\n", ": 2 values of x; a grid of at least 4 x 4 points is needed");
+    std::string whole;
+    for (int k = 0; k < 16; ++k)
+      whole += std::to_string(k % 4) + " " + std::to_string(k / 4) + " 1\n";
+    check_file(whole + "3 3 2\n", ":17: the same place as in line 16; one row for each point is needed");
+    check_file(whole.substr(0, whole.size() - 6) + "3.5 3 1\n",
+               ": the values of x have no even steps near 1.000000 mm; a regular grid is needed");
+    check_file(whole.substr(0, whole.find("2 2 ")) + whole.substr(whole.find("3 2 ")),
+               ": no row for x = 2.000000 mm, y = 2.000000 mm; one row for each point of the grid is needed");
+  }
+} // namespace
+
+int
+main()
+{
+  hertz();
+  file();
+  faulty_files();
+  std::filesystem::remove_all(folder);
+  return test::report();
+}
