@@ -266,7 +266,6 @@ namespace
                         wheel_block(surfaces, grid(wheel_cell), depth, grid(wheel_cell))),
                    setup);
     ContactSetup contact;
-    contact.material         = setup.material;
     contact.filter           = false; // it keeps uniform fields, but not up to a loaded border
     contact.cell_size        = rail_cell;
     const LocalMesh &mesh    = scene.solid.mesh;
@@ -290,24 +289,26 @@ namespace
     return result;
   }
 
-  /// Nodes on coarser facets spread evenly when the lines coincide, and unevenly when they do not; nodes on
-  /// finer facets leave some of them without load, which is no sound use (doc/contact.md).
+  /// Nodes on nodes, and nodes on coarser facets whose lines coincide with theirs, pass; where the lines do
+  /// not coincide the pressure is uneven, which is why the program gives both bodies the same lattice. Nodes
+  /// on finer facets leave some of those without load, which is no sound use (doc/contact.md).
   void
   patch_tests()
   {
-    for (const auto &[rail, wheel] : {std::array<double, 2>{2e-3, 2e-3}, {1e-3, 2e-3}, {1.5e-3, 2e-3}})
+    struct Row
+    {
+      double rail, wheel, limit;
+    };
+    for (const Row &row : {Row{2e-3, 2e-3, 1e-3}, Row{1e-3, 2e-3, 1e-3}, Row{1.5e-3, 2e-3, 0.2}})
       {
-        const Uniformity  result = contact_patch_test(rail, wheel);
-        const std::string name = "patch test, cells of " + std::to_string(1e3 * rail).substr(0, 3) + " on " +
-                                 std::to_string(1e3 * wheel).substr(0, 3) + " mm: ";
+        const Uniformity  result = contact_patch_test(row.rail, row.wheel);
+        const std::string name   = "patch test, cells of " + std::to_string(1e3 * row.rail).substr(0, 3) +
+                                 " on " + std::to_string(1e3 * row.wheel).substr(0, 3) + " mm: ";
         std::cout << "        " << name << "pressure off by " << 100 * result.pressure << " %, stress by "
                   << 100 * result.stress << " %" << std::endl;
-        check_near(result.force, 0, 1e-3, name + "total force");
-        if (rail == wheel)
-          {
-            check_near(result.pressure, 0, 1e-3, name + "uniform pressure");
-            check_near(result.stress, 0, 1e-3, name + "uniform stress");
-          }
+        check_near(result.force, 0, 1e-4, name + "total force");
+        check_near(result.pressure, 0, row.limit, name + "uniform pressure");
+        check_near(result.stress, 0, row.limit, name + "uniform stress");
       }
   }
 } // namespace

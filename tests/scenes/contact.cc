@@ -190,8 +190,10 @@ namespace scenes
     Penalty
     penalty_of(const Dynamics &scene, const ContactSetup &setup)
     {
+      const ElementBlocks *blocks = scene.solid.blocks;
+      const double rail = blocks[0].material.bulk_modulus(), wheel = blocks[1].material.bulk_modulus();
       return make_penalty(setup.scale,
-                          setup.material.bulk_modulus(),
+                          blocks[1].n_elements > 0 ? 0.5 * (rail + wheel) : rail,
                           setup.cell_size,
                           setup.damping_ratio,
                           scene.solid.stable.step);
@@ -209,10 +211,10 @@ namespace scenes
       for (const Surface *surface : {&rail, &wheel})
         if (setup.filter && surface->local[0] >= 0)
           {
-            const int  body = surface == &rail ? 0 : 1;
-            const auto form = scene.solid.blocks[body].form;
-            law.filter[body] =
-              surface_filter(element_stiffness(element_geometry(cube), setup.material, form), setup.material);
+            const int            body  = surface == &rail ? 0 : 1;
+            const ElementBlocks &block = scene.solid.blocks[body];
+            law.filter[body]           = surface_filter(
+              element_stiffness(element_geometry(cube), block.material, block.form), block.material);
           }
       return law;
     }

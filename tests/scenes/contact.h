@@ -71,7 +71,6 @@ namespace scenes
     double      scale         = 10;   ///< f
     double      cell_size     = 1e-3; ///< h of the penalty [m]
     double      damping_ratio = 0.3;
-    Elasticity  material; ///< of the penalty
     FrictionLaw friction;
     double      half_window = 1;    ///< [m]
     bool        filter      = true; ///< of elastic bodies, as in the program

@@ -37,7 +37,7 @@ namespace scenes
   Dynamics::Dynamics(LocalMesh mesh, const Setup &setup)
     : solid(make_solid(std::move(mesh),
                        setup.material,
-                       setup.material,
+                       setup.wheel_material.value_or(setup.material),
                        setup.bulk_viscosity,
                        MPI_COMM_SELF,
                        {setup.plasticity, setup.plasticity},

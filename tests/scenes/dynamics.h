@@ -7,6 +7,8 @@
 
 #include <wheelrail/solid/solid.h>
 
+#include <optional>
+
 namespace scenes
 {
   using wheelrail::Elasticity;
@@ -44,12 +46,14 @@ namespace scenes
   /// Materials and the scheme of a scene.
   struct Setup
   {
-    Elasticity             material; ///< of both bodies
-    wheelrail::Plasticity  plasticity;
-    wheelrail::ElementForm form           = wheelrail::ElementForm::reduced;
-    double                 bulk_viscosity = 0;    ///< linear coefficient; 0.06 in the program
-    double                 step_factor    = 0.95; ///< of the stable step
-    double                 mass_damping   = 0;    ///< force -c m v, for static problems only [1/s]
+    Elasticity            material; ///< of both bodies
+    wheelrail::Plasticity plasticity;
+    /// Of the wheel instead, if it differs.
+    std::optional<Elasticity> wheel_material;
+    wheelrail::ElementForm    form           = wheelrail::ElementForm::reduced;
+    double                    bulk_viscosity = 0;    ///< linear coefficient; 0.06 in the program
+    double                    step_factor    = 0.95; ///< of the stable step
+    double                    mass_damping   = 0;    ///< force -c m v, for static problems only [1/s]
   };
 
   /// The setup once for each element form; the tests run over them.

@@ -26,7 +26,7 @@ namespace scenes
     };
 
     Exact
-    exact(const HertzShape shape, const double cell, const Elasticity &material)
+    exact(const HertzShape shape, const double cell, const double load, const Elasticity &material)
     {
       const double nu = material.poissons_ratio, modulus = material.youngs_modulus / (1 - nu * nu);
       Exact        result;
@@ -41,12 +41,12 @@ namespace scenes
           result.depth = 0.704 * a;
           return result;
         }
-      result.solution = hertz(1e4, radius, shape == HertzShape::point ? radius : crown, modulus);
-      result.load     = 1e4;
+      result.solution = hertz(0.1 * load, radius, shape == HertzShape::point ? radius : crown, modulus);
+      result.load     = 0.1 * load;
       result.area     = M_PI * result.solution.a * result.solution.b;
       // nu = 0.3; the ellipse from CONTACT's subsurface stresses at these radii
       result.mises = (shape == HertzShape::point ? 0.6200 : 0.618) * result.solution.peak;
-      result.depth = shape == HertzShape::point ? 0.481 * result.solution.a : 2.9e-3;
+      result.depth = shape == HertzShape::point ? 0.481 * result.solution.a : 2.9e-3 * std::cbrt(load / 1e5);
       return result;
     }
 
@@ -125,15 +125,20 @@ namespace scenes
 
 
   HertzRun
-  run_hertz(const HertzShape shape, const double cell, const double scale, const bool filter)
+  run_hertz(const HertzShape shape,
+            const double     cell,
+            const double     scale,
+            const bool       filter,
+            const double     load_of_radii)
   {
     const bool   line = shape == HertzShape::line;
     Setup        setup;
-    const double fine = line ? 8e-3 : 10e-3;
-    const auto   half = fine_then_coarse(cell, fine, 40e-3), deep = fine_then_coarse(cell, 6e-3, 40e-3);
-    const Exact  truth = exact(shape, cell, setup.material);
+    const Exact  truth = exact(shape, cell, load_of_radii, setup.material);
     const double load  = truth.load;
-    LocalMesh    mesh  = rail_block(line ? std::vector<double>{0, cell} : half, deep, half);
+    // two cells beside the patch are free of load
+    const double fine = line ? 8e-3 : std::max(10e-3, cell * std::ceil((truth.solution.a + 2.5e-3) / cell));
+    const auto   half = fine_then_coarse(cell, fine, 40e-3), deep = fine_then_coarse(cell, 6e-3, 40e-3);
+    LocalMesh    mesh = rail_block(line ? std::vector<double>{0, cell} : half, deep, half);
 
     // boundaries: planes of symmetry, and the half-space's displacement on the outer faces
     Dynamics scene(std::move(mesh), setup);

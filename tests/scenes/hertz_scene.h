@@ -30,8 +30,10 @@ namespace scenes
   /// Relaxes the contact with cells of size `cell` [m] and the penalty scale f between the two bodies. A
   /// quarter of the block is modelled (a strip for the line); its outer faces move as the half-space under
   /// the exact pressure would, so the approach is that of the half-space. The line has none (error 0).
+  /// `load`: of bodies with a tenth of the scene's radii, 460 mm and 300 mm (0.1 to 300 kN) [N]; the patch
+  /// is the same, the pressure a tenth. The line has a fixed load.
   HertzRun
-  run_hertz(HertzShape shape, double cell, double scale, bool filter = true);
+  run_hertz(HertzShape shape, double cell, double scale, bool filter = true, double load = 1e5);
 
   /// One line of a table with these figures in per cent; an empty `run` gives the heading.
   std::string

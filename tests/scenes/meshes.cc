@@ -68,10 +68,11 @@ namespace scenes
       constexpr int corner[6][4] = {
         {0, 4, 2, 6}, {1, 3, 5, 7}, {0, 1, 4, 5}, {2, 6, 3, 7}, {0, 2, 1, 3}, {4, 5, 6, 7}};
       std::map<std::array<unsigned int, 4>, std::pair<int, BoundaryFace>> found;
+      const auto finest = *std::max_element(mesh.cell_level.begin(), mesh.cell_level.end());
       for (std::size_t c = 0; c < mesh.cells.size(); ++c)
         for (const auto &which : corner)
           {
-            BoundaryFace face{{}, Boundary::free, mesh.cell_body[c], true};
+            BoundaryFace face{{}, Boundary::free, mesh.cell_body[c], mesh.cell_level[c] == finest};
             for (int k = 0; k < 4; ++k)
               face.nodes[k] = mesh.cells[c][which[k]];
             auto key = face.nodes;
@@ -183,7 +184,8 @@ namespace scenes
                 const Vector3   &high,
                 const Cells     &cells,
                 const Predicate &fine,
-                const double     distortion)
+                const double     distortion,
+                const Body       body)
   {
     LocalMesh coarse = box(low, high, cells);
     Vector3   size;
@@ -218,7 +220,7 @@ namespace scenes
               }
           }
       }
-    complete(mesh, Body::wheel);
+    complete(mesh, body);
 
     // nodes of fine cells in the middle of an edge or face of a coarse one
     std::map<unsigned int, Nodes> hanging;

@@ -39,13 +39,15 @@ namespace scenes
 
   /// A box whose coarse cells with centres in `fine` are divided into eight; hanging nodes lie at the
   /// mean of their parents. Vertices of coarse cells inside the box are moved at random by up to
-  /// `distortion` of the cells' size in each direction. The faces include those between both levels.
+  /// `distortion` of the cells' size in each direction. The faces include those between both levels; those of
+  /// divided cells are the finest.
   LocalMesh
   two_level_box(const Vector3   &low,
                 const Vector3   &high,
                 const Cells     &cells,
                 const Predicate &fine,
-                double           distortion = 0);
+                double           distortion = 0,
+                wheelrail::Body  body       = wheelrail::Body::wheel);
 
   /// Moves the nodes chosen at random by up to `size` [m] in each direction, always in the same way.
   void
