@@ -124,9 +124,11 @@ namespace wheelrail
     act_halfspace(const po::variables_map &options, const RunFunction &, std::ostream &out)
     {
       require_file(options, "halfspace");
-      const std::string file =
-        options.count("contact-input") ? options["contact-input"].as<std::string>() : "";
-      return run_halfspace_command(scene_of(options), file, out);
+      const auto file = [&](const char *option) {
+        return options.count(option) ? options[option].as<std::string>() : std::string();
+      };
+      return run_halfspace_command(
+        scene_of(options), {file("contact-input"), file("contact-wheel-rail-input")}, out);
     }
 
     int
@@ -211,7 +213,11 @@ namespace wheelrail
            add_set_option(options);
            options.add_options()("contact-input",
                                  po::value<std::string>(),
-                                 "also write the problem as input of the program CONTACT");
+                                 "also write the problem as input of the program CONTACT, basic module");
+           options.add_options()(
+             "contact-wheel-rail-input",
+             po::value<std::string>(),
+             "also write the scene as input of CONTACT's wheel-rail module, with two profile files");
          },
          act_halfspace},
         {"parameters",

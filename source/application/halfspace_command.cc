@@ -3,6 +3,7 @@
 #include <wheelrail/application/halfspace_case.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/parameters.h>
+#include <wheelrail/application/wheel_rail_input.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
@@ -37,14 +38,33 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// The input and, beside it, the profile files: case.inp, case_rail.txt, case_wheel.txt.
+    void
+    write_wheel_rail_input(const Scene &scene, const double vertical_load, const std::string &path)
+    {
+      const std::filesystem::path whole = path;
+      const std::string           stem  = whole.stem().string();
+      const std::string           rail = stem + "_rail.txt", wheel = stem + "_wheel.txt";
+      const WheelRailInput        files = wheel_rail_input(scene, vertical_load, rail, wheel);
+      replace_file((whole.parent_path() / rail).string(), files.rail);
+      replace_file((whole.parent_path() / wheel).string(), files.wheel);
+      replace_file(path, files.input);
+    }
+  } // namespace
+
+
   int
-  run_halfspace_command(const Scene &scene, const std::string &contact_input_file, std::ostream &out)
+  run_halfspace_command(const Scene &scene, const ContactInputFiles &inputs, std::ostream &out)
   {
     const bool              given = distance_is_given(scene);
     const WheelRailSolution result =
       given ? solve_given_distance(scene) : solve_wheel_rail(scene, scene_load(scene), scene_offsets(scene));
-    if (!contact_input_file.empty())
-      replace_file(contact_input_file, contact_input(result.problem, scene.title));
+    if (!inputs.basic.empty())
+      replace_file(inputs.basic, contact_input(result.problem, scene.title));
+    if (!inputs.wheel_rail.empty())
+      write_wheel_rail_input(scene, result.vertical, inputs.wheel_rail);
     const Summary        figures = halfspace_summary(scene, result);
     const HalfspaceGrid &grid    = result.solution.grid;
 

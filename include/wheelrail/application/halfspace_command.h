@@ -8,12 +8,19 @@
 
 namespace wheelrail
 {
+  /// Files to write for the program CONTACT; empty: none.
+  struct ContactInputFiles
+  {
+    std::string basic;      ///< the discrete problem, for the basic module
+    std::string wheel_rail; ///< the scene, for the wheel-rail module; two profile files go beside it
+  };
+
   /// Solves the scene as two elastic half-spaces, prints the figures, and writes halfspace.h5 (one tick in
   /// the form of a run's patch.h5), summary.json, parameters.prm and pictures into
-  /// "<Output/Folder>-halfspace". With a file name, also writes the input for the program CONTACT
-  /// there. Returns the exit code. Throws InputError, RunError.
+  /// "<Output/Folder>-halfspace". Where file names are given, also writes inputs for the program CONTACT.
+  /// Returns the exit code. Throws InputError, RunError.
   int
-  run_halfspace_command(const Scene &scene, const std::string &contact_input_file, std::ostream &out);
+  run_halfspace_command(const Scene &scene, const ContactInputFiles &inputs, std::ostream &out);
 
   /// Runs a script of source/report with Debian's Python and waits for it; returns its exit code.
   /// Throws RunError when Python cannot be started.
