@@ -1,10 +1,12 @@
 // Speed of the element kernels alone: internal forces of a block of n^3 cubes, one thread. Elastic;
-// elastic-plastic with no cell, and with every cell in plastic flow. Both elements.
+// elastic-plastic with no cell, and with every cell in plastic flow. Both elements, three SIMD widths in
+// turns. Arguments: n of the blocks, 31 46 65 without.
 
 #include <wheelrail/solid/kernel.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 
 using namespace wheelrail;
@@ -58,14 +60,29 @@ namespace
     return block;
   }
 
-  /// Median time of one update [ns]. Two displacements take turns, so that in `all_yield` every cell
-  /// flows in every call.
-  double
-  nanoseconds(const Block &block, const int width, const Case kind, const ElementForm form)
+  constexpr std::array<int, 3> widths = {1, 4, 8};
+
+  /// What the kernel works on with one SIMD width.
+  struct Run
   {
-    ElementBlocks blocks = pack_elements(block.geometry, block.cells, Elasticity(), width, form);
-    if (kind != Case::elastic)
-      set_plasticity(blocks, {kind == Case::no_yield ? 1e12 : 1e3, 21e9, 1});
+    ElementBlocks       blocks;
+    std::vector<double> times; ///< of each sample [s]
+    int                 calls = 0;
+  };
+
+  /// Median times of one update [ns], one for each width. The widths take turns, so that what else the
+  /// machine does hits all of them. Two displacements take turns, too, so that in `all_yield` every cell
+  /// flows in every call.
+  std::array<double, widths.size()>
+  nanoseconds(const Block &block, const Case kind, const ElementForm form)
+  {
+    std::array<Run, widths.size()> runs;
+    for (std::size_t w = 0; w < widths.size(); ++w)
+      {
+        runs[w].blocks = pack_elements(block.geometry, block.cells, Elasticity(), widths[w], form);
+        if (kind != Case::elastic)
+          set_plasticity(runs[w].blocks, {kind == Case::no_yield ? 1e12 : 1e3, 21e9, 1});
+      }
     AlignedVector<double> u[2], f(4 * block.n_nodes, 0.);
     u[0].assign(4 * block.n_nodes, 0.);
     u[1] = u[0];
@@ -76,17 +93,24 @@ namespace
       }
     const BulkViscosity viscosity{0.06, 1e-7};
     ElementEnergy       energy;
-    const int           repeat = 500000 / block.cells.size();
-    std::vector<double> times;
-    for (int sample = 0; sample < 7; ++sample)
+    const int           repeat = std::max<int>(1, 300000 / block.cells.size());
+    for (int sample = 0; sample < 11; ++sample)
+      for (Run &run : runs)
+        {
+          const double start = cpu_seconds();
+          for (int r = 0; r < repeat; ++r)
+            subtract_internal_force(
+              run.blocks, u[run.calls++ % 2].data(), f.data(), viscosity, false, energy);
+          run.times.push_back(cpu_seconds() - start);
+        }
+    std::array<double, widths.size()> result;
+    for (std::size_t w = 0; w < widths.size(); ++w)
       {
-        const double start = cpu_seconds();
-        for (int r = 0; r < repeat; ++r)
-          subtract_internal_force(blocks, u[r % 2].data(), f.data(), viscosity, false, energy);
-        times.push_back(cpu_seconds() - start);
+        auto &times = runs[w].times;
+        std::sort(times.begin(), times.end());
+        result[w] = times[times.size() / 2] / (double(repeat) * block.cells.size()) * 1e9;
       }
-    std::sort(times.begin(), times.end());
-    return times[times.size() / 2] / (double(repeat) * block.cells.size()) * 1e9;
+    return result;
   }
 
   /// Bytes that one update moves when nothing stays in the caches but the nodes: geometry, node numbers,
@@ -101,27 +125,37 @@ namespace
     return sum;
   }
 
-  /// One line of the table.
+  /// One line of the table for each width.
   void
-  measure(const Block &block, const int width, const Case kind, const ElementForm form)
+  measure(const Block &block, const Case kind, const ElementForm form)
   {
-    const char   *names[] = {"elastic", "plastic, no yield", "plastic, all yield"};
-    const double  ns      = nanoseconds(block, width, kind, form);
-    ElementBlocks one     = pack_elements({block.geometry[0]}, {block.cells[0]}, Elasticity(), width, form);
-    std::printf("%10zu %6d %9s %20s %13.2f %11.1f %14zu\n",
-                block.cells.size(),
-                width,
-                form == ElementForm::full ? "full" : "reduced",
-                names[static_cast<int>(kind)],
-                1e3 / ns,
-                ns,
-                bytes(one, kind));
+    const char *names[] = {"elastic", "plastic, no yield", "plastic, all yield"};
+    const auto  ns      = nanoseconds(block, kind, form);
+    for (std::size_t w = 0; w < widths.size(); ++w)
+      {
+        const ElementBlocks one =
+          pack_elements({block.geometry[0]}, {block.cells[0]}, Elasticity(), widths[w], form);
+        std::printf("%10zu %6d %9s %20s %13.2f %11.1f %14zu\n",
+                    block.cells.size(),
+                    widths[w],
+                    form == ElementForm::full ? "full" : "reduced",
+                    names[static_cast<int>(kind)],
+                    1e3 / ns[w],
+                    ns[w],
+                    bytes(one, kind));
+        std::fflush(stdout);
+      }
   }
 } // namespace
 
 int
-main()
+main(int argc, char **argv)
 {
+  std::vector<unsigned int> edges;
+  for (int k = 1; k < argc; ++k)
+    edges.push_back(std::atoi(argv[k]));
+  if (edges.empty())
+    edges = {31, 46, 65};
   std::printf("%10s %6s %9s %20s %13s %11s %14s\n",
               "elements",
               "width",
@@ -130,12 +164,11 @@ main()
               "M updates/s",
               "ns/update",
               "bytes/update");
-  for (const unsigned int n : {31u, 46u, 65u})
+  for (const unsigned int n : edges)
     {
       const Block block = cubes(n);
-      for (const int width : {1, 4, 8})
-        for (const ElementForm form : {ElementForm::reduced, ElementForm::full})
-          for (const Case kind : {Case::elastic, Case::no_yield, Case::all_yield})
-            measure(block, width, kind, form);
+      for (const ElementForm form : {ElementForm::reduced, ElementForm::full})
+        for (const Case kind : {Case::elastic, Case::no_yield, Case::all_yield})
+          measure(block, kind, form);
     }
 }

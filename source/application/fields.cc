@@ -1,3 +1,4 @@
+#include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/fields.h>
 
 #include <algorithm>
@@ -118,6 +119,22 @@ namespace wheelrail
         with(n, [&](const ContactNode &c) { copy(c.slip, v); });
       });
     }
+
+    /// Plastic strain, and residual stress in the rail where its z is below `unloaded` [m].
+    void
+    add_plastic_fields(FieldBuilder              &builder,
+                       const Solid               &solid,
+                       const std::vector<double> &stress,
+                       const double               unloaded,
+                       MPI_Comm                   communicator)
+    {
+      const auto strain = nodal_plastic_strain(solid, communicator);
+      builder.field("plastic_strain", "1", 1, [&](unsigned int n, double *v) { *v = strain[n]; });
+      builder.field("residual_von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) {
+        const bool free = solid.mesh.node_body[n] == Body::rail && solid.position(n)[2] < unloaded;
+        *v              = free ? von_mises(&stress[6 * n]) : std::numeric_limits<double>::quiet_NaN();
+      });
+    }
   } // namespace
 
 
@@ -158,6 +175,7 @@ namespace wheelrail
              const Axle     &axle,
              const Contact  &contact,
              const Selection selection,
+             const double    unloaded,
              MPI_Comm        communicator)
   {
     FieldMesh    mesh;
@@ -178,9 +196,13 @@ namespace wheelrail
       mesh.points.push_back(solid.position(n));
     builder.field(
       "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
+    const bool plastic = solid.blocks[0].plastic() || solid.blocks[1].plastic();
     if (selection == Selection::surface)
       {
         add_contact_fields(builder, contact);
+        if (plastic)
+          add_plastic_fields(
+            builder, solid, nodal_stress(solid, communicator), axle.travelled() - unloaded, communicator);
         return mesh;
       }
     const auto stress = nodal_stress(solid, communicator);
@@ -191,12 +213,16 @@ namespace wheelrail
     builder.field("shear_stress_yz_xz_xy", "Pa", 3, [&](unsigned int n, double *v) {
       std::copy_n(&stress[6 * n + 3], 3, v);
     });
-    if (solid.blocks[0].plastic() || solid.blocks[1].plastic())
-      {
-        const auto strain = nodal_plastic_strain(solid, communicator);
-        builder.field("plastic_strain", "1", 1, [&](unsigned int n, double *v) { *v = strain[n]; });
-      }
+    if (plastic)
+      add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded, communicator);
     return mesh;
+  }
+
+
+  double
+  unloaded_distance(const Model &model)
+  {
+    return 4 * half_length_bound(model.expected_approach, model.geometry.rolling_radius);
   }
 
 

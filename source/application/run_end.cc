@@ -56,9 +56,8 @@ namespace wheelrail
     run.recorder.fill(summary, averaging_distance);
     summary.friction_coefficient = run.scene.friction_coefficient;
     summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
-    // the stress under the wheel fades within some patch lengths
-    const double behind = 4 * half_length_bound(model.expected_approach, model.geometry.rolling_radius);
-    const PlasticFigures plastic   = plastic_figures(model.solid, run.axle, behind, run.communicator);
+    const PlasticFigures plastic =
+      plastic_figures(model.solid, run.axle, unloaded_distance(model), run.communicator);
     summary.max_plastic_strain     = plastic.max_strain;
     summary.max_residual_von_mises = plastic.max_residual;
     for (int body = 0; body < 2; ++body)

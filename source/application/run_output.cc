@@ -42,11 +42,15 @@ namespace wheelrail
   void
   RunOutput::volume(const std::string &name)
   {
-    write_vtu(
-      field_mesh(parts_.model.solid, parts_.axle, *parts_.model.contact, Selection::all, parts_.communicator),
-      parts_.scene.folder,
-      name,
-      parts_.communicator);
+    write_vtu(field_mesh(parts_.model.solid,
+                         parts_.axle,
+                         *parts_.model.contact,
+                         Selection::all,
+                         unloaded_distance(parts_.model),
+                         parts_.communicator),
+              parts_.scene.folder,
+              name,
+              parts_.communicator);
   }
 
 
@@ -58,11 +62,15 @@ namespace wheelrail
   {
     char name[64];
     std::snprintf(name, sizeof name, "%s_%04u", kind, tick);
-    write_vtu(
-      field_mesh(parts_.model.solid, parts_.axle, *parts_.model.contact, selection, parts_.communicator),
-      parts_.scene.folder,
-      name,
-      parts_.communicator);
+    write_vtu(field_mesh(parts_.model.solid,
+                         parts_.axle,
+                         *parts_.model.contact,
+                         selection,
+                         unloaded_distance(parts_.model),
+                         parts_.communicator),
+              parts_.scene.folder,
+              name,
+              parts_.communicator);
     on_root(parts_.communicator, [&]() { series->add(parts_.rolling.time(), std::string(name) + ".vtu"); });
   }
 } // namespace wheelrail

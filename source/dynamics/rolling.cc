@@ -48,18 +48,19 @@ namespace wheelrail
       for (const unsigned int n : boundary_nodes(solid.mesh, mark))
         fixed[4 * n] = 1;
     sum_(fixed.data(), 1);
-    inverse_mass_.assign(n_nodes, 0.);
+    inertia_.resize(n_nodes);
     for (unsigned int n = 0; n < n_nodes; ++n)
       {
         const double mass = solid.mass[n] + solid.added_mass[n];
         if (solid.mass[n] > 0 && fixed[4 * n] == 0)
-          inverse_mass_[n] = 1 / mass;
-        if (solid.mesh.node_body[n] == Body::wheel && solid.mass[n] > 0)
-          wheel_nodes_.push_back(n);
+          inertia_[n].inverse_mass = 1 / mass;
+        if (solid.mesh.node_body[n] == Body::wheel && solid.mesh.owned[n])
+          inertia_[n].weight = solid.mass[n] * axle.data().gravity;
         if (solid.mesh.node_body[n] == Body::wheel && solid.mass[n] > 0 && solid.added_mass[n] > 0)
           added_nodes_.push_back(n);
       }
     support_force_.resize(added_nodes_.size());
+    start_forces(solid, inertia_);
   }
 
 
@@ -71,7 +72,6 @@ namespace wheelrail
     {
       Stopwatch           watch(timing_.elements);
       const BulkViscosity viscosity{first ? 0. : bulk_viscosity_, bulk_viscosity_ > 0 ? time_step_ : 0.};
-      std::fill(solid_.force.begin(), solid_.force.end(), 0.);
       elements_ = ElementEnergy();
       for (auto &blocks : solid_.blocks)
         subtract_internal_force(
@@ -95,11 +95,10 @@ namespace wheelrail
     // 4. loads, axle, free nodes
     Stopwatch watch(timing_.update);
     add_loads();
-    const double     kinetic_before = with_energy ? kinetic_energy() : 0;
     const AxleEnergy axle_before    = axle_.energy();
     const double     support_before = support_work_;
     axle_.step(solid_, time_step_, first);
-    update_nodes(first);
+    const double kinetic = update_nodes(first, with_energy);
     time_ += time_step_;
     ++steps_;
     const double weight = first ? 0.5 * time_step_ : time_step_;
@@ -107,16 +106,13 @@ namespace wheelrail
     friction_ += weight * sums_.friction_power;
     contact_damping_ += weight * sums_.damping_power;
     if (with_energy)
-      balance(kinetic_before, axle_before, support_before);
+      balance(kinetic, axle_before, support_before);
   }
 
 
   void
   Rolling::add_loads()
   {
-    const double g = axle_.data().gravity;
-    for (const unsigned int n : wheel_nodes_)
-      solid_.force[4 * n + 1] -= solid_.mass[n] * g;
     // the added mass is turned by a force of its own: without it, it would pull at the rim
     const Vector3 centre = axle_.data().centre + Vector3{0, axle_.height(), axle_.travelled()};
     const double  rate2  = axle_.pitch_rate() * axle_.pitch_rate();
@@ -132,31 +128,20 @@ namespace wheelrail
   }
 
 
-  void
-  Rolling::update_nodes(const bool first)
+  double
+  Rolling::update_nodes(const bool first, const bool with_energy)
   {
     const double  kick = first ? time_step_ / 2 : time_step_;
-    double       *v = solid_.velocity.data(), *u = solid_.displacement.data();
-    const double *f = solid_.force.data();
+    const double *v = solid_.velocity.data(), *f = solid_.force.data();
     // forces work with the mean of the velocities of both half steps
     for (std::size_t k = 0; k < added_nodes_.size(); ++k)
       if (const unsigned int n = added_nodes_[k]; solid_.mesh.owned[n])
         for (int i = 0; i < 3; ++i)
-          support_work_ +=
-            kick * support_force_[k][i] * (v[4 * n + i] + 0.5 * kick * f[4 * n + i] * inverse_mass_[n]);
-
-    const std::size_t n_nodes = solid_.mesh.n_nodes();
-    for (std::size_t n = 0; n < n_nodes; ++n)
-      {
-        const double factor = kick * inverse_mass_[n];
-        const double move   = factor > 0 ? time_step_ : 0.; // tied nodes are placed by the axle
-        for (int i = 0; i < 4; ++i)
-          {
-            v[4 * n + i] += factor * f[4 * n + i];
-            u[4 * n + i] += move * v[4 * n + i];
-          }
-      }
-    distribute(solid_.mesh, u);
+          support_work_ += kick * support_force_[k][i] *
+                           (v[4 * n + i] + 0.5 * kick * f[4 * n + i] * inertia_[n].inverse_mass);
+    const double kinetic = move_nodes(solid_, inertia_, kick, time_step_, with_energy);
+    distribute(solid_.mesh, solid_.displacement.data());
+    return kinetic;
   }
 
 
@@ -190,37 +175,23 @@ namespace wheelrail
   }
 
 
-  double
-  Rolling::kinetic_energy() const
-  {
-    double sum = 0;
-    for (std::size_t n = 0; n < solid_.mesh.n_nodes(); ++n)
-      if (solid_.mesh.owned[n] && inverse_mass_[n] > 0)
-        {
-          const double *v = &solid_.velocity[4 * n];
-          sum += 0.5 / inverse_mass_[n] * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-        }
-    return sum;
-  }
-
-
   void
-  Rolling::balance(const double kinetic_before, const AxleEnergy &axle_before, const double support_before)
+  Rolling::balance(const double kinetic, const AxleEnergy &axle_before, const double support_before)
   {
-    // states belong to the full step, kinetic energy and works to the half steps around it: their means
+    // states belong to the full step, energies of the axle and works to the half steps around it: their means
     const AxleEnergy axle    = axle_.energy();
-    double           sums[7] = {0.5 * (kinetic_before + kinetic_energy()),
+    double           sums[7] = {kinetic,
                                 elements_.strain,
                                 elements_.stabilisation,
                                 viscous_,
                                 0.5 * (support_before + support_work_),
                                 0,
                                 elements_.plastic_work};
-    for (const unsigned int n : wheel_nodes_)
-      if (solid_.mesh.owned[n])
+    for (std::size_t n = 0; n < inertia_.size(); ++n)
+      if (inertia_[n].weight > 0)
         // the displacement of the full step: the one after the step, taken back
-        sums[5] += solid_.mass[n] * axle_.data().gravity *
-                   (solid_.displacement[4 * n + 1] - time_step_ * solid_.velocity[4 * n + 1]);
+        sums[5] +=
+          inertia_[n].weight * (solid_.displacement[4 * n + 1] - time_step_ * solid_.velocity[4 * n + 1]);
     MPI_Allreduce(MPI_IN_PLACE, sums, 7, MPI_DOUBLE, MPI_SUM, communicator_);
     energy_.kinetic         = sums[0] + 0.5 * (axle_before.kinetic + axle.kinetic);
     energy_.strain          = sums[1];

@@ -166,7 +166,7 @@ namespace wheelrail
     for (int body = 0; body < 2; ++body)
       {
         solid.blocks[body] = pack_elements(
-          elements.geometry[body], elements.cells[body], body == 0 ? rail : wheel, native_width, forms[body]);
+          elements.geometry[body], elements.cells[body], body == 0 ? rail : wheel, kernel_width, forms[body]);
         set_plasticity(solid.blocks[body], plasticity[body]);
       }
     const std::size_t n_nodes = solid.mesh.n_nodes();

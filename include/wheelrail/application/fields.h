@@ -19,14 +19,20 @@ namespace wheelrail
   };
 
   /// Positions, displacement against the rigid motion of the body, and for cells the von Mises stress,
-  /// the stress components and, where a body may yield, the accumulated plastic strain, for surfaces the
-  /// contact tractions. Collective.
+  /// the stress components, for surfaces the contact tractions. Where a body may yield, both show the
+  /// accumulated plastic strain and the residual stress too: von Mises' equivalent of the stress in the
+  /// rail that the wheel left at least `unloaded` [m] behind, NaN elsewhere. Collective.
   FieldMesh
   field_mesh(const Solid   &solid,
              const Axle    &axle,
              const Contact &contact,
              Selection      selection,
+             double         unloaded,
              MPI_Comm       communicator);
+
+  /// How far behind the wheel its own stress has faded, some patch lengths [m].
+  double
+  unloaded_distance(const Model &model);
 
   /// What plastic flow left behind, over all ranks; NaN where there is nothing to tell.
   struct PlasticFigures

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/contact/contact.h>
+#include <wheelrail/solid/motion.h>
 #include <wheelrail/wheelset/axle.h>
 
 namespace wheelrail
@@ -8,9 +9,9 @@ namespace wheelrail
   /// The energy balance [J]. `residual` is what the parts fail to add up to since the start.
   struct EnergyBalance
   {
-    double kinetic = 0, strain = 0, stabilisation = 0, contact = 0, potential = 0; ///< states
-    double plastic = 0, viscous = 0, friction = 0, contact_damping = 0, suspension = 0;         ///< dissipated
-    double torque_work = 0, hold_work = 0, support_work = 0;                       ///< supplied
+    double kinetic = 0, strain = 0, stabilisation = 0, contact = 0, potential = 0;      ///< states
+    double plastic = 0, viscous = 0, friction = 0, contact_damping = 0, suspension = 0; ///< dissipated
+    double torque_work = 0, hold_work = 0, support_work = 0;                            ///< supplied
     double residual = 0;
     double start    = 0; ///< total at the start
     double error    = 0; ///< |residual| over strain plus dissipated energy
@@ -91,12 +92,10 @@ namespace wheelrail
   private:
     void
     add_loads();
-    void
-    update_nodes(bool first);
     double
-    kinetic_energy() const;
+    update_nodes(bool first, bool with_energy);
     void
-    balance(double kinetic_before, const AxleEnergy &axle_before, double support_before);
+    balance(double kinetic, const AxleEnergy &axle_before, double support_before);
 
     Solid                    &solid_;
     Contact                  &contact_;
@@ -104,8 +103,7 @@ namespace wheelrail
     SharedSum                 sum_;
     double                    time_step_, bulk_viscosity_;
     MPI_Comm                  communicator_;
-    AlignedVector<double>     inverse_mass_;  ///< zero at nodes that are fixed, tied or hang
-    std::vector<unsigned int> wheel_nodes_;   ///< free wheel nodes, which weigh
+    std::vector<NodeInertia>  inertia_;       ///< inverse masses zero at nodes that are fixed, tied or hang
     std::vector<unsigned int> added_nodes_;   ///< wheel nodes with bipenalty mass
     std::vector<Vector3>      support_force_; ///< on them in this step [N]
     double                    time_  = 0;

@@ -10,6 +10,11 @@
 
 namespace wheelrail
 {
+  /// Elements in a batch unless asked otherwise. Twice as many (AVX-512) are a tenth faster in the
+  /// caches, but from main memory up to a third slower: a core overlaps the loads of the next batch with
+  /// the arithmetic of this one only as far as its window reaches. See doc/element.md.
+  constexpr int kernel_width = native_width < 4 ? native_width : 4;
+
   /// Geometry of one hexahedron, all in the reference configuration.
   ///
   /// For the form `full` the vertices would do. The one-point part of `reduced` is the uniform-gradient
@@ -48,7 +53,7 @@ namespace wheelrail
     static constexpr int fields = 24 + 1 + 12 + 9 + 3 + 1;
 
     ElementForm                  form  = ElementForm::reduced;
-    int                          width = native_width;
+    int                          width = kernel_width;
     int                          rows  = fields;
     Elasticity                   material;
     Plasticity                   plasticity;
@@ -112,7 +117,7 @@ namespace wheelrail
   pack_elements(const std::vector<ElementGeometry>             &geometry,
                 const std::vector<std::array<unsigned int, 8>> &cells,
                 const Elasticity                               &material,
-                int                                             width = native_width,
+                int                                             width = kernel_width,
                 ElementForm                                     form  = ElementForm::reduced);
 
   /// Gives packed elements of any form a yield stress and a history of zeros; nothing happens when

@@ -13,7 +13,7 @@ namespace wheelrail
   pack_full_elements(const std::vector<ElementGeometry>             &geometry,
                      const std::vector<std::array<unsigned int, 8>> &cells,
                      const Elasticity                               &material,
-                     int                                             width = native_width);
+                     int                                             width = kernel_width);
 
   /// As subtract_internal_force, for elements packed by pack_full_elements. The strain energy is that
   /// of the eight points; there is no stabilisation.

@@ -1,0 +1,67 @@
+#include <wheelrail/solid/lanes.h>
+#include <wheelrail/solid/motion.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    Four
+    resting_force(const NodeInertia &inertia)
+    {
+      return Four{0, -inertia.weight, 0, 0};
+    }
+
+    /// `before`: whether the kinetic energy is that of the velocities before the kick.
+    template <bool with_energy>
+    double
+    pass(Solid                          &solid,
+         const std::vector<NodeInertia> &inertia,
+         const double                    kick,
+         const double                    time_step,
+         const bool                      before)
+    {
+      Four             *v       = reinterpret_cast<Four *>(solid.velocity.data());
+      Four             *u       = reinterpret_cast<Four *>(solid.displacement.data());
+      Four             *f       = reinterpret_cast<Four *>(solid.force.data());
+      const std::size_t n_nodes = inertia.size();
+      double            kinetic = 0;
+      for (std::size_t n = 0; n < n_nodes; ++n)
+        {
+          const double inverse = inertia[n].inverse_mass;
+          const Four   old     = v[n];
+          const Four   now     = old + (kick * inverse) * f[n];
+          v[n]                 = now;
+          u[n] += (inverse > 0 ? time_step : 0.) * now; // tied nodes are placed by the axle
+          f[n] = resting_force(inertia[n]);
+          if constexpr (with_energy)
+            if (inverse > 0 && solid.mesh.owned[n])
+              {
+                const Four product = old * (before ? old : now);
+                kinetic += 0.5 / inverse * (product[0] + product[1] + product[2]);
+              }
+        }
+      return kinetic;
+    }
+  } // namespace
+
+
+  void
+  start_forces(Solid &solid, const std::vector<NodeInertia> &inertia)
+  {
+    Four *f = reinterpret_cast<Four *>(solid.force.data());
+    for (std::size_t n = 0; n < inertia.size(); ++n)
+      f[n] = resting_force(inertia[n]);
+  }
+
+
+  double
+  move_nodes(Solid                          &solid,
+             const std::vector<NodeInertia> &inertia,
+             const double                    kick,
+             const double                    time_step,
+             const bool                      with_energy)
+  {
+    return with_energy ? pass<true>(solid, inertia, kick, time_step, kick < time_step)
+                       : pass<false>(solid, inertia, kick, time_step, false);
+  }
+} // namespace wheelrail

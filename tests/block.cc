@@ -1,0 +1,170 @@
+// A block of cubes: exact waves, energy of central differences, equal answers on any number of ranks, its
+// reader. ranks: 1 2
+
+#include "check.h"
+#include "scenes/block_motion.h"
+
+#include <wheelrail/base/errors.h>
+
+#include <cmath>
+#include <fstream>
+
+using namespace scenes;
+using wheelrail::ElementForm;
+
+namespace
+{
+  /// Largest error of the pressed face over its largest displacement, until the reflected wave is back.
+  double
+  wave_error(const BlockScene &scene, const ElementForm form)
+  {
+    BlockMotion  block(scene, form, 0.06, MPI_COMM_WORLD);
+    const double back  = 2 * (scene.high[0] - scene.low[0]) / scene.material.wave_speed();
+    double       worst = 0, largest = 0;
+    for (double time = scene.time_step; time < back; time += scene.time_step)
+      {
+        block.step();
+        worst   = std::max(worst, std::abs(block.face_displacement() - exact_face(scene, time)));
+        largest = exact_face(scene, time);
+      }
+    return worst / largest;
+  }
+
+  void
+  waves()
+  {
+    for (const auto form : {ElementForm::reduced, ElementForm::full})
+      {
+        const std::string name    = form == ElementForm::full ? "full: " : "reduced: ";
+        BlockScene        elastic = block_of_cubes(16, 1e-3, 1e8, 0.9, 0);
+        test::check_near(wave_error(elastic, form), 0, 0.02, name + "face under pressure, elastic wave");
+        BlockScene plastic = block_of_cubes(16, 1e-3, 1e9, 0.9, 0);
+        plastic.plasticity = {280e6, 21e9, 0};
+        test::check_near(wave_error(plastic, form), 0, 0.03, name + "face under pressure, two waves");
+        const double ratio =
+          exact_face(plastic, 1e-6) / (10 * exact_face(elastic, 1e-6)); // the plastic wave pushes more
+        test::check(ratio > 1.1, name + "the plastic face is faster than the elastic one");
+      }
+  }
+
+  /// A free block that shakes at random, cell against cell. The strain energy belongs to the start of a step.
+  void
+  energy_of_shaking()
+  {
+    BlockScene                          scene = block_of_cubes(6, 1e-3, 0, 0.9, 0);
+    BlockMotion                         block(scene, ElementForm::reduced, 0, MPI_COMM_SELF);
+    Solid                              &solid = block.solid;
+    std::vector<wheelrail::NodeInertia> inertia(solid.mesh.n_nodes());
+    for (unsigned int n = 0; n < inertia.size(); ++n)
+      {
+        inertia[n].inverse_mass = 1 / solid.mass[n];
+        for (int i = 0; i < 3; ++i)
+          solid.velocity[4 * n + i] = 1e-3 * (((3 * n + i) * 2654435761u >> 8) * 0x1p-23 - 1); // linear
+      }
+    double start = 0, worst = 0, squares = 0;
+    for (int k = 0; k < 300; ++k)
+      {
+        wheelrail::ElementEnergy energy;
+        subtract_internal_force(
+          solid.blocks[0], solid.displacement.data(), solid.force.data(), {}, true, energy);
+        const double kick    = k == 0 ? scene.time_step / 2 : scene.time_step;
+        const auto   before  = solid.velocity;
+        const double kinetic = move_nodes(solid, inertia, kick, scene.time_step, true);
+        const double total   = kinetic + energy.strain + energy.stabilisation;
+        double       mean    = 0;
+        for (unsigned int n = 0; n < inertia.size(); ++n)
+          for (int i = 0; i < 3; ++i)
+            mean += 0.25 * solid.mass[n] *
+                    (std::pow(before[4 * n + i], 2) + std::pow(solid.velocity[4 * n + i], 2));
+        start   = k == 0 ? total : start;
+        worst   = std::max(worst, std::abs(total - start) / start);
+        squares = std::max(squares, std::abs(mean + energy.strain + energy.stabilisation - start) / start);
+      }
+    test::check_near(worst, 0, 1e-6, "a shaking block keeps its energy");
+    test::check(squares > 0.01, "the mean of the squares would not");
+  }
+
+  /// All ranks together move as one does alone.
+  void
+  ranks_agree()
+  {
+    BlockScene scene = block_of_cubes(7, 1e-3, 1e9, 0.9, 0);
+    scene.plasticity = {280e6, 21e9, 0};
+    BlockMotion all(scene, ElementForm::reduced, 0.06, MPI_COMM_WORLD);
+    BlockMotion one(scene, ElementForm::reduced, 0.06, MPI_COMM_SELF);
+    for (int k = 0; k < 40; ++k)
+      {
+        all.step();
+        one.step();
+      }
+    std::vector<double> alone(one.solid.displacement.size());
+    for (unsigned int n = 0; n < one.solid.mesh.n_nodes(); ++n)
+      for (int i = 0; i < 3; ++i)
+        alone[4 * one.solid.mesh.global_node[n] + i] = one.solid.displacement[4 * n + i];
+    double worst = 0, largest = 0;
+    for (unsigned int n = 0; n < all.solid.mesh.n_nodes(); ++n)
+      for (int i = 0; i < 3; ++i)
+        {
+          const double other = alone[4 * all.solid.mesh.global_node[n] + i];
+          worst              = std::max(worst, std::abs(all.solid.displacement[4 * n + i] - other));
+          largest            = std::max(largest, std::abs(other));
+        }
+    test::check_near(worst / largest, 0, 1e-10, "ranks move the block as one rank does");
+  }
+
+  /// Whether reading this mesh is refused with a text that names `what`.
+  bool
+  refused(const std::string &path, const std::string &mesh, const std::string &what)
+  {
+    std::ofstream(path + ".msh") << mesh;
+    try
+      {
+        read_block(path);
+      }
+    catch (const wheelrail::InputError &problem)
+      {
+        return std::string(problem.what()).find(what) != std::string::npos;
+      }
+    return false;
+  }
+
+  void
+  reader()
+  {
+    int rank;
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    const std::string path = "block_scene_" + std::to_string(rank);
+    const std::string mesh =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 1 1 0\n5 0 0 1\n6 1 0 "
+      "1\n"
+      "7 0 1 1\n8 1 1 1\n$EndNodes\n$Elements\n2\n1 3 2 1 1 1 5 7 3\n2 5 2 1 1 1 2 4 3 5 6 8 "
+      "7\n$EndElements\n";
+    std::ofstream(path + ".msh") << mesh;
+    std::ofstream(path + ".json") << R"({"E": 2e11, "nu": 0.25, "rho": 8000, "sigma_y": 3e8, "E_t": 2e10,
+      "material": "plastic", "pressure": 5e8, "dt": 1e-7, "steps": 200.00000000000003})";
+    const BlockScene scene = read_block(path);
+    test::check(scene.mesh.cells.size() == 1 && scene.mesh.n_nodes() == 8, "one hexahedron is read");
+    bool lexicographic = true;
+    for (unsigned int a = 0; a < 8; ++a)
+      lexicographic = lexicographic && scene.mesh.cells[0][a] == a;
+    test::check(lexicographic, "its corners are in lexicographic order");
+    test::check(scene.steps == 200 && scene.plasticity.yield_stress == 3e8 && scene.material.density == 8000,
+                "its figures are read");
+    test::check(refused(path, mesh.substr(0, 60), "block_scene"), "a mesh that ends early is refused");
+    test::check(refused(path, "$Elements\n", "$Nodes"), "a mesh without nodes is refused");
+    std::string other = mesh;
+    other.replace(other.find("1 3 2 1 1"), 9, "1 2 2 1 1");
+    test::check(refused(path, other, "kind 2"), "triangles are refused");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Program program(argc, argv);
+  waves();
+  energy_of_shaking();
+  ranks_agree();
+  reader();
+  return test::report();
+}
