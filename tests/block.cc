@@ -1,5 +1,7 @@
-// A block of cubes: exact waves, energy of central differences, equal answers on any number of ranks, its
-// reader. ranks: 1 2
+// ranks: 1 2
+
+// A block of cubes: exact waves, energy of central differences, equal answers on any number of ranks, and
+// the reader of such scenes.
 
 #include "check.h"
 #include "scenes/block_motion.h"
