@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 
 import page
 import patch_pictures
+import plastic_pictures
 import history_pictures
 import run_data
 
@@ -31,7 +32,7 @@ def main(arguments):
     options = parse_arguments(arguments)
     try:
         run = run_data.load(options.folder, options.tick)
-        pictures = patch_pictures.draw_all(run) + history_pictures.draw_all(run)
+        pictures = patch_pictures.draw_all(run) + history_pictures.draw_all(run) + plastic_pictures.draw_all(run)
         path = page.write(run, pictures)
     except (run_data.ReportError, OSError) as error:
         print(error, file=sys.stderr)
