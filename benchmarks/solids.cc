@@ -4,6 +4,7 @@
 
 #include "scenes/ball_impact.h"
 #include "scenes/pulse.h"
+#include "scenes/shapes.h"
 #include "scenes/vessel.h"
 
 #include <chrono>

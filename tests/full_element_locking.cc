@@ -4,7 +4,7 @@
 #include <wheelrail/solid/element_blocks.h>
 
 #include "check.h"
-#include "scenes/meshes.h"
+#include "scenes/shapes.h"
 
 using namespace wheelrail;
 using namespace test;

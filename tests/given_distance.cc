@@ -18,8 +18,6 @@ using test::message_of;
 
 namespace
 {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "wheelrail-given-distance";
-
   Scene
   hertz_scene()
   {
@@ -72,8 +70,7 @@ namespace
   std::string
   file_of(const std::string &text)
   {
-    std::filesystem::create_directories(folder);
-    const std::string path = (folder / "distance.txt").string();
+    const std::string path = "distance.txt"; // in the folder of this test
     std::ofstream(path) << text;
     return path;
   }
@@ -118,7 +115,7 @@ namespace
   void
   faulty_files()
   {
-    const std::string nothing = (folder / "nothing.txt").string();
+    const std::string nothing = "nothing.txt";
     check_text(message_of([&]() { read_distance_file(nothing); }),
                nothing + ": the file cannot be read; rows x, y, distance in mm are needed",
                "no file");
@@ -142,6 +139,6 @@ main()
   hertz();
   file();
   faulty_files();
-  std::filesystem::remove_all(folder);
+  std::filesystem::remove("distance.txt");
   return test::report();
 }

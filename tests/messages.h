@@ -7,6 +7,7 @@
 #include <wheelrail/application/parameters.h>
 #include <wheelrail/base/errors.h>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -42,9 +43,9 @@ namespace test
   inline void
   check_unreadable(const std::function<void(const std::string &)> &read)
   {
-    char name[] = "/tmp/wheelrail-unreadable-XXXXXX";
-    close(mkstemp(name));
-    chmod(name, 0);
+    const std::string name = "unreadable.txt";
+    unlink(name.c_str());
+    close(creat(name.c_str(), 0));
     const bool  root = geteuid() == 0;
     std::string found;
     if (root && seteuid(65534) != 0)
@@ -55,10 +56,9 @@ namespace test
         found = message_of([&]() { read(name); });
         if (root && seteuid(0) != 0)
           std::abort();
-        check_text(
-          found, name + std::string(": cannot be read; check its permissions"), "an unreadable file");
+        check_text(found, name + ": cannot be read; check its permissions", "an unreadable file");
       }
-    unlink(name);
+    unlink(name.c_str());
   }
 
   inline void

@@ -19,21 +19,13 @@ import time
 import h5py
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
+from checks import SMALL_SCENE, check, finish
+
 PROGRAM, MPIEXEC = sys.argv[1:3]
 SKIPPED = 77
 
 # the rolling scene in a size for tests, which saves its state often
-SCENE = """
-set Title = small
-subsection Track
-  set Rail length = 300 mm
-end
-subsection Mesh
-  set Solution cell size = 4 mm
-  set Coarse cell size = 16 mm
-  set Fine depth = 8 mm
-  set Fine margin = 8 mm
-end
+SCENE = "set Title = small\n" + SMALL_SCENE + """
 subsection Run
   set Rolling distance = 6 mm
   set Averaging distance = 2 mm
@@ -47,15 +39,6 @@ end
 FIGURES = """normal_force_N longitudinal_force_N lateral_force_N max_pressure_Pa contact_area_m2 patch_lateral_m
     max_shear_traction_Pa stick_fraction creepage max_von_mises_Pa rolled_distance_m time_steps energy_error
     relative_roll_rad normal_force_std_N""".split()
-
-failures = 0
-
-
-def check(condition, text):
-    global failures
-    failures += not condition
-    print("ok      " if condition else "FAILED  ", text, sep="", flush=True)
-
 
 def skip(reason):
     print("skipped: " + reason, flush=True)
@@ -358,5 +341,4 @@ if __name__ == "__main__":
     tests = dict(interrupt=interrupt, resume=resume, limit=limit, disk=disk, rights=rights, kills=kills, ranks=ranks)
     arguments = [os.path.join(sys.argv[4], "base")] if len(sys.argv) > 4 else []
     tests[sys.argv[3]](*arguments)
-    print("all checks passed" if failures == 0 else f"{failures} checks FAILED")
-    sys.exit(1 if failures else 0)
+    finish()

@@ -14,14 +14,10 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
+from checks import check, finish
+
+
 FOLDER = sys.argv[1]
-failures = 0
-
-
-def check(condition, text):
-    global failures
-    failures += not condition
-    print("ok      " if condition else "FAILED  ", text, sep="", flush=True)
 
 
 def path(name):
@@ -168,5 +164,4 @@ if __name__ == "__main__":
         check_patch(patches, figures)
         check_vtu(figures, patches)
         check_slices(patches, figures)
-    print("all checks passed" if failures == 0 else f"{failures} checks FAILED")
-    sys.exit(1 if failures else 0)
+    finish()

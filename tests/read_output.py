@@ -13,13 +13,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-failures = 0
-
-
-def check(condition, text):
-    global failures
-    failures += not condition
-    print("ok      " if condition else "FAILED  ", text, sep="", flush=True)
+from checks import check, finish
 
 
 def read_vtu(path):
@@ -105,4 +99,4 @@ def check_summary(folder):
 check_vtu(sys.argv[1], int(sys.argv[2]))
 check_hdf5(sys.argv[1])
 check_summary(sys.argv[1])
-sys.exit(failures > 0)
+finish()

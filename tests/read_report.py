@@ -9,13 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-failures = 0
-
-
-def check(condition, text):
-    global failures
-    failures += not condition
-    print("ok      " if condition else "FAILED  ", text, sep="", flush=True)
+from checks import check, finish
 
 
 def report(script, *arguments):
@@ -50,4 +44,4 @@ with tempfile.TemporaryDirectory() as empty:
     with open(os.path.join(empty, "patch.h5"), "w", encoding="utf-8") as file:
         file.write("no HDF5")
     check_sentence(report(script, empty), "patch.h5", "cannot be read as HDF5")
-sys.exit(failures > 0)
+finish()

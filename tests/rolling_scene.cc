@@ -4,9 +4,9 @@
 // same figures on any number of ranks.
 
 #include <wheelrail/application/model.h>
+#include <wheelrail/application/run_start.h>
 #include <wheelrail/dynamics/rolling.h>
 #include <wheelrail/dynamics/rolling_velocities.h>
-#include <wheelrail/dynamics/static_start.h>
 
 #include "parallel.h"
 #include "small_scene.h"
@@ -35,16 +35,10 @@ namespace
   Run
   roll(const Scene &scene, MPI_Comm communicator)
   {
-    Run         run;
-    Model       model = make_model(scene, communicator);
-    StaticLoads loads;
-    loads.axle                 = model.axle;
-    loads.rolling_radius       = model.geometry.rolling_radius;
-    loads.traction_coefficient = scene.traction_coefficient;
-    loads.rate_held            = scene.drive == Drive::rate;
-    loads.creepage             = scene.creepage;
-    loads.first_approach       = model.expected_approach;
-    run.wheel_load             = model.wheel_load;
+    Run               run;
+    Model             model = make_model(scene, communicator);
+    const StaticLoads loads = static_loads(scene, model);
+    run.wheel_load          = model.wheel_load;
     run.start = static_start(*model.forest, model.solid, *model.contact, loads, [](const std::string &) {});
     const double rate = scene.velocity / loads.rolling_radius * (1 + run.start.creepage);
     rolling_velocities(model.solid, model.axle, rate, communicator);

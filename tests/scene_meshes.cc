@@ -1,6 +1,7 @@
 // The meshes of the idealised scenes: volumes, masses, surfaces and hanging nodes.
 
 #include "scenes/dynamics.h"
+#include "scenes/shapes.h"
 
 #include "check.h"
 

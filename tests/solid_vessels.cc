@@ -1,6 +1,7 @@
 // Thick cylinder and thick sphere under internal pressure, loaded beyond yield and unloaded, without
 // hardening: plastic front, displacement, stresses under load and residual stresses.
 
+#include "scenes/shapes.h"
 #include "scenes/vessel.h"
 
 #include "check.h"

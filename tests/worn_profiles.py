@@ -13,6 +13,8 @@ import re
 import subprocess
 import sys
 
+from checks import SMALL_SCENE, check, finish
+
 PROGRAM, MPIEXEC, WHAT = sys.argv[1:4]
 FILES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "profiles")
 WHEEL = os.path.join(FILES, "worn_S1002_metres.txt")
@@ -24,15 +26,7 @@ subsection Profiles
   set Wheel = {WHEEL}
   set Rail = {RAIL}
 end
-subsection Track
-  set Rail length = 300 mm
-end
-subsection Mesh
-  set Solution cell size = 4 mm
-  set Coarse cell size = 16 mm
-  set Fine depth = 8 mm
-  set Fine margin = 8 mm
-end
+{SMALL_SCENE}
 subsection Run
   set Rolling distance = 3 mm
   set Averaging distance = 2 mm
@@ -64,15 +58,6 @@ DONE = {
         r"origin of the file kept: top at y = -0\.\d* mm of 54E1",
         r"joined to the sides of 54E1 21\.8 mm \(field side\) and 30 mm \(gauge side\) below its top; below that it is "
         r"the body"]}
-
-failures = 0
-
-
-def check(condition, text):
-    global failures
-    failures += not condition
-    print("ok      " if condition else "FAILED  ", text, sep="", flush=True)
-
 
 def check_near(value, expected, tolerance, text):
     check(abs(value - expected) <= tolerance, f"{text}: {value:.6g}, expected {expected:.6g}, tolerance {tolerance:.2g}")
@@ -160,5 +145,4 @@ if WHAT == "geometry":
     geometry()
 else:
     run(int(sys.argv[4]), *sys.argv[5:6])
-print("all checks passed" if failures == 0 else f"{failures} checks FAILED")
-sys.exit(1 if failures else 0)
+finish()

@@ -8,19 +8,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Appends a line of numbers (up to nine digits each) and what they are.
-    void
-    add_line(std::string &text, const std::vector<double> &numbers, const std::string &names = "")
-    {
-      for (const double number : numbers)
-        {
-          char word[32];
-          std::snprintf(word, sizeof(word), " %.9g", number);
-          text += word;
-        }
-      text += (names.empty() ? "" : "   " + names) + "\n";
-    }
-
     /// A field with `per_line` elements in a line.
     void
     add_field(std::string                                    &text,
@@ -35,10 +22,33 @@ namespace wheelrail
           for (int k = e; k < std::min(e + per_line, grid.size()); ++k)
             for (const auto *field : fields)
               numbers.push_back(factor * (*field)[k]);
-          add_line(text, numbers);
+          text += contact_line(numbers);
         }
     }
   } // namespace
+
+
+  std::string
+  contact_line(const std::vector<double> &numbers, const std::string &names, const int digits)
+  {
+    std::string text;
+    for (const double number : numbers)
+      {
+        char word[32];
+        std::snprintf(word, sizeof(word), " %.*g", digits, number);
+        text += word;
+      }
+    return text + (names.empty() ? "" : "   " + names) + "\n";
+  }
+
+
+  std::string
+  contact_head(const std::string &title, const std::string &about)
+  {
+    std::string plain_title = title;
+    std::replace(plain_title.begin(), plain_title.end(), '\n', ' ');
+    return "% " + plain_title + "\n% input of CONTACT, revision 2707, " + about + "\n";
+  }
 
 
   std::string
@@ -51,38 +61,34 @@ namespace wheelrail
     const double         mu       = problem.friction.static_coefficient;
     const bool           alike    = problem.body1.shear_modulus == problem.body2.shear_modulus &&
                        problem.body1.poisson_ratio == problem.body2.poisson_ratio;
-    std::string plain_title = title;
-    std::replace(plain_title.begin(), plain_title.end(), '\n', ' ');
 
-    std::string text =
-      "% " + plain_title + "\n% input of CONTACT, revision 2707, basic module; mm, N, MPa\n 3 MODULE\n";
+    std::string text = contact_head(title, "basic module; mm, N, MPa") + " 3 MODULE\n";
     text +=
       std::string(" 203") + "1" + (problem.longitudinal_force_given ? "1" : "0") + "0     P-B-T-N-F-S\n";
     text += std::string(" 02202") + (has_slip ? "9" : "0") + "     L-D-C-M-Z-E\n 0001211     H-G-I-A-O-W-R\n";
-    add_line(text, {999, 200, 50, alike ? 1. : 20., 1e-6}, "MAXGS, MAXIN, MAXNR, MAXOUT, EPS");
+    text += contact_line({999, 200, 50, alike ? 1. : 20., 1e-6}, "MAXGS, MAXIN, MAXNR, MAXOUT, EPS");
     // a force is given over the friction limit, a creepage as it is
     const double along =
       problem.longitudinal_force_given ? problem.fx / (mu * problem.normal_force) : problem.xi;
-    add_line(text, {problem.normal_force, along, problem.eta, 1e-3 * problem.phi}, "FN, CKSI/FX, CETA, CPHI");
-    add_line(text, {mu, mu}, "FSTAT, FKIN");
+    text +=
+      contact_line({problem.normal_force, along, problem.eta, 1e-3 * problem.phi}, "FN, CKSI/FX, CETA, CPHI");
+    text += contact_line({mu, mu}, "FSTAT, FKIN");
     text += " 0d";
-    add_line(
-      text, {1e3 * (problem.step > 0 ? problem.step : grid.dx), 1e3 * problem.velocity}, "CHI, DQ, VELOC");
-    add_line(text,
-             {problem.body1.poisson_ratio,
-              problem.body2.poisson_ratio,
-              1e-6 * problem.body1.shear_modulus,
-              1e-6 * problem.body2.shear_modulus},
-             "POISS 1,2, GG 1,2");
+    text += contact_line({1e3 * (problem.step > 0 ? problem.step : grid.dx), 1e3 * problem.velocity},
+                         "CHI, DQ, VELOC");
+    text += contact_line({problem.body1.poisson_ratio,
+                          problem.body2.poisson_ratio,
+                          1e-6 * problem.body1.shear_modulus,
+                          1e-6 * problem.body2.shear_modulus},
+                         "POISS 1,2, GG 1,2");
     text += " 1   IPOTCN\n";
-    add_line(text,
-             {double(grid.mx),
-              double(grid.my),
-              1e3 * (grid.x0 - 0.5 * grid.dx),
-              1e3 * (grid.y0 - 0.5 * grid.dy),
-              1e3 * grid.dx,
-              1e3 * grid.dy},
-             "MX,MY,XL,YL,DX,DY");
+    text += contact_line({double(grid.mx),
+                          double(grid.my),
+                          1e3 * (grid.x0 - 0.5 * grid.dx),
+                          1e3 * (grid.y0 - 0.5 * grid.dy),
+                          1e3 * grid.dx,
+                          1e3 * grid.dy},
+                         "MX,MY,XL,YL,DX,DY");
     text += " 9 1   IBASE, IPLAN: undeformed distance of every element\n";
     add_field(text, grid, {&problem.undeformed_distance}, 1e3);
     if (has_slip)

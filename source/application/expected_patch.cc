@@ -18,6 +18,13 @@ namespace wheelrail
 
 
   double
+  contact_modulus(const Scene &scene)
+  {
+    return 1 / (plane_compliance(scene.rail_material) + plane_compliance(scene.wheel_material));
+  }
+
+
+  double
   expected_load(const Scene &scene)
   {
     constexpr double usual_wheel = 320;
@@ -28,9 +35,7 @@ namespace wheelrail
   double
   expected_approach(const Scene &scene, const double rolling_radius)
   {
-    const double modulus =
-      2 / (plane_compliance(scene.rail_material) + plane_compliance(scene.wheel_material));
-    return 1e-4 * std::pow(expected_load(scene) / 1e5 * 230.8e9 / modulus, 2. / 3) *
+    return 1e-4 * std::pow(expected_load(scene) / 1e5 * 115.4e9 / contact_modulus(scene), 2. / 3) *
            std::pow(0.46 / rolling_radius, 1. / 3);
   }
 

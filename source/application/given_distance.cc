@@ -1,4 +1,5 @@
 #include <wheelrail/application/distance_file.h>
+#include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/given_distance.h>
 #include <wheelrail/application/halfspace_parts.h>
 #include <wheelrail/base/errors.h>
@@ -58,16 +59,6 @@ namespace wheelrail
       return surfaces;
     }
 
-    /// E* of Hertz's theory [Pa].
-    double
-    hertz_modulus(const Scene &scene)
-    {
-      const auto compliance = [](const MaterialData &m) {
-        return (1 - m.poissons_ratio * m.poissons_ratio) / m.youngs_modulus;
-      };
-      return 1 / (compliance(scene.rail_material) + compliance(scene.wheel_material));
-    }
-
     /// A grid over the places whose distance is below the lowest plus `approach`, with two elements around,
     /// within what is known.
     HalfspaceGrid
@@ -109,22 +100,19 @@ namespace wheelrail
                          HalfspaceProblem    &problem,
                          int                 &enlargements)
     {
-      const double E = hertz_modulus(scene), R = std::sqrt(surfaces.radius_along * surfaces.radius_across);
-      double approach = problem.force_given ? std::cbrt(9 * std::pow(problem.normal_force / E, 2) / (16 * R))
-                                            : problem.approach;
-      for (enlargements = 0;; ++enlargements, approach *= 1.5)
-        {
-          problem.grid = grid_below(surfaces, approach, scene.halfspace_element_size);
-          problem.undeformed_distance.clear();
-          for (int j = 0; j < problem.grid.my; ++j)
-            for (int i = 0; i < problem.grid.mx; ++i)
-              problem.undeformed_distance.push_back(surfaces.distance(problem.grid.x(i), problem.grid.y(j)) -
-                                                    surfaces.lowest);
-          problem.motion                   = HalfspaceMotion::none;
-          const HalfspaceSolution solution = solve_rolling(problem);
-          if (!solution.touches_grid_edge || enlargements == 8)
-            return solution;
-        }
+      const double E = contact_modulus(scene), R = std::sqrt(surfaces.radius_along * surfaces.radius_across);
+      const double approach = problem.force_given
+                                ? std::cbrt(9 * std::pow(problem.normal_force / E, 2) / (16 * R))
+                                : problem.approach;
+      const auto   lay_grid = [&](const double reached) {
+        problem.grid = grid_below(surfaces, reached, scene.halfspace_element_size);
+        problem.undeformed_distance.clear();
+        for (int j = 0; j < problem.grid.my; ++j)
+          for (int i = 0; i < problem.grid.mx; ++i)
+            problem.undeformed_distance.push_back(surfaces.distance(problem.grid.x(i), problem.grid.y(j)) -
+                                                  surfaces.lowest);
+      };
+      return solve_on_growing_grid(problem, approach, 8, lay_grid, enlargements);
     }
   } // namespace
 
@@ -147,10 +135,7 @@ namespace wheelrail
     const GivenSurfaces surfaces = surfaces_of(scene);
     WheelRailSolution   result;
     HalfspaceProblem   &problem = result.problem;
-    problem.body1               = halfspace_body(scene.rail_material);
-    problem.body2               = halfspace_body(scene.wheel_material);
-    problem.friction            = halfspace_friction(scene);
-    problem.velocity            = scene.velocity;
+    problem                     = halfspace_problem(scene);
     problem.force_given         = scene.halfspace_approach == 0;
     problem.approach            = scene.halfspace_approach;
     if (problem.force_given)

@@ -176,17 +176,13 @@ namespace wheelrail
     HalfspaceSolution
     solve_pressure(const Scene &scene, const Sections &sections, HalfspaceProblem &problem, int &enlargements)
     {
-      double approach = 0.75 * expected_approach(scene, sections.geometry.rolling_radius) *
-                        std::pow(std::max(1., problem.normal_force / expected_load(scene)), 2. / 3);
-      for (enlargements = 0;; ++enlargements, approach *= 1.5)
-        {
-          problem.grid = grid_for(sections, approach, scene.halfspace_element_size);
-          set_distance(scene, sections, problem);
-          problem.motion                   = HalfspaceMotion::none;
-          const HalfspaceSolution solution = solve_rolling(problem);
-          if (!solution.touches_grid_edge || enlargements == 6)
-            return solution;
-        }
+      const double approach = 0.75 * expected_approach(scene, sections.geometry.rolling_radius) *
+                              std::pow(std::max(1., problem.normal_force / expected_load(scene)), 2. / 3);
+      const auto lay_grid = [&](const double reached) {
+        problem.grid = grid_for(sections, reached, scene.halfspace_element_size);
+        set_distance(scene, sections, problem);
+      };
+      return solve_on_growing_grid(problem, approach, 6, lay_grid, enlargements);
     }
   } // namespace
 
@@ -248,12 +244,8 @@ namespace wheelrail
       scene,
       find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll),
       offsets);
-    HalfspaceProblem problem;
-    problem.body1        = halfspace_body(scene.rail_material);
-    problem.body2        = halfspace_body(scene.wheel_material);
-    problem.friction     = halfspace_friction(scene);
-    problem.velocity     = scene.velocity;
-    problem.normal_force = load.force;
+    HalfspaceProblem problem = halfspace_problem(scene);
+    problem.normal_force     = load.force;
 
     WheelRailSolution   result;
     const PressureMeans means =

@@ -1,7 +1,6 @@
 #include <wheelrail/application/halfspace_entries.h>
-#include <wheelrail/application/scene_profiles.h>
+#include <wheelrail/application/profile_entries.h>
 #include <wheelrail/application/special_entries.h>
-#include <wheelrail/base/errors.h>
 
 namespace wheelrail
 {
@@ -11,32 +10,21 @@ namespace wheelrail
     using B = Bounds;
     using S = Scene;
 
-    Entry
-    distance_entry()
-    {
-      Entry entry    = text_entry({"Half-space",
-                                   "Undeformed distance",
-                                   "profiles",
-                                   "Distance of the surfaces before they deform, for the command halfspace. "
-                                      "profiles: of wheel and rail; hertz: "
-                                      "x^2/(2 Radius along) + y^2/(2 Radius across); a file: rows x, y, distance "
-                                      "in mm on a regular grid."},
-                               field(&S::halfspace_distance));
-      entry.accepted = "profiles, hertz, or a file (with its ending, such as distance.txt)";
-      const auto set = entry.set;
-      entry.set      = [set, accepted = entry.accepted](Scene &scene, const std::string &text) {
-        if (text != "profiles" && text != "hertz" && !is_profile_file(text))
-          throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");
-        set(scene, text);
-      };
-      return entry;
-    }
-
     /// Of problems whose distance is not that of the profiles.
     void
     add_given_distance(std::vector<Entry> &list)
     {
-      list.push_back(distance_entry());
+      list.push_back(name_or_file_entry({"Half-space",
+                                         "Undeformed distance",
+                                         "profiles",
+                                         "Distance of the surfaces before they deform, for the command "
+                                         "halfspace. profiles: of wheel and rail; "
+                                         "hertz: x^2/(2 Radius along) + y^2/(2 Radius across); a file: rows "
+                                         "x, y, distance in mm on a regular "
+                                         "grid."},
+                                        {"profiles", "hertz"},
+                                        "a file (with its ending, such as distance.txt)",
+                                        field(&S::halfspace_distance)));
       list.push_back(
         length_entry({"Half-space",
                       "Radius along",

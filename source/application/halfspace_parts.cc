@@ -2,29 +2,62 @@
 
 namespace wheelrail
 {
-  HalfspaceBody
-  halfspace_body(const MaterialData &material)
+  namespace
   {
-    return {material.youngs_modulus / (2 * (1 + material.poissons_ratio)), material.poissons_ratio};
+    HalfspaceBody
+    halfspace_body(const MaterialData &material)
+    {
+      return {material.youngs_modulus / (2 * (1 + material.poissons_ratio)), material.poissons_ratio};
+    }
+
+    HalfspaceFriction
+    halfspace_friction(const Scene &scene)
+    {
+      HalfspaceFriction friction;
+      friction.static_coefficient  = scene.friction_coefficient;
+      friction.kinetic_coefficient = scene.dynamic_friction_coefficient;
+      if (scene.friction_law == FrictionKind::exponential && scene.friction_decay > 0)
+        {
+          friction.law            = HalfspaceFriction::Law::exponential;
+          friction.velocity_scale = 1 / scene.friction_decay;
+        }
+      else if (scene.friction_law == FrictionKind::rational)
+        {
+          friction.law            = HalfspaceFriction::Law::rational;
+          friction.velocity_scale = scene.friction_half_velocity;
+        }
+      return friction;
+    }
+  } // namespace
+
+
+  HalfspaceProblem
+  halfspace_problem(const Scene &scene)
+  {
+    HalfspaceProblem problem;
+    problem.body1    = halfspace_body(scene.rail_material);
+    problem.body2    = halfspace_body(scene.wheel_material);
+    problem.friction = halfspace_friction(scene);
+    problem.velocity = scene.velocity;
+    return problem;
   }
 
-  HalfspaceFriction
-  halfspace_friction(const Scene &scene)
+
+  HalfspaceSolution
+  solve_on_growing_grid(HalfspaceProblem                  &problem,
+                        double                             approach,
+                        const int                          most,
+                        const std::function<void(double)> &lay_grid,
+                        int                               &enlargements)
   {
-    HalfspaceFriction friction;
-    friction.static_coefficient  = scene.friction_coefficient;
-    friction.kinetic_coefficient = scene.dynamic_friction_coefficient;
-    if (scene.friction_law == FrictionKind::exponential && scene.friction_decay > 0)
+    problem.motion = HalfspaceMotion::none;
+    for (enlargements = 0;; ++enlargements, approach *= 1.5)
       {
-        friction.law            = HalfspaceFriction::Law::exponential;
-        friction.velocity_scale = 1 / scene.friction_decay;
+        lay_grid(approach);
+        const HalfspaceSolution solution = solve_rolling(problem);
+        if (!solution.touches_grid_edge || enlargements == most)
+          return solution;
       }
-    else if (scene.friction_law == FrictionKind::rational)
-      {
-        friction.law            = HalfspaceFriction::Law::rational;
-        friction.velocity_scale = scene.friction_half_velocity;
-      }
-    return friction;
   }
 
 

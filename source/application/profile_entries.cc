@@ -9,26 +9,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// A standard profile by its name, or a file.
-    Entry
-    profile_entry(const EntryHead                &head,
-                  const std::vector<std::string> &names,
-                  const std::string              &example,
-                  const Field<std::string>       &place)
-    {
-      std::vector<std::string> choices = names;
-      choices.push_back("a profile file (with its ending, such as " + example + ")");
-      Entry      entry = text_entry(head, place);
-      const auto set   = entry.set;
-      entry.accepted   = join_choices(choices);
-      entry.set        = [set, names, accepted = entry.accepted](Scene &scene, const std::string &text) {
-        if (std::find(names.begin(), names.end(), text) == names.end() && !is_profile_file(text))
-          throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");
-        set(scene, text);
-      };
-      return entry;
-    }
-
     Entry
     mirror_entry(const std::string &name, const std::string &meaning, ProfileFileOptions Scene::*part)
     {
@@ -93,33 +73,54 @@ namespace wheelrail
     }
   } // namespace
 
+  Entry
+  name_or_file_entry(const EntryHead                &head,
+                     const std::vector<std::string> &names,
+                     const std::string              &file,
+                     const Field<std::string>       &place)
+  {
+    std::vector<std::string> choices = names;
+    choices.push_back(file);
+    Entry      entry = text_entry(head, place);
+    const auto set   = entry.set;
+    entry.accepted   = join_choices(choices);
+    entry.set        = [set, names, accepted = entry.accepted](Scene &scene, const std::string &text) {
+      if (std::find(names.begin(), names.end(), text) == names.end() && !is_file_name(text))
+        throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");
+      set(scene, text);
+    };
+    return entry;
+  }
+
+
   std::vector<Entry>
   profile_entries()
   {
     const std::string unit = "Unit of the profile file; auto: as the file states, else mm or m by its size.";
     return {
-      profile_entry({"Profiles",
-                     "Wheel",
-                     "S1002",
-                     "Wheel profile (S1002: EN 13715); a relative path of a file counts from where the "
-                     "command is given."},
-                    standard_wheels(),
-                    "worn.prw",
-                    field(&Scene::wheel_profile)),
+      name_or_file_entry({"Profiles",
+                          "Wheel",
+                          "S1002",
+                          "Wheel profile (S1002: EN 13715); a relative path of a file counts from where the "
+                          "command is given."},
+                         standard_wheels(),
+                         "a profile file (with its ending, such as worn.prw)",
+                         field(&Scene::wheel_profile)),
       mirror_entry(
         "Wheel mirror",
         "Whether the lateral coordinate of the wheel file is turned to the other side; auto: by the "
         "side of the flange.",
         &Scene::wheel_file),
       unit_entry("Wheel unit", unit, &Scene::wheel_file),
-      profile_entry({"Profiles",
-                     "Rail",
-                     "54E1",
-                     "Rail profile (54E1, 60E1: EN 13674-1); a relative path of a file counts from where the "
-                     "command is given."},
-                    standard_rails(),
-                    "worn.prr",
-                    field(&Scene::rail_profile)),
+      name_or_file_entry(
+        {"Profiles",
+         "Rail",
+         "54E1",
+         "Rail profile (54E1, 60E1: EN 13674-1); a relative path of a file counts from where the "
+         "command is given."},
+        standard_rails(),
+        "a profile file (with its ending, such as worn.prr)",
+        field(&Scene::rail_profile)),
       mirror_entry(
         "Rail mirror",
         "Whether the lateral coordinate of the rail file is turned to the other side; auto: MiniProf "

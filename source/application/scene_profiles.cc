@@ -33,7 +33,7 @@ namespace wheelrail
 
 
   bool
-  is_profile_file(const std::string &name)
+  is_file_name(const std::string &name)
   {
     return name.find_first_of("./") != std::string::npos;
   }
@@ -42,7 +42,7 @@ namespace wheelrail
   RailProfile
   scene_rail(const Scene &scene, std::vector<std::string> *notes)
   {
-    if (!is_profile_file(scene.rail_profile))
+    if (!is_file_name(scene.rail_profile))
       return rail_profile(scene.rail_profile);
     return from_file(
       "Profiles/Rail",
@@ -58,7 +58,7 @@ namespace wheelrail
   WheelProfile
   scene_wheel(const Scene &scene, std::vector<std::string> *notes)
   {
-    if (!is_profile_file(scene.wheel_profile))
+    if (!is_file_name(scene.wheel_profile))
       return wheel_profile(scene.wheel_profile);
     return from_file(
       "Profiles/Wheel",
@@ -75,9 +75,9 @@ namespace wheelrail
   profile_notes(const Scene &scene)
   {
     std::vector<std::string> notes;
-    if (is_profile_file(scene.wheel_profile))
+    if (is_file_name(scene.wheel_profile))
       scene_wheel(scene, &notes);
-    if (is_profile_file(scene.rail_profile))
+    if (is_file_name(scene.rail_profile))
       scene_rail(scene, &notes);
     return notes;
   }

@@ -1,3 +1,4 @@
+#include <wheelrail/application/contact_input.h>
 #include <wheelrail/application/given_distance.h>
 #include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/application/wheel_rail_input.h>
@@ -13,6 +14,12 @@ namespace wheelrail
 {
   namespace
   {
+    std::string
+    row(const std::vector<double> &numbers, const std::string &names)
+    {
+      return contact_line(numbers, names, 10);
+    }
+
     void
     check_scene(const Scene &scene)
     {
@@ -57,19 +64,6 @@ namespace wheelrail
         }
       return text;
     }
-
-    std::string
-    row(const std::vector<double> &numbers, const std::string &names)
-    {
-      std::string text;
-      for (const double number : numbers)
-        {
-          char word[32];
-          std::snprintf(word, sizeof(word), " %.10g", number);
-          text += word;
-        }
-      return text + "   " + names + "\n";
-    }
   } // namespace
 
 
@@ -88,14 +82,11 @@ namespace wheelrail
     const auto shear_modulus = [](const MaterialData &m) {
       return 1e-6 * m.youngs_modulus / (2 * (1 + m.poissons_ratio));
     };
-    const double h     = 1e3 * scene.halfspace_element_size;
-    std::string  title = scene.title;
-    std::replace(title.begin(), title.end(), '\n', ' ');
+    const double h = 1e3 * scene.halfspace_element_size;
 
     WheelRailInput files;
     std::string   &text = files.input;
-    text                = "% " + title +
-           "\n% input of CONTACT, revision 2707, wheel-rail module, right wheel; mm, N, rad, s\n 1 MODULE\n";
+    text = contact_head(scene.title, "wheel-rail module, right wheel; mm, N, rad, s") + " 1 MODULE\n";
     text += std::string(" 12031") + (rate_held ? "0" : "1") + "0   C-P-B-T-N-F-S\n";
     text += " 0022033   V-L-D-C-M-Z-E\n 0001221   H-G-I-A-O-W-R\n";
     text += row({999, 200, 50, 1, 1e-5}, "MAXGS, MAXIN, MAXNR, MAXOUT, EPS");

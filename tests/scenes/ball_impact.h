@@ -3,6 +3,7 @@
 // An elastic ball that falls on a rigid plane.
 
 #include "dynamics.h"
+#include "shapes.h"
 
 namespace scenes
 {

@@ -12,6 +12,10 @@ namespace wheelrail
     double width    = 0; ///< lateral, on the tread [m]
   };
 
+  /// E* of Hertz's theory, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 [Pa].
+  double
+  contact_modulus(const Scene &scene);
+
   /// Weight on one rail: sprung mass, half axle and a wheel of usual mass (320 kg) [N].
   double
   expected_load(const Scene &scene);

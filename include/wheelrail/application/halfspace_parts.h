@@ -4,15 +4,24 @@
 #include <wheelrail/halfspace/problem.h>
 #include <wheelrail/output/fields.h>
 
+#include <functional>
+
 namespace wheelrail
 {
-  /// Elastic constants of one body; half-spaces have no yield stress.
-  HalfspaceBody
-  halfspace_body(const MaterialData &material);
+  /// A problem with materials, friction law and speed of the scene; half-spaces have no yield stress. Rail
+  /// as body 1.
+  HalfspaceProblem
+  halfspace_problem(const Scene &scene);
 
-  /// The friction law of the scene.
-  HalfspaceFriction
-  halfspace_friction(const Scene &scene);
+  /// Solves the normal problem alone, with `lay_grid`, which sets grid and undeformed distance for an
+  /// approach, called with ever larger ones until the contact keeps off the edge of the grid, `most`
+  /// times beyond the first at most. The number of enlargements comes back in `enlargements`.
+  HalfspaceSolution
+  solve_on_growing_grid(HalfspaceProblem                  &problem,
+                        double                             approach,
+                        int                                most,
+                        const std::function<void(double)> &lay_grid,
+                        int                               &enlargements);
 
   /// A solution in the layout and with the signs of a run's patch: lateral fastest, tractions on the rail
   /// (body 1), slip of the wheel against the rail.

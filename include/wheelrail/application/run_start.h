@@ -2,6 +2,7 @@
 
 #include <wheelrail/application/model.h>
 #include <wheelrail/base/log.h>
+#include <wheelrail/dynamics/static_start.h>
 
 namespace wheelrail
 {
@@ -11,6 +12,10 @@ namespace wheelrail
     double lift = 0; ///< static vertical displacement of the axle [m]
     double rate = 0; ///< pitch rate [rad/s]
   };
+
+  /// What the static start of a scene is asked for.
+  StaticLoads
+  static_loads(const Scene &scene, const Model &model);
 
   /// Brings a model into static equilibrium under its loads and gives both bodies the velocities of
   /// rolling, see static_start() and rolling_velocities(). Collective; throws RunError when no equilibrium is

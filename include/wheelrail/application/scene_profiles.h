@@ -8,10 +8,10 @@
 
 namespace wheelrail
 {
-  /// Whether a value of Profiles/Wheel or Profiles/Rail means a file: it has a dot or a slash, which
-  /// no standard profile has.
+  /// Whether a value that may be a name of the program's own (of a standard profile, say) means a file: it
+  /// has a dot or a slash, which no such name has.
   bool
-  is_profile_file(const std::string &name);
+  is_file_name(const std::string &name);
 
   /// The rail and the wheel of a scene, standard ones or read from files (measured_profiles.h). What was
   /// found and done is added to `notes`, if given. Throws InputError that names the entry.
