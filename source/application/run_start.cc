@@ -45,10 +45,13 @@ namespace wheelrail
     rolling_velocities(
       model.solid, model.axle, rate, communicator, !without(scene, StartState::without_velocities));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    const std::string                   flow =
+      result.flow_steps == 0 ? "" : text(", %d steps of plastic flow", result.flow_steps);
     log.value("static start",
-              text("%d Newton steps, %d CG steps, %s; axle lowered by %.4f mm, predicted creepage %.5f",
+              text("%d Newton steps, %d CG steps%s, %s; axle lowered by %.4f mm, predicted creepage %.5f",
                    result.newton_steps,
                    result.cg_steps,
+                   flow.c_str(),
                    format_duration(taken.count()).c_str(),
                    -1e3 * result.lift,
                    result.creepage));

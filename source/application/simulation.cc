@@ -161,8 +161,6 @@ namespace wheelrail
     {
       const RunStart start = start_from_rest(scene_, model_, log_, communicator_);
       make_rolling(start.lift, start.rate);
-      if (model_.solid.blocks[0].plastic() || model_.solid.blocks[1].plastic())
-        log_.value("plastic flow", "from the first time step on; the static start is elastic");
       if (scene_.volume_fields)
         output_->volume("volume_start");
       keep_state();

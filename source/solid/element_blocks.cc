@@ -247,6 +247,17 @@ namespace wheelrail
   }
 
 
+  void
+  forget_flow(ElementBlocks &blocks)
+  {
+    if (!blocks.plastic())
+      return;
+    std::fill(blocks.history.begin(), blocks.history.end(), 0.);
+    std::fill(blocks.plastic_work.begin(), blocks.plastic_work.end(), 0.);
+    std::fill(blocks.flowed.begin(), blocks.flowed.end(), 0);
+  }
+
+
   std::vector<double>
   element_plastic_strain(const ElementBlocks &blocks)
   {

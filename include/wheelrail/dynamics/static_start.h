@@ -28,7 +28,8 @@ namespace wheelrail
     double  creepage   = 0;  ///< predicted, at the rolling radius of 2D-Geo
     Vector3 contact_force{}; ///< on the wheel [N]
     int     newton_steps = 0, cg_steps = 0;
-    double  residual = 0; ///< largest nodal force out of balance over the wheel load
+    int     flow_steps = 0; ///< of bodies that yield, after the elastic ones
+    double  residual   = 0; ///< largest nodal force out of balance over the wheel load
   };
 
   /// Static equilibrium of both bodies under contact, weight, suspension preload and the centrifugal
@@ -36,8 +37,10 @@ namespace wheelrail
   ///
   /// Newton's method on the explicit kernel's own forces: the stiffness matrix is assembled once,
   /// the contact springs of the moment are added to a copy of it, which ML preconditions. The hub is
-  /// moved; its height follows from the vertical balance in every step. Fills solid.displacement and
-  /// the shear tractions of the contact. Throws RunError when it does not converge. Collective.
+  /// moved; its height follows from the vertical balance in every step. Bodies that yield flow from this
+  /// equilibrium to about their own, see static_flow(); tractions and creepage stay those of elastic
+  /// bodies. Fills solid.displacement, the history of elements that flow and the shear tractions of the
+  /// contact. Throws RunError when it does not converge. Collective.
   StaticResult
   static_start(const Forest                           &forest,
                Solid                                  &solid,

@@ -15,7 +15,7 @@ namespace wheelrail
   /// The linear system of one static start: stiffness of both bodies at rest plus contact springs,
   /// feet and ends of the rail held, the bore of the wheel moved vertically as one.
   ///
-  /// This header brings deal.II's linear algebra along: for the two files of the static start only.
+  /// This header brings deal.II's linear algebra along: for the files of the static start only.
   class StaticSystem
   {
   public:
@@ -50,6 +50,13 @@ namespace wheelrail
     /// deal.II's own settings know translations only, which takes about ten times as many steps here.
     void
     make_preconditioner(const LocalMesh &mesh);
+
+    /// One cycle of the preconditioner: z, about the increment under the forces.
+    void
+    precondition(const Vector &forces, Vector &z) const
+    {
+      preconditioner_.vmult(z, forces);
+    }
 
     /// Solves with the loaded matrix to `tolerance` times the norm of the right-hand side; returns the
     /// CG steps. Throws RunError after 2000.

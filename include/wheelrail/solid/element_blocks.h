@@ -125,6 +125,10 @@ namespace wheelrail
   void
   set_plasticity(ElementBlocks &blocks, const Plasticity &plasticity);
 
+  /// Sets what plastic flow has left behind to zeros; nothing happens when the elements are elastic.
+  void
+  forget_flow(ElementBlocks &blocks);
+
   /// Accumulated plastic strain of each element [1], the largest of its integration points; zeros in
   /// elastic bodies.
   std::vector<double>

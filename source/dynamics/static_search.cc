@@ -1,0 +1,230 @@
+#include <wheelrail/dynamics/static_search.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Vector = StaticSystem::Vector;
+
+    /// Weight and centrifugal load of the wheel, per node.
+    void
+    add_wheel_loads(const Solid &solid, const AxleData &axle, const double rate, AlignedVector<double> &force)
+    {
+      for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+        if (solid.mesh.node_body[n] == Body::wheel)
+          {
+            const double *X      = &solid.mesh.reference[4 * n];
+            const Vector3 arm    = Vector3{X[0], X[1], X[2]} - axle.centre;
+            const Vector3 radial = arm - dot(arm, axle.axis) * axle.axis;
+            for (int i = 0; i < 3; ++i)
+              force[4 * n + i] += solid.mass[n] * rate * rate * radial[i];
+            force[4 * n + 1] -= solid.mass[n] * axle.gravity;
+          }
+    }
+
+    StartTractions
+    wanted_tractions(const Solid &solid, const Contact &contact, const StaticLoads &loads, const double load)
+    {
+      const StartBodies bodies = {solid.blocks[0].material, solid.blocks[1].material};
+      return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies)
+                             : start_tractions(contact, loads.traction_coefficient * load, bodies);
+    }
+  } // namespace
+
+
+  StaticSearch::StaticSearch(const Forest &forest, Solid &solid, Contact &contact, const StaticLoads &loads)
+    : solid_(solid)
+    , contact_(contact)
+    , loads_(loads)
+    , sum_(solid.mesh, forest.communicator())
+    , system_(forest, solid, contact)
+    , lifted_(system_.owned_vector())
+  {
+    wheel_mass_ = mass_properties(solid, Body::wheel, loads.axle.centre, forest.communicator()).mass;
+    rate_       = loads.axle.velocity / loads.rolling_radius;
+    press();
+  }
+
+
+  /// Presses the bodies into each other rigidly: the part of the undeformed profiles that dips in by some
+  /// 0.55 of the approach is close to the true patch.
+  void
+  StaticSearch::press()
+  {
+    lift = -0.55 * loads_.first_approach;
+    for (unsigned int n = 0; n < solid_.mesh.n_nodes(); ++n)
+      if (solid_.mesh.node_body[n] == Body::wheel)
+        solid_.displacement[4 * n + 1] = lift;
+  }
+
+
+  StaticBalance
+  StaticSearch::balance()
+  {
+    AlignedVector<double> force(solid_.force.size(), 0.);
+    ElementEnergy         ignored;
+    for (auto &blocks : solid_.blocks)
+      {
+        forget_flow(blocks);
+        subtract_internal_force(
+          blocks, solid_.displacement.data(), force.data(), BulkViscosity(), false, ignored);
+      }
+    condense(solid_.mesh, force.data());
+    sum_(force.data());
+    add_wheel_loads(solid_, loads_.axle, rate_, force);
+    contact_.gather(solid_.displacement.data(), solid_.velocity.data());
+    StaticBalance balance;
+    balance.sums = contact_forces(nullptr, force);
+    for (std::size_t k = 0; k < drag_.size(); ++k)
+      force[k] += drag_[k];
+    balance.sums.force = balance.sums.force + drag_sum_;
+    balance.residual   = system_.to_dofs(solid_.mesh, force);
+    balance.bore       = system_.bore_force(solid_.mesh, force) -
+                   (loads_.axle.sprung_mass + loads_.axle.mass) * loads_.axle.gravity;
+    return balance;
+  }
+
+
+  /// Adds the forces of contact with these tractions, bounded by friction; null: without.
+  ContactSums
+  StaticSearch::contact_forces(const std::vector<Vector3> *shear, AlignedVector<double> &force)
+  {
+    for (std::size_t k = 0; k < contact_.nodes().size(); ++k)
+      contact_.set_shear(k, shear ? (*shear)[k] : Vector3{});
+    const ContactSums sums = contact_.evaluate(0);
+    contact_.add_forces(force.data());
+    return sums;
+  }
+
+
+  /// Takes the springs of the moment into the matrix.
+  std::vector<Contact::Spring>
+  StaticSearch::load_springs()
+  {
+    const auto springs = contact_.springs();
+    system_.load_springs(springs);
+    // a preconditioner of another patch costs three times the steps
+    std::vector<unsigned int> active;
+    for (const auto &spring : springs)
+      active.push_back(spring.point);
+    if (active != preconditioned_)
+      system_.make_preconditioner(solid_.mesh);
+    preconditioned_ = active;
+    return springs;
+  }
+
+
+  StaticStep
+  StaticSearch::newton_step(const StaticBalance &balance, const bool coarse)
+  {
+    const auto springs = load_springs();
+    StaticStep step{system_.owned_vector(), 0};
+    cg_steps += system_.solve(balance.residual, step.increment, coarse ? 1e-2 : 1e-3);
+    cg_steps += system_.solve_lift(solid_.mesh, lifted_, 1e-2);
+    const double missing = wheel_load() - balance.sums.force[1];
+    step.lift            = (missing - system_.vertical_change(springs, step.increment)) /
+                system_.vertical_change(springs, lifted_);
+    step.increment.add(step.lift, lifted_);
+    return step;
+  }
+
+
+  void
+  StaticSearch::renew_springs()
+  {
+    const auto springs = load_springs();
+    cg_steps += system_.solve_lift(solid_.mesh, lifted_, 1e-2);
+    approach_stiffness_ = std::abs(system_.vertical_change(springs, lifted_));
+  }
+
+
+  StaticStep
+  StaticSearch::preconditioned_step(const Vector &residual, const double bore)
+  {
+    StaticStep step{system_.owned_vector(), (residual * lifted_ + bore) / approach_stiffness_};
+    system_.precondition(residual, step.increment);
+    step.increment.add(step.lift, lifted_);
+    ++cg_steps;
+    return step;
+  }
+
+
+  double
+  StaticSearch::power(const StaticBalance &balance, const StaticStep &step) const
+  {
+    return balance.residual * step.increment + balance.bore * step.lift;
+  }
+
+
+  void
+  StaticSearch::move(const StaticStep &step, const double factor)
+  {
+    Vector increment = step.increment;
+    increment *= factor;
+    system_.add_to_nodes(solid_.mesh, increment, factor * step.lift, solid_.displacement);
+    lift += factor * step.lift;
+  }
+
+
+  StaticBalance
+  StaticSearch::search_along(const StaticStep &step, const StaticBalance &start)
+  {
+    const double  first = power(start, step), before = start.residual.linfty_norm();
+    double        at = 0, low = 0, high = 1, power_low = first, power_high = 0;
+    double        next = 1, last = 0;
+    StaticBalance balance;
+    for (int trial = 0; trial < 12; ++trial)
+      {
+        move(step, next - at);
+        at                 = next;
+        balance            = this->balance();
+        const double value = power(balance, step);
+        const bool   good  = trial == 0 && (value > 0 || balance.residual.linfty_norm() < 0.5 * before);
+        if (good || first <= 0 || std::abs(value) < 0.1 * first)
+          break;
+        const bool same_end = value * last > 0;
+        if (value > 0)
+          {
+            low = at, power_low = value;
+            power_high *= same_end ? 0.5 : 1;
+          }
+        else
+          {
+            high = at, power_high = value;
+            power_low *= same_end ? 0.5 : 1;
+          }
+        last = value;
+        next = low + (high - low) * power_low / (power_low - power_high);
+      }
+    return balance;
+  }
+
+
+  bool
+  StaticSearch::renew_tractions()
+  {
+    const StartTractions before = std::move(tractions);
+    tractions                   = wanted_tractions(solid_, contact_, loads_, wheel_load());
+    rate_                       = loads_.axle.velocity / loads_.rolling_radius * (1 + tractions.creepage);
+    if (!loads_.tractions)
+      tractions.shear.assign(tractions.shear.size(), Vector3{});
+    drag_.assign(solid_.force.size(), 0.);
+    AlignedVector<double> pressures(solid_.force.size(), 0.);
+    drag_sum_ = contact_forces(&tractions.shear, drag_).force - contact_forces(nullptr, pressures).force;
+    for (std::size_t k = 0; k < drag_.size(); ++k)
+      drag_[k] -= pressures[k];
+    return std::abs(tractions.creepage - before.creepage) > 1e-5 * std::abs(tractions.creepage) ||
+           std::abs(tractions.force - before.force) > 1e-5 * wheel_load();
+  }
+
+
+  void
+  StaticSearch::set_tractions()
+  {
+    AlignedVector<double> ignored(solid_.force.size(), 0.);
+    if (!tractions.shear.empty())
+      contact_forces(&tractions.shear, ignored);
+  }
+} // namespace wheelrail

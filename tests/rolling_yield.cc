@@ -1,0 +1,61 @@
+// ranks: 1 2
+
+// Rolling on steel that yields: the static start has flowed already. From an elastic one the wheel falls into
+// a patch that gives way in the first steps, and the vertical force loses a sixth.
+
+#include <wheelrail/application/run_start.h>
+#include <wheelrail/dynamics/rolling.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  void
+  yielding()
+  {
+    Scene scene = small_scene(4e-3);
+    for (MaterialData *material : {&scene.rail_material, &scene.wheel_material})
+      {
+        material->yield_stress    = 280e6;
+        material->tangent_modulus = 21e9;
+      }
+    scene.rolling_distance = 5e-3;
+    Model          model   = make_model(scene, MPI_COMM_WORLD);
+    Log            log;
+    const RunStart start = start_from_rest(scene, model, log, MPI_COMM_WORLD);
+    Axle           axle(model.axle, model.solid, start.lift, start.rate, MPI_COMM_WORLD);
+    Rolling rolling(model.solid, *model.contact, axle, model.time_step, scene.bulk_viscosity, MPI_COMM_WORLD);
+    const unsigned long steps = std::lround(scene.rolling_distance / scene.velocity / model.time_step);
+    double              low = 1e300, high = -1e300, worst_energy = 0, first_plastic = 0;
+    for (unsigned long n = 1; n <= steps; ++n)
+      {
+        rolling.step(n % 5 == 0 || n == 1 || n == steps);
+        const double share = rolling.contact_sums().force[1] / model.wheel_load;
+        low                = std::min(low, share);
+        high               = std::max(high, share);
+        worst_energy       = std::max(worst_energy, rolling.energy().error);
+        if (n == 1)
+          {
+            check_near(share, 1, 0.005, "first step: vertical force over the weight");
+            first_plastic = rolling.energy().plastic;
+          }
+      }
+    check(first_plastic > 0, "the static start has done plastic work");
+    check(rolling.energy().plastic > first_plastic, "rolling does more of it");
+    check_near(low, 1, 0.05, "smallest vertical force over the weight");
+    check_near(high, 1, 0.05, "largest vertical force over the weight");
+    check_near(worst_energy, 0, 0.01, "energy error, largest");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  yielding();
+  return parallel.report();
+}
