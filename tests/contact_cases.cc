@@ -1,6 +1,8 @@
 // Hard cases of the contact operator: lift-off and re-contact, overlap at the start, lattices that do not
 // match, a million updates, and a window that has become too small.
 
+#include <wheelrail/solid/stress_recovery.h>
+
 #include "check.h"
 #include "scenes/contact.h"
 

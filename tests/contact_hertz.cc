@@ -28,9 +28,12 @@ namespace
       check_near(fine.approach, 0, 0.01, name + ", 1 mm: approach");
     check_near(coarse.area, 0, 0.02, name + ", 2 mm: area or width");
     check_near(fine.area, 0, 0.02, name + ", 1 mm: area or width");
-    check_near(fine.mises, 0, 0.03, name + ", 1 mm: largest von Mises stress");
+    check_near(fine.mises, 0, 0.02, name + ", 1 mm: largest von Mises stress");
+    if (shape == HertzShape::point) // Johnson, Contact Mechanics (1985), equation 3.43: -(1 + 2 nu)/2
+      check_near(fine.surface, -0.8, 0.03, name + ", 1 mm: stress along the surface over the peak pressure");
+    // the penalty layer, of first order, takes its share of the stress too
     check(std::abs(fine.peak) < 0.7 * std::abs(coarse.peak) &&
-            std::abs(fine.mises) < 0.5 * std::abs(coarse.mises) &&
+            std::abs(fine.mises) < 0.75 * std::abs(coarse.mises) &&
             std::abs(fine.depth) < 0.5 * std::abs(coarse.depth),
           name + ": smaller cells are better");
   }

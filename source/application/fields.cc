@@ -1,5 +1,6 @@
 #include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/fields.h>
+#include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
 #include <wheelrail/application/probes.h>
+#include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>
 #include <array>

@@ -70,14 +70,4 @@ namespace wheelrail
         strain[body].push_back({value});
     return nodal_means<1>(solid, strain, communicator);
   }
-
-
-  std::vector<double>
-  nodal_stress(const Solid &solid, MPI_Comm communicator)
-  {
-    std::vector<std::array<double, 6>> stress[2];
-    for (int body = 0; body < 2; ++body)
-      stress[body] = element_stress(solid.blocks[body], solid.displacement.data());
-    return nodal_means<6>(solid, stress, communicator);
-  }
 } // namespace wheelrail

@@ -1,6 +1,8 @@
 #include "hertz_scene.h"
 
 #include <wheelrail/output/patch_measures.h>
+#include <wheelrail/solid/kernel.h>
+#include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,17 +93,20 @@ namespace scenes
       return {x[k] + t, f[k] + slope * t + second * t * t};
     }
 
-    /// Depth and size of the largest von Mises stress below the origin: nodal stresses on the axis.
+    /// Depth and size of the largest von Mises stress below the origin, from the centres of the elements
+    /// along the axis.
     std::array<double, 2>
-    below(const Solid &solid)
+    below(const Solid &solid, const double cell)
     {
-      const std::vector<double> stress = nodal_stress(solid, MPI_COMM_SELF);
-      std::map<double, double>  mises;
-      for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      const auto               stress = element_stress(solid.blocks[0], solid.displacement.data());
+      std::map<double, double> mises;
+      for (std::size_t e = 0; e < stress.size(); ++e)
         {
-          const Vector3 X = place_of(solid.mesh, n);
-          const double *s = &stress[6 * n];
-          if (std::hypot(X[0], X[2]) < 1e-9 && X[1] > -12e-3)
+          Vector3 X{};
+          for (const unsigned int n : solid.mesh.cells[solid.block_cells[0][e]])
+            add(X, 0.125, place_of(solid.mesh, n));
+          const auto &s = stress[e];
+          if (X[0] < cell && X[2] < cell && X[1] > -12e-3)
             mises[-X[1]] = std::sqrt(
               0.5 * (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)) +
               3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
@@ -113,6 +118,17 @@ namespace scenes
           value.push_back(m);
         }
       return top(depth, value);
+    }
+
+    /// Nodal stress across the load in the origin, on the surface [Pa].
+    double
+    stress_on_surface(const Solid &solid)
+    {
+      const auto stress = nodal_stress(solid, MPI_COMM_SELF);
+      for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+        if (norm(place_of(solid.mesh, n)) < 1e-9)
+          return stress[6 * n];
+      return 0;
     }
 
     double
@@ -193,7 +209,7 @@ namespace scenes
     run.elements = nodes.cells.size();
 
     const PatchMeasures measures = measure_patch(pair.patch());
-    const auto          stress   = below(scene.solid);
+    const auto          stress   = below(scene.solid, cell);
     run.peak_pressure            = truth.solution.peak;
     run.penetration              = 2 * pair.sums.largest_pressure / pair.contact.law().stiffness;
     run.peak                     = measures.peak_pressure / truth.solution.peak - 1;
@@ -201,6 +217,7 @@ namespace scenes
     run.area                     = (line ? 0.5 * measures.length : measures.area) / truth.area - 1;
     run.depth                    = stress[0] / truth.depth - 1;
     run.mises                    = stress[1] / truth.mises - 1;
+    run.surface                  = stress_on_surface(scene.solid) / truth.solution.peak;
     run.force                    = pair.sums.force[1] / load - 1;
     return run;
   }

@@ -23,6 +23,7 @@ namespace scenes
            depth         = 0;                    ///< [1]; depth of the largest von Mises stress
     double force         = 0;                    ///< vertical balance: |contact - load|/load
     double peak_pressure = 0;                    ///< exact [Pa]
+    double surface       = 0;                    ///< lateral stress at the top over the exact peak pressure
     double elements = 0, steps = 0, seconds = 0; ///< seconds: CPU time of the steps
     double penetration = 0;                      ///< of the layer at the peak [m]
   };

@@ -89,8 +89,4 @@ namespace wheelrail
   /// Nodal accumulated plastic strains by the same means: one number a node [1]. Collective.
   std::vector<double>
   nodal_plastic_strain(const Solid &solid, MPI_Comm communicator);
-
-  /// Nodal Cauchy stresses by the same means: 6 numbers a node, xx yy zz yz xz xy [Pa]. Collective.
-  std::vector<double>
-  nodal_stress(const Solid &solid, MPI_Comm communicator);
 } // namespace wheelrail
