@@ -1,3 +1,4 @@
+#include <wheelrail/application/fields.h>
 #include <wheelrail/application/probes.h>
 #include <wheelrail/application/slices.h>
 #include <wheelrail/output/hdf5_handles.h>
@@ -107,22 +108,29 @@ namespace wheelrail
       return points;
     }
 
-    Slice
-    cut(const Model       &model,
-        const Line        &line,
-        const Body         body,
-        const ProbeSource &source,
-        MPI_Comm           communicator)
+    std::vector<double>
+    depths(const Contact &contact)
     {
-      const Contact &contact = *model.contact;
-      Slice          slice;
-      slice.offset      = line.offset;
-      slice.position    = line.position;
-      const double step = 0.5 * contact.lattice().spacing_along;
+      std::vector<double> depths;
+      const double        step = 0.5 * contact.lattice().spacing_along;
       for (double depth = 0; depth < depth_of_slices + 0.5 * step; depth += step)
-        slice.depth.push_back(depth);
+        depths.push_back(depth);
+      return depths;
+    }
 
-      const auto points  = points_below(contact, line, body, slice.depth);
+    /// The slice of a line with the values at its points.
+    Slice
+    cut(const Model                &model,
+        const Line                 &line,
+        const Body                  body,
+        const std::vector<Vector3> &points,
+        const ProbeSource          &source,
+        MPI_Comm                    communicator)
+    {
+      Slice slice;
+      slice.offset       = line.offset;
+      slice.position     = line.position;
+      slice.depth        = depths(*model.contact);
       const auto values  = probe_body(model.solid, body, source, points, communicator);
       const bool plastic = model.solid.blocks[static_cast<int>(body)].plastic();
       slice.values.resize(plastic ? n_fields : n_fields - 1);
@@ -152,6 +160,82 @@ namespace wheelrail
             }
       return place;
     }
+
+    /// The row of points along the rolled rail from the start to `unloaded` behind the axle.
+    Line
+    line_behind(const Contact &contact, const double travelled, const double s, const double unloaded)
+    {
+      const Lattice &lattice = contact.lattice();
+      const Line     whole   = line_along(contact, travelled, s);
+      Line           line;
+      line.weight = whole.weight, line.offset = s;
+      const int j = static_cast<int>(whole.nodes.front()[0] % lattice.n_lateral);
+      for (unsigned int i = 0; i < lattice.n_along; ++i)
+        {
+          const double station = (lattice.first_station + static_cast<int>(i)) * lattice.spacing_along;
+          if (station >= 0 && station < travelled - unloaded)
+            {
+              line.position.push_back(station - travelled);
+              line.nodes.push_back({lattice.index(i, j), lattice.index(i, j + 1)});
+            }
+        }
+      return line;
+    }
+
+    /// The row of points across the rail at the last station of a row along it.
+    Line
+    line_across_end(const Contact &contact, const Line &behind)
+    {
+      const Lattice &lattice = contact.lattice();
+      const auto     i       = static_cast<unsigned int>(behind.nodes.back()[0] / lattice.n_lateral);
+      Line           line;
+      line.offset = behind.position.back();
+      for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+        {
+          line.position.push_back(lattice.s_begin + j * lattice.spacing_lateral);
+          line.nodes.push_back({lattice.index(i, j), lattice.index(i, j)});
+        }
+      return line;
+    }
+
+    /// The points of a slice of the unloaded rail: from its undeformed surface down. The first ones lie a
+    /// twentieth of a spacing deep, since the running band is lower than that surface.
+    std::vector<Vector3>
+    points_behind(const Contact &contact, const Line &line)
+    {
+      const Point2         n      = contact.surfaces().frame.normal();
+      const Vector3        normal = {n.x, n.y, 0};
+      const double         least  = 0.05 * contact.lattice().spacing_along;
+      const auto          &X      = contact.rail().reference;
+      std::vector<Vector3> points;
+      for (const auto &[a, b] : line.nodes)
+        for (const double depth : depths(contact))
+          points.push_back((1 - line.weight) * X[a] + line.weight * X[b] - std::max(depth, least) * normal);
+      return points;
+    }
+
+    /// Slices of the rail that yields, where the wheel has left it.
+    void
+    add_unloaded(const Model        &model,
+                 const double        travelled,
+                 const double        s,
+                 const ProbeSource  &source,
+                 std::vector<Slice> &slices,
+                 MPI_Comm            communicator)
+    {
+      const Contact &contact = *model.contact;
+      const Line     along   = line_behind(contact, travelled, s, unloaded_distance(model));
+      if (along.position.size() < 2)
+        return;
+      const Line across = line_across_end(contact, along);
+      for (const auto &[name, line] : {std::make_pair("AA_behind_rail", &along), {"BB_behind_rail", &across}})
+        {
+          slices.push_back(
+            cut(model, *line, Body::rail, points_behind(contact, *line), source, communicator));
+          slices.back().name     = name;
+          slices.back().unloaded = true;
+        }
+    }
   } // namespace
 
 
@@ -169,9 +253,12 @@ namespace wheelrail
     for (const auto &[name, line] : lines)
       for (const Body body : {Body::rail, Body::wheel})
         {
-          slices.push_back(cut(model, line, body, source, communicator));
+          const auto points = points_below(contact, line, body, depths(contact));
+          slices.push_back(cut(model, line, body, points, source, communicator));
           slices.back().name = std::string(name) + (body == Body::rail ? "_rail" : "_wheel");
         }
+    if (model.solid.blocks[0].plastic())
+      add_unloaded(model, travelled, peak[0], source, slices, communicator);
     return slices;
   }
 
@@ -193,7 +280,7 @@ namespace wheelrail
           write_dataset(group, "depth", {slice.depth.size()}, slice.depth, "m");
           for (std::size_t f = 0; f < slice.values.size(); ++f)
             write_dataset(group,
-                          fields[f].name,
+                          f == 0 && slice.unloaded ? "residual_von_mises_stress" : fields[f].name,
                           {slice.position.size(), slice.depth.size()},
                           slice.values[f],
                           fields[f].unit);
