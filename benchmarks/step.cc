@@ -50,14 +50,14 @@ namespace
   }
 
   /// Bytes that one update moves at least, when each array comes from memory once in each of the two passes:
-  /// elements (geometry, node numbers, dilatation in and out, history and work in and out, displacement in,
+  /// elements (geometry, node numbers, viscous state in and out, history and work in and out, displacement in,
   /// force in and out) and nodes (force, velocity, displacement in and out, masses).
   double
   bytes(const BlockMotion &block, const Case kind)
   {
     const auto  &blocks  = block.solid.blocks[0];
     const double nodes   = double(block.solid.mesh.n_nodes()) / blocks.n_elements;
-    double       element = 8 * blocks.rows + 32 + 16 + nodes * 3 * 32;
+    double       element = 8 * blocks.rows + 32 + 32 + nodes * 3 * 32;
     if (kind == Case::all_yield)
       element += 16. * (blocks.history_rows() + 1);
     return element + nodes * (6 * 32 + 16);

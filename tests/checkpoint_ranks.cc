@@ -80,7 +80,8 @@ namespace
           {
             const Vector3     X     = centre(mesh, solid.block_cells[body][e]);
             const std::size_t batch = e / blocks.width, lane = e % blocks.width;
-            work(blocks.dilatation[e], mark(X, 6));
+            for (int row = 0; row < 2; ++row)
+              work(blocks.viscous[(batch * 2 + row) * blocks.width + lane], mark(X, 40 + row));
             if (!blocks.plastic())
               continue;
             work(blocks.plastic_work[e], mark(X, 7));

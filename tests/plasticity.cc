@@ -198,7 +198,7 @@ namespace
       b->move_to(nodal(mesh, [](const Vector &X) { return rough(X, -0.5); }));
     check_near(difference(body.f, other.f), 0, 0, "a restored history goes on with the same forces");
     check_near(body.energy.plastic_work - other.energy.plastic_work, 0, 0, "and the same plastic work");
-    check(saved.size() == 3 && largest(saved[1]) > 1e-3, "dilatation, history and plastic work are visited");
+    check(saved.size() == 3 && largest(saved[1]) > 1e-3, "viscous state, history and plastic work are visited");
   }
 
   /// Moment over fully plastic moment of a beam of `layers` cells through its

@@ -120,7 +120,7 @@ namespace
 
   /// Prints the balance after 100 000 steps and checks its error.
   void
-  check_energy(Dynamics &scene, const std::string &name)
+  check_energy(Dynamics &scene, const double tolerance, const std::string &name)
   {
     const double start = scene.kinetic_energy();
     double       worst = 0;
@@ -134,9 +134,9 @@ namespace
     std::cout << "        of " << start << " J: strain " << energy.strain << ", stabilisation "
               << energy.stabilisation << ", viscous " << energy.viscous << ", largest residual " << worst
               << " J\n";
-    test::check_near(energy.error(), 0, 0.01, name + ": energy error after 100 000 steps");
+    test::check_near(energy.error(), 0, tolerance, name + ": energy error after 100 000 steps");
     test::check_near(
-      worst / start, 0, 0.01, name + ": largest residual on the way over the energy at the start");
+      worst / start, 0, tolerance, name + ": largest residual on the way over the energy at the start");
   }
 
   /// A distorted block, flying, turning and vibrating in all its modes without damping.
@@ -151,7 +151,7 @@ namespace
         const Vector3 X             = place_of(mesh, n);
         scene.solid.velocity[4 * n] = 5 * X[0] / 6e-3, scene.solid.velocity[4 * n + 1] = 2 * X[2] / 4e-3;
       }
-    check_energy(scene, form_name(setup) + ", flying block");
+    check_energy(scene, 0.01, form_name(setup) + ", flying block");
   }
 
   /// A bar whose first mode is worn down by the bulk viscosity.
@@ -163,7 +163,8 @@ namespace
     Dynamics scene(box({0, 0, 0}, {0.04, 2e-3, 2e-3}, {40, 2, 2}), setup);
     for (unsigned int n = 0; n < scene.solid.mesh.n_nodes(); ++n)
       scene.solid.velocity[4 * n] = 5 * std::cos(M_PI * scene.solid.mesh.reference[4 * n] / 0.04);
-    check_energy(scene, form_name(setup) + ", damped bar");
+    // the work of the viscosity is exact; taken with the rate of the half step behind it is 1.4e-3 too much
+    check_energy(scene, 1e-5, form_name(setup) + ", damped bar");
   }
 
   /// A bar that vibrates by micrometres, at rest and flying at 50 m/s for more than 2 m.

@@ -102,7 +102,7 @@ namespace wheelrail
     time_ += time_step_;
     ++steps_;
     const double weight = first ? 0.5 * time_step_ : time_step_;
-    viscous_ += weight * elements_.viscous_power;
+    viscous_ += time_step_ * elements_.viscous_power; // of the step behind
     friction_ += weight * sums_.friction_power;
     contact_damping_ += weight * sums_.damping_power;
     if (with_energy)

@@ -185,7 +185,7 @@ namespace wheelrail
     const std::size_t n_batches = (cells.size() + width - 1) / width;
     blocks.data.assign(n_batches * ElementBlocks::fields * width, 0.);
     blocks.nodes.resize(n_batches * 8 * width);
-    blocks.dilatation.assign(n_batches * width, 0.);
+    blocks.viscous.assign(n_batches * 2 * width, 0.);
     for (const auto &g : geometry)
       blocks.volume.push_back(g.volume);
 

@@ -57,20 +57,21 @@ namespace wheelrail
         set_trace<W>(points.dilatation, p.E);
     }
 
-    /// Stress of the bulk viscosity; records the dilatation.
+    /// Stress of the bulk viscosity; records it and the dilatation.
     template <int W>
     inline Simd<W>
     viscous_stress(const Call &call, const std::size_t batch, const Points<W> &points, LaneEnergy<W> &energy)
     {
       const Elasticity &material = call.blocks.material;
-      double           *old      = call.blocks.dilatation.data() + batch * W;
+      double           *old      = call.blocks.viscous.data() + batch * 2 * W;
       const Simd<W>     rate =
         (points.dilatation - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
       points.dilatation.copy_to(old, stdx::vector_aligned);
       const double  factor = call.viscosity.coefficient * material.density * material.wave_speed();
       const double *length = call.blocks.data.data() + (batch * fields + length_row) * W;
       const Simd<W> extra  = factor * Simd<W>(length, stdx::vector_aligned) * rate;
-      energy.viscous_power += points.volume * extra * rate;
+      energy.viscous_power += 0.5 * points.volume * (extra + Simd<W>(old + W, stdx::vector_aligned)) * rate;
+      extra.copy_to(old + W, stdx::vector_aligned);
       return extra;
     }
 

@@ -98,7 +98,7 @@ namespace wheelrail
         }
     }
 
-    /// Adds the stress of the bulk viscosity and records the dilatation.
+    /// Adds the stress of the bulk viscosity; records dilatation and stress.
     template <int W>
     inline void
     add_viscosity(const Call       &call,
@@ -109,7 +109,7 @@ namespace wheelrail
                   LaneEnergy<W> &energy)
     {
       const Elasticity &material = call.blocks.material;
-      double           *old      = call.blocks.dilatation.data() + batch * W;
+      double           *old      = call.blocks.viscous.data() + batch * 2 * W;
       const Simd<W>     now      = E[0] + E[1] + E[2];
       const Simd<W>     rate     = (now - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
       now.copy_to(old, stdx::vector_aligned);
@@ -117,7 +117,8 @@ namespace wheelrail
       const Simd<W> extra  = factor * g.length() * rate;
       for (int k = 0; k < 3; ++k)
         S[k] += extra;
-      energy.viscous_power += g.volume() * extra * rate;
+      energy.viscous_power += 0.5 * g.volume() * (extra + Simd<W>(old + W, stdx::vector_aligned)) * rate;
+      extra.copy_to(old + W, stdx::vector_aligned);
     }
 
     /// Asks for the packed data of the next batch, so that they arrive while this one is worked on (beyond

@@ -206,8 +206,8 @@ namespace scenes
       apply(tie, kick);
     distribute(solid.mesh, solid.displacement.data());
 
+    energy_.viscous += time_step * elements_.viscous_power; // of the step behind
     // forces work with the mean of the velocities of both half steps
-    energy_.viscous += kick * elements_.viscous_power;
     for (const unsigned int n : masses_)
       for (unsigned int k = 4 * n; k < 4 * n + 3; ++k)
         {
@@ -234,7 +234,7 @@ namespace scenes
         balance_.kinetic +=
           0.5 * mass(n) * velocity_before_[k] * (first ? velocity_before_[k] : solid.velocity[k]);
     balance_.work          = before.work + share * (energy_.work - before.work);
-    balance_.viscous       = before.viscous + share * (energy_.viscous - before.viscous);
+    balance_.viscous       = energy_.viscous;
     balance_.damping       = before.damping + share * (energy_.damping - before.damping);
     balance_.strain        = elements_.strain;
     balance_.stabilisation = elements_.stabilisation;

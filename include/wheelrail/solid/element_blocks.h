@@ -61,7 +61,9 @@ namespace wheelrail
     AlignedVector<double>        data;
     AlignedVector<std::uint32_t> nodes;
     std::vector<double>          volume; ///< of each element [m3]
-    AlignedVector<double> dilatation;    ///< trace of Green's strain at the last step, for the bulk viscosity
+    /// For the bulk viscosity, per batch 2 x `width` numbers: trace of Green's strain [1] and the extra
+    /// stress [Pa] at the last step.
+    AlignedVector<double> viscous;
 
     // What plastic flow leaves behind; all empty in elastic bodies.
 
@@ -100,7 +102,7 @@ namespace wheelrail
   void
   visit_histories(Blocks &blocks, const Visit &visit)
   {
-    visit("dilatation", 1u, blocks.dilatation);
+    visit("bulk_viscosity", 2u, blocks.viscous);
     if (blocks.plastic())
       {
         visit("plastic_history", static_cast<unsigned int>(blocks.history_rows()), blocks.history);

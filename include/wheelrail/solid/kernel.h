@@ -10,13 +10,14 @@ namespace wheelrail
     double strain        = 0; ///< elastic, of the one-point field
     double stabilisation = 0; ///< elastic, of the hourglass patterns
     double plastic_work  = 0; ///< done on plastic strains since the start, patterns included
-    double viscous_power = 0; ///< dissipated by the bulk viscosity
+    double viscous_power = 0; ///< dissipated by the bulk viscosity, mean of the last step
   };
 
   /// Linear bulk viscosity: an extra isotropic stress b1 rho c L times the rate of dilatation, with
   /// L the cube root of the element's volume (von Neumann and Richtmyer's linear term, as in
   /// Hallquist's manual). The rate is the change of the trace of Green's strain since the last call
-  /// over `time_step`.
+  /// over `time_step`. The power of a step is that of the mean of the extra stresses at both its ends: central
+  /// differences let forces work along the means of two steps, and sums of it times the step are exact.
   struct BulkViscosity
   {
     double coefficient = 0;

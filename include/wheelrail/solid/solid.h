@@ -38,7 +38,7 @@ namespace wheelrail
   /// The deformable bodies of one rank: packed elements, lumped mass, and the nodal state.
   ///
   /// What a step leaves to the next, and a checkpoint must hold: displacement, velocity, and of each
-  /// of the blocks dilatation, history, plastic_work and flowed (the last three are empty in elastic
+  /// of the blocks viscous, history, plastic_work and flowed (the last three are empty in elastic
   /// bodies).
   struct Solid
   {
