@@ -106,6 +106,17 @@ namespace
       },
       "The fine strip from -80 mm to 80 mm reaches beyond the part of the profile from -42.104 mm to 21.862 "
       "mm that can be seen from the contact point. Use a narrower strip.");
+    const auto wheel_section = [&](const double end) {
+      make_wheel_section(pair.wheel, {}, pair.contact.wheel, {pair.contact.frame, {end, 0}}, 16e-3);
+    };
+    check_message(
+      [&]() { wheel_section(-68e-3); },
+      "The fine strip ends 0.727 mm before the end of the running surface; 0.8 mm are needed between "
+      "them. Use a narrower strip or another lateral shift.");
+    check_message(
+      [&]() { wheel_section(-70e-3); },
+      "The fine strip ends 1.691 mm beyond the end of the running surface; 0.8 mm are needed between "
+      "them. Use a narrower strip or another lateral shift.");
     check_message(
       [&]() {
         pair.rail_section({-10e-3, 10e-3}, 80e-3);

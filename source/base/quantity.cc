@@ -251,7 +251,8 @@ namespace wheelrail
   std::string
   in_mm(const double length, const double parts)
   {
-    return format_number(std::round(length * 1e3 * parts) / parts) + " mm";
+    const double rounded = std::round(length * 1e3 * parts) / parts + 0.; // not -0
+    return format_number(rounded) + " mm";
   }
 
   std::string

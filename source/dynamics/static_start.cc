@@ -38,10 +38,11 @@ namespace wheelrail
               "the static start did not converge: after " + std::to_string(most_steps) + " steps " +
               std::to_string(missing) +
               " N of the wheel load are missing; lower Contact/Penalty scale or refine the mesh");
-          balance = search.search_along(search.newton_step(balance, residual > 1e-3), balance);
           if (balance.sums.nodes == 0)
             throw RunError(
-              "the static start lost the contact between wheel and rail; give a smaller first approach");
+              "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
+              "Mesh/Solution cell size");
+          balance = search.search_along(search.newton_step(balance, residual > 1e-3), balance);
           result.newton_steps = step + 1;
         }
     }

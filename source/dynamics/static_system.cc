@@ -169,9 +169,9 @@ namespace wheelrail
       }
     catch (const dealii::SolverControl::NoConvergence &)
       {
-        throw RunError(
-          "the static start did not converge: conjugate gradients stopped after 2000 steps; "
-          "look at the mesh quality in the log, or lower Contact/Penalty scale");
+        throw RunError("the static start did not converge: conjugate gradients stopped after " +
+                       std::to_string(control.last_step()) +
+                       " steps; lower Contact/Penalty scale, or take smaller coarse cells");
       }
     return control.last_step();
   }

@@ -177,7 +177,7 @@ namespace wheelrail
     MeasuredProfile profile;
     profile.kind  = options.kind;
     profile.file  = file;
-    profile.notes = {content.format + ", " + counted(content.points.size(), "point")};
+    profile.notes = {content.format + ", " + counted(content.listed, "point")};
     profile.notes.insert(profile.notes.end(), content.notes.begin(), content.notes.end());
     const double unit = find_unit(content, file, options, profile.notes);
     for (FilePoint &p : content.points)

@@ -50,8 +50,7 @@ namespace wheelrail
       if (stated > 0 && stated != static_cast<double>(content.points.size()))
         throw InputError(place(file, values.texts["xypoints"].number) +
                          "XYPoints=" + shown(values.texts["xypoints"].text) + ", but the file holds " +
-                         std::to_string(content.points.size()) +
-                         " points; it may be cut off, export it again");
+                         counted(content.points.size(), "point") + "; it may be cut off, export it again");
       for (const char *name : {"XOffset", "YOffset", "Tilt"})
         if (values.number(lower(name), 0) != 0)
           content.notes.push_back(std::string(name) + " of the file is taken as applied already");
@@ -96,11 +95,7 @@ namespace wheelrail
           const Line line{without_comment(whole.text, "!#%"), whole.number};
           if (content.points.empty())
             if (const double unit = unit_in(whole.text); unit > 0 && content.metres_per_unit == 0)
-              {
-                content.metres_per_unit = unit;
-                content.notes.push_back("unit " + std::string(unit == 1 ? "m" : "mm") +
-                                        " as stated in line " + std::to_string(line.number));
-              }
+              content.metres_per_unit = unit;
           if (line.text.empty())
             continue;
           const std::vector<std::string> fields = fields_of(line.text);
@@ -119,6 +114,8 @@ namespace wheelrail
           columns = static_cast<unsigned int>(fields.size());
           add_point(content, {numbers[0], numbers[1]}, line.number, file);
         }
+      if (columns == 3)
+        content.notes.push_back("third column of the file left out");
       return content;
     }
   } // namespace

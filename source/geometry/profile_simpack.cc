@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/profile_text.h>
 
 #include <algorithm>
@@ -24,8 +25,8 @@ namespace wheelrail
                                           }),
                            content.points.end());
       if (content.points.size() < before)
-        content.notes.push_back(std::to_string(before - content.points.size()) + " points outside bound." +
-                                axis + ".min and .max of the file dropped");
+        content.notes.push_back(counted(before - content.points.size(), "point") + " outside bound." + axis +
+                                ".min and .max of the file dropped");
     }
 
     /// What the header orders, in the order of the format: least distance, shift, rotation, bounds,
@@ -42,8 +43,8 @@ namespace wheelrail
             if (kept.empty() || norm(p.position - kept.back().position) >= least)
               kept.push_back(p);
           if (kept.size() < points.size())
-            content.notes.push_back(std::to_string(points.size() - kept.size()) +
-                                    " points nearer than point.dist.min of the file dropped");
+            content.notes.push_back(counted(points.size() - kept.size(), "point") +
+                                    " nearer than point.dist.min of the file dropped");
           points = kept;
         }
       const Point2 shift{values.number("shift.y", 0), values.number("shift.z", 0)};
@@ -56,9 +57,11 @@ namespace wheelrail
           p.position     = {c * q.x - s * q.y, s * q.x + c * q.y};
         }
       if (shift.x != 0 || shift.y != 0)
-        content.notes.push_back("moved by shift.y and shift.z of the file");
+        content.notes.push_back("moved by shift.y = " + format_number(shift.x) +
+                                " and shift.z = " + format_number(shift.y) + " of the file");
       if (angle != 0)
-        content.notes.push_back("turned by rotate of the file");
+        content.notes.push_back("turned by rotate = " + format_number(values.number("rotate", 0)) +
+                                " of the file");
       keep_within(content, values, "y");
       keep_within(content, values, "z");
       const bool mirror_y = values.number("mirror.y", 0) == 1, mirror_z = values.number("mirror.z", 0) == 1;
@@ -69,18 +72,41 @@ namespace wheelrail
                                 (mirror_y && mirror_z ? " and " : "") + (mirror_z ? "mirror.z" : "") +
                                 " of the file");
       if (values.number("inversion", 0) == 1)
-        std::reverse(points.begin(), points.end());
+        {
+          std::reverse(points.begin(), points.end());
+          content.notes.push_back("order of the points reversed by inversion of the file");
+        }
     }
 
-    /// The lines of the point block; the weight in the third column is not used, but weight 0 drops a point.
+    /// What the weights in the third column of the point block say.
+    struct Weights
+    {
+      std::size_t zero = 0, other = 0; ///< points of weight 0, and of another one than 0 and 1
+    };
+
+    /// A line of the point block; weight 0 drops the point, all other weights count as 1.
     void
-    read_simpack_point(FileContent &content, const Line &line, const std::string &file, unsigned int &dropped)
+    read_simpack_point(FileContent &content, const Line &line, const std::string &file, Weights &weights)
     {
       const std::vector<double> numbers = numbers_of(line, 2, file);
-      if (numbers.size() > 2 && numbers[2] == 0)
-        ++dropped;
-      else
-        add_point(content, {numbers[0], numbers[1]}, line.number, file);
+      const double              weight  = numbers.size() > 2 ? numbers[2] : 1;
+      if (weight == 0)
+        {
+          ++weights.zero;
+          ++content.listed;
+          return;
+        }
+      weights.other += weight != 1;
+      add_point(content, {numbers[0], numbers[1]}, line.number, file);
+    }
+
+    void
+    note_weights(FileContent &content, const Weights &weights)
+    {
+      if (weights.zero > 0)
+        content.notes.push_back(counted(weights.zero, "point") + " of weight 0 dropped");
+      if (weights.other > 0)
+        content.notes.push_back(counted(weights.other, "weight") + " other than 0 and 1 taken as 1");
     }
   } // namespace
 
@@ -90,7 +116,8 @@ namespace wheelrail
   {
     FileContent  content;
     HeaderValues values{file, {}};
-    unsigned int begin = 0, dropped = 0;
+    unsigned int begin = 0;
+    Weights      weights;
     bool         inside = false, ended = false;
     content.format = "SIMPACK";
     for (const Line &whole : lines)
@@ -113,7 +140,7 @@ namespace wheelrail
             ended  = begin > 0;
           }
         else if (inside)
-          read_simpack_point(content, line, file, dropped);
+          read_simpack_point(content, line, file, weights);
         else
           values.take(line);
       }
@@ -123,8 +150,7 @@ namespace wheelrail
                        "point.begin and point.end");
     if (inside)
       throw InputError(place(file, begin) + "point.begin without \"point.end\"; the file may be cut off");
-    if (dropped > 0)
-      content.notes.push_back(std::to_string(dropped) + " points of weight 0 dropped");
+    note_weights(content, weights);
     apply_orders(content, values);
 
     if (const auto type = values.texts.find("type"); type != values.texts.end())

@@ -104,6 +104,7 @@ namespace wheelrail
       throw InputError(place(file, line) + "more than " + std::to_string(largest_profile_points) +
                        " points; a profile needs some hundred: keep every tenth");
     content.points.push_back({p, line});
+    ++content.listed;
   }
 
   std::vector<double>

@@ -51,29 +51,20 @@ namespace wheelrail
       if (end.movable)
         return rest < input.block_size ? curve.advance(strip, sign * input.block_size) : end.parameter;
       if (rest < 0.05 * input.block_size)
-        throw InputError("The fine strip ends " + in_mm(rest) +
-                         " before the end of the running surface, which is too close or beyond it. Use a "
-                         "narrower strip or another lateral shift.");
+        throw InputError("The fine strip ends " + in_mm(std::abs(rest)) + (rest < 0 ? " beyond" : " before") +
+                         " the end of the running surface; " + in_mm(0.05 * input.block_size) +
+                         " are needed between them. Use a narrower strip or another lateral shift.");
       return end.parameter;
     }
 
-    // Block counts of the rests on both sides of the strip.
+    // Block counts of the rests on both sides of the strip, which place_end() leaves room for.
     std::array<unsigned int, 2>
     rest_counts(const std::array<double, 2> &rest, const unsigned int strip, const RunningLayerInput &input)
     {
-      std::array<unsigned int, 2> n;
-      for (unsigned int i = 0; i < 2; ++i)
-        n[i] = rest[i] > 0 ? block_count(rest[i], input.block_size) : 0;
+      std::array<unsigned int, 2> n{
+        {block_count(rest[0], input.block_size), block_count(rest[1], input.block_size)}};
       while (n[0] + n[1] + strip < input.minimum_count)
-        {
-          if (n[0] + n[1] == 0)
-            throw InputError("With blocks of " + in_mm(input.block_size) +
-                             " the fine strip covers the whole running surface with " +
-                             std::to_string(strip) + " blocks, where the section needs at least " +
-                             std::to_string(input.minimum_count) +
-                             ". Use smaller blocks or a narrower strip.");
-          ++n[n[1] == 0 || (n[0] > 0 && rest[0] / n[0] > rest[1] / n[1]) ? 0 : 1];
-        }
+        ++n[rest[0] / n[0] > rest[1] / n[1] ? 0 : 1];
       return n;
     }
 

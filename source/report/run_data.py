@@ -3,8 +3,12 @@
 import json
 import os
 import re
+import sys
 
-import h5py
+try:
+    import h5py
+except ImportError as error:
+    sys.exit(f"{error}; install the Debian package python3-h5py")
 import numpy as np
 
 

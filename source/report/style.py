@@ -1,8 +1,12 @@
 """What all pictures share: fonts, colours, saving."""
 
 import os
+import sys
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError as error:
+    sys.exit(f"{error}; install the Debian package python3-matplotlib")
 
 matplotlib.use("Agg")
 

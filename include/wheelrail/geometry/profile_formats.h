@@ -29,6 +29,7 @@ namespace wheelrail
   {
     std::string              format; ///< "SIMPACK", "MiniProf" or "two columns"
     std::vector<FilePoint>   points;
+    std::size_t              listed          = 0; ///< points in the file, also those that it orders to drop
     double                   metres_per_unit = 0; ///< as stated by the file; 0: not stated
     bool                     kind_stated     = false;
     ProfileKind              kind            = ProfileKind::rail; ///< when stated

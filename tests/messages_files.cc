@@ -1,0 +1,127 @@
+// What the program answers to files of an output folder that are missing, damaged or not to be written, and
+// to a start without contact, word by word.
+
+#include "messages.h"
+#include "small_scene.h"
+
+#include <wheelrail/application/commands.h>
+#include <wheelrail/application/geometry_picture.h>
+#include <wheelrail/application/run_start.h>
+#include <wheelrail/base/log.h>
+#include <wheelrail/dynamics/static_start.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/output/summary.h>
+#include <wheelrail/output/vtu.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace wheelrail;
+using test::check_text;
+using test::message_of;
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  void
+  check_message(const std::function<void()> &work, const std::string &expected)
+  {
+    check_text(message_of(work), expected, expected);
+  }
+
+  void
+  test_damaged_files()
+  {
+    check_message([]() { read_whole_file("nowhere.json"); },
+                  "The file \"nowhere.json\" cannot be read: No such file or directory.");
+    std::ofstream("damaged") << "{\"finished\": tr";
+    check_message([]() { read_summary("damaged"); },
+                  "The file \"damaged\" is no summary of a run; compute it again with \"./wheelrail run\".");
+    check_message([]() { TickFile("damaged", true, 3); },
+                  "The HDF5 file \"damaged\": HDF5 cannot read it: it is no complete HDF5 file; start anew "
+                  "without --resume.");
+    check_message(
+      []() { PvdSeries("damaged").load(); },
+      "The series file \"damaged\" is not a readable .pvd file: <unspecified file>(1): expected <. "
+      "Delete it, or start without --resume.");
+    std::ofstream("damaged") << "<VTKFile></VTKFile>";
+    check_message([]() { PvdSeries("damaged").load(); },
+                  "The series file \"damaged\" is not a readable .pvd file: No such node "
+                  "(VTKFile.Collection). Delete it, or start without --resume.");
+    fs::remove("damaged");
+  }
+
+  void
+  test_places()
+  {
+    check_message([]() { Log("nowhere/log.txt"); },
+                  "nowhere/log.txt: the log file cannot be written: No such file or directory");
+    check_message(
+      []() {
+        std::ostringstream out;
+        draw_profiles(Scene(), "nowhere/profiles", out);
+      },
+      "nowhere/profiles.csv: cannot be written; choose a folder with room and permission to write");
+    // without the plotting package
+    fs::create_directory("no_packages");
+    std::ofstream("no_packages/matplotlib.py") << "raise ImportError('left out by the test')\n";
+    setenv("PYTHONPATH", "no_packages", 1);
+    check_message(
+      []() {
+        std::ostringstream out;
+        draw_profiles(Scene(), "profiles", out);
+      },
+      "profiles.png could not be drawn from profiles.csv; install the Debian package python3-matplotlib");
+    unsetenv("PYTHONPATH");
+    fs::remove_all("no_packages");
+  }
+
+  void
+  test_early_stop()
+  {
+    fs::create_directories("stopped");
+    Summary summary;
+    summary.stop_reason = "a value is not finite";
+    write_summary(summary, "stopped/summary.json");
+    std::ofstream("stopped/parameters.prm") << "set Title = x\n";
+    check_message(
+      []() {
+        std::ostringstream out;
+        execute({"compare", "stopped"}, {}, out);
+      },
+      "The file \"stopped/summary.json\" holds no vertical_force_N and longitudinal_force_N: the run did not "
+      "get so far that its patch could be compared.");
+    fs::remove_all("stopped");
+  }
+
+  // The wheel hangs above the rail: Newton's method finds no contact to begin with.
+  void
+  test_start_without_contact()
+  {
+    const Scene scene    = test::small_scene(8e-3);
+    Model       model    = make_model(scene, MPI_COMM_WORLD);
+    StaticLoads loads    = static_loads(scene, model);
+    loads.first_approach = -1e-4;
+    check_message(
+      [&]() { static_start(*model.forest, model.solid, *model.contact, loads, [](const std::string &) {}); },
+      "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
+      "Mesh/Solution "
+      "cell size");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  test_damaged_files();
+  test_places();
+  test_early_stop();
+  test_start_without_contact();
+  return test::report();
+}
