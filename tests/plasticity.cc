@@ -198,7 +198,8 @@ namespace
       b->move_to(nodal(mesh, [](const Vector &X) { return rough(X, -0.5); }));
     check_near(difference(body.f, other.f), 0, 0, "a restored history goes on with the same forces");
     check_near(body.energy.plastic_work - other.energy.plastic_work, 0, 0, "and the same plastic work");
-    check(saved.size() == 3 && largest(saved[1]) > 1e-3, "viscous state, history and plastic work are visited");
+    check(saved.size() == 3 && largest(saved[1]) > 1e-3,
+          "viscous state, history and plastic work are visited");
   }
 
   /// Moment over fully plastic moment of a beam of `layers` cells through its
@@ -255,6 +256,23 @@ namespace
                          layers == 2 ? 0.06 : 0.02,
                          "fully plastic moment of " + std::to_string(layers) + " layers");
       }
+    // between first yield and full plasticity, M = M_p (1 - 1/(3 k^2)) at k times the curvature of first
+    // yield: a single layer stays elastic up to M_p
+    const auto partly = [&](const int layers, const double k) {
+      return bending_moment(layers, perfect, k, k, body) / (1 - 1 / (3 * k * k));
+    };
+    for (const double k : {1.25, 1.5, 2., 3.})
+      {
+        const std::string text = std::to_string(k).substr(0, 4) + " times first yield: moment of ";
+        for (const int layers : {1, 2})
+          {
+            const double ratio = partly(layers, k);
+            test::check(ratio > 0.98 && ratio < 1.18,
+                        text + std::to_string(layers) + " layers over beam theory " + std::to_string(ratio));
+          }
+        test::check_near(partly(4, k), 1, 0.07, text + "4 layers over beam theory");
+      }
+    test::check_near(partly(1, 1.5) * (1 - 1 / 6.75), 1, 0.01, "a single layer is elastic up to M_p");
     // unloading from 10 to 9 times the curvature of first yield is elastic: M = E
     // I kappa
     const double full = bending_moment(1, perfect, 10, 10, body);

@@ -75,23 +75,23 @@ namespace wheelrail
     }
 
     bool
-    balanced(const StaticSearch &search, const StaticBalance &balance)
+    balanced(const StaticSearch &search, const StaticBalance &balance, const double tolerance)
     {
       const double load = search.wheel_load();
-      return balance.residual.linfty_norm() < 2e-4 * load &&
-             std::abs(balance.sums.force[1] - load) < 2e-3 * load;
+      return balance.residual.linfty_norm() < tolerance * load &&
+             std::abs(balance.sums.force[1] - load) < 10 * tolerance * load;
     }
   } // namespace
 
 
   StaticFlow
-  static_flow(StaticSearch &search, const unsigned int most_steps)
+  static_flow(StaticSearch &search, const double tolerance, const unsigned int most_steps)
   {
     constexpr std::size_t memory = 10;
     StaticFlow            flow;
     std::deque<Secant>    secants;
     flow.balance = search.balance();
-    while (flow.steps < most_steps && !balanced(search, flow.balance))
+    while (flow.steps < most_steps && !balanced(search, flow.balance, tolerance))
       {
         // nodes that close have springs that the preconditioner should know
         if (flow.steps % 5 == 0)

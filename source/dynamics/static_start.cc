@@ -46,6 +46,21 @@ namespace wheelrail
           result.newton_steps = step + 1;
         }
     }
+
+    /// From the elastic equilibrium to about that of bodies that flow, with tractions for its pressures:
+    /// those of the higher elastic pressures would make the surface flow too far. What is left out of balance
+    /// is smaller than what the first millimetres of rolling change.
+    StaticBalance
+    plastic_equilibrium(StaticSearch &search, const bool frictionless, StaticResult &result)
+    {
+      StaticFlow flow   = static_flow(search, 2e-3, 30);
+      result.flow_steps = flow.steps;
+      if (!frictionless)
+        search.renew_tractions();
+      flow = static_flow(search, 2e-4, 40);
+      result.flow_steps += flow.steps;
+      return std::move(flow.balance);
+    }
   } // namespace
 
 
@@ -66,22 +81,20 @@ namespace wheelrail
       const ElasticMeanwhile rail(solid.blocks[0]), wheel(solid.blocks[1]);
       balance = elastic_equilibrium(search, without_friction, 2e-6, result);
     }
+    // flow raises the creepage, though the tractions of its lower pressures would need less
+    result.creepage = search.tractions.creepage;
+    if (without_friction)
+      result.creepage = loads.rate_held ? loads.creepage : 0;
     if (solid.blocks[0].plastic() || solid.blocks[1].plastic())
       {
         report("static start: plastic flow from the elastic equilibrium");
-        constexpr unsigned int most_steps = 60;
-        StaticFlow             flow       = static_flow(search, most_steps);
-        balance                           = std::move(flow.balance);
-        result.flow_steps                 = flow.steps;
+        balance = plastic_equilibrium(search, without_friction, result);
       }
     search.set_tractions();
     result.residual      = balance.residual.linfty_norm() / result.wheel_load;
     result.lift          = search.lift;
     result.cg_steps      = search.cg_steps;
     result.contact_force = balance.sums.force;
-    result.creepage      = search.tractions.creepage;
-    if (without_friction)
-      result.creepage = loads.rate_held ? loads.creepage : 0;
     if (search.tractions.saturated)
       report("static start: the torque is beyond friction x wheel load; the wheel will spin up");
     if (!search.tractions.converged)

@@ -11,8 +11,8 @@ namespace wheelrail
   };
 
   /// Goes on from the equilibrium of elastic bodies to about that of bodies that flow: until no nodal force
-  /// out of balance exceeds 2e-4 of the wheel load and the vertical balance holds to 0.2 %, or for
-  /// `most_steps` steps. What is left is smaller than what the first millimetres of rolling change.
+  /// out of balance exceeds `tolerance` times the wheel load and the vertical balance holds to ten times
+  /// that, or for `most_steps` steps.
   ///
   /// The flow is that of one step from rest to the position (Hencky's deformation theory with linear
   /// hardening), for which the forces have a convex potential. Its minimum is found by the quasi-Newton
@@ -20,5 +20,5 @@ namespace wheelrail
   /// shear modulus to a tenth at most with usual steels, and this is left to the memory. The history of the
   /// elements is that of the position found. Collective.
   StaticFlow
-  static_flow(StaticSearch &search, unsigned int most_steps);
+  static_flow(StaticSearch &search, double tolerance, unsigned int most_steps);
 } // namespace wheelrail

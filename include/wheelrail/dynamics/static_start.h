@@ -38,9 +38,9 @@ namespace wheelrail
   /// Newton's method on the explicit kernel's own forces: the stiffness matrix is assembled once,
   /// the contact springs of the moment are added to a copy of it, which ML preconditions. The hub is
   /// moved; its height follows from the vertical balance in every step. Bodies that yield flow from this
-  /// equilibrium to about their own, see static_flow(); tractions and creepage stay those of elastic
-  /// bodies. Fills solid.displacement, the history of elements that flow and the shear tractions of the
-  /// contact. Throws RunError when it does not converge. Collective.
+  /// equilibrium to about their own, see static_flow(); the creepage stays that of elastic bodies. Fills
+  /// solid.displacement, the history of elements that flow and the shear tractions of the contact. Throws
+  /// RunError when it does not converge. Collective.
   StaticResult
   static_start(const Forest                           &forest,
                Solid                                  &solid,
