@@ -115,7 +115,9 @@ namespace
     other             = good;
     other.cells       = 7;
     other.penetration = 0.08;
-    has(other, true, "too few");
+    has(other, true, "7 cells of 1 mm over the shorter extent of the patch are too few");
+    other.cells = 1.3;
+    has(other, true, "1 cell of 1 mm over the shorter extent of the patch is too few");
     has(other, true, "raise Contact/Penalty scale");
     other.unsteadiness = 0.02;
     has(other, true, "not steady");

@@ -28,8 +28,8 @@ subsection Profiles
 end
 {SMALL_SCENE}
 subsection Run
-  set Rolling distance = 3 mm
-  set Averaging distance = 2 mm
+  set Rolling distance = 5 mm
+  set Averaging distance = 4 mm
 end
 subsection Output
   set Folder = run
@@ -105,10 +105,19 @@ def geometry():
                          "--set", "Profiles/Wheel = " + os.path.join(FILES, "worn_S1002.prw"),
                          "--set", "Profiles/Rail = " + os.path.join(FILES, "worn_54E1.ban"))
     check(code == 0, "geometry of the same profiles from other files")
-    # the axis of the second rail file is not known, but found from the side of its head
-    for value, expected, tolerance, name in zip(contact_of(text), (wheel, rail, radius, angle), (5e-3, 0.05, 5e-3, 5e-3),
-                                                ("wheel x [mm]", "rail x [mm]", "radius [mm]", "angle [degrees]")):
-        check_near(value, expected, tolerance, "the same profiles from other files, " + name)
+    # The second rail file has another origin: its head is put on the standard one by its side 14 mm below its
+    # top. There a head whose top is worn by 0.799 mm is wider by 1/20 of that, the lean of the sides of 54E1.
+    rail -= 0.799 / 20
+    for value, expected, name in zip(contact_of(text), (wheel, rail, radius, angle),
+                                     ("wheel x [mm]", "rail x [mm]", "radius [mm]", "angle [degrees]")):
+        check_near(value, expected, 5e-3, "the same profiles from other files, " + name)
+
+
+def halfspace_centre():
+    """Lateral place of the patch between half-spaces, from the contact point to the track centre [mm]."""
+    code, text = execute("halfspace", "worn.prm")
+    check(code == 0, "the same contact as half-spaces")
+    return float(re.search(r"patch centre, lateral +(\S+) mm", text)[1])
 
 
 def run(ranks, alone=None):
@@ -126,10 +135,16 @@ def run(ranks, alone=None):
     check_near(rail, point[1], 6e-4, "contact point on the rail as by geometry [mm]")
     check_near(1e3 * found["rolling_radius_m"], point[2], 6e-4, "rolling radius as by geometry [mm]")
     load = found["wheel_load_N"]
-    check_near(found["vertical_force_N"] / load, 1, 0.03, "vertical force over the weight")
+    # The worn patch is 5.4 mm wide. Cells of 4 mm that pass through it move the force by 4 % with their own
+    # period, so that the mean is taken over one cell; it is -0.9 % off the weight. With cells of 2 mm the
+    # force moves by 0.3 % and its mean is -0.08 % off.
+    check_near(found["vertical_force_N"] / load, 1, 0.015, "vertical force over the weight")
+    # In so coarse a patch the creepage predicted by half-spaces carries less, and the torque makes up for that
+    # over many millimetres: -1.4 % after 9 mm with cells of 2 mm.
     check_near(found["longitudinal_force_N"] / load, 0.25, 0.0125, "longitudinal force over the weight")
-    # the head turns under its load, which moves the patch a little on such curved profiles
-    check_near(1e3 * found["patch_centre_lateral_m"], 0, 1, "centre of the patch off the contact point [mm]")
+    # The distance of the profiles grows faster on the gauge side. Half-spaces tell where the patch then lies;
+    # the edges of one that is hardly wider than a cell are known to some quarter of a cell.
+    check_near(1e3 * found["patch_centre_lateral_m"], halfspace_centre(), 1, "centre of the patch as of half-spaces [mm]")
     check_near(found["energy_error"], 0, 0.005, "energy error")
     check(found["finished"] is True, "the run has finished")
     if alone:

@@ -159,11 +159,12 @@ namespace wheelrail
     else
       sentence +=
         "is off by " + text("%.0f", 100 * difference) + " % in peak pressure and shows tendencies only";
-    sentence += ": " + text("%.0f", trust.cells) + " cells of " + text("%g", 1e3 * scene.cell_size) +
-                " mm over the shorter extent of the patch are " +
-                (fine ? "enough" : "too few (take at least 12)") + ", the penalty contact sinks in by " +
-                text("%.1f", 100 * trust.penetration) + " % of the approach (" +
-                (stiff ? "small" : "too soft: raise Contact/Penalty scale") + ")";
+    const bool one = std::round(trust.cells) == 1;
+    sentence += ": " + text("%.0f", trust.cells) + (one ? " cell of " : " cells of ") +
+                text("%g", 1e3 * scene.cell_size) + " mm over the shorter extent of the patch " +
+                (one ? "is " : "are ") + (fine ? "enough" : "too few (take at least 12)") +
+                ", the penalty contact sinks in by " + text("%.1f", 100 * trust.penetration) +
+                " % of the approach (" + (stiff ? "small" : "too soft: raise Contact/Penalty scale") + ")";
     if (std::isfinite(trust.unsteadiness))
       sentence += ", the forces vary by " + text("%.2f", 100 * trust.unsteadiness) + " % of the load (" +
                   (steady ? "steady" : "not steady: roll farther") + ")";
