@@ -57,7 +57,7 @@ namespace wheelrail
       result.flow_steps = flow.steps;
       if (!frictionless)
         search.renew_tractions();
-      flow = static_flow(search, 2e-4, 40);
+      flow = static_flow(search, 2e-4, 60);
       result.flow_steps += flow.steps;
       return std::move(flow.balance);
     }

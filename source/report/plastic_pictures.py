@@ -21,6 +21,7 @@ class Triangles:
         self.x, self.y, self.z = (1e3 * places[:, i] for i in range(3))
         known = np.isfinite(fields[RESIDUAL][corners]).all(axis=1)
         self.corners = corners[known]
+        self.begin = -np.inf  # pictures begin here along the rail
         self.residual, self.strain = 1e-6 * fields[RESIDUAL], 1e3 * fields[STRAIN]
 
 
@@ -57,7 +58,7 @@ def read(path, cut_at=None):
 def panel(axes, across, along, triangles, values, label, color_map):
     image = axes.tripcolor(along, across, triangles.corners, values, shading="gouraud", cmap=color_map, vmin=0)
     axes.set_aspect("equal")
-    axes.set_xlim(along[triangles.corners].min(), along[triangles.corners].max())
+    axes.set_xlim(max(along[triangles.corners].min(), triangles.begin), along[triangles.corners].max())
     axes.set_ylim(across[triangles.corners].min(), across[triangles.corners].max())
     axes.figure.colorbar(image, ax=axes, label=label, shrink=0.8)
 
@@ -100,7 +101,8 @@ def draw_all(run):
     if len(flowed) == 0:
         return pictures
     upper = section.y[section.corners].mean(axis=1) > section.y[section.corners].max() - 8
-    near = section.z[section.corners].mean(axis=1) > flowed.min() - 10
+    section.begin = flowed.min() - 10
+    near = section.z[section.corners].max(axis=1) > section.begin
     section.corners = section.corners[upper & near]
     pictures.append((f"Plane AA below the band at X = {middle:.1f} mm, upper 8 mm of the rail",
                      draw(run, "residual_section", section, section.y, "height Y [mm]")))
