@@ -9,8 +9,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 using namespace wheelrail;
+using test::check;
 using test::check_file;
 using test::check_set;
 using test::check_text;
@@ -239,6 +241,24 @@ namespace
       "--shifts 1,two: \"two\" is not a number; write first:last:step or values with commas, in mm, such as "
       "-6:6:0.5");
   }
+
+  // --validate knows from the launcher on how many processes the run would start.
+  void
+  test_ranks()
+  {
+    std::ofstream("ranks.prm") << "set Title = x\n";
+    const long        cores = sysconf(_SC_NPROCESSORS_ONLN);
+    const std::string ranks = std::to_string(cores + 1);
+    setenv("WHEELRAIL_RANKS", ranks.c_str(), 1);
+    std::ostringstream out;
+    execute({"run", "ranks.prm", "--validate"}, {}, out);
+    unsetenv("WHEELRAIL_RANKS");
+    const std::string warning =
+      "warning: --ranks " + ranks + ": more than the " + std::to_string(cores) +
+      " cores of this machine; ranks that wait for each other take turns, which is slower than fewer ranks\n";
+    check(out.str().find(warning) != std::string::npos, warning);
+    unlink("ranks.prm");
+  }
 } // namespace
 
 int
@@ -250,5 +270,6 @@ main()
   test_long_texts();
   test_files();
   test_command_line();
+  test_ranks();
   return test::report();
 }

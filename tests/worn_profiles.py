@@ -145,6 +145,7 @@ def run(ranks, alone=None):
     # The distance of the profiles grows faster on the gauge side. Half-spaces tell where the patch then lies;
     # the edges of one that is hardly wider than a cell are known to some quarter of a cell.
     check_near(1e3 * found["patch_centre_lateral_m"], halfspace_centre(), 1, "centre of the patch as of half-spaces [mm]")
+    check(found["patches"] == 1, "one patch")
     check_near(found["energy_error"], 0, 0.005, "energy error")
     check(found["finished"] is True, "the run has finished")
     if alone:

@@ -15,6 +15,7 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 namespace wheelrail
@@ -55,13 +56,22 @@ namespace wheelrail
                           : read_scene(file, sets_of(options), checks);
     }
 
+    /// The processes that the launcher would start a run on, which it tells by an environment variable; 0
+    /// when it does not.
+    unsigned int
+    ranks_of_launcher()
+    {
+      const char *const told = std::getenv("WHEELRAIL_RANKS");
+      return told ? static_cast<unsigned int>(std::strtoul(told, nullptr, 10)) : 0;
+    }
+
     int
     validate(const po::variables_map &options, std::ostream &out)
     {
       const Scene scene = scene_of(options);
       for (const std::string &note : profile_notes(scene))
         out << "note: " << note << "\n";
-      const Findings found = cross_checks(scene, this_machine(0));
+      const Findings found = cross_checks(scene, this_machine(ranks_of_launcher()));
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
       std::string errors;

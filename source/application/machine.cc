@@ -34,8 +34,8 @@ namespace wheelrail
     // not the affinity mask: mpirun binds each rank to one core
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
     machine.cores    = cores > 0 ? cores : 0;
-    machine.memory = memory_value("MemTotal");
-    machine.free   = memory_value("MemAvailable");
+    machine.memory   = memory_value("MemTotal");
+    machine.free     = memory_value("MemAvailable");
     return machine;
   }
 } // namespace wheelrail

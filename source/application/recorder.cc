@@ -106,6 +106,7 @@ namespace wheelrail
     row.put("patch_centre_longitudinal", "m", m.centre_along);
     row.put("max_shear_traction", "Pa", m.max_shear);
     row.put("stick_fraction", "", m.stick_fraction);
+    n_patches_ = m.n_patches;
   }
 
 
@@ -128,6 +129,9 @@ namespace wheelrail
     const auto &patch_rolled = column(patches, "rolled_distance");
     for (std::size_t c = 1; c < patches.names.size(); ++c)
       put_mean(patches.names[c], patches.units[c], mean_from(patch_rolled, patches.columns[c], from));
+
+    if (n_patches_ > 0)
+      set_figure(summary, "patches", n_patches_);
 
     // where a force or traction is hardly there, a small part of what presses counts
     const auto settled = [&](const History &table, const char *name, const char *pressing) {

@@ -11,6 +11,7 @@
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -274,8 +275,8 @@ namespace wheelrail
       line.energy_error       = rolling_->energy().error;
       line.updates_per_second =
         (rolling_->steps() - first_step_) * double(model_.solid.quality.elements) / elapsed;
-      line.seconds_left =
-        elapsed * (scene_.rolling_distance - axle_->travelled()) / (axle_->travelled() - first_distance_);
+      line.seconds_left = elapsed * std::max(0., scene_.rolling_distance - axle_->travelled()) /
+                          (axle_->travelled() - first_distance_);
       log_.tick(line);
       output_->tick(tick_);
     }

@@ -38,13 +38,15 @@ namespace wheelrail
       state_ = std::move(state);
     }
 
-    /// Means and standard deviations over the rows of the last `distance` [m], and the rolled distance
-    /// from which longitudinal force and peak shear stay within 1 % of their means ("settled_after_m").
+    /// Means and standard deviations over the rows of the last `distance` [m], the number of separate patches
+    /// in the last one added ("patches"), and the rolled distance from which longitudinal force and peak
+    /// shear stay within 1 % of their means ("settled_after_m").
     void
     fill(Summary &summary, double distance) const;
 
   private:
     const Model &model_;
     State        state_;
+    unsigned int n_patches_ = 0; ///< in the patch that was added last
   };
 } // namespace wheelrail
