@@ -238,6 +238,7 @@ namespace wheelrail
     whole.ticks             = part.ticks;
     whole.time_step         = part.time_step;
     whole.prepared_distance = part.prepared_distance;
+    whole.fine_margin       = part.fine_margin;
     whole.contact           = part.contact;
     whole.axle              = part.axle;
     whole.rolling           = part.rolling;

@@ -21,6 +21,7 @@ namespace wheelrail
       visit("ticks", c.ticks);
       visit("time_step", c.time_step);
       visit("prepared_distance", c.prepared_distance);
+      visit("fine_margin", c.fine_margin);
       visit("time", c.rolling.time);
       visit("steps", c.rolling.steps);
       visit("friction", c.rolling.friction);

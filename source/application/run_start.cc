@@ -1,5 +1,6 @@
 #include <wheelrail/application/run_start.h>
 #include <wheelrail/application/run_texts.h>
+#include <wheelrail/base/errors.h>
 #include <wheelrail/dynamics/rolling_velocities.h>
 
 #include <chrono>
@@ -55,6 +56,40 @@ namespace wheelrail
                    format_duration(taken.count()).c_str(),
                    -1e3 * result.lift,
                    result.creepage));
-    return {result.lift, rate};
+    if (!result.converged)
+      log.warning(
+        text("the static start ended with %.2g %% of the wheel load out of balance at a node; the first "
+             "millimetres of rolling take it up",
+             100 * result.residual));
+    return {result.lift, rate, result.at_border};
+  }
+
+
+  RunStart
+  start_on_wide_mesh(Scene &scene, Model &model, Log &log, MPI_Comm communicator)
+  {
+    constexpr double widest = 12e-3;
+    RunStart         start  = start_from_rest(scene, model, log, communicator);
+    while (start.at_border && 2 * scene.fine_margin <= widest)
+      {
+        Scene wider = scene;
+        wider.fine_margin *= 2;
+        try
+          {
+            model = make_model(wider, communicator);
+          }
+        catch (const InputError &) // no room; the run tells what is wrong with the mesh that there is
+          {
+            return start;
+          }
+        scene = wider;
+        log.warning(
+          text("the patch reaches the edge of the fine cells; the mesh is built again with "
+               "Mesh/Fine margin = %g mm",
+               1e3 * scene.fine_margin));
+        log.value("mesh", mesh_text(model.solid.quality));
+        start = start_from_rest(scene, model, log, communicator);
+      }
+    return start;
   }
 } // namespace wheelrail

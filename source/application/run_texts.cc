@@ -6,6 +6,18 @@
 
 namespace wheelrail
 {
+  std::string
+  mesh_text(const MeshQuality &q)
+  {
+    return text("%zu hexahedra (rail %zu, wheel %zu), %zu of the finest size, %zu nodes",
+                q.elements,
+                q.rail_elements,
+                q.wheel_elements,
+                q.finest_elements,
+                q.nodes);
+  }
+
+
   void
   write_header(Log                            &log,
                const Scene                    &scene,
@@ -27,13 +39,7 @@ namespace wheelrail
                    g.angle * 180 / M_PI));
     log.value("rolling radius", text("%.4f mm", 1e3 * g.rolling_radius));
     log.value("wheel load", text("%.2f kN (sprung mass, axle and wheel)", 1e-3 * model.wheel_load));
-    log.value("mesh",
-              text("%zu hexahedra (rail %zu, wheel %zu), %zu of the finest size, %zu nodes",
-                   q.elements,
-                   q.rail_elements,
-                   q.wheel_elements,
-                   q.finest_elements,
-                   q.nodes));
+    log.value("mesh", mesh_text(q));
     log.value("cell sizes",
               text("%.3f to %.1f mm; on the running band %.4f mm along, %.4f mm across",
                    1e3 * q.smallest,

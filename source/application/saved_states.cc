@@ -39,6 +39,7 @@ namespace wheelrail
     kept_                   = std::move(part);
     kept_.parameters        = parameters_;
     kept_.prepared_distance = prepared_distance_;
+    kept_.fine_margin       = run.scene.fine_margin;
     kept_.ticks             = ticks;
     kept_.wall_time         = wall_time;
     on_disk_                = false;

@@ -68,7 +68,10 @@ namespace wheelrail
         if (options_.resume)
           resume_point_ = read_checkpoint(scene_, options_.parameters_text, communicator_);
         if (resume_point_)
-          scene_.prepared_distance = resume_point_->whole.prepared_distance;
+          {
+            scene_.prepared_distance = resume_point_->whole.prepared_distance;
+            scene_.fine_margin       = resume_point_->whole.fine_margin;
+          }
         model_          = make_model(scene_, communicator_);
         const auto mode = resume_point_        ? FolderMode::resume
                           : options_.overwrite ? FolderMode::overwrite
@@ -160,7 +163,7 @@ namespace wheelrail
     void
     Simulation::start_rolling()
     {
-      const RunStart start = start_from_rest(scene_, model_, log_, communicator_);
+      const RunStart start = start_on_wide_mesh(scene_, model_, log_, communicator_);
       make_rolling(start.lift, start.rate);
       if (scene_.volume_fields)
         output_->volume("volume_start");

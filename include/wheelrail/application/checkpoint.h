@@ -28,6 +28,7 @@ namespace wheelrail
     unsigned int ticks             = 0; ///< number of ticks written so far
     double       time_step         = 0; ///< [s]
     double       prepared_distance = 0; ///< for which the mesh was made [m]
+    double       fine_margin       = 0; ///< with which the mesh was made [m]
 
     std::vector<std::uint32_t>            node, cell;  ///< numbers of the nodes and cells that follow
     std::map<std::string, NumberedValues> node_values; ///< position, displacement [m], velocity [m/s]

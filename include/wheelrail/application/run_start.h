@@ -9,8 +9,9 @@ namespace wheelrail
   /// What the axle starts with; the state of the bodies and of the contact is in the model.
   struct RunStart
   {
-    double lift = 0; ///< static vertical displacement of the axle [m]
-    double rate = 0; ///< pitch rate [rad/s]
+    double lift      = 0;     ///< static vertical displacement of the axle [m]
+    double rate      = 0;     ///< pitch rate [rad/s]
+    bool   at_border = false; ///< the patch touches the border of the fine cells
   };
 
   /// What the static start of a scene is asked for.
@@ -22,4 +23,10 @@ namespace wheelrail
   /// found.
   RunStart
   start_from_rest(const Scene &scene, Model &model, Log &log, MPI_Comm communicator);
+
+  /// The same; when the patch reaches the edge of the fine cells, `scene.fine_margin` is doubled, to 12 mm at
+  /// most, and the model made anew. Where profiles conform, as in the root of the flange, small moves of the
+  /// loaded bodies open a second patch beside the one that the profiles let expect. Collective.
+  RunStart
+  start_on_wide_mesh(Scene &scene, Model &model, Log &log, MPI_Comm communicator);
 } // namespace wheelrail

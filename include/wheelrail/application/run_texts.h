@@ -18,6 +18,10 @@ namespace wheelrail
     return buffer;
   }
 
+  /// Numbers of cells and nodes.
+  std::string
+  mesh_text(const MeshQuality &q);
+
   /// Writes what a run starts from: contact point, load, mesh, time step, contact stiffness, and the
   /// warnings of the cross-checks.
   void
