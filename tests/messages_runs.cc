@@ -134,6 +134,25 @@ namespace
                 "most 30 mm");
   }
 
+  /// With the newest state damaged, the one before it is read, and a note says so.
+  void
+  test_older_state(const std::string &damaged)
+  {
+    write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD); // checkpoint_1.h5
+    write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD); // checkpoint_0.h5
+    write("runs/saved/checkpoint_0.h5", "damaged");
+    Scene scene;
+    scene.folder           = "runs/saved";
+    scene.rolling_distance = 0.03;
+    const auto  point      = read_checkpoint(scene, parameters, MPI_COMM_WORLD);
+    std::string notes;
+    for (const std::string &note : point->notes)
+      notes += note + "\n";
+    check_text(notes,
+               damaged + "; the run goes on from the state before it, checkpoint_1.h5\n",
+               "the older of two states");
+  }
+
   void
   test_saved_states()
   {
@@ -157,6 +176,7 @@ namespace
       "checkpoint_0.h5 is damaged or missing (its checksum is not the one in checkpoint.json)";
     write("runs/saved/checkpoint_0.h5", "damaged");
     check_state(answer(parameters), damaged + anew);
+    test_older_state(damaged);
     write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD);
     write("runs/saved/checkpoint_1.h5", "damaged");
     check_state(answer(parameters),

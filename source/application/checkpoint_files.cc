@@ -191,8 +191,9 @@ namespace wheelrail
       if (const auto obstacle = obstacle_to_resume(whole, scene, parameters); !obstacle.empty())
         refuse(scene.folder, obstacle);
       if (whole.ranks() != static_cast<unsigned int>(size))
-        notes += "the state was saved by " + std::to_string(whole.ranks()) + " ranks and goes on with " +
-                 std::to_string(size) + ": figures agree up to the growth of round-off\n";
+        notes += "the state was saved by " + std::to_string(whole.ranks()) +
+                 (whole.ranks() == 1 ? " rank" : " ranks") + " and goes on with " + std::to_string(size) +
+                 ": figures agree up to the growth of round-off\n";
     });
     broadcast(bytes, communicator);
     broadcast(notes, communicator);
