@@ -1,6 +1,6 @@
+#include <wheelrail/solid/batches.h>
 #include <wheelrail/solid/full_element.h>
 #include <wheelrail/solid/full_points.h>
-#include <wheelrail/solid/lanes.h>
 
 namespace wheelrail
 {
@@ -8,23 +8,6 @@ namespace wheelrail
   {
     using namespace full;
     namespace stdx = std::experimental;
-
-    /// Energies summed lane by lane.
-    template <int W>
-    struct LaneEnergy
-    {
-      Simd<W> strain = 0., plastic_work = 0., viscous_power = 0.;
-    };
-
-    /// What one call works on.
-    struct Call
-    {
-      ElementBlocks       &blocks;
-      const double        *displacement;
-      double              *force;
-      const BulkViscosity &viscosity;
-      BilinearLaw          law;
-    };
 
     /// The points of a batch, their strains with the mean dilatation in place of their own.
     template <int W>
@@ -36,7 +19,7 @@ namespace wheelrail
 
     template <int W>
     inline void
-    evaluate_points(const Call &call, const std::size_t batch, Points<W> &points)
+    evaluate_points(const KernelCall &call, const std::size_t batch, Points<W> &points)
     {
       Simd<W>              u[8][3];
       const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
@@ -60,7 +43,10 @@ namespace wheelrail
     /// Stress of the bulk viscosity; records it and the dilatation.
     template <int W>
     inline Simd<W>
-    viscous_stress(const Call &call, const std::size_t batch, const Points<W> &points, LaneEnergy<W> &energy)
+    viscous_stress(const KernelCall &call,
+                   const std::size_t batch,
+                   const Points<W>  &points,
+                   LaneEnergy<W>    &energy)
     {
       const Elasticity &material = call.blocks.material;
       double           *old      = call.blocks.viscous.data() + batch * 2 * W;
@@ -79,7 +65,7 @@ namespace wheelrail
     /// of the element in this step.
     template <int W, bool with_energy>
     inline void
-    plastic_response(const Call       &call,
+    plastic_response(const KernelCall &call,
                      const std::size_t batch,
                      const int         g,
                      const Point<W>   &point,
@@ -107,7 +93,7 @@ namespace wheelrail
     /// The work of one batch.
     template <int W, bool plastic, bool with_energy>
     inline void
-    batch_force(const Call &call, const std::size_t batch, LaneEnergy<W> &energy)
+    batch_force(const KernelCall &call, const std::size_t batch, LaneEnergy<W> &energy)
     {
       Points<W> points;
       evaluate_points<W>(call, batch, points);
@@ -160,28 +146,15 @@ namespace wheelrail
         scatter_subtract<W>(call.force, nodes + a * W, f[a]);
     }
 
-    template <int W, bool plastic, bool with_energy>
-    void
-    all_batches(const Call &call, ElementEnergy &energy)
+    struct FullKernel
     {
-      const std::size_t n_batches = call.blocks.n_batches();
-      LaneEnergy<W>     sum;
-      for (std::size_t batch = 0; batch < n_batches; ++batch)
-        batch_force<W, plastic, with_energy>(call, batch, sum);
-      energy.strain += stdx::reduce(sum.strain);
-      energy.plastic_work += stdx::reduce(sum.plastic_work);
-      energy.viscous_power += stdx::reduce(sum.viscous_power);
-    }
-
-    template <int W>
-    void
-    choose_kind(const Call &call, const bool with_energy, ElementEnergy &energy)
-    {
-      if (call.blocks.plastic())
-        with_energy ? all_batches<W, true, true>(call, energy) : all_batches<W, true, false>(call, energy);
-      else
-        with_energy ? all_batches<W, false, true>(call, energy) : all_batches<W, false, false>(call, energy);
-    }
+      template <int W, bool plastic, bool with_energy>
+      static void
+      batch(const KernelCall &call, const std::size_t batch, LaneEnergy<W> &energy)
+      {
+        batch_force<W, plastic, with_energy>(call, batch, energy);
+      }
+    };
   } // namespace
 
 
@@ -193,17 +166,9 @@ namespace wheelrail
                       const bool           with_energy,
                       ElementEnergy       &energy)
   {
-    const Call call{blocks, displacement, force, viscosity, BilinearLaw(blocks.material, blocks.plasticity)};
-    switch (blocks.width)
-      {
-        case 1:
-          return choose_kind<1>(call, with_energy, energy);
-        case 2:
-          return choose_kind<2>(call, with_energy, energy);
-        case 4:
-          return choose_kind<4>(call, with_energy, energy);
-        default:
-          return choose_kind<8>(call, with_energy, energy);
-      }
+    all_batches<FullKernel>(
+      {blocks, displacement, force, viscosity, BilinearLaw(blocks.material, blocks.plasticity)},
+      with_energy,
+      energy);
   }
 } // namespace wheelrail

@@ -1,3 +1,4 @@
+#include <wheelrail/solid/batches.h>
 #include <wheelrail/solid/reduced_kernel.h>
 #include <wheelrail/solid/reduced_plasticity.h>
 
@@ -8,28 +9,11 @@ namespace wheelrail
     using namespace reduced;
     namespace stdx = std::experimental;
 
-    /// Energies summed lane by lane.
-    template <int W>
-    struct LaneEnergy
-    {
-      Simd<W> strain = 0., stabilisation = 0., plastic_work = 0., viscous_power = 0.;
-    };
-
-    /// What one call works on.
-    struct Call
-    {
-      ElementBlocks       &blocks;
-      const double        *displacement;
-      double              *force;
-      const BulkViscosity &viscosity;
-      BilinearLaw          law;
-    };
-
     /// Stress S at the centre and hourglass stresses Q of an elastic batch.
     template <int W, bool with_energy>
     inline void
-    elastic_response(const Call      &call,
-                     const Packed<W> &g,
+    elastic_response(const KernelCall &call,
+                     const Packed<W>  &g,
                      const Simd<W> (&E)[6],
                      const V3<W> (&p)[4],
                      Simd<W> (&S)[6],
@@ -51,7 +35,7 @@ namespace wheelrail
     /// The same for a batch that may flow, with its history brought up to date.
     template <int W, bool with_energy>
     inline void
-    plastic_response(const Call       &call,
+    plastic_response(const KernelCall &call,
                      const std::size_t batch,
                      const Packed<W>  &g,
                      const Simd<W> (&E)[6],
@@ -101,7 +85,7 @@ namespace wheelrail
     /// Adds the stress of the bulk viscosity; records dilatation and stress.
     template <int W>
     inline void
-    add_viscosity(const Call       &call,
+    add_viscosity(const KernelCall &call,
                   const std::size_t batch,
                   const Packed<W>  &g,
                   const Simd<W> (&E)[6],
@@ -137,7 +121,7 @@ namespace wheelrail
     /// The work of one batch.
     template <int W, bool plastic, bool with_energy>
     inline void
-    batch_force(const Call &call, const std::size_t batch, LaneEnergy<W> &energy)
+    batch_force(const KernelCall &call, const std::size_t batch, LaneEnergy<W> &energy)
     {
       const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
       const Packed<W>      g{call.blocks.data.data() + batch * ElementBlocks::fields * W};
@@ -168,29 +152,15 @@ namespace wheelrail
       apply_forces<W>(g, nodes, P, G, call.force);
     }
 
-    template <int W, bool plastic, bool with_energy>
-    void
-    all_batches(const Call &call, ElementEnergy &energy)
+    struct ReducedKernel
     {
-      const std::size_t n_batches = call.blocks.n_batches();
-      LaneEnergy<W>     sum;
-      for (std::size_t batch = 0; batch < n_batches; ++batch)
-        batch_force<W, plastic, with_energy>(call, batch, sum);
-      energy.strain += stdx::reduce(sum.strain);
-      energy.stabilisation += stdx::reduce(sum.stabilisation);
-      energy.plastic_work += stdx::reduce(sum.plastic_work);
-      energy.viscous_power += stdx::reduce(sum.viscous_power);
-    }
-
-    template <int W>
-    void
-    choose_kind(const Call &call, const bool with_energy, ElementEnergy &energy)
-    {
-      if (call.blocks.plastic())
-        with_energy ? all_batches<W, true, true>(call, energy) : all_batches<W, true, false>(call, energy);
-      else
-        with_energy ? all_batches<W, false, true>(call, energy) : all_batches<W, false, false>(call, energy);
-    }
+      template <int W, bool plastic, bool with_energy>
+      static void
+      batch(const KernelCall &call, const std::size_t batch, LaneEnergy<W> &energy)
+      {
+        batch_force<W, plastic, with_energy>(call, batch, energy);
+      }
+    };
   } // namespace
 
 
@@ -202,17 +172,9 @@ namespace wheelrail
                          const bool           with_energy,
                          ElementEnergy       &energy)
   {
-    const Call call{blocks, displacement, force, viscosity, BilinearLaw(blocks.material, blocks.plasticity)};
-    switch (blocks.width)
-      {
-        case 1:
-          return choose_kind<1>(call, with_energy, energy);
-        case 2:
-          return choose_kind<2>(call, with_energy, energy);
-        case 4:
-          return choose_kind<4>(call, with_energy, energy);
-        default:
-          return choose_kind<8>(call, with_energy, energy);
-      }
+    all_batches<ReducedKernel>(
+      {blocks, displacement, force, viscosity, BilinearLaw(blocks.material, blocks.plasticity)},
+      with_energy,
+      energy);
   }
 } // namespace wheelrail
