@@ -56,7 +56,7 @@ namespace wheelrail
                    format_duration(taken.count()).c_str(),
                    -1e3 * result.lift,
                    result.creepage));
-    if (!result.converged)
+    if (!result.converged && !result.at_border)
       log.warning(
         text("the static start ended with %.2g %% of the wheel load out of balance at a node; the first "
              "millimetres of rolling take it up",
