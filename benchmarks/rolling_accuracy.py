@@ -17,6 +17,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+from matplotlib import ticker
 
 PAIRS = ["2:10", "1:0.1", "1:1", "1:3", "1:10", "1:30", "0.5:10"]
 FIGURES = {
@@ -25,6 +26,8 @@ FIGURES = {
     "max_shear_traction": "peak shear",
     "creepage": "creepage",
 }
+
+SMALLEST = 0.1  # per cent; smaller errors are drawn there
 
 
 def measure(scene, cell, scale):
@@ -52,23 +55,35 @@ def measure(scene, cell, scale):
 
 
 def draw(rows, picture):
-    figure, axes = plt.subplots(1, len(FIGURES), figsize=(4 * len(FIGURES), 3.8), constrained_layout=True, sharey=True)
-    for axis, (key, label) in zip(axes, FIGURES.items()):
-        for row in rows:
-            axis.plot(abs(row[key]), row["wall_s"], "o")
-            axis.annotate(
-                f"{row['cell_mm']} mm, f = {row['penalty_scale']}",
-                (abs(row[key]), row["wall_s"]),
-                fontsize=7,
-                xytext=(4, 4),
-                textcoords="offset points",
+    figure, axes = plt.subplots(2, 2, figsize=(9, 7.5), constrained_layout=True, sharey=True)
+    plain = ticker.FuncFormatter(lambda value, _: f"{value:g}")
+    for axis, (key, label) in zip(axes.flat, FIGURES.items()):
+        for cell in sorted({float(row["cell_mm"]) for row in rows}):
+            points = sorted(
+                (float(row["penalty_scale"]), max(SMALLEST, abs(float(row[key]))), float(row["wall_s"]))
+                for row in rows
+                if float(row["cell_mm"]) == cell
             )
-        axis.set_xscale("symlog", linthresh=0.5)
-        axis.set_yscale("log")
-        axis.margins(0.25)
-        axis.set_xlabel(f"error of the {label} [%]")
+            axis.plot([p[1] for p in points], [p[2] for p in points], "o-", label=f"cells of {cell:g} mm")
+            for k, (scale, error, time) in enumerate(points):
+                axis.annotate(
+                    f"f = {scale:g}",
+                    (error, time),
+                    fontsize=8,
+                    ha="center",
+                    xytext=(0, 7 if k % 2 else -14),
+                    textcoords="offset points",
+                )
+        axis.set(xscale="log", yscale="log", xlabel=f"error of the {label} [%]")
+        axis.xaxis.set_major_formatter(plain)
+        axis.yaxis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
+        axis.yaxis.set_major_formatter(plain)
+        axis.yaxis.set_minor_formatter(ticker.NullFormatter())
+        axis.margins(0.15)
         axis.grid(True, which="both", alpha=0.3)
-    axes[0].set_ylabel("wall time [s]")
+    for axis in axes[:, 0]:
+        axis.set_ylabel("wall time [s]")
+    axes[0, 0].legend()
     figure.savefig(picture, dpi=120)
 
 
