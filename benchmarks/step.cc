@@ -50,8 +50,8 @@ namespace
   }
 
   /// Bytes that one update moves at least, when each array comes from memory once in each of the two passes:
-  /// elements (geometry, node numbers, viscous state in and out, history and work in and out, displacement in,
-  /// force in and out) and nodes (force, velocity, displacement in and out, masses).
+  /// elements (geometry, node numbers, viscous state in and out, history and work in and out, displacement
+  /// in, force in and out) and nodes (force, velocity, displacement in and out, masses).
   double
   bytes(const BlockMotion &block, const Case kind)
   {

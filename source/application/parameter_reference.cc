@@ -61,7 +61,7 @@ namespace wheelrail
          "it:\n\n"
          "    ./wheelrail parameters --markdown > doc/parameters.md\n\n"
          "How a file is written tells [input.md](input.md); what the program answers to a faulty one, "
-           "[messages.md](messages.md).\n";
+         "[messages.md](messages.md).\n";
     write_entries("", out);
     for (const std::string &section : section_names())
       write_entries(section, out);

@@ -166,7 +166,8 @@ namespace wheelrail
   {
     const auto json = nlohmann::ordered_json::parse(read_whole_file(path), nullptr, false);
     if (!json.is_object())
-      throw RunError("The file \"" + path + "\" is no summary of a run; compute it again with \"./wheelrail run\".");
+      throw RunError("The file \"" + path +
+                     "\" is no summary of a run; compute it again with \"./wheelrail run\".");
 
     Summary summary;
     for (const auto &item : json.items())

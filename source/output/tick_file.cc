@@ -40,7 +40,8 @@ namespace wheelrail
     file_             = open_in_memory(there ? read_whole_file(path_) : "");
     if (file_ < 0)
       throw RunError("The HDF5 file \"" + path_ + "\": HDF5 cannot " +
-                     (there ? "read it: it is no complete HDF5 file; start anew without --resume." : "make a file in memory."));
+                     (there ? "read it: it is no complete HDF5 file; start anew without --resume."
+                            : "make a file in memory."));
     const unsigned int found = count_ticks(file_);
     n_ticks_                 = std::min(found, keep_ticks);
     for (unsigned int tick = n_ticks_; tick < found; ++tick)
