@@ -1,5 +1,6 @@
 #include <wheelrail/application/expected_patch.h>
 #include <wheelrail/application/fields.h>
+#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>
@@ -11,13 +12,6 @@ namespace wheelrail
 {
   namespace
   {
-    double
-    von_mises(const double *s)
-    {
-      const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-      return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-    }
-
     /// Displacement of a node against the rigid motion of its body.
     Vector3
     deformation(const Solid &solid, const unsigned int n, const Axle &axle)

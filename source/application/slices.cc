@@ -2,6 +2,7 @@
 #include <wheelrail/application/probes.h>
 #include <wheelrail/application/slices.h>
 #include <wheelrail/output/hdf5_handles.h>
+#include <wheelrail/solid/cauchy.h>
 
 #include <algorithm>
 #include <array>
@@ -29,13 +30,6 @@ namespace wheelrail
 
     /// Deep enough for the stresses of a patch of some 20 mm.
     constexpr double depth_of_slices = 15e-3;
-
-    double
-    von_mises(const double *s)
-    {
-      const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
-      return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
-    }
 
     /// Where a slice runs over the lattice of the contact: nodes at both sides of every point of the line,
     /// and the weight of the second.

@@ -1,5 +1,7 @@
 #include <wheelrail/solid/cauchy.h>
 
+#include <cmath>
+
 namespace wheelrail
 {
   std::array<double, 6>
@@ -21,5 +23,13 @@ namespace wheelrail
         result[k] /= J;
       }
     return result;
+  }
+
+
+  double
+  von_mises(const double *s)
+  {
+    const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
+    return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
   }
 } // namespace wheelrail

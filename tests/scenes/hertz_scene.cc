@@ -1,6 +1,7 @@
 #include "hertz_scene.h"
 
 #include <wheelrail/output/patch_measures.h>
+#include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/kernel.h>
 #include <wheelrail/solid/stress_recovery.h>
 
@@ -105,11 +106,8 @@ namespace scenes
           Vector3 X{};
           for (const unsigned int n : solid.mesh.cells[solid.block_cells[0][e]])
             add(X, 0.125, place_of(solid.mesh, n));
-          const auto &s = stress[e];
           if (X[0] < cell && X[2] < cell && X[1] > -12e-3)
-            mises[-X[1]] = std::sqrt(
-              0.5 * (std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2)) +
-              3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+            mises[-X[1]] = von_mises(stress[e].data());
         }
       std::vector<double> depth, value;
       for (const auto &[d, m] : mises)
