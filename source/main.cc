@@ -1,7 +1,7 @@
 #include <wheelrail/application/commands.h>
-#include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
+#include <wheelrail/run/simulation.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>

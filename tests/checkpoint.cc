@@ -3,14 +3,14 @@
 // Runs that are stopped and go on: the same bits whether and where they were stopped, and what is refused.
 // All start from one static start: a second one in the same process agrees within its tolerance only.
 
-#include <wheelrail/application/checkpoint_files.h>
-#include <wheelrail/application/parameters.h>
-#include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/parameters.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
+#include <wheelrail/run/simulation.h>
+#include <wheelrail/state/checkpoint_files.h>
 
 #include "parallel.h"
 #include "small_scene.h"

@@ -3,8 +3,8 @@
 // Numbers of nodes and cells that do not depend on the partition, and a state that one number of ranks
 // writes and another reads, with the plastic history of the elements.
 
-#include <wheelrail/application/checkpoint.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/state/checkpoint.h>
 
 #include "parallel.h"
 #include "small_scene.h"

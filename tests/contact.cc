@@ -1,6 +1,6 @@
 // Contact of rigidly placed bodies: true gap, no cogging, action and reaction, Coulomb friction, energy.
 
-#include <wheelrail/application/model.h>
+#include <wheelrail/model/model.h>
 
 #include "parallel.h"
 #include "small_scene.h"

@@ -6,7 +6,7 @@
 #include "scenes/rolling_pair.h"
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/output/patch_measures.h>
+#include <wheelrail/sampling/patch_measures.h>
 
 #include <algorithm>
 #include <cmath>

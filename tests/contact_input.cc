@@ -3,7 +3,7 @@
 
 #include "messages.h"
 
-#include <wheelrail/application/contact_input.h>
+#include <wheelrail/reference/contact_input.h>
 
 #include <sstream>
 

@@ -3,9 +3,9 @@
 
 #include "check.h"
 
-#include <wheelrail/application/expected_patch.h>
-#include <wheelrail/application/model.h>
-#include <wheelrail/application/parameters.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/model.h>
 
 #include <deal.II/base/mpi.h>
 

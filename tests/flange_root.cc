@@ -2,8 +2,8 @@
 // The contact in the root of the flange: under load a second patch opens beside the one that the profiles let
 // expect, beyond the fine cells of the default margin.
 
-#include <wheelrail/application/parameters.h>
-#include <wheelrail/application/run_start.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/run/run_start.h>
 
 #include "parallel.h"
 

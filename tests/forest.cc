@@ -3,7 +3,7 @@
 // The swept meshes of wheel and rail: hanging nodes, rigid rotation of the whole wheel, the lattices of the
 // running surfaces, equal sums on any number of ranks.
 
-#include <wheelrail/application/model.h>
+#include <wheelrail/model/model.h>
 
 #include "parallel.h"
 #include "small_scene.h"

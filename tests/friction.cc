@@ -1,7 +1,7 @@
 // Friction laws: values of the laws, and the contact of a rigidly sliding wheel under each of them.
 
-#include <wheelrail/application/model.h>
-#include <wheelrail/contact/friction.h>
+#include <wheelrail/material/friction.h>
+#include <wheelrail/model/model.h>
 
 #include "parallel.h"
 #include "small_scene.h"

@@ -5,9 +5,9 @@
 
 #include "fuzz.h"
 
-#include <wheelrail/application/entries.h>
-#include <wheelrail/application/parameters.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/input/parameters.h>
 
 namespace test
 {

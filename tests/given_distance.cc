@@ -3,8 +3,8 @@
 #include "check.h"
 #include "messages.h"
 
-#include <wheelrail/application/distance_file.h>
-#include <wheelrail/application/given_distance.h>
+#include <wheelrail/reference/distance_file.h>
+#include <wheelrail/reference/given_distance.h>
 
 #include <filesystem>
 #include <fstream>

@@ -4,8 +4,8 @@
 
 #include <wheelrail/application/commands.h>
 #include <wheelrail/output/hdf5_file.h>
-#include <wheelrail/output/patch_measures.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/sampling/patch_measures.h>
 
 #include <filesystem>
 #include <fstream>

@@ -3,7 +3,7 @@
 
 #include "reference_table.h"
 
-#include <wheelrail/application/halfspace_case.h>
+#include <wheelrail/reference/halfspace_case.h>
 
 using namespace wheelrail;
 using test::check;

@@ -4,11 +4,11 @@
 #include "check.h"
 
 #include <wheelrail/application/commands.h>
-#include <wheelrail/application/entries.h>
 #include <wheelrail/application/geometry_command.h>
-#include <wheelrail/application/parameters.h>
-#include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/run/simulation.h>
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,7 @@
 // Mass, centre of gravity and inertia of the swept meshes from their lumped masses against the exact
 // sections, and what the chords of coarse blocks cost.
 
-#include <wheelrail/application/model.h>
+#include <wheelrail/model/model.h>
 
 #include "parallel.h"
 #include "small_scene.h"

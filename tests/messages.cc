@@ -3,9 +3,9 @@
 #include "messages.h"
 
 #include <wheelrail/application/commands.h>
-#include <wheelrail/application/input_file.h>
-#include <wheelrail/application/simulation.h>
 #include <wheelrail/base/shown_text.h>
+#include <wheelrail/input/input_file.h>
+#include <wheelrail/run/simulation.h>
 
 #include <filesystem>
 #include <fstream>

@@ -4,8 +4,8 @@
 
 #include "check.h"
 
-#include <wheelrail/application/parameters.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/parameters.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>

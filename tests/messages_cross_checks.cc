@@ -2,7 +2,7 @@
 
 #include "messages.h"
 
-#include <wheelrail/application/cross_checks.h>
+#include <wheelrail/input/cross_checks.h>
 
 using namespace wheelrail;
 using test::check;

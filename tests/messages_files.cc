@@ -6,13 +6,13 @@
 
 #include <wheelrail/application/commands.h>
 #include <wheelrail/application/geometry_picture.h>
-#include <wheelrail/application/run_start.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
+#include <wheelrail/run/run_start.h>
 
 #include <deal.II/base/mpi.h>
 

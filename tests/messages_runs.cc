@@ -4,8 +4,8 @@
 
 #include "messages.h"
 
-#include <wheelrail/application/checkpoint_files.h>
 #include <wheelrail/output/folder.h>
+#include <wheelrail/state/checkpoint_files.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -3,9 +3,9 @@
 
 #include "messages.h"
 
-#include <wheelrail/application/model.h>
 #include <wheelrail/mesh/rail_section.h>
 #include <wheelrail/mesh/wheel_section.h>
+#include <wheelrail/model/model.h>
 
 using namespace wheelrail;
 using test::check_text;

@@ -6,11 +6,11 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/hdf5_file.h>
-#include <wheelrail/output/patch_measures.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
+#include <wheelrail/sampling/patch_measures.h>
 
 #include "check.h"
 #include "hertz_patch.h"

@@ -3,9 +3,9 @@
 #include "check.h"
 
 #include <wheelrail/application/commands.h>
-#include <wheelrail/application/entries.h>
-#include <wheelrail/application/parameter_reference.h>
-#include <wheelrail/application/simulation.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/input/parameter_reference.h>
+#include <wheelrail/run/simulation.h>
 
 #include <fstream>
 #include <sstream>

@@ -3,10 +3,10 @@
 // A few millimetres of rolling on coarse cells, from the static start on: forces, energy, friction, and the
 // same figures on any number of ranks.
 
-#include <wheelrail/application/model.h>
-#include <wheelrail/application/run_start.h>
 #include <wheelrail/dynamics/rolling.h>
 #include <wheelrail/dynamics/rolling_velocities.h>
+#include <wheelrail/model/model.h>
+#include <wheelrail/run/run_start.h>
 
 #include "parallel.h"
 #include "small_scene.h"

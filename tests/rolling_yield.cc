@@ -3,8 +3,8 @@
 // Rolling on steel that yields: the static start has flowed already. From an elastic one the wheel falls into
 // a patch that gives way in the first steps, and the vertical force loses a sixth.
 
-#include <wheelrail/application/run_start.h>
 #include <wheelrail/dynamics/rolling.h>
+#include <wheelrail/run/run_start.h>
 
 #include "parallel.h"
 #include "small_scene.h"

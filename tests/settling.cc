@@ -1,7 +1,7 @@
 // From where on a history stays at its final value.
 #include "check.h"
 
-#include <wheelrail/application/settling.h>
+#include <wheelrail/sampling/settling.h>
 
 using namespace wheelrail;
 using test::check;

@@ -1,8 +1,8 @@
 // The peak of the shear traction between the nodes, where stick and slip meet.
 #include "check.h"
 
-#include <wheelrail/output/patch_measures.h>
-#include <wheelrail/output/slip_edge.h>
+#include <wheelrail/sampling/patch_measures.h>
+#include <wheelrail/sampling/slip_edge.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 // The scene of the rolling program in a size for tests: a short rail, few and coarse cells.
 
-#include <wheelrail/application/model.h>
+#include <wheelrail/model/model.h>
 
 namespace test
 {

@@ -1,7 +1,7 @@
 // The stable time step of the refined meshes: the finest cells below the strip govern it, or come close
 // to doing so, and not thin cells of the blocks beside it.
 
-#include <wheelrail/application/model.h>
+#include <wheelrail/model/model.h>
 
 #include <deal.II/base/mpi.h>
 

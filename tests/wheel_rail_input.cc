@@ -2,10 +2,10 @@
 // profiles that give the same contact when they are read back.
 #include "messages.h"
 
-#include <wheelrail/application/wheel_rail_input.h>
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/geometry/measured_profiles.h>
 #include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/reference/wheel_rail_input.h>
 
 #include <sstream>
 

@@ -1,16 +1,16 @@
 #include <wheelrail/application/commands.h>
 #include <wheelrail/application/compare_command.h>
-#include <wheelrail/application/cross_checks.h>
-#include <wheelrail/application/entry_kinds.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/halfspace_command.h>
-#include <wheelrail/application/input_file.h>
-#include <wheelrail/application/parameter_reference.h>
-#include <wheelrail/application/parameters.h>
-#include <wheelrail/application/scene_profiles.h>
-#include <wheelrail/application/simulation.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/cross_checks.h>
+#include <wheelrail/input/entry_kinds.h>
+#include <wheelrail/input/input_file.h>
+#include <wheelrail/input/parameter_reference.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_profiles.h>
+#include <wheelrail/run/simulation.h>
 
 #include <boost/program_options.hpp>
 

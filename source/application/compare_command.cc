@@ -1,7 +1,7 @@
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/halfspace_command.h>
-#include <wheelrail/application/parameters.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/parameters.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 

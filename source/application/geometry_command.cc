@@ -1,8 +1,8 @@
 #include <wheelrail/application/geometry_command.h>
-#include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/conicity.h>
+#include <wheelrail/model/scene_profiles.h>
 
 #include <algorithm>
 #include <cmath>

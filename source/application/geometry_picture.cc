@@ -1,6 +1,6 @@
 #include <wheelrail/application/geometry_picture.h>
-#include <wheelrail/application/scene_profiles.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/model/scene_profiles.h>
 
 #include <algorithm>
 #include <cmath>

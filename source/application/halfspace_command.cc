@@ -1,12 +1,12 @@
-#include <wheelrail/application/contact_input.h>
-#include <wheelrail/application/given_distance.h>
-#include <wheelrail/application/halfspace_case.h>
 #include <wheelrail/application/halfspace_command.h>
-#include <wheelrail/application/parameters.h>
-#include <wheelrail/application/wheel_rail_input.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/parameters.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/contact_input.h>
+#include <wheelrail/reference/given_distance.h>
+#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/wheel_rail_input.h>
 
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "hertz_scene.h"
 
-#include <wheelrail/output/patch_measures.h>
+#include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/kernel.h>
 #include <wheelrail/solid/stress_recovery.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/application/halfspace_case.h>
+#include <wheelrail/reference/halfspace_case.h>
 
 #include <ostream>
 #include <string>

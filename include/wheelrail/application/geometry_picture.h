@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/application/scene.h>
+#include <wheelrail/scene/scene.h>
 
 #include <ostream>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <wheelrail/contact/friction.h>
 #include <wheelrail/contact/surface_filter.h>
+#include <wheelrail/material/friction.h>
 
 #include <mpi.h>
 

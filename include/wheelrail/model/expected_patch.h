@@ -1,0 +1,46 @@
+#pragma once
+
+#include <wheelrail/scene/scene.h>
+
+namespace wheelrail
+{
+  /// What is known of the contact before anything is computed, from the rigid profiles.
+  struct ExpectedPatch
+  {
+    double approach = 0; ///< of wheel and rail under the static load [m]
+    double length   = 0; ///< along the track [m]
+    double width    = 0; ///< lateral, on the tread [m]
+  };
+
+  /// E* of Hertz's theory, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 [Pa].
+  double
+  contact_modulus(const Scene &scene);
+
+  /// Weight on one rail: sprung mass, half axle and a wheel of usual mass (320 kg) [N].
+  double
+  expected_load(const Scene &scene);
+
+  /// Approach of Hertz's theory (1882), which goes like (F^2 / (R E*^2))^(1/3), scaled from steel, a
+  /// radius of 460 mm and 100 kN, which have about 0.1 mm [m].
+  double
+  expected_approach(const Scene &scene, double rolling_radius);
+
+  /// Half the length of the stretch where the undeformed wheel, lowered by `approach` [m], dips into
+  /// the rail [m]: no patch is longer.
+  double
+  half_length_bound(double approach, double rolling_radius);
+
+  /// Size of the patch as the stretch where the undeformed profiles interpenetrate at 0.55 of the
+  /// approach, the rule of Kik and Piotrowski (1996); some 10 % too long for a wheel on a rail head.
+  ExpectedPatch
+  expected_patch(const Scene &scene, const ContactGeometry &geometry);
+
+  /// Number of hexahedra of the mesh, to about a third: a fixed strip of solution cells on both
+  /// bodies, the cells around it, and coarse cells in the rest.
+  double
+  expected_elements(const Scene &scene, const ExpectedPatch &patch);
+
+  /// Memory of a run on all ranks together [bytes]; its peak is in the static start.
+  double
+  expected_memory(double elements, unsigned int ranks);
+} // namespace wheelrail

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <wheelrail/halfspace/problem.h>
+#include <wheelrail/output/summary.h>
+#include <wheelrail/sampling/patch_measures.h>
+#include <wheelrail/scene/scene.h>
+
+namespace wheelrail
+{
+  /// Where rail head and wheel rim stand against the rigid placement of 2D-Geo (signs of doc/signs.md).
+  struct SectionOffsets
+  {
+    double lateral    = 0; ///< wheel moved against the rail to the track centre [m]
+    double rail_roll  = 0; ///< about the contact point, from X to Y [rad]
+    double wheel_roll = 0; ///< [rad]
+  };
+
+  /// What presses and drives the wheel.
+  struct WheelRailLoad
+  {
+    double force        = 0;     ///< on the wheel: normal to the contact plane, or vertical [N]
+    bool   vertical     = false; ///< the normal force N follows from N cos a + T sin a = force
+    double longitudinal = 0;     ///< on the wheel, positive forward [N]
+    bool   rate_held    = false; ///< `creepage` is given instead of the longitudinal force
+    double creepage     = 0;     ///< at the rolling radius of 2D-Geo, positive driving
+  };
+
+  /// The half-space solution of wheel and rail. Tractions, forces and creepages of `solution` are those on
+  /// the rail (body 1); its y is the coordinate s of the contact frame of 2D-Geo, along the rail.
+  struct WheelRailSolution
+  {
+    HalfspaceProblem  problem; ///< as it was solved
+    HalfspaceSolution solution;
+    PatchFields       patch;            ///< in the form and with the signs of a run's patch
+    PatchMeasures     measures;         ///< of `patch`: area and extents from the edge line
+    double            angle        = 0; ///< of the surfaces against X, mean over the pressure [rad]
+    double            spin         = 0; ///< d w_y / dx at the centre of pressure [1/m]
+    double            turn         = 0; ///< of the surfaces across the patch, edge to edge [rad]
+    double            lateral      = 0; ///< force on the wheel along X [N]
+    double            vertical     = 0; ///< force on the wheel upwards [N]
+    double            time         = 0; ///< computing time [s]
+    int               enlargements = 0; ///< of the grid, until the contact did not touch its edge
+  };
+
+  /// Weight of sprung mass, axle and wheel [N]; the wheel's mass is that of the section a run would mesh,
+  /// turned around the axle, times its density. Throws InputError when there is no such section.
+  double
+  static_wheel_load(const Scene &scene);
+
+  /// What the scene's own entries ask for: static wheel load, traction coefficient or creepage.
+  WheelRailLoad
+  scene_load(const Scene &scene);
+
+  /// Offsets of the scene's subsection Half-space.
+  SectionOffsets
+  scene_offsets(const Scene &scene);
+
+  /// Solves the contact of the scene's profiles at its lateral shift in steady rolling. The undeformed
+  /// distance is exact in the lateral direction and x^2 / (2 r) along the rail; materials, friction, speed,
+  /// element size and spin are those of the scene (doc/compare.md). Throws InputError when wheel and rail do
+  /// not touch or the longitudinal force exceeds friction.
+  WheelRailSolution
+  solve_wheel_rail(const Scene &scene, const WheelRailLoad &load, const SectionOffsets &offsets);
+
+  /// The figures of a solution under the names of a run's summary, in its signs.
+  Summary
+  halfspace_summary(const Scene &scene, const WheelRailSolution &result);
+} // namespace wheelrail

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <wheelrail/output/summary.h>
+#include <wheelrail/sampling/run_parts.h>
+
+#include <string>
+
+namespace wheelrail
+{
+  /// Why a run must not go on after a step with energy: a sentence, empty when it may. A value that is not
+  /// finite, an energy balance beyond Run/Energy limit, a patch at the edge of the fine cells.
+  std::string
+  reason_to_stop(const RunParts &run);
+
+  /// What only the simulation knows of a run.
+  struct RunTally
+  {
+    double        wall_time    = 0; ///< with the parts before a resume [s]
+    double        loop_seconds = 0; ///< of the steps of this part [s]
+    unsigned long first_step   = 0; ///< steps before this part
+  };
+
+  /// The figures of a run at its end or where it stopped, without `finished` and the reason. Collective.
+  Summary
+  summary_of(const RunParts &run, const RunTally &tally, double averaging_distance);
+} // namespace wheelrail

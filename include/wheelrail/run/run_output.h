@@ -1,0 +1,37 @@
+#pragma once
+
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/vtu.h>
+#include <wheelrail/sampling/fields.h>
+#include <wheelrail/sampling/run_parts.h>
+
+#include <memory>
+
+namespace wheelrail
+{
+  /// The files that a run writes tick by tick into its folder: patch.h5, slices.h5, history.h5 and the
+  /// series of VTU files.
+  class RunOutput
+  {
+  public:
+    /// With `resume` the first `ticks` ticks that the files hold are kept. Throws RunError on all ranks
+    /// when they cannot be read. Collective.
+    RunOutput(const RunParts &parts, bool resume, unsigned int ticks);
+
+    /// Writes the state of the moment as tick number `tick`. Collective; throws RunError on all ranks.
+    void
+    tick(unsigned int tick);
+
+    /// Writes the whole mesh into `name`.vtu. Collective; throws RunError on all ranks.
+    void
+    volume(const std::string &name);
+
+  private:
+    void
+    write_series(const char *kind, Selection selection, unsigned int tick, PvdSeries *series);
+
+    RunParts                   parts_;
+    std::unique_ptr<TickFile>  patch_file_, slice_file_;        ///< on rank 0 only, as the series
+    std::unique_ptr<PvdSeries> surface_series_, window_series_; ///< for ParaView
+  };
+} // namespace wheelrail

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <wheelrail/base/log.h>
+#include <wheelrail/dynamics/static_start.h>
+#include <wheelrail/model/model.h>
+
+namespace wheelrail
+{
+  /// What the axle starts with; the state of the bodies and of the contact is in the model.
+  struct RunStart
+  {
+    double lift      = 0;     ///< static vertical displacement of the axle [m]
+    double rate      = 0;     ///< pitch rate [rad/s]
+    bool   at_border = false; ///< the patch touches the border of the fine cells
+  };
+
+  /// What the static start of a scene is asked for.
+  StaticLoads
+  static_loads(const Scene &scene, const Model &model);
+
+  /// Brings a model into static equilibrium under its loads and gives both bodies the velocities of
+  /// rolling, see static_start() and rolling_velocities(). Collective; throws RunError when no equilibrium is
+  /// found.
+  RunStart
+  start_from_rest(const Scene &scene, Model &model, Log &log, MPI_Comm communicator);
+
+  /// The same; when the patch reaches the edge of the fine cells, `scene.fine_margin` is doubled, to 12 mm at
+  /// most, and the model made anew. Where profiles conform, as in the root of the flange, small moves of the
+  /// loaded bodies open a second patch beside the one that the profiles let expect. Collective.
+  RunStart
+  start_on_wide_mesh(Scene &scene, Model &model, Log &log, MPI_Comm communicator);
+} // namespace wheelrail

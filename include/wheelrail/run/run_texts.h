@@ -1,0 +1,38 @@
+#pragma once
+
+#include <wheelrail/base/log.h>
+#include <wheelrail/model/model.h>
+#include <wheelrail/output/summary.h>
+
+#include <cstdio>
+
+namespace wheelrail
+{
+  /// A line of text as by std::printf, at most 399 characters.
+  template <typename... Arguments>
+  std::string
+  text(const char *format, const Arguments... arguments)
+  {
+    char buffer[400];
+    std::snprintf(buffer, sizeof buffer, format, arguments...);
+    return buffer;
+  }
+
+  /// Numbers of cells and nodes.
+  std::string
+  mesh_text(const MeshQuality &q);
+
+  /// Writes what a run starts from: contact point, load, mesh, time step, contact stiffness, and the
+  /// warnings of the cross-checks.
+  void
+  write_header(Log                            &log,
+               const Scene                    &scene,
+               const Model                    &model,
+               int                             ranks,
+               const std::vector<std::string> &warnings);
+
+  /// Adds the rigid motions of rail head and wheel rim near the contact to the figures of a run, see
+  /// fit_pose(). Collective.
+  void
+  add_pose(Summary &summary, const Scene &scene, const Model &model, const Axle &axle, MPI_Comm communicator);
+} // namespace wheelrail

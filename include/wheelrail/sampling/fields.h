@@ -1,0 +1,55 @@
+#pragma once
+
+#include <wheelrail/model/model.h>
+#include <wheelrail/output/fields.h>
+
+namespace wheelrail
+{
+  /// The contact patch of the moment on the rail nodes of the contact window. The coordinate along
+  /// the track counts from the axle, shear and slip are in the directions of Z and of s.
+  PatchFields
+  patch_fields(const Contact &contact, const AxleData &axle, double time, double travelled);
+
+  /// Which cells of the mesh a file shows.
+  enum class Selection
+  {
+    all,
+    window, ///< finest cells near the contact
+    surface ///< faces of the finest cells on the running surfaces, as quadrilaterals
+  };
+
+  /// Positions, displacement against the rigid motion of the body, and for cells the von Mises stress,
+  /// the stress components, for surfaces the contact tractions. Where a body may yield, both show the
+  /// accumulated plastic strain and the residual stress too: von Mises' equivalent of the stress in the
+  /// rail that the wheel left at least `unloaded` [m] behind, NaN elsewhere. Collective.
+  FieldMesh
+  field_mesh(const Solid   &solid,
+             const Axle    &axle,
+             const Contact &contact,
+             Selection      selection,
+             double         unloaded,
+             MPI_Comm       communicator);
+
+  /// How far behind the wheel its own stress has faded, some patch lengths [m].
+  double
+  unloaded_distance(const Model &model);
+
+  /// What plastic flow left behind, over all ranks; NaN where there is nothing to tell.
+  struct PlasticFigures
+  {
+    double max_strain;   ///< largest accumulated plastic strain of both bodies; NaN: both elastic [1]
+    double max_residual; ///< of the residual stress [Pa]
+    double work[2];      ///< plastic work of rail and wheel [J]
+  };
+
+  /// The residual stress is the stress of rail cells that have yielded and that the wheel left at
+  /// least `distance` behind: there its own stress has faded, so that what remains comes from plastic
+  /// strains. Its largest von Mises equivalent is max_residual; NaN when there is no such cell.
+  /// Collective.
+  PlasticFigures
+  plastic_figures(const Solid &solid, const Axle &axle, double distance, MPI_Comm communicator);
+
+  /// Largest von Mises stress over the elements of all ranks [Pa]. Collective.
+  double
+  largest_von_mises(const Solid &solid, MPI_Comm communicator);
+} // namespace wheelrail

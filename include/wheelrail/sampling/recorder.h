@@ -1,0 +1,52 @@
+#pragma once
+
+#include <wheelrail/dynamics/rolling.h>
+#include <wheelrail/model/model.h>
+#include <wheelrail/output/fields.h>
+#include <wheelrail/output/summary.h>
+
+namespace wheelrail
+{
+  /// Collects the history of a run and forms the means over its last stretch.
+  class Recorder
+  {
+  public:
+    explicit Recorder(const Model &model);
+
+    /// Adds a row: forces on the wheel, axle, contact, energies. `Rolling` must just have made a step
+    /// with energy.
+    void
+    add(const Rolling &rolling, const Axle &axle);
+
+    /// Adds the figures of a patch to the means; they have rows of their own.
+    void
+    add_patch(const PatchFields &patch);
+
+    /// The rows of add() and of add_patch() so far.
+    struct State
+    {
+      History history, patches;
+    };
+    const State &
+    state() const
+    {
+      return state_;
+    }
+    void
+    set_state(State state)
+    {
+      state_ = std::move(state);
+    }
+
+    /// Means and standard deviations over the rows of the last `distance` [m], the number of separate patches
+    /// in the last one added ("patches"), and the rolled distance from which longitudinal force and peak
+    /// shear stay within 1 % of their means ("settled_after_m").
+    void
+    fill(Summary &summary, double distance) const;
+
+  private:
+    const Model &model_;
+    State        state_;
+    unsigned int n_patches_ = 0; ///< in the patch that was added last
+  };
+} // namespace wheelrail

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <wheelrail/sampling/recorder.h>
+
+namespace wheelrail
+{
+  /// The parts of a run under way.
+  struct RunParts
+  {
+    const Scene    &scene;
+    const Model    &model;
+    const Axle     &axle;
+    const Rolling  &rolling;
+    const Recorder &recorder;
+    MPI_Comm        communicator;
+  };
+} // namespace wheelrail

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <wheelrail/geometry/contact_geometry.h>
+#include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/material/friction.h>
+#include <wheelrail/mesh/wheel_section.h>
+#include <wheelrail/solid/element_form.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace wheelrail
+{
+  /// Steel [SI], elastic or bilinear elastic-plastic.
+  struct MaterialData
+  {
+    double youngs_modulus      = 210e9;
+    double poissons_ratio      = 0.3;
+    double density             = 7900;
+    double yield_stress        = std::numeric_limits<double>::infinity(); ///< infinite: elastic
+    double tangent_modulus     = 21e9;
+    double kinematic_hardening = 0; ///< fraction, 0 isotropic, 1 kinematic
+  };
+
+  /// What turns the wheel.
+  enum class Drive
+  {
+    torque, ///< constant torque: traction coefficient x static wheel load x rolling radius
+    rate    ///< pitch rate held at the prescribed creepage
+  };
+
+  /// What a run begins with, of the steady rolling that the half-space theory predicts.
+  enum class StartState
+  {
+    steady_rolling,     ///< creepage, tractions, and the velocities of fields that travel with the contact
+    without_creepage,   ///< the wheel turns at V / R
+    without_tractions,  ///< no shear traction
+    without_velocities, ///< rail at rest, wheel turning as a rigid body
+    normal_load         ///< none of the three
+  };
+
+  /// Where the rigid slip of the half-space contact comes from.
+  enum class HalfspaceSpin
+  {
+    local_radius, ///< every slice rolls with its own radius and inclination
+    contact       ///< one creepage and one spin, as in Kalker's program CONTACT
+  };
+
+  /// All values of one scene in SI units, as read from a .prm file.
+  struct Scene
+  {
+    std::string title;
+
+    // Profiles, Track, Wheelset
+    std::string        wheel_profile = "S1002"; ///< standard profile or file
+    std::string        rail_profile  = "54E1";
+    ProfileFileOptions wheel_file{ProfileKind::wheel}; ///< how files are read
+    ProfileFileOptions rail_file{ProfileKind::rail};
+    std::string        rail_body = "auto"; ///< standard rail below a measured head
+    TrackDimensions    track; ///< flange-back distance and nominal radius belong to Wheelset in the file
+    double             rail_length = 1.8;        ///< [m]
+    WheelDimensions    wheel;                    ///< Wheelset/Rim width, ... [m]
+    double             lateral_shift        = 0; ///< [m]
+    RollMode           roll                 = RollMode::none;
+    double             sprung_mass          = 10000;     ///< [kg]
+    double             axle_mass            = 180;       ///< half axle, rigid [kg]
+    double             axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
+    double             suspension_stiffness = 1.15e6;    ///< [N/m]
+    double             suspension_damping   = 2500;      ///< [N s/m]
+    double             velocity             = 140 / 3.6; ///< [m/s]
+    Drive              drive                = Drive::torque;
+    double             traction_coefficient = 0.25;
+    double             creepage             = 0; ///< used with Drive::rate, positive driving
+
+    // Contact
+    double       friction_coefficient         = 0.5; ///< at rest
+    FrictionKind friction_law                 = FrictionKind::constant;
+    double       dynamic_friction_coefficient = 0.4;  ///< at high sliding speed
+    double       friction_decay               = 0.05; ///< exponential law [s/m]
+    double       friction_half_velocity       = 15;   ///< rational law [m/s]
+    double       penalty_scale                = 10;   ///< effective scale f: eps = f K / h
+    double       contact_damping              = 0.3;  ///< fraction of critical
+    bool         surface_filter               = true; ///< corrects the surface response of the mesh
+
+    MaterialData rail_material, wheel_material;
+
+    // Mesh
+    double      cell_size        = 1e-3;  ///< Solution cell size [m]
+    double      coarse_cell_size = 16e-3; ///< [m]
+    double      fine_depth  = 5e-3; ///< depth of the finest cells [m], default 5 cells ("Fine depth = auto")
+    double      fine_margin = 3e-3; ///< fine cells beyond the expected patch [m] ("Fine margin")
+    ElementForm element     = ElementForm::reduced;
+    std::optional<ElementForm> rail_element, wheel_element; ///< none: as `element`
+    double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
+
+    // Run
+    StartState start              = StartState::steady_rolling;
+    double     rolling_distance   = 0.06; ///< [m]
+    double     averaging_distance = 0.02; ///< last stretch over which the figures are means [m]
+    double     time_step_factor   = 0.95; ///< fraction of the stable step
+    double     bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
+    double     gravity            = 9.81; ///< [m/s2]
+    double     energy_limit       = 0.05; ///< energy error at which the run stops
+
+    // Output
+    std::string  folder              = "output/scene";
+    unsigned int ticks               = 20; ///< evenly spaced outputs of patch and surface fields over the run
+    bool         volume_fields       = true; ///< VTU of the whole mesh at start and end
+    double       checkpoint_interval = 0;    ///< between two saved states [s], 0: see SavedStates
+
+    // Half-space
+    double        halfspace_element_size = 0.4e-3; ///< [m]
+    HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
+    double        halfspace_lateral     = 0; ///< wheel section moved against the rail to the track centre [m]
+    double        halfspace_inclination = 0; ///< rail head turned to the track centre [rad]
+    std::string   halfspace_distance    = "profiles"; ///< profiles, hertz, or a file of distances
+    double        halfspace_radius_along  = 0.46;     ///< Hertzian distance: relative radii [m]
+    double        halfspace_radius_across = 0.3;
+    double        halfspace_normal_force  = 0; ///< [N], 0: the static wheel load
+    double        halfspace_approach      = 0; ///< [m], 0: found from the normal force
+    double        halfspace_contact_angle = 0; ///< of the axle to the contact plane: the spin [rad]
+
+    /// How far the mesh lets the wheel roll [m].
+    double
+    mesh_distance() const
+    {
+      return prepared_distance > 0 ? prepared_distance : rolling_distance;
+    }
+  };
+
+  /// The friction law of a scene.
+  inline FrictionLaw
+  friction_law(const Scene &scene)
+  {
+    return {scene.friction_coefficient,
+            scene.friction_law,
+            scene.dynamic_friction_coefficient,
+            scene.friction_decay,
+            scene.friction_half_velocity};
+  }
+} // namespace wheelrail

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <wheelrail/sampling/recorder.h>
+
+#include <mpi.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Numbers per node or cell, `components` each.
+  struct NumberedValues
+  {
+    unsigned int        components = 1;
+    std::vector<double> values;
+  };
+
+  /// What a run needs to go on after a step, beyond the model, which the scene gives anew. Either the part
+  /// of one rank, or the whole of all ranks. Nodes and cells go by the numbers of the mesh that do not
+  /// depend on the partition.
+  struct Checkpoint
+  {
+    std::string  parameters;            ///< all entries in force, see print_parameters()
+    double       wall_time         = 0; ///< of the run so far [s]
+    unsigned int ticks             = 0; ///< number of ticks written so far
+    double       time_step         = 0; ///< [s]
+    double       prepared_distance = 0; ///< for which the mesh was made [m]
+    double       fine_margin       = 0; ///< with which the mesh was made [m]
+
+    std::vector<std::uint32_t>            node, cell;  ///< numbers of the nodes and cells that follow
+    std::map<std::string, NumberedValues> node_values; ///< position, displacement [m], velocity [m/s]
+    std::map<std::string, NumberedValues> cell_values; ///< see visit_histories()
+    std::vector<double> viscous, support_work;         ///< sums of Rolling that each rank has of its own [J]
+
+    Contact::State  contact;
+    Axle::State     axle;
+    Rolling::State  rolling;
+    Recorder::State recorder;
+
+    unsigned int
+    ranks() const
+    {
+      return viscous.size();
+    }
+  };
+
+  /// Copies the rank's part of the state after a step. `parameters`, `wall_time` and `ticks` are left to the
+  /// caller. Nothing is sent.
+  Checkpoint
+  take_checkpoint(const Model &model, const Axle &axle, const Rolling &rolling, const Recorder &recorder);
+
+  /// Whether all numbers of the nodes of a part are finite on all ranks. Collective.
+  bool
+  is_finite(const Checkpoint &part, MPI_Comm communicator);
+
+  /// The parts of all ranks together, on rank 0; an empty one on the others. Collective.
+  Checkpoint
+  gather_checkpoint(const Checkpoint &part, MPI_Comm communicator);
+
+  /// Puts a whole checkpoint into a model built from the same scene, on any number of ranks; the next step
+  /// then gives what it would have given in the first run: on as many ranks bit for bit, otherwise up to
+  /// round-off. `rolling` must have been made with the time step of the checkpoint. Collective; throws
+  /// InputError on all ranks when the mesh is another one.
+  void
+  restore_checkpoint(const Checkpoint &whole,
+                     Model            &model,
+                     Axle             &axle,
+                     Rolling          &rolling,
+                     Recorder         &recorder,
+                     MPI_Comm          communicator);
+
+  /// A whole checkpoint as the bytes of an HDF5 file.
+  std::vector<char>
+  checkpoint_bytes(const Checkpoint &whole);
+
+  /// Throws RunError when the bytes are no such file.
+  Checkpoint
+  checkpoint_from_bytes(const std::string &bytes);
+} // namespace wheelrail

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <wheelrail/state/checkpoint.h>
+
+namespace wheelrail
+{
+  /// Why a run with the entries `parameters` (and the scene they give) cannot go on from a saved state, a
+  /// sentence that names every entry with what it is, what it was, and what to do; empty when it can.
+  std::string
+  obstacle_to_resume(const Checkpoint &saved, const Scene &scene, const std::string &parameters);
+} // namespace wheelrail

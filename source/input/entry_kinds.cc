@@ -1,0 +1,184 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/input/entry_kinds.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// "a length from 0.1 mm to 4 mm", "a mass above 0 kg".
+    std::string
+    in_words(const Dimension dimension, const Bounds &bounds)
+    {
+      std::string words = dimension_name(dimension);
+      if (!bounds.low.empty())
+        words += (bounds.above_low ? " above " : " from ") + bounds.low;
+      if (!bounds.high.empty())
+        words += (bounds.low.empty() ? " up to " : bounds.above_low ? ", at most " : " to ") + bounds.high;
+      return words;
+    }
+
+    void
+    require_bounds(const double value, const Dimension dimension, const Bounds &bounds)
+    {
+      const std::string accepted = in_words(dimension, bounds);
+      if (!bounds.low.empty())
+        {
+          const double low = parse_quantity(bounds.low, dimension);
+          if (value < low || (bounds.above_low && value == low))
+            throw InputError("too small; " + accepted + " is accepted");
+        }
+      if (!bounds.high.empty() && value > parse_quantity(bounds.high, dimension))
+        throw InputError("too large; " + accepted + " is accepted");
+    }
+  } // namespace
+
+  Entry
+  number_entry(const EntryHead     &head,
+               const Dimension      dimension,
+               const std::string   &unit,
+               const Bounds        &bounds,
+               const Field<double> &place)
+  {
+    Entry entry{
+      head.section, head.name, head.default_text, in_words(dimension, bounds), head.meaning, {}, {}};
+    entry.set = [=](Scene &scene, const std::string &text) {
+      const double value = parse_quantity(text, dimension);
+      require_bounds(value, dimension, bounds);
+      place(scene) = value;
+    };
+    entry.get = [=](const Scene &scene) {
+      Scene copy = scene;
+      return format_quantity(place(copy), unit);
+    };
+    return entry;
+  }
+
+  Entry
+  length_entry(const EntryHead     &head,
+               const std::string   &unit,
+               const Bounds        &bounds,
+               const Field<double> &place)
+  {
+    return number_entry(head, Dimension::length, unit, bounds, place);
+  }
+
+  Entry
+  pure_entry(const EntryHead &head, const Bounds &bounds, const Field<double> &place)
+  {
+    return number_entry(head, Dimension::none, "", bounds, place);
+  }
+
+  Entry
+  count_entry(const EntryHead           &head,
+              const unsigned int         low,
+              const unsigned int         high,
+              const Field<unsigned int> &place)
+  {
+    const std::string accepted = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+    Entry             entry{head.section, head.name, head.default_text, accepted, head.meaning, {}, {}};
+    entry.set = [=](Scene &scene, const std::string &text) {
+      unsigned int value  = 0;
+      const auto   result = std::from_chars(text.data(), text.data() + text.size(), value);
+      if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+        throw InputError("not a whole number; " + accepted + " is needed");
+      if (value < low || value > high)
+        throw InputError(std::string(value < low ? "too small; " : "too large; ") + accepted +
+                         " is accepted");
+      place(scene) = value;
+    };
+    entry.get = [=](const Scene &scene) {
+      Scene copy = scene;
+      return std::to_string(place(copy));
+    };
+    return entry;
+  }
+
+  Entry
+  text_entry(const EntryHead &head, const Field<std::string> &place)
+  {
+    Entry      entry{head.section, head.name, head.default_text, "a text", head.meaning, {}, {}};
+    const bool may_be_empty = head.default_text.empty();
+    entry.set               = [=](Scene &scene, const std::string &text) {
+      if (text.empty() && !may_be_empty)
+        throw InputError("no value; a text is needed");
+      place(scene) = text;
+    };
+    entry.get = [=](const Scene &scene) {
+      Scene copy = scene;
+      return place(copy);
+    };
+    return entry;
+  }
+
+  void
+  require_choice(const std::string &text, const std::vector<std::string> &choices)
+  {
+    if (std::find(choices.begin(), choices.end(), text) != choices.end())
+      return;
+    std::string message = text.empty() ? "no value; " : "not known here; ";
+    message += join_choices(choices) + " is accepted";
+    if (choices.size() > 1 && !text.empty())
+      message += perhaps(text, choices);
+    throw InputError(message);
+  }
+
+  std::string
+  join_choices(const std::vector<std::string> &choices, const std::string &last_word)
+  {
+    std::string words;
+    for (std::size_t i = 0; i < choices.size(); ++i)
+      words += (i == 0 ? "" : i + 1 == choices.size() ? " " + last_word + " " : ", ") + choices[i];
+    return words;
+  }
+
+  std::string
+  nearest_choice(const std::string &text, const std::vector<std::string> &choices)
+  {
+    std::string nearest;
+    std::size_t smallest = std::max<std::size_t>(2, text.size() / 3) + 1;
+    // a text many times as long as any choice resembles none, and is not worth the time
+    if (text.size() > 200)
+      return nearest;
+    for (const std::string &choice : choices)
+      {
+        const std::size_t distance = edit_distance(choice, text);
+        // letters in common, not only a short length
+        if (distance < smallest && distance < std::max(choice.size(), text.size()))
+          {
+            smallest = distance;
+            nearest  = choice;
+          }
+      }
+    return nearest;
+  }
+
+  std::string
+  perhaps(const std::string &text, const std::vector<std::string> &choices)
+  {
+    const std::string nearest = nearest_choice(text, choices);
+    return nearest.empty() ? "" : ", perhaps " + nearest + " is meant";
+  }
+
+  unsigned int
+  edit_distance(const std::string &a, const std::string &b)
+  {
+    const auto lower = [](const char c) { return std::tolower(static_cast<unsigned char>(c)); };
+
+    std::vector<unsigned int> row(b.size() + 1), above(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j)
+      above[j] = static_cast<unsigned int>(j);
+    for (std::size_t i = 1; i <= a.size(); ++i)
+      {
+        row[0] = static_cast<unsigned int>(i);
+        for (std::size_t j = 1; j <= b.size(); ++j)
+          row[j] = std::min(
+            {row[j - 1] + 1, above[j] + 1, above[j - 1] + (lower(a[i - 1]) == lower(b[j - 1]) ? 0u : 1u)});
+        std::swap(row, above);
+      }
+    return above[b.size()];
+  }
+} // namespace wheelrail

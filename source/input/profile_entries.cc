@@ -1,0 +1,133 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/profiles.h>
+#include <wheelrail/input/profile_entries.h>
+#include <wheelrail/model/scene_profiles.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  namespace
+  {
+    Entry
+    mirror_entry(const std::string &name, const std::string &meaning, ProfileFileOptions Scene::*part)
+    {
+      return choice_entry<ProfileMirror>(
+        {"Profiles", name, "auto", meaning},
+        {{"auto", ProfileMirror::automatic}, {"yes", ProfileMirror::yes}, {"no", ProfileMirror::no}},
+        field(part, &ProfileFileOptions::mirror));
+    }
+
+    Entry
+    unit_entry(const std::string &name, const std::string &meaning, ProfileFileOptions Scene::*part)
+    {
+      return choice_entry<ProfileUnit>({"Profiles", name, "auto", meaning},
+                                       {{"auto", ProfileUnit::automatic},
+                                        {"mm", ProfileUnit::millimetre},
+                                        {"m", ProfileUnit::metre},
+                                        {"inch", ProfileUnit::inch}},
+                                       field(part, &ProfileFileOptions::unit));
+    }
+
+    Entry
+    body_entry()
+    {
+      std::vector<std::pair<std::string, std::string>> choices{{"auto", "auto"}};
+      for (const std::string &name : standard_rails())
+        choices.push_back({name, name});
+      return choice_entry<std::string>(
+        {"Profiles",
+         "Rail body",
+         "auto",
+         "Standard rail below a head that is read from a file; auto: the one whose head "
+         "is as wide."},
+        choices,
+        field(&Scene::rail_body));
+    }
+
+    Entry
+    smoothing_entry()
+    {
+      Entry entry =
+        number_entry({"Profiles",
+                      "Smoothing",
+                      "auto",
+                      "Measurement noise (standard deviation) that is smoothed out of profile files; "
+                      "auto: as found in the points, some 10 um are usual; 0 mm: every point is kept."},
+                     Dimension::length,
+                     "mm",
+                     Bounds::between("0 mm", "1 mm"),
+                     field(&Scene::rail_file, &ProfileFileOptions::noise));
+      const auto set = entry.set;
+      const auto get = entry.get;
+      entry.accepted = "auto, or " + entry.accepted;
+      entry.set      = [set](Scene &scene, const std::string &text) {
+        if (text == "auto")
+          scene.rail_file.noise = -1;
+        else
+          set(scene, text);
+        scene.wheel_file.noise = scene.rail_file.noise;
+      };
+      entry.get = [get](const Scene &scene) { return scene.rail_file.noise < 0 ? "auto" : get(scene); };
+      return entry;
+    }
+  } // namespace
+
+  Entry
+  name_or_file_entry(const EntryHead                &head,
+                     const std::vector<std::string> &names,
+                     const std::string              &file,
+                     const Field<std::string>       &place)
+  {
+    std::vector<std::string> choices = names;
+    choices.push_back(file);
+    Entry      entry = text_entry(head, place);
+    const auto set   = entry.set;
+    entry.accepted   = join_choices(choices);
+    entry.set        = [set, names, accepted = entry.accepted](Scene &scene, const std::string &text) {
+      if (std::find(names.begin(), names.end(), text) == names.end() && !is_file_name(text))
+        throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");
+      set(scene, text);
+    };
+    return entry;
+  }
+
+
+  std::vector<Entry>
+  profile_entries()
+  {
+    const std::string unit = "Unit of the profile file; auto: as the file states, else mm or m by its size.";
+    return {
+      name_or_file_entry({"Profiles",
+                          "Wheel",
+                          "S1002",
+                          "Wheel profile (S1002: EN 13715); a relative path of a file counts from where the "
+                          "command is given."},
+                         standard_wheels(),
+                         "a profile file (with its ending, such as worn.prw)",
+                         field(&Scene::wheel_profile)),
+      mirror_entry(
+        "Wheel mirror",
+        "Whether the lateral coordinate of the wheel file is turned to the other side; auto: by the "
+        "side of the flange.",
+        &Scene::wheel_file),
+      unit_entry("Wheel unit", unit, &Scene::wheel_file),
+      name_or_file_entry(
+        {"Profiles",
+         "Rail",
+         "54E1",
+         "Rail profile (54E1, 60E1: EN 13674-1); a relative path of a file counts from where the "
+         "command is given."},
+        standard_rails(),
+        "a profile file (with its ending, such as worn.prr)",
+        field(&Scene::rail_profile)),
+      mirror_entry(
+        "Rail mirror",
+        "Whether the lateral coordinate of the rail file is turned to the other side; auto: MiniProf "
+        "files are (gauge side on the right), others are not (field side on the right).",
+        &Scene::rail_file),
+      unit_entry("Rail unit", unit, &Scene::rail_file),
+      body_entry(),
+      smoothing_entry()};
+  }
+} // namespace wheelrail

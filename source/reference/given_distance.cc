@@ -1,0 +1,160 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/reference/distance_file.h>
+#include <wheelrail/reference/given_distance.h>
+#include <wheelrail/reference/halfspace_parts.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// The surfaces before they deform.
+    struct GivenSurfaces
+    {
+      std::function<double(double, double)> distance;                               ///< of x, y [m]
+      double                                x_min, x_max, y_min, y_max;             ///< where it is known [m]
+      double                                radius_along, radius_across;            ///< for a first guess [m]
+      double                                lowest = 0, lowest_x = 0, lowest_y = 0; ///< [m]
+    };
+
+    GivenSurfaces
+    surfaces_of(const Scene &scene)
+    {
+      const double Rx = scene.halfspace_radius_along, Ry = scene.halfspace_radius_across;
+      if (scene.halfspace_distance == "hertz")
+        return {[Rx, Ry](const double x, const double y) { return x * x / (2 * Rx) + y * y / (2 * Ry); },
+                -0.5 * Rx,
+                0.5 * Rx,
+                -0.5 * Ry,
+                0.5 * Ry,
+                Rx,
+                Ry};
+      DistanceTable table;
+      try
+        {
+          table = read_distance_file(scene.halfspace_distance);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(std::string("Half-space/Undeformed distance: ") + error.what());
+        }
+      const auto        lowest = std::min_element(table.distance.begin(), table.distance.end());
+      const std::size_t k      = std::size_t(lowest - table.distance.begin());
+      GivenSurfaces     surfaces{{},
+                             table.x.front(),
+                             table.x.back(),
+                             table.y.front(),
+                             table.y.back(),
+                             Rx,
+                             Ry,
+                             *lowest,
+                             table.x[k % table.x.size()],
+                             table.y[k / table.x.size()]};
+      surfaces.distance = [table](const double x, const double y) { return table.at(x, y); };
+      return surfaces;
+    }
+
+    /// A grid over the places whose distance is below the lowest plus `approach`, with two elements around,
+    /// within what is known.
+    HalfspaceGrid
+    grid_below(const GivenSurfaces &surfaces, const double approach, const double h)
+    {
+      double x0 = surfaces.lowest_x, x1 = x0, y0 = surfaces.lowest_y, y1 = y0;
+      // a patch is convex enough to be found ring by ring, each a quarter wider than the last
+      for (double reach = h;
+           reach < std::max(surfaces.x_max - surfaces.x_min, surfaces.y_max - surfaces.y_min);
+           reach *= 1.25)
+        {
+          bool inside = false;
+          for (int k = 0; k < 720; ++k)
+            {
+              const double x = surfaces.lowest_x + reach * std::cos(k * M_PI / 360),
+                           y = surfaces.lowest_y + reach * std::sin(k * M_PI / 360);
+              if (x < surfaces.x_min || x > surfaces.x_max || y < surfaces.y_min || y > surfaces.y_max ||
+                  surfaces.distance(x, y) - surfaces.lowest > approach)
+                continue;
+              inside = true;
+              x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+            }
+          if (!inside && reach > 4 * h)
+            break;
+        }
+      const auto index = [h](const double value) { return int(std::floor(value / h)); };
+      const int  i0    = std::max(index(1.2 * x0 - 0.2 * x1) - 2, index(surfaces.x_min) + 1),
+                i1     = std::min(index(1.2 * x1 - 0.2 * x0) + 3, index(surfaces.x_max)),
+                j0     = std::max(index(1.2 * y0 - 0.2 * y1) - 2, index(surfaces.y_min) + 1),
+                j1     = std::min(index(1.2 * y1 - 0.2 * y0) + 3, index(surfaces.y_max));
+      return {i1 - i0 + 1, j1 - j0 + 1, h, h, i0 * h, j0 * h};
+    }
+
+    /// The normal problem, on a grid that is enlarged until the contact keeps off its edge or all that is
+    /// known of the surfaces is covered.
+    HalfspaceSolution
+    solve_normal_problem(const Scene         &scene,
+                         const GivenSurfaces &surfaces,
+                         HalfspaceProblem    &problem,
+                         int                 &enlargements)
+    {
+      const double E = contact_modulus(scene), R = std::sqrt(surfaces.radius_along * surfaces.radius_across);
+      const double approach = problem.force_given
+                                ? std::cbrt(9 * std::pow(problem.normal_force / E, 2) / (16 * R))
+                                : problem.approach;
+      const auto   lay_grid = [&](const double reached) {
+        problem.grid = grid_below(surfaces, reached, scene.halfspace_element_size);
+        problem.undeformed_distance.clear();
+        for (int j = 0; j < problem.grid.my; ++j)
+          for (int i = 0; i < problem.grid.mx; ++i)
+            problem.undeformed_distance.push_back(surfaces.distance(problem.grid.x(i), problem.grid.y(j)) -
+                                                  surfaces.lowest);
+      };
+      return solve_on_growing_grid(problem, approach, 8, lay_grid, enlargements);
+    }
+  } // namespace
+
+
+  bool
+  distance_is_given(const Scene &scene)
+  {
+    return scene.halfspace_distance != "profiles";
+  }
+
+
+  WheelRailSolution
+  solve_given_distance(const Scene &scene)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    if (scene.halfspace_normal_force > 0 && scene.halfspace_approach > 0)
+      throw InputError(
+        "Half-space/Normal force and Half-space/Approach are both given; one follows from the "
+        "other: set one of them to auto");
+    const GivenSurfaces surfaces = surfaces_of(scene);
+    WheelRailSolution   result;
+    HalfspaceProblem   &problem = result.problem;
+    problem                     = halfspace_problem(scene);
+    problem.force_given         = scene.halfspace_approach == 0;
+    problem.approach            = scene.halfspace_approach;
+    if (problem.force_given)
+      problem.normal_force =
+        scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force : static_wheel_load(scene);
+
+    const HalfspaceSolution normal   = solve_normal_problem(scene, surfaces, problem, result.enlargements);
+    problem.motion                   = HalfspaceMotion::steady;
+    problem.phi                      = std::sin(scene.halfspace_contact_angle) / surfaces.radius_along;
+    problem.longitudinal_force_given = scene.drive == Drive::torque;
+    problem.fx                       = -scene.traction_coefficient * normal.fn;
+    problem.xi                       = scene.drive == Drive::rate ? scene.creepage : 0;
+    result.solution                  = solve_rolling(problem);
+    result.spin                      = problem.phi;
+    result.vertical                  = result.solution.fn;
+    result.lateral                   = -result.solution.fy;
+    result.patch                     = halfspace_patch(result.solution);
+    result.measures                  = measure_patch(result.patch);
+    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+  }
+} // namespace wheelrail

@@ -1,0 +1,320 @@
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/model.h>
+#include <wheelrail/model/scene_profiles.h>
+#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/halfspace_parts.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Section turned by `roll` about `centre` and moved by `lateral` along X.
+    Placement
+    moved(const Placement &placement, const Point2 &centre, const double roll, const double lateral)
+    {
+      const Point2 d = placement.origin - centre;
+      const double c = std::cos(roll), s = std::sin(roll);
+      return {{centre.x + c * d.x - s * d.y + lateral, centre.y + s * d.x + c * d.y}, placement.angle + roll};
+    }
+
+    /// Both profiles in the frame of 2D-Geo.
+    struct Sections
+    {
+      ContactGeometry geometry;
+      Placement       spinning; ///< of the wheel section whose axis is that of the axle
+      FrameProfile    rail, wheel;
+      double          lowest = 0, lowest_s = 0; ///< smallest distance of the profiles, and its place
+
+      Sections(const Scene &scene, const ContactGeometry &c, const SectionOffsets &offsets)
+        : geometry(c)
+        , spinning(moved(c.wheel, c.frame.origin, 0, offsets.lateral))
+        , rail(scene_rail(scene).head, moved(c.rail, c.frame.origin, offsets.rail_roll, 0), c.frame)
+        , wheel(scene_wheel(scene).tread,
+                moved(c.wheel, c.frame.origin, offsets.wheel_roll, offsets.lateral),
+                c.frame)
+      {
+        lowest = undeformed_distance(wheel, rail, 0);
+        for (double s = s_min(); s <= s_max(); s += 1e-5)
+          if (const double d = undeformed_distance(wheel, rail, s); d < lowest)
+            {
+              lowest   = d;
+              lowest_s = s;
+            }
+      }
+
+      double
+      s_min() const
+      {
+        return std::max(rail.s_min(), wheel.s_min());
+      }
+      double
+      s_max() const
+      {
+        return std::min(rail.s_max(), wheel.s_max());
+      }
+
+      /// Distance of the wheel's surface from the axle [m].
+      double
+      radius(const Scene &scene, const double s) const
+      {
+        return scene.track.nominal_radius -
+               spinning.to_section(geometry.frame.to_track({s, wheel.at(s).n})).y;
+      }
+
+      /// Of the wheel's surface against the axle [rad].
+      double
+      angle_to_axle(const double s) const
+      {
+        return geometry.frame.angle + std::atan(wheel.at(s).slope) - spinning.angle;
+      }
+    };
+
+    /// A grid that covers the interpenetration at the approach.
+    HalfspaceGrid
+    grid_for(const Sections &sections, const double approach, const double element)
+    {
+      double low = sections.lowest_s, high = sections.lowest_s;
+      for (double s = sections.s_min(); s <= sections.s_max(); s += 1e-5)
+        if (undeformed_distance(sections.wheel, sections.rail, s) - sections.lowest < approach)
+          {
+            low  = std::min(low, s);
+            high = std::max(high, s);
+          }
+      const double half = std::sqrt(2 * sections.geometry.rolling_radius * approach);
+      const int    nx = int(std::ceil(half / element)) + 2, y0 = int(std::floor(low / element)) - 2,
+                y1 = int(std::ceil(high / element)) + 2;
+      return {2 * nx + 1, y1 - y0 + 1, element, element, -nx * element, y0 * element};
+    }
+
+    void
+    set_distance(const Scene &scene, const Sections &sections, HalfspaceProblem &problem)
+    {
+      constexpr double far = 0.1;
+      problem.undeformed_distance.assign(problem.grid.size(), far);
+      for (int j = 0; j < problem.grid.my; ++j)
+        {
+          const double s = problem.grid.y(j);
+          if (s < sections.s_min() || s > sections.s_max())
+            continue;
+          // The tread rises by x^2 / (2 r) perpendicularly to the axle; the distance along n at fixed s
+          // follows from its slope.
+          const double slope = std::atan(sections.wheel.at(s).slope);
+          const double curvature =
+            std::cos(sections.angle_to_axle(s)) / std::cos(slope) / sections.radius(scene, s);
+          const double d = undeformed_distance(sections.wheel, sections.rail, s) - sections.lowest;
+          for (int i = 0; i < problem.grid.mx; ++i)
+            problem.undeformed_distance[i + problem.grid.mx * j] =
+              d + 0.5 * curvature * problem.grid.x(i) * problem.grid.x(i);
+        }
+    }
+
+    /// Means over the pressure.
+    struct PressureMeans
+    {
+      double s = 0, rail_angle = 0, wheel_angle = 0; ///< [m], against X, against the axle [rad]
+    };
+
+    PressureMeans
+    pressure_means(const Sections &sections, const HalfspaceSolution &solution)
+    {
+      PressureMeans means;
+      double        sum = 0;
+      for (int j = 0; j < solution.grid.my; ++j)
+        {
+          double p = 0;
+          for (int i = 0; i < solution.grid.mx; ++i)
+            p += solution.pressure[i + solution.grid.mx * j];
+          if (!(p > 0))
+            continue;
+          const double s = solution.grid.y(j);
+          sum += p;
+          means.s += p * s;
+          means.rail_angle += p * (sections.geometry.frame.angle + std::atan(sections.rail.at(s).slope));
+          means.wheel_angle += p * sections.angle_to_axle(s);
+        }
+      return {means.s / sum, means.rail_angle / sum, means.wheel_angle / sum};
+    }
+
+    /// Rigid slip of the rail against the wheel over V, for the creepage 0 at the rolling radius R of
+    /// 2D-Geo. The small product of creepage and r / R - 1 is left out.
+    void
+    set_slip(const Scene         &scene,
+             const Sections      &sections,
+             const PressureMeans &means,
+             HalfspaceProblem    &problem)
+    {
+      const HalfspaceGrid &grid = problem.grid;
+      const double         R    = sections.geometry.rolling_radius;
+      problem.rigid_slip_x.assign(grid.size(), 0.);
+      problem.rigid_slip_y.assign(grid.size(), 0.);
+      if (scene.halfspace_spin == HalfspaceSpin::contact)
+        {
+          const double radius = sections.radius(scene, means.s);
+          problem.phi         = std::sin(means.wheel_angle) / radius;
+          problem.rigid_slip_x.assign(grid.size(), radius / R - 1 + problem.phi * means.s);
+          return;
+        }
+      const double offset = problem.spin_offset * grid.dx;
+      for (int j = 0; j < grid.my; ++j)
+        {
+          const double s     = std::clamp(grid.y(j), sections.s_min(), sections.s_max());
+          const double along = sections.radius(scene, s) / R - 1,
+                       turn  = std::sin(sections.angle_to_axle(s)) / R;
+          for (int i = 0; i < grid.mx; ++i)
+            {
+              problem.rigid_slip_x[i + grid.mx * j] = along;
+              problem.rigid_slip_y[i + grid.mx * j] = turn * (grid.x(i) + offset);
+            }
+        }
+    }
+
+    /// The normal problem alone, on a grid that is enlarged until the contact keeps off its edge.
+    HalfspaceSolution
+    solve_pressure(const Scene &scene, const Sections &sections, HalfspaceProblem &problem, int &enlargements)
+    {
+      const double approach = 0.75 * expected_approach(scene, sections.geometry.rolling_radius) *
+                              std::pow(std::max(1., problem.normal_force / expected_load(scene)), 2. / 3);
+      const auto lay_grid = [&](const double reached) {
+        problem.grid = grid_for(sections, reached, scene.halfspace_element_size);
+        set_distance(scene, sections, problem);
+      };
+      return solve_on_growing_grid(problem, approach, 6, lay_grid, enlargements);
+    }
+  } // namespace
+
+
+  double
+  static_wheel_load(const Scene &scene)
+  {
+    const ContactGeometry geometry =
+      find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll);
+    const Section wheel =
+      sweep_plan(scene, geometry, expected_approach(scene, geometry.rolling_radius)).wheel;
+    // first moment of the section about the axle, from small quadrilaterals (Guldin)
+    constexpr int n      = 8;
+    double        moment = 0;
+    for (unsigned int block = 0; block < wheel.blocks.size(); ++block)
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          {
+            const auto at = [&](const int k, const int l) {
+              return wheel.position(block, double(i + k) / n, double(j + l) / n);
+            };
+            const Point2 a = at(0, 0), b = at(1, 0), c = at(1, 1), d = at(0, 1);
+            const auto   triangle = [](const Point2 &p, const Point2 &q, const Point2 &r) {
+              const Point2 u = q - p, v = r - p;
+              return 0.5 * (u.x * v.y - u.y * v.x) * (p.y + q.y + r.y) / 3;
+            };
+            moment += triangle(a, b, c) + triangle(a, c, d);
+          }
+    const double mass = 2 * M_PI * moment * scene.wheel_material.density;
+    return (scene.sprung_mass + scene.axle_mass + mass) * scene.gravity;
+  }
+
+
+  WheelRailLoad
+  scene_load(const Scene &scene)
+  {
+    WheelRailLoad load;
+    load.force        = static_wheel_load(scene);
+    load.vertical     = true;
+    load.longitudinal = scene.traction_coefficient * load.force;
+    load.rate_held    = scene.drive == Drive::rate;
+    load.creepage     = scene.creepage;
+    return load;
+  }
+
+
+  SectionOffsets
+  scene_offsets(const Scene &scene)
+  {
+    return {scene.halfspace_lateral, -scene.halfspace_inclination, 0};
+  }
+
+
+  WheelRailSolution
+  solve_wheel_rail(const Scene &scene, const WheelRailLoad &load, const SectionOffsets &offsets)
+  {
+    const auto     begin = std::chrono::steady_clock::now();
+    const Sections sections(
+      scene,
+      find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll),
+      offsets);
+    HalfspaceProblem problem = halfspace_problem(scene);
+    problem.normal_force     = load.force;
+
+    WheelRailSolution   result;
+    const PressureMeans means =
+      pressure_means(sections, solve_pressure(scene, sections, problem, result.enlargements));
+    set_slip(scene, sections, means, problem);
+    problem.motion                   = HalfspaceMotion::steady;
+    problem.longitudinal_force_given = !load.rate_held;
+    problem.fx                       = -load.longitudinal;
+    problem.xi                       = load.rate_held ? load.creepage : 0;
+    const double c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
+    // the lateral traction carries a part of a vertical load; it hardly depends on the normal force
+    for (int round = 0; round < (load.vertical ? 2 : 1); ++round)
+      {
+        if (load.vertical)
+          problem.normal_force = (load.force + result.solution.fy * s) / c;
+        result.solution = solve_rolling(problem);
+        problem.xi      = result.solution.xi;
+      }
+    result.angle            = means.rail_angle;
+    result.problem          = problem;
+    result.spin             = std::sin(means.wheel_angle) / sections.geometry.rolling_radius;
+    result.lateral          = -result.solution.fn * s - result.solution.fy * c;
+    result.vertical         = result.solution.fn * c - result.solution.fy * s;
+    result.patch            = halfspace_patch(result.solution);
+    result.measures         = measure_patch(result.patch);
+    const auto   rail_angle = [&](const double place) { return std::atan(sections.rail.at(place).slope); };
+    const double middle = result.measures.centre_lateral, half = 0.5 * result.measures.width;
+    result.turn = std::abs(rail_angle(middle + half) - rail_angle(middle - half));
+    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+  }
+
+
+  Summary
+  halfspace_summary(const Scene &scene, const WheelRailSolution &result)
+  {
+    const HalfspaceSolution &s = result.solution;
+    Summary                  summary;
+    summary.title                     = scene.title;
+    summary.program_version           = WHEELRAIL_VERSION;
+    summary.normal_force              = s.fn;
+    summary.vertical_force            = result.vertical;
+    summary.longitudinal_force        = -s.fx;
+    summary.lateral_force             = result.lateral;
+    summary.max_pressure              = s.peak_pressure;
+    summary.max_pressure_fitted       = result.measures.peak_pressure_fitted;
+    summary.contact_area              = result.measures.area;
+    summary.patch_lateral             = result.measures.width;
+    summary.patch_longitudinal        = result.measures.length;
+    summary.patch_centre_lateral      = result.measures.centre_lateral;
+    summary.patch_centre_longitudinal = result.measures.centre_along;
+    summary.max_shear_traction        = result.measures.max_shear;
+    summary.stick_fraction            = result.measures.stick_fraction;
+    summary.creepage                  = s.xi;
+    summary.friction_coefficient      = scene.friction_coefficient;
+    summary.velocity                  = scene.velocity;
+    summary.elements                  = s.contact_elements;
+    summary.wall_time                 = result.time;
+    summary.further                   = {{"approach_m", s.approach},
+                                         {"spin_per_m", result.spin},
+                                         {"contact_angle_rad", -result.angle},
+                                         {"area_of_whole_elements_m2", s.area},
+                                         {"grid_spacing_m", s.grid.dx},
+                                         {"grid_elements_along", double(s.grid.mx)},
+                                         {"grid_elements_lateral", double(s.grid.my)}};
+    summary.finished                  = s.converged() && !s.touches_grid_edge;
+    summary.stop_reason               = s.not_reached;
+    if (s.touches_grid_edge)
+      summary.stop_reason += "The contact reaches the edge of the profiles or of the grid.";
+    return summary;
+  }
+} // namespace wheelrail

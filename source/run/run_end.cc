@@ -1,0 +1,84 @@
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/run/run_end.h>
+#include <wheelrail/run/run_texts.h>
+
+#include <sys/resource.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Peak memory of all ranks together [bytes].
+    double
+    peak_memory(MPI_Comm communicator)
+    {
+      rusage usage;
+      getrusage(RUSAGE_SELF, &usage);
+      double memory = 1024. * usage.ru_maxrss;
+      MPI_Allreduce(MPI_IN_PLACE, &memory, 1, MPI_DOUBLE, MPI_SUM, communicator);
+      return memory;
+    }
+  } // namespace
+
+
+  std::string
+  reason_to_stop(const RunParts &run)
+  {
+    const double error = run.rolling.energy().error, rolled = 1e3 * run.axle.travelled();
+    if (!std::isfinite(error))
+      return text(
+        "a value is not finite after %lu steps, at %.3f mm rolled; take a smaller Run/Time step "
+        "factor",
+        run.rolling.steps(),
+        rolled);
+    if (error > run.scene.energy_limit)
+      return text(
+        "the energy balance is off by %.1f %% of strain plus dissipated energy at %.3f mm rolled "
+        "(Run/Energy limit is %.1f %%)",
+        100 * error,
+        rolled,
+        100 * run.scene.energy_limit);
+    if (run.rolling.contact_sums().at_border)
+      return text("the patch reaches the edge of the fine cells at %.3f mm rolled; raise Mesh/Fine margin",
+                  rolled);
+    return "";
+  }
+
+
+  Summary
+  summary_of(const RunParts &run, const RunTally &tally, const double averaging_distance)
+  {
+    const Model &model = run.model;
+    Summary      summary;
+    summary.title = run.scene.title;
+    run.recorder.fill(summary, averaging_distance);
+    summary.friction_coefficient = run.scene.friction_coefficient;
+    summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
+    const PlasticFigures plastic =
+      plastic_figures(model.solid, run.axle, unloaded_distance(model), run.communicator);
+    summary.max_plastic_strain     = plastic.max_strain;
+    summary.max_residual_von_mises = plastic.max_residual;
+    for (int body = 0; body < 2; ++body)
+      if (model.solid.blocks[body].plastic())
+        set_figure(summary, body == 0 ? "plastic_work_rail_J" : "plastic_work_wheel_J", plastic.work[body]);
+    summary.rolled_distance = run.axle.travelled();
+    summary.velocity        = run.scene.velocity;
+    summary.elements        = double(model.solid.quality.elements);
+    summary.time_steps      = double(run.rolling.steps());
+    summary.time_step       = model.time_step;
+    summary.element_updates_per_second =
+      summary.elements * double(run.rolling.steps() - tally.first_step) / tally.loop_seconds;
+    int size;
+    MPI_Comm_size(run.communicator, &size);
+    summary.ranks = size;
+    set_figure(summary, "wheel_load_N", model.wheel_load);
+    set_figure(summary, "rolling_radius_m", model.geometry.rolling_radius);
+    set_figure(summary, "contact_angle_rad", model.geometry.angle);
+    add_pose(summary, run.scene, model, run.axle, run.communicator);
+    summary.peak_memory = peak_memory(run.communicator);
+    summary.wall_time   = tally.wall_time;
+    return summary;
+  }
+} // namespace wheelrail

@@ -1,0 +1,95 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/dynamics/rolling_velocities.h>
+#include <wheelrail/run/run_start.h>
+#include <wheelrail/run/run_texts.h>
+
+#include <chrono>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Whether the scene starts without this part of steady rolling.
+    bool
+    without(const Scene &scene, const StartState part)
+    {
+      return scene.start == part || scene.start == StartState::normal_load;
+    }
+  } // namespace
+
+
+  StaticLoads
+  static_loads(const Scene &scene, const Model &model)
+  {
+    StaticLoads loads;
+    loads.axle                 = model.axle;
+    loads.rolling_radius       = model.geometry.rolling_radius;
+    loads.traction_coefficient = scene.traction_coefficient;
+    loads.rate_held            = scene.drive == Drive::rate;
+    loads.creepage             = scene.creepage;
+    loads.tractions            = !without(scene, StartState::without_tractions);
+    loads.first_approach       = model.expected_approach;
+    return loads;
+  }
+
+
+  RunStart
+  start_from_rest(const Scene &scene, Model &model, Log &log, MPI_Comm communicator)
+  {
+    const StaticLoads  loads  = static_loads(scene, model);
+    const auto         begin  = std::chrono::steady_clock::now();
+    const StaticResult result = static_start(
+      *model.forest, model.solid, *model.contact, loads, [&](const std::string &line) { log.status(line); });
+    const bool   at_radius = !loads.rate_held && without(scene, StartState::without_creepage);
+    const double creepage  = at_radius ? 0 : result.creepage;
+    const double rate      = scene.velocity / loads.rolling_radius * (1 + creepage);
+    rolling_velocities(
+      model.solid, model.axle, rate, communicator, !without(scene, StartState::without_velocities));
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    const std::string                   flow =
+      result.flow_steps == 0 ? "" : text(", %d steps of plastic flow", result.flow_steps);
+    log.value("static start",
+              text("%d Newton steps, %d CG steps%s, %s; axle lowered by %.4f mm, predicted creepage %.5f",
+                   result.newton_steps,
+                   result.cg_steps,
+                   flow.c_str(),
+                   format_duration(taken.count()).c_str(),
+                   -1e3 * result.lift,
+                   result.creepage));
+    if (!result.converged && !result.at_border)
+      log.warning(
+        text("the static start ended with %.2g %% of the wheel load out of balance at a node; the first "
+             "millimetres of rolling take it up",
+             100 * result.residual));
+    return {result.lift, rate, result.at_border};
+  }
+
+
+  RunStart
+  start_on_wide_mesh(Scene &scene, Model &model, Log &log, MPI_Comm communicator)
+  {
+    constexpr double widest = 12e-3;
+    RunStart         start  = start_from_rest(scene, model, log, communicator);
+    while (start.at_border && 2 * scene.fine_margin <= widest)
+      {
+        Scene wider = scene;
+        wider.fine_margin *= 2;
+        try
+          {
+            model = make_model(wider, communicator);
+          }
+        catch (const InputError &) // no room; the run tells what is wrong with the mesh that there is
+          {
+            return start;
+          }
+        scene = wider;
+        log.warning(
+          text("the patch reaches the edge of the fine cells; the mesh is built again with "
+               "Mesh/Fine margin = %g mm",
+               1e3 * scene.fine_margin));
+        log.value("mesh", mesh_text(model.solid.quality));
+        start = start_from_rest(scene, model, log, communicator);
+      }
+    return start;
+  }
+} // namespace wheelrail

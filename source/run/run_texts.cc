@@ -1,0 +1,91 @@
+#include <wheelrail/model/scene_profiles.h>
+#include <wheelrail/run/run_texts.h>
+#include <wheelrail/sampling/pose.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  std::string
+  mesh_text(const MeshQuality &q)
+  {
+    return text("%zu hexahedra (rail %zu, wheel %zu), %zu of the finest size, %zu nodes",
+                q.elements,
+                q.rail_elements,
+                q.wheel_elements,
+                q.finest_elements,
+                q.nodes);
+  }
+
+
+  void
+  write_header(Log                            &log,
+               const Scene                    &scene,
+               const Model                    &model,
+               const int                       ranks,
+               const std::vector<std::string> &warnings)
+  {
+    const MeshQuality     &q       = model.solid.quality;
+    const StableStep      &s       = model.solid.stable;
+    const ContactGeometry &g       = model.geometry;
+    const Lattice         &lattice = model.contact->lattice();
+    log.value("scene", scene.title);
+    log.value("output", scene.folder);
+    log.value("ranks", std::to_string(ranks));
+    log.value("contact point",
+              text("rail x = %.3f mm, wheel x = %.3f mm (positive to the field side), angle %.3f degrees",
+                   1e3 * g.rail_x,
+                   1e3 * g.wheel_x,
+                   g.angle * 180 / M_PI));
+    log.value("rolling radius", text("%.4f mm", 1e3 * g.rolling_radius));
+    log.value("wheel load", text("%.2f kN (sprung mass, axle and wheel)", 1e-3 * model.wheel_load));
+    log.value("mesh", mesh_text(q));
+    log.value("cell sizes",
+              text("%.3f to %.1f mm; on the running band %.4f mm along, %.4f mm across",
+                   1e3 * q.smallest,
+                   1e3 * q.largest,
+                   1e3 * lattice.spacing_along,
+                   1e3 * lattice.spacing_lateral));
+    log.value("worst cell", text("smallest corner Jacobian is %.2f of the mean", q.worst_jacobian));
+    log.value("time step",
+              text("%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
+                   "%.1f, Z %.1f mm%s",
+                   1e6 * model.time_step,
+                   scene.rolling_distance / scene.velocity / model.time_step,
+                   1e6 * s.step,
+                   1e3 * s.length,
+                   s.body == Body::rail ? "rail" : "wheel",
+                   1e3 * s.place[0],
+                   1e3 * s.place[1],
+                   1e3 * s.place[2],
+                   s.lowered_by_edges ? ", lowered since free edges swing faster" : ""));
+    log.value("contact",
+              text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",
+                   model.contact->law().stiffness,
+                   scene.penalty_scale));
+    for (const std::string &note : profile_notes(scene))
+      log.value("profile", note);
+    for (const std::string &warning : warnings)
+      log.warning(warning);
+  }
+
+
+  void
+  add_pose(Summary &summary, const Scene &scene, const Model &model, const Axle &axle, MPI_Comm communicator)
+  {
+    PoseQuery query;
+    query.axle_reference   = model.axle.centre;
+    query.axle_now         = model.axle.centre + Vector3{0, axle.height(), axle.travelled()};
+    query.axis             = model.axle.axis;
+    query.angle            = axle.pitch_angle();
+    query.contact          = {model.geometry.frame.origin.x, model.geometry.frame.origin.y, axle.travelled()};
+    query.rim_inner_radius = scene.wheel.rim_inner_radius;
+    const ContactPose pose = fit_pose(model.solid, query, communicator);
+    set_figure(summary, "rail_head_lateral_m", pose.rail_head.lateral);
+    set_figure(summary, "rail_head_roll_rad", pose.rail_head.roll);
+    set_figure(summary, "wheel_rim_lateral_m", pose.wheel_rim.lateral);
+    set_figure(summary, "wheel_rim_roll_rad", pose.wheel_rim.roll);
+    set_figure(summary, "relative_lateral_m", pose.relative_lateral());
+    set_figure(summary, "relative_roll_rad", pose.relative_roll());
+  }
+} // namespace wheelrail

@@ -1,0 +1,380 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/interrupt.h>
+#include <wheelrail/base/log.h>
+#include <wheelrail/input/cross_checks.h>
+#include <wheelrail/output/folder.h>
+#include <wheelrail/output/root.h>
+#include <wheelrail/run/run_end.h>
+#include <wheelrail/run/run_output.h>
+#include <wheelrail/run/run_start.h>
+#include <wheelrail/run/run_texts.h>
+#include <wheelrail/run/simulation.h>
+#include <wheelrail/state/checkpoint_files.h>
+#include <wheelrail/state/saved_states.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Why a run stops that was asked to, by a signal.
+    const std::string interrupted = "interrupted";
+
+    double
+    seconds()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+
+    /// The warnings of the cross-checks. Throws InputError for a scene that this machine cannot hold.
+    std::vector<std::string>
+    check_machine(const Scene &scene, MPI_Comm communicator)
+    {
+      MPI_Comm node;
+      int      ranks = 1;
+      MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+      MPI_Comm_size(node, &ranks);
+      MPI_Comm_free(&node);
+      Findings found;
+      on_root(communicator, [&]() {
+        found = cross_checks(scene, this_machine(ranks));
+        if (!found.errors.empty())
+          throw InputError(found.errors.front());
+      });
+      return found.warnings;
+    }
+
+    /// One run from the static start, or from a saved state, to the summary.
+    class Simulation
+    {
+    public:
+      Simulation(const Scene &scene, const RunOptions &options)
+        : scene_(scene)
+        , options_(options)
+        , start_(seconds())
+        , states_(scene, options.parameters_text, scene.checkpoint_interval, communicator_)
+      {
+        MPI_Comm_rank(communicator_, &rank_);
+        MPI_Comm_size(communicator_, &size_);
+      }
+
+      int
+      run()
+      {
+        warnings_ = check_machine(scene_, communicator_);
+        if (options_.resume)
+          resume_point_ = read_checkpoint(scene_, options_.parameters_text, communicator_);
+        if (resume_point_)
+          {
+            scene_.prepared_distance = resume_point_->whole.prepared_distance;
+            scene_.fine_margin       = resume_point_->whole.fine_margin;
+          }
+        model_          = make_model(scene_, communicator_);
+        const auto mode = resume_point_        ? FolderMode::resume
+                          : options_.overwrite ? FolderMode::overwrite
+                                               : FolderMode::fresh;
+        prepare_folder(scene_.folder, mode, options_.prm_text, options_.parameters_text, communicator_);
+        std::string stop;
+        try
+          {
+            set_out();
+            stop = roll();
+            end(stop);
+          }
+        catch (const RunError &error)
+          {
+            leave_word(error.what());
+            throw;
+          }
+        if (!stop.empty() && stop != interrupted)
+          throw RunError("the run stopped: " + stop);
+        return stop.empty() ? 0 : 3;
+      }
+
+    private:
+      void
+      set_out();
+      void
+      start_rolling();
+      void
+      resume_rolling();
+      void
+      make_rolling(double lift, double rate);
+      std::string
+      roll();
+      void
+      end(const std::string &stop);
+      void
+      record();
+      void
+      keep_state();
+      void
+      tick();
+      bool
+      must_stop() const;
+      double
+      averaging_start() const;
+      void
+      finish(const std::string &stop_reason);
+      void
+      leave_word(const std::string &error) const;
+
+      Scene                      scene_;
+      const RunOptions          &options_;
+      double                     start_;
+      MPI_Comm                   communicator_ = MPI_COMM_WORLD;
+      int                        rank_ = 0, size_ = 1;
+      std::vector<std::string>   warnings_; ///< what the machine may lack
+      Log                        log_;
+      Model                      model_;
+      std::optional<ResumePoint> resume_point_;
+      SavedStates                states_;
+      std::unique_ptr<Axle>      axle_;
+      std::unique_ptr<Rolling>   rolling_;
+      std::unique_ptr<Recorder>  recorder_;
+      std::unique_ptr<RunParts>  parts_;
+      std::unique_ptr<RunOutput> output_;
+      unsigned int               tick_           = 0;
+      double                     loop_start_     = 0;                   ///< of this part of the run [s]
+      unsigned long              first_step_     = 0;                   ///< steps before this part
+      double                     first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
+    };
+
+
+    /// To the first step: the header, then the static start or the saved state.
+    void
+    Simulation::set_out()
+    {
+      on_root(communicator_, [&]() { log_ = Log(scene_.folder + "/log.txt", resume_point_.has_value()); });
+      write_header(log_, scene_, model_, size_, warnings_);
+      log_.value("set-up", format_duration(seconds() - start_));
+      if (options_.resume && !resume_point_)
+        log_.warning("the run in this folder had not saved a state yet; it starts anew");
+      if (resume_point_)
+        resume_rolling();
+      else
+        start_rolling();
+    }
+
+
+    void
+    Simulation::start_rolling()
+    {
+      const RunStart start = start_on_wide_mesh(scene_, model_, log_, communicator_);
+      make_rolling(start.lift, start.rate);
+      if (scene_.volume_fields)
+        output_->volume("volume_start");
+      keep_state();
+      states_.save();
+    }
+
+
+    void
+    Simulation::resume_rolling()
+    {
+      const Checkpoint &whole = resume_point_->whole;
+      tick_                   = whole.ticks;
+      model_.time_step        = whole.time_step; // another Run/Rolling distance would round it otherwise
+      make_rolling(0, 0);
+      restore_checkpoint(whole, model_, *axle_, *rolling_, *recorder_, communicator_);
+      first_step_     = rolling_->steps();
+      first_distance_ = axle_->travelled();
+      wall_before_    = whole.wall_time;
+      for (const std::string &note : resume_point_->notes)
+        log_.warning(note);
+      log_.value("resumed", text("at %.3f mm rolled, after %lu steps", 1e3 * first_distance_, first_step_));
+      resume_point_->whole = Checkpoint(); // its memory
+      keep_state();
+    }
+
+
+    void
+    Simulation::make_rolling(const double lift, const double rate)
+    {
+      axle_    = std::make_unique<Axle>(model_.axle, model_.solid, lift, rate, communicator_);
+      rolling_ = std::make_unique<Rolling>(
+        model_.solid, *model_.contact, *axle_, model_.time_step, scene_.bulk_viscosity, communicator_);
+      recorder_ = std::make_unique<Recorder>(model_);
+      parts_ =
+        std::make_unique<RunParts>(RunParts{scene_, model_, *axle_, *rolling_, *recorder_, communicator_});
+      output_ = std::make_unique<RunOutput>(*parts_, resume_point_.has_value(), tick_);
+    }
+
+
+    bool
+    Simulation::must_stop() const
+    {
+      int requested = interrupt_requested() ? 1 : 0;
+      MPI_Allreduce(MPI_IN_PLACE, &requested, 1, MPI_INT, MPI_MAX, communicator_);
+      return requested > 0;
+    }
+
+
+    /// Steps to the end; gives why it stopped before, or an empty text.
+    std::string
+    Simulation::roll()
+    {
+      const unsigned long n_steps = std::lround(scene_.rolling_distance / scene_.velocity / model_.time_step);
+      const unsigned long every   = std::max<unsigned long>(1, n_steps / 1000);
+      std::string         stop;
+      loop_start_ = seconds();
+      for (unsigned long n = first_step_ + 1; n <= n_steps && stop.empty(); ++n)
+        {
+          const bool record_now = n % every == 0 || n == 1 || n == n_steps;
+          rolling_->step(record_now);
+          if (record_now)
+            {
+              record();
+              stop = reason_to_stop(*parts_);
+            }
+          const bool good = stop.empty();
+          if (good && (n == options_.stop_after_steps || (n % 20 == 0 && must_stop())))
+            stop = interrupted;
+          const bool regular = n * scene_.ticks / n_steps > (n - 1) * scene_.ticks / n_steps;
+          if (regular || n == n_steps || !stop.empty())
+            tick();
+          tick_ += regular; // a resumed run writes the tick of an interruption over
+          if (good && (regular || stop == interrupted))
+            keep_state();
+          if (record_now && stop.empty() && n < n_steps && states_.due())
+            {
+              keep_state();
+              states_.save();
+            }
+        }
+      return stop;
+    }
+
+
+    void
+    Simulation::record()
+    {
+      recorder_->add(*rolling_, *axle_);
+      recorder_->add_patch(patch_fields(*model_.contact, model_.axle, rolling_->time(), axle_->travelled()));
+    }
+
+
+    void
+    Simulation::keep_state()
+    {
+      states_.keep(*parts_, tick_, wall_before_ + seconds() - start_);
+    }
+
+
+    void
+    Simulation::tick()
+    {
+      const double elapsed = seconds() - loop_start_;
+      TickLine     line;
+      line.rolled_distance    = axle_->travelled();
+      const Point2 normal     = model_.geometry.frame.normal();
+      const auto  &force      = rolling_->contact_sums().force;
+      line.normal_force       = force[0] * normal.x + force[1] * normal.y;
+      line.longitudinal_force = force[2];
+      line.lateral_force      = force[0];
+      line.energy_error       = rolling_->energy().error;
+      line.updates_per_second =
+        (rolling_->steps() - first_step_) * double(model_.solid.quality.elements) / elapsed;
+      line.seconds_left = elapsed * std::max(0., scene_.rolling_distance - axle_->travelled()) /
+                          (axle_->travelled() - first_distance_);
+      log_.tick(line);
+      output_->tick(tick_);
+    }
+
+
+    /// Writes the figures, and the last good state when the run stopped.
+    void
+    Simulation::end(const std::string &stop)
+    {
+      const double bytes = stop.empty() ? 0 : states_.save();
+      finish(stop);
+      if (stop.empty())
+        on_root(communicator_, [&]() { remove_checkpoints(scene_.folder); });
+      else
+        log_.value("saved",
+                   text("the state at %.3f mm rolled (%.1f MB); go on with ",
+                        1e3 * states_.kept().axle.travelled,
+                        1e-6 * bytes) +
+                     "./wheelrail run " + scene_.folder + "/parameters.prm --ranks " + std::to_string(size_) +
+                     " --resume");
+    }
+
+
+    /// Rolled distance at which the means of the summary begin [m].
+    double
+    Simulation::averaging_start() const
+    {
+      return axle_->travelled() - scene_.averaging_distance;
+    }
+
+
+    void
+    Simulation::finish(const std::string &stop_reason)
+    {
+      const RunTally tally{wall_before_ + seconds() - start_, seconds() - loop_start_, first_step_};
+      if (scene_.volume_fields)
+        output_->volume("volume_end");
+      Summary summary         = summary_of(*parts_, tally, scene_.averaging_distance);
+      summary.program_version = options_.program_version;
+      summary.finished        = stop_reason.empty();
+      summary.stop_reason     = stop_reason;
+      const auto &t           = rolling_->timing();
+      log_.value("time per step",
+                 text("%.2f ns per element update of all ranks together; elements %.1f s, exchange %.1f s, "
+                      "contact %.1f s, update %.1f s",
+                      1e9 / summary.element_updates_per_second,
+                      t.elements,
+                      t.exchange,
+                      t.contact,
+                      t.update));
+      log_.value("saving states", text("%.2f s", states_.seconds_saving()));
+      const double settled = get_figure(summary, "settled_after_m"), from = averaging_start();
+      if (summary.finished && from > 0 && settled > from)
+        log_.warning(
+          text("longitudinal force or peak shear have not come within 1 %% of their means before %.1f mm "
+               "rolled, where the means begin; roll farther (Run/Rolling distance)",
+               1e3 * from));
+      on_root(communicator_, [&]() {
+        write_summary(summary, scene_.folder + "/summary.json");
+        print_summary(summary, std::cout);
+      });
+    }
+
+
+    /// After a failure: why, in summary.json with the means so far, as far as that can still be written.
+    void
+    Simulation::leave_word(const std::string &error) const
+    {
+      if (rank_ > 0)
+        return;
+      try
+        {
+          Summary summary;
+          summary.title           = scene_.title;
+          summary.program_version = options_.program_version;
+          if (recorder_)
+            recorder_->fill(summary, scene_.averaging_distance);
+          if (axle_)
+            summary.rolled_distance = axle_->travelled();
+          summary.stop_reason = error;
+          write_summary(summary, scene_.folder + "/summary.json");
+        }
+      catch (const std::exception &)
+        {
+          // the failure itself is reported on the screen
+        }
+    }
+  } // namespace
+
+
+  int
+  run_simulation(const Scene &scene, const RunOptions &options)
+  {
+    Simulation simulation(scene, options);
+    return simulation.run();
+  }
+} // namespace wheelrail

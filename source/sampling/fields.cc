@@ -1,0 +1,264 @@
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/sampling/fields.h>
+#include <wheelrail/solid/cauchy.h>
+#include <wheelrail/solid/stress_recovery.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Displacement of a node against the rigid motion of its body.
+    Vector3
+    deformation(const Solid &solid, const unsigned int n, const Axle &axle)
+    {
+      const double *R = &solid.mesh.reference[4 * n];
+      const Vector3 X = {R[0], R[1], R[2]};
+      if (solid.mesh.node_body[n] == Body::rail)
+        return solid.position(n) - X;
+      const AxleData &data = axle.data();
+      const Vector3   now  = data.centre + Vector3{0, axle.height(), axle.travelled()};
+      return solid.position(n) - now - rotated(X - data.centre, data.axis, axle.pitch_angle());
+    }
+
+    /// Numbers the chosen nodes and fills points and fields.
+    class FieldBuilder
+    {
+    public:
+      explicit FieldBuilder(FieldMesh &mesh)
+        : mesh_(mesh)
+      {
+      }
+
+      void
+      cell(const unsigned int *nodes, const unsigned int n)
+      {
+        for (unsigned int a = 0; a < n; ++a)
+          {
+            const auto [entry, fresh] = number_.try_emplace(nodes[a], nodes_.size());
+            if (fresh)
+              nodes_.push_back(nodes[a]);
+            mesh_.cells.push_back(entry->second);
+          }
+      }
+
+      /// Adds a field given by a function of the node that fills `components` numbers.
+      template <typename Function>
+      void
+      field(const std::string &name,
+            const std::string &unit,
+            const unsigned int components,
+            const Function    &value)
+      {
+        PointField field{name, unit, components, std::vector<double>(components * nodes_.size())};
+        for (std::size_t k = 0; k < nodes_.size(); ++k)
+          value(nodes_[k], &field.values[components * k]);
+        mesh_.fields.push_back(std::move(field));
+      }
+
+      const std::vector<unsigned int> &
+      nodes() const
+      {
+        return nodes_;
+      }
+
+    private:
+      FieldMesh                                     &mesh_;
+      std::unordered_map<unsigned int, unsigned int> number_;
+      std::vector<unsigned int>                      nodes_;
+    };
+
+    /// Cells of the finest level whose first vertex lies within the contact window along the track.
+    void
+    add_window_cells(FieldBuilder &builder, const Solid &solid, const Axle &axle, const Contact &contact)
+    {
+      const double reach =
+        0.5 * (contact.window().rail_last - contact.window().rail_first) * contact.lattice().spacing_along;
+      for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
+        {
+          const Vector3 x = solid.position(solid.mesh.cells[c][0]);
+          if (solid.mesh.cell_level[c] == solid.finest_level && std::abs(x[2] - axle.travelled()) < reach)
+            builder.cell(solid.mesh.cells[c].data(), 8);
+        }
+    }
+
+    void
+    copy(const Vector3 &v, double *to)
+    {
+      std::copy(v.begin(), v.end(), to);
+    }
+
+    /// Contact values of the rail's surface nodes.
+    void
+    add_contact_fields(FieldBuilder &builder, const Contact &contact)
+    {
+      std::unordered_map<unsigned int, std::size_t> lattice_node;
+      for (std::size_t k = 0; k < contact.rail().local.size(); ++k)
+        if (contact.rail().local[k] >= 0)
+          lattice_node[contact.rail().local[k]] = k;
+      const auto with = [&](const unsigned int n, const auto &use) {
+        if (const auto found = lattice_node.find(n); found != lattice_node.end())
+          use(contact.nodes()[found->second]);
+      };
+      builder.field("pressure", "Pa", 1, [&](unsigned int n, double *v) {
+        with(n, [&](const ContactNode &c) { *v = c.pressure; });
+      });
+      builder.field("shear_traction", "Pa", 3, [&](unsigned int n, double *v) {
+        with(n, [&](const ContactNode &c) { copy(c.traction, v); });
+      });
+      builder.field("slip_velocity", "m/s", 3, [&](unsigned int n, double *v) {
+        with(n, [&](const ContactNode &c) { copy(c.slip, v); });
+      });
+    }
+
+    /// Plastic strain, and residual stress in the rail where its z is below `unloaded` [m].
+    void
+    add_plastic_fields(FieldBuilder              &builder,
+                       const Solid               &solid,
+                       const std::vector<double> &stress,
+                       const double               unloaded,
+                       MPI_Comm                   communicator)
+    {
+      const auto strain = nodal_plastic_strain(solid, communicator);
+      builder.field("plastic_strain", "1", 1, [&](unsigned int n, double *v) { *v = strain[n]; });
+      builder.field("residual_von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) {
+        const bool free = solid.mesh.node_body[n] == Body::rail && solid.position(n)[2] < unloaded;
+        *v              = free ? von_mises(&stress[6 * n]) : std::numeric_limits<double>::quiet_NaN();
+      });
+    }
+  } // namespace
+
+
+  PatchFields
+  patch_fields(const Contact &contact, const AxleData &axle, const double time, const double travelled)
+  {
+    const Lattice &lattice = contact.lattice();
+    const auto    &window  = contact.window();
+    const Point2   t       = contact.surfaces().frame.tangent();
+    PatchFields    patch;
+    patch.time            = time;
+    patch.rolled_distance = travelled;
+    patch.n_along         = window.rail_last - window.rail_first;
+    patch.n_lateral       = lattice.n_lateral;
+    for (int i = window.rail_first; i < window.rail_last; ++i)
+      for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+        {
+          const std::size_t  k    = lattice.index(i, j);
+          const ContactNode &node = contact.nodes()[k];
+          patch.along.push_back((lattice.first_station + i) * lattice.spacing_along - axle.centre[2] -
+                                travelled);
+          patch.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
+          patch.gap.push_back(node.gap);
+          patch.pressure.push_back(node.pressure);
+          patch.shear_along.push_back(node.traction[2]);
+          patch.shear_lateral.push_back(node.traction[0] * t.x + node.traction[1] * t.y);
+          patch.slip_along.push_back(node.slip[2] / axle.velocity);
+          patch.slip_lateral.push_back((node.slip[0] * t.x + node.slip[1] * t.y) / axle.velocity);
+          patch.state.push_back(node.pressure <= 0 ? 0 : node.slipping ? 2 : 1);
+          patch.area.push_back(contact.rail().area[k]);
+        }
+    return patch;
+  }
+
+
+  FieldMesh
+  field_mesh(const Solid    &solid,
+             const Axle     &axle,
+             const Contact  &contact,
+             const Selection selection,
+             const double    unloaded,
+             MPI_Comm        communicator)
+  {
+    FieldMesh    mesh;
+    FieldBuilder builder(mesh);
+    if (selection == Selection::all)
+      for (const auto &cell : solid.mesh.cells)
+        builder.cell(cell.data(), 8);
+    else if (selection == Selection::window)
+      add_window_cells(builder, solid, axle, contact);
+    else
+      {
+        mesh.points_per_cell = 4;
+        for (const auto &face : solid.mesh.faces)
+          if (face.mark == Boundary::running && face.finest)
+            builder.cell(face.nodes.data(), 4);
+      }
+    for (const unsigned int n : builder.nodes())
+      mesh.points.push_back(solid.position(n));
+    builder.field(
+      "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
+    const bool plastic = solid.blocks[0].plastic() || solid.blocks[1].plastic();
+    if (selection == Selection::surface)
+      {
+        add_contact_fields(builder, contact);
+        if (plastic)
+          add_plastic_fields(
+            builder, solid, nodal_stress(solid, communicator), axle.travelled() - unloaded, communicator);
+        return mesh;
+      }
+    const auto stress = nodal_stress(solid, communicator);
+    builder.field(
+      "von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
+    builder.field(
+      "normal_stress", "Pa", 3, [&](unsigned int n, double *v) { std::copy_n(&stress[6 * n], 3, v); });
+    builder.field("shear_stress_yz_xz_xy", "Pa", 3, [&](unsigned int n, double *v) {
+      std::copy_n(&stress[6 * n + 3], 3, v);
+    });
+    if (plastic)
+      add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded, communicator);
+    return mesh;
+  }
+
+
+  double
+  unloaded_distance(const Model &model)
+  {
+    return 4 * half_length_bound(model.expected_approach, model.geometry.rolling_radius);
+  }
+
+
+  PlasticFigures
+  plastic_figures(const Solid &solid, const Axle &axle, const double distance, MPI_Comm communicator)
+  {
+    double largest[2] = {-1, -1}, work[2] = {0, 0};
+    for (int body = 0; body < 2; ++body)
+      {
+        const ElementBlocks &blocks = solid.blocks[body];
+        if (!blocks.plastic())
+          continue;
+        const auto strain = element_plastic_strain(blocks);
+        const auto stress = element_stress(blocks, solid.displacement.data());
+        for (std::size_t e = 0; e < blocks.n_elements; ++e)
+          {
+            largest[0]          = std::max(largest[0], strain[e]);
+            const Vector3 place = solid.position(solid.mesh.cells[solid.block_cells[body][e]][0]);
+            if (body == 0 && strain[e] > 0 && place[2] < axle.travelled() - distance)
+              largest[1] = std::max(largest[1], von_mises(stress[e].data()));
+          }
+        for (const double w : blocks.plastic_work)
+          work[body] += w;
+      }
+    MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, communicator);
+    MPI_Allreduce(MPI_IN_PLACE, work, 2, MPI_DOUBLE, MPI_SUM, communicator);
+    for (double &value : largest)
+      if (value < 0)
+        value = std::numeric_limits<double>::quiet_NaN();
+    return {largest[0], largest[1], {work[0], work[1]}};
+  }
+
+
+  double
+  largest_von_mises(const Solid &solid, MPI_Comm communicator)
+  {
+    double largest = 0;
+    for (const auto &blocks : solid.blocks)
+      for (const auto &s : element_stress(blocks, solid.displacement.data()))
+        largest = std::max(largest, von_mises(s.data()));
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
+    return largest;
+  }
+} // namespace wheelrail

@@ -1,0 +1,180 @@
+#include <wheelrail/sampling/probes.h>
+#include <wheelrail/solid/stress_recovery.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr unsigned int n_fields = 1 + probe_fields; // number of cells found, then the sums
+
+    using Corners = std::array<Vector3, 8>;
+
+    /// A point to interpolate at and what was found there.
+    struct Probe
+    {
+      Vector3                      x{};
+      std::array<double, n_fields> sum{}; ///< number of cells that contain the point, then sums over them
+    };
+
+    std::array<double, 8>
+    shape(const Vector3 &xi)
+    {
+      std::array<double, 8> N;
+      for (int v = 0; v < 8; ++v)
+        {
+          N[v] = 1;
+          for (int d = 0; d < 3; ++d)
+            N[v] *= (v >> d & 1) ? xi[d] : 1 - xi[d];
+        }
+      return N;
+    }
+
+    /// Place of x in the unit cube that the trilinear map takes to the corners (Newton's method); false when
+    /// x is outside by more than a hundredth of the cell.
+    bool
+    place_in_cell(const Corners &corner, const Vector3 &x, Vector3 &xi)
+    {
+      xi = {0.5, 0.5, 0.5};
+      for (int iteration = 0; iteration < 8; ++iteration)
+        {
+          const auto N    = shape(xi);
+          Vector3    rest = x, J[3] = {{}, {}, {}}; // J[d]: derivative along xi[d]
+          for (int v = 0; v < 8; ++v)
+            {
+              add(rest, -N[v], corner[v]);
+              for (int d = 0; d < 3; ++d)
+                {
+                  double weight = (v >> d & 1) ? 1 : -1;
+                  for (int e = 0; e < 3; ++e)
+                    if (e != d)
+                      weight *= (v >> e & 1) ? xi[e] : 1 - xi[e];
+                  add(J[d], weight, corner[v]);
+                }
+            }
+          const double  det  = dot(J[0], cross(J[1], J[2]));
+          const Vector3 move = {dot(rest, cross(J[1], J[2])) / det,
+                                dot(rest, cross(J[2], J[0])) / det,
+                                dot(rest, cross(J[0], J[1])) / det};
+          add(xi, 1, move);
+          if (norm(move) < 1e-10)
+            break;
+        }
+      return std::all_of(xi.begin(), xi.end(), [](const double v) { return v > -0.01 && v < 1.01; });
+    }
+
+    /// Range of a body's probes [m].
+    struct Box
+    {
+      Vector3 low  = {1e300, 1e300, 1e300};
+      Vector3 high = {-1e300, -1e300, -1e300};
+
+      void
+      take(const Vector3 &x)
+      {
+        for (int d = 0; d < 3; ++d)
+          {
+            low[d]  = std::min(low[d], x[d]);
+            high[d] = std::max(high[d], x[d]);
+          }
+      }
+      bool
+      meets(const Box &other) const
+      {
+        for (int d = 0; d < 3; ++d)
+          if (low[d] > other.high[d] || high[d] < other.low[d])
+            return false;
+        return true;
+      }
+    };
+
+    /// Fills the probes of a body from the nodal stresses.
+    void
+    interpolate(const Solid &solid, const Body body, const ProbeSource &source, std::vector<Probe> &probes)
+    {
+      Box all;
+      for (const Probe &probe : probes)
+        all.take(probe.x);
+      for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
+        {
+          if (solid.mesh.cell_body[c] != body)
+            continue;
+          Corners corner;
+          Box     box;
+          for (int v = 0; v < 8; ++v)
+            box.take(corner[v] = solid.position(solid.mesh.cells[c][v]));
+          const Vector3 margin = 0.02 * (box.high - box.low);
+          box.take(box.low - margin);
+          box.take(box.high + margin);
+          if (!box.meets(all))
+            continue;
+          for (Probe &probe : probes)
+            {
+              Box point;
+              point.take(probe.x);
+              Vector3 xi;
+              if (!box.meets(point) || !place_in_cell(corner, probe.x, xi))
+                continue;
+              const auto            N = shape(xi);
+              std::array<double, 6> s{};
+              for (int v = 0; v < 8; ++v)
+                for (int k = 0; k < 6; ++k)
+                  s[k] += N[v] * source.stress[6 * solid.mesh.cells[c][v] + k];
+              probe.sum[0] += 1;
+              for (int k = 0; k < 6; ++k)
+                probe.sum[k + 1] += s[k];
+              probe.sum[7] += source.plastic_strain[c];
+            }
+        }
+    }
+  } // namespace
+
+
+  ProbeSource
+  probe_source(const Solid &solid, MPI_Comm communicator)
+  {
+    ProbeSource source;
+    source.stress = nodal_stress(solid, communicator);
+    source.plastic_strain.resize(solid.mesh.cells.size());
+    for (int body = 0; body < 2; ++body)
+      {
+        const auto strain = element_plastic_strain(solid.blocks[body]);
+        for (std::size_t e = 0; e < strain.size(); ++e)
+          source.plastic_strain[solid.block_cells[body][e]] = strain[e];
+      }
+    return source;
+  }
+
+
+  std::vector<std::array<double, probe_fields>>
+  probe_body(const Solid                &solid,
+             const Body                  body,
+             const ProbeSource          &source,
+             const std::vector<Vector3> &points,
+             MPI_Comm                    communicator)
+  {
+    std::vector<Probe> probes;
+    for (const Vector3 &point : points)
+      probes.push_back({point, {}});
+    interpolate(solid, body, source, probes);
+    std::vector<double> sums;
+    for (const Probe &probe : probes)
+      sums.insert(sums.end(), probe.sum.begin(), probe.sum.end());
+    MPI_Allreduce(
+      MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, communicator);
+
+    std::vector<std::array<double, probe_fields>> values(points.size());
+    for (std::size_t p = 0; p < points.size(); ++p)
+      {
+        const double *s     = &sums[n_fields * p];
+        const double  found = s[0] > 0 ? s[0] : std::numeric_limits<double>::quiet_NaN();
+        for (unsigned int k = 0; k < probe_fields; ++k)
+          values[p][k] = s[k + 1] / found;
+      }
+    return values;
+  }
+} // namespace wheelrail

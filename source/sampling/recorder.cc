@@ -1,0 +1,148 @@
+#include <wheelrail/sampling/patch_measures.h>
+#include <wheelrail/sampling/recorder.h>
+#include <wheelrail/sampling/settling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Adds one row to a table, value by value; the first row makes the columns.
+    class Row
+    {
+    public:
+      explicit Row(History &table)
+        : table_(table)
+      {
+      }
+
+      void
+      put(const std::string &name, const std::string &unit, const double value)
+      {
+        if (column_ == table_.columns.size())
+          {
+            table_.names.push_back(name);
+            table_.units.push_back(unit);
+            table_.columns.emplace_back();
+          }
+        table_.columns[column_++].push_back(value);
+      }
+
+    private:
+      History    &table_;
+      std::size_t column_ = 0;
+    };
+
+    const std::vector<double> &
+    column(const History &table, const std::string &name)
+    {
+      for (std::size_t c = 0; c < table.names.size(); ++c)
+        if (table.names[c] == name)
+          return table.columns[c];
+      throw std::logic_error("no history column " + name);
+    }
+  } // namespace
+
+
+  Recorder::Recorder(const Model &model)
+    : model_(model)
+  {
+  }
+
+
+  void
+  Recorder::add(const Rolling &rolling, const Axle &axle)
+  {
+    const ContactSums   &c = rolling.contact_sums();
+    const EnergyBalance &e = rolling.energy();
+    const Point2         t = model_.geometry.frame.tangent(), n = model_.geometry.frame.normal();
+    Row                  row(state_.history);
+    row.put("time", "s", rolling.time());
+    row.put("rolled_distance", "m", axle.travelled());
+    row.put("normal_force", "N", c.force[0] * n.x + c.force[1] * n.y);
+    row.put("vertical_force", "N", c.force[1]);
+    row.put("longitudinal_force", "N", c.force[2]);
+    row.put("lateral_force", "N", c.force[0]);
+    row.put("tangential_lateral_force", "N", c.force[0] * t.x + c.force[1] * t.y);
+    row.put("axle_lateral_force", "N", axle.reaction()[0]);
+    row.put("axle_vertical_force", "N", axle.reaction()[1]);
+    row.put("max_pressure", "Pa", c.largest_pressure);
+    const double radius = model_.geometry.rolling_radius, V = axle.data().velocity;
+    row.put("creepage", "1", (axle.pitch_rate() * radius - V) / V);
+    row.put("pitch_rate", "rad/s", axle.pitch_rate());
+    row.put("drive_torque", "N m", axle.applied_torque());
+    row.put("axle_height", "m", axle.height());
+    row.put("kinetic_energy", "J", e.kinetic);
+    row.put("strain_energy", "J", e.strain);
+    row.put("stabilisation_energy", "J", e.stabilisation);
+    row.put("contact_energy", "J", e.contact);
+    row.put("plastic_work", "J", e.plastic);
+    row.put("friction_dissipation", "J", e.friction);
+    row.put("viscous_dissipation", "J", e.viscous);
+    row.put("contact_damping_dissipation", "J", e.contact_damping);
+    row.put("suspension_dissipation", "J", e.suspension);
+    row.put("torque_work", "J", e.torque_work);
+    row.put("speed_hold_work", "J", e.hold_work);
+    row.put("energy_residual", "J", e.residual);
+    row.put("energy_error", "1", e.error);
+  }
+
+
+  void
+  Recorder::add_patch(const PatchFields &patch)
+  {
+    const PatchMeasures m = measure_patch(patch);
+    Row                 row(state_.patches);
+    row.put("rolled_distance", "m", patch.rolled_distance);
+    row.put("max_pressure", "Pa", m.peak_pressure);
+    row.put("max_pressure_fitted", "Pa", m.peak_pressure_fitted);
+    row.put("contact_area", "m2", m.area);
+    row.put("patch_lateral", "m", m.width);
+    row.put("patch_longitudinal", "m", m.length);
+    row.put("patch_centre_lateral", "m", m.centre_lateral);
+    row.put("patch_centre_longitudinal", "m", m.centre_along);
+    row.put("max_shear_traction", "Pa", m.max_shear);
+    row.put("stick_fraction", "", m.stick_fraction);
+    n_patches_ = m.n_patches;
+  }
+
+
+  void
+  Recorder::fill(Summary &summary, const double distance) const
+  {
+    const History &history = state_.history, &patches = state_.patches;
+    if (history.columns.empty())
+      return;
+    const auto  &rolled   = column(history, "rolled_distance");
+    const double from     = rolled.back() - distance;
+    const auto   put_mean = [&](const std::string &key, const std::string &unit, const Mean &mean) {
+      set_figure(summary, key + (unit.empty() ? "" : "_" + unit), mean.mean);
+      set_figure(summary, key + "_std" + (unit.empty() ? "" : "_" + unit), mean.deviation);
+    };
+    for (const char *name : {"normal_force", "vertical_force", "longitudinal_force", "lateral_force"})
+      put_mean(name, "N", mean_from(rolled, column(history, name), from));
+    put_mean("creepage", "", mean_from(rolled, column(history, "creepage"), from));
+    set_figure(summary, "energy_error", column(history, "energy_error").back());
+    const auto &patch_rolled = column(patches, "rolled_distance");
+    for (std::size_t c = 1; c < patches.names.size(); ++c)
+      put_mean(patches.names[c], patches.units[c], mean_from(patch_rolled, patches.columns[c], from));
+
+    if (n_patches_ > 0)
+      set_figure(summary, "patches", n_patches_);
+
+    // where a force or traction is hardly there, a small part of what presses counts
+    const auto settled = [&](const History &table, const char *name, const char *pressing) {
+      const auto  &along = column(table, "rolled_distance"), &values = column(table, name);
+      const double final = mean_from(along, values, from).mean;
+      const double least = 0.05 * mean_from(along, column(table, pressing), from).mean;
+      return settled_after(along, values, final, 0.01 * std::max(std::abs(final), least), 2e-3);
+    };
+    set_figure(summary,
+               "settled_after_m",
+               std::max(settled(history, "longitudinal_force", "normal_force"),
+                        settled(patches, "max_shear_traction", "max_pressure")));
+  }
+} // namespace wheelrail

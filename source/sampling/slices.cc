@@ -1,0 +1,284 @@
+#include <wheelrail/output/hdf5_handles.h>
+#include <wheelrail/sampling/fields.h>
+#include <wheelrail/sampling/probes.h>
+#include <wheelrail/sampling/slices.h>
+#include <wheelrail/solid/cauchy.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace wheelrail
+{
+  namespace
+  {
+    struct Field
+    {
+      const char *name, *unit;
+    };
+    /// The last one only in a body that may flow.
+    constexpr unsigned int n_fields         = 1 + probe_fields;
+    constexpr Field        fields[n_fields] = {{"von_mises_stress", "Pa"},
+                                               {"stress_xx", "Pa"},
+                                               {"stress_yy", "Pa"},
+                                               {"stress_zz", "Pa"},
+                                               {"stress_yz", "Pa"},
+                                               {"stress_xz", "Pa"},
+                                               {"stress_xy", "Pa"},
+                                               {"plastic_strain", "1"}};
+
+    /// Deep enough for the stresses of a patch of some 20 mm.
+    constexpr double depth_of_slices = 15e-3;
+
+    /// Where a slice runs over the lattice of the contact: nodes at both sides of every point of the line,
+    /// and the weight of the second.
+    struct Line
+    {
+      std::vector<double>                     position;
+      std::vector<std::array<std::size_t, 2>> nodes;
+      double                                  weight = 0, offset = 0;
+    };
+
+    /// The row of points along the track at lateral coordinate s.
+    Line
+    line_along(const Contact &contact, const double travelled, const double s)
+    {
+      const Lattice &lattice = contact.lattice();
+      const double   row     = (s - lattice.s_begin) / lattice.spacing_lateral;
+      const int      last    = static_cast<int>(lattice.n_lateral) - 2;
+      const int      j       = std::clamp(static_cast<int>(std::floor(row)), 0, last);
+      Line           line;
+      line.weight = row - j, line.offset = s;
+      for (int i = contact.window().rail_first; i < contact.window().rail_last; ++i)
+        {
+          line.position.push_back((lattice.first_station + i) * lattice.spacing_along - travelled);
+          line.nodes.push_back({lattice.index(i, j), lattice.index(i, j + 1)});
+        }
+      return line;
+    }
+
+    /// The row of points across the track at `along` ahead of the axle.
+    Line
+    line_across(const Contact &contact, const double travelled, const double along)
+    {
+      const Lattice &lattice = contact.lattice();
+      const double   station = (travelled + along) / lattice.spacing_along - lattice.first_station;
+      const int      i       = std::clamp(
+        static_cast<int>(std::floor(station)), contact.window().rail_first, contact.window().rail_last - 2);
+      Line line;
+      line.weight = station - i, line.offset = along;
+      for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+        {
+          line.position.push_back(lattice.s_begin + j * lattice.spacing_lateral);
+          line.nodes.push_back({lattice.index(i, j), lattice.index(i + 1, j)});
+        }
+      return line;
+    }
+
+    /// The points of a slice: from the deformed surface into the body, NaN where the wheel has no surface in
+    /// front of the rail's.
+    std::vector<Vector3>
+    points_below(const Contact &contact, const Line &line, const Body body, const std::vector<double> &depths)
+    {
+      const Point2         n      = contact.surfaces().frame.normal();
+      const Vector3        normal = {n.x, n.y, 0};
+      const double         w      = line.weight;
+      std::vector<Vector3> points;
+      for (const auto &[a, b] : line.nodes)
+        {
+          Vector3 top = (1 - w) * contact.rail_position(a) + w * contact.rail_position(b);
+          if (body == Body::wheel)
+            {
+              const double gap = (1 - w) * contact.nodes()[a].gap + w * contact.nodes()[b].gap;
+              add(top, std::max(gap, 0.), normal);
+              // without a facet in front of it a node has a gap of its own: no point there
+              if (!(gap < depth_of_slices))
+                top[0] = std::numeric_limits<double>::quiet_NaN();
+            }
+          for (const double depth : depths)
+            points.push_back(top + (body == Body::wheel ? depth : -depth) * normal);
+        }
+      return points;
+    }
+
+    std::vector<double>
+    depths(const Contact &contact)
+    {
+      std::vector<double> depths;
+      const double        step = 0.5 * contact.lattice().spacing_along;
+      for (double depth = 0; depth < depth_of_slices + 0.5 * step; depth += step)
+        depths.push_back(depth);
+      return depths;
+    }
+
+    /// The slice of a line with the values at its points.
+    Slice
+    cut(const Model                &model,
+        const Line                 &line,
+        const Body                  body,
+        const std::vector<Vector3> &points,
+        const ProbeSource          &source,
+        MPI_Comm                    communicator)
+    {
+      Slice slice;
+      slice.offset       = line.offset;
+      slice.position     = line.position;
+      slice.depth        = depths(*model.contact);
+      const auto values  = probe_body(model.solid, body, source, points, communicator);
+      const bool plastic = model.solid.blocks[static_cast<int>(body)].plastic();
+      slice.values.resize(plastic ? n_fields : n_fields - 1);
+      for (const auto &v : values)
+        {
+          slice.values[0].push_back(von_mises(v.data()));
+          for (std::size_t k = 1; k < slice.values.size(); ++k)
+            slice.values[k].push_back(v[k - 1]);
+        }
+      return slice;
+    }
+
+    /// Node of the largest pressure: lateral coordinate and position ahead of the axle [m].
+    std::array<double, 2>
+    place_of_peak(const Contact &contact, const double travelled)
+    {
+      const Lattice        &lattice = contact.lattice();
+      std::array<double, 2> place{0, 0};
+      double                largest = 0;
+      for (int i = contact.window().rail_first; i < contact.window().rail_last; ++i)
+        for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+          if (const double p = contact.nodes()[lattice.index(i, j)].pressure; p > largest)
+            {
+              largest = p;
+              place   = {lattice.s_begin + j * lattice.spacing_lateral,
+                         (lattice.first_station + i) * lattice.spacing_along - travelled};
+            }
+      return place;
+    }
+
+    /// The row of points along the rolled rail from the start to `unloaded` behind the axle.
+    Line
+    line_behind(const Contact &contact, const double travelled, const double s, const double unloaded)
+    {
+      const Lattice &lattice = contact.lattice();
+      const Line     whole   = line_along(contact, travelled, s);
+      Line           line;
+      line.weight = whole.weight, line.offset = s;
+      const int j = static_cast<int>(whole.nodes.front()[0] % lattice.n_lateral);
+      for (unsigned int i = 0; i < lattice.n_along; ++i)
+        {
+          const double station = (lattice.first_station + static_cast<int>(i)) * lattice.spacing_along;
+          if (station >= 0 && station < travelled - unloaded)
+            {
+              line.position.push_back(station - travelled);
+              line.nodes.push_back({lattice.index(i, j), lattice.index(i, j + 1)});
+            }
+        }
+      return line;
+    }
+
+    /// The row of points across the rail at the last station of a row along it.
+    Line
+    line_across_end(const Contact &contact, const Line &behind)
+    {
+      const Lattice &lattice = contact.lattice();
+      const auto     i       = static_cast<unsigned int>(behind.nodes.back()[0] / lattice.n_lateral);
+      Line           line;
+      line.offset = behind.position.back();
+      for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+        {
+          line.position.push_back(lattice.s_begin + j * lattice.spacing_lateral);
+          line.nodes.push_back({lattice.index(i, j), lattice.index(i, j)});
+        }
+      return line;
+    }
+
+    /// The points of a slice of the unloaded rail: from its undeformed surface down. The first ones lie a
+    /// twentieth of a spacing deep, since the running band is lower than that surface.
+    std::vector<Vector3>
+    points_behind(const Contact &contact, const Line &line)
+    {
+      const Point2         n      = contact.surfaces().frame.normal();
+      const Vector3        normal = {n.x, n.y, 0};
+      const double         least  = 0.05 * contact.lattice().spacing_along;
+      const auto          &X      = contact.rail().reference;
+      std::vector<Vector3> points;
+      for (const auto &[a, b] : line.nodes)
+        for (const double depth : depths(contact))
+          points.push_back((1 - line.weight) * X[a] + line.weight * X[b] - std::max(depth, least) * normal);
+      return points;
+    }
+
+    /// Slices of the rail that yields, where the wheel has left it.
+    void
+    add_unloaded(const Model        &model,
+                 const double        travelled,
+                 const double        s,
+                 const ProbeSource  &source,
+                 std::vector<Slice> &slices,
+                 MPI_Comm            communicator)
+    {
+      const Contact &contact = *model.contact;
+      const Line     along   = line_behind(contact, travelled, s, unloaded_distance(model));
+      if (along.position.size() < 2)
+        return;
+      const Line across = line_across_end(contact, along);
+      for (const auto &[name, line] : {std::make_pair("AA_behind_rail", &along), {"BB_behind_rail", &across}})
+        {
+          slices.push_back(
+            cut(model, *line, Body::rail, points_behind(contact, *line), source, communicator));
+          slices.back().name     = name;
+          slices.back().unloaded = true;
+        }
+    }
+  } // namespace
+
+
+  std::vector<Slice>
+  make_slices(const Model &model, const double travelled, MPI_Comm communicator)
+  {
+    const Contact                      &contact  = *model.contact;
+    const ProbeSource                   source   = probe_source(model.solid, communicator);
+    const auto                          peak     = place_of_peak(contact, travelled);
+    const std::pair<const char *, Line> lines[4] = {{"AA", line_along(contact, travelled, 0)},
+                                                    {"BB", line_across(contact, travelled, 0)},
+                                                    {"AA_peak", line_along(contact, travelled, peak[0])},
+                                                    {"BB_peak", line_across(contact, travelled, peak[1])}};
+    std::vector<Slice>                  slices;
+    for (const auto &[name, line] : lines)
+      for (const Body body : {Body::rail, Body::wheel})
+        {
+          const auto points = points_below(contact, line, body, depths(contact));
+          slices.push_back(cut(model, line, body, points, source, communicator));
+          slices.back().name = std::string(name) + (body == Body::rail ? "_rail" : "_wheel");
+        }
+    if (model.solid.blocks[0].plastic())
+      add_unloaded(model, travelled, peak[0], source, slices, communicator);
+    return slices;
+  }
+
+
+  void
+  append_slices(TickFile &file, const double time, const double travelled, const std::vector<Slice> &slices)
+  {
+    using namespace hdf5;
+    file.append(time, travelled, [&](const std::int64_t tick) {
+      for (const Slice &slice : slices)
+        {
+          const Handle group(H5Gcreate2(tick, slice.name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Gclose,
+                             "make the group " + slice.name);
+          const bool   along = slice.name[0] == 'A';
+          write_attribute(group, along ? "lateral_m" : "along_m", slice.offset);
+          write_attribute(group, "position_is", std::string(along ? "along" : "lateral"));
+          write_dataset(group, "position", {slice.position.size()}, slice.position, "m");
+          write_dataset(group, "depth", {slice.depth.size()}, slice.depth, "m");
+          for (std::size_t f = 0; f < slice.values.size(); ++f)
+            write_dataset(group,
+                          f == 0 && slice.unloaded ? "residual_von_mises_stress" : fields[f].name,
+                          {slice.position.size(), slice.depth.size()},
+                          slice.values[f],
+                          fields[f].unit);
+        }
+    });
+  }
+} // namespace wheelrail

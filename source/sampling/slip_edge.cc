@@ -1,0 +1,140 @@
+#include <wheelrail/sampling/slip_edge.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+    enum State
+    {
+      sticking = 1,
+      slipping = 2
+    };
+
+    /// The nodes of one grid line along the track, counted from a slipping node 0 into the sticking side:
+    /// 1, 2, 3 stick, -1 lies behind the slipping node.
+    struct Line
+    {
+      const PatchFields &patch;
+      int                i, j, direction; ///< the slipping node; +1 or -1 along the track
+
+      bool
+      has(const int n) const
+      {
+        const int k = i + n * direction;
+        return k >= 0 && k < int(patch.n_along);
+      }
+      std::size_t
+      index(const int n) const
+      {
+        return std::size_t(i + n * direction) * patch.n_lateral + j;
+      }
+      bool
+      is(const int n, const State state) const
+      {
+        return has(n) && patch.state[index(n)] == state && patch.pressure[index(n)] > 0;
+      }
+      double
+      pressure(const int n) const
+      {
+        return patch.pressure[index(n)];
+      }
+      double
+      distance(const int n) const ///< from node 0, positive towards the sticking side
+      {
+        return (patch.along[index(n)] - patch.along[index(0)]) * direction;
+      }
+    };
+
+    /// q^2 of node n, see largest_shear().
+    double
+    shortfall_squared(const Line &line, const int n)
+    {
+      const PatchFields &patch = line.patch;
+      const std::size_t  slip = line.index(0), k = line.index(n);
+      const double       scale = line.pressure(n) / line.pressure(0);
+      const double       a     = scale * patch.shear_along[slip] - patch.shear_along[k];
+      const double       b     = scale * patch.shear_lateral[slip] - patch.shear_lateral[k];
+      return a * a + b * b;
+    }
+
+    /// Distance from the slipping node at which q^2 vanishes; NaN where it does not between nodes 0 and 1.
+    double
+    place_of_line(const Line &line)
+    {
+      if (!line.is(2, sticking))
+        return nan;
+      const double x1 = line.distance(1), x2 = line.distance(2);
+      const double q1 = shortfall_squared(line, 1), q2 = shortfall_squared(line, 2);
+      const double slope12 = (q2 - q1) / (x2 - x1);
+      double       slope = slope12, curvature = 0; // of q^2 at node 1
+      if (line.is(3, sticking))
+        {
+          const double x3      = line.distance(3);
+          const double slope23 = (shortfall_squared(line, 3) - q2) / (x3 - x2);
+          curvature            = (slope23 - slope12) / (x3 - x1);
+          slope                = slope12 - curvature * (x2 - x1);
+        }
+      const double root = slope * slope - 4 * curvature * q1;
+      if (!(slope > 0 && root >= 0))
+        return nan;
+      const double x = x1 - 2 * q1 / (slope + std::sqrt(root));
+      return x >= 0 ? x : nan;
+    }
+
+    /// Pressure at distance x from node 0: the polynomial through nodes -1 to 2, those that are loaded.
+    double
+    pressure_at(const Line &line, const double x)
+    {
+      std::vector<int> nodes;
+      for (const int n : {-1, 0, 1, 2})
+        if (line.has(n) && line.pressure(n) > 0)
+          nodes.push_back(n);
+      double p = 0;
+      for (const int n : nodes)
+        {
+          double weight = 1;
+          for (const int m : nodes)
+            if (m != n)
+              weight *= (x - line.distance(m)) / (line.distance(n) - line.distance(m));
+          p += weight * line.pressure(n);
+        }
+      return p;
+    }
+  } // namespace
+
+
+  double
+  largest_shear(const PatchFields &patch)
+  {
+    const auto nodal = [&](const std::size_t k) {
+      return std::hypot(patch.shear_along[k], patch.shear_lateral[k]);
+    };
+    double largest = 0;
+    for (std::size_t k = 0; k < patch.pressure.size(); ++k)
+      largest = std::max(largest, nodal(k));
+
+    for (int i = 0; i < int(patch.n_along); ++i)
+      for (int j = 0; j < int(patch.n_lateral); ++j)
+        for (const int direction : {-1, 1})
+          {
+            const Line line{patch, i, j, direction};
+            if (!line.is(0, slipping) || !line.is(1, sticking))
+              continue;
+            const double x = place_of_line(line);
+            if (std::isnan(x))
+              continue;
+            const double p = pressure_at(line, x);
+            // near the rim of the patch a polynomial may leave the values of its nodes
+            const double p_within = std::min(p, std::max(line.pressure(0), line.pressure(1)));
+            largest               = std::max(largest, nodal(line.index(0)) / line.pressure(0) * p_within);
+          }
+    return largest;
+  }
+} // namespace wheelrail

@@ -1,0 +1,273 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/state/checkpoint.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace wheelrail
+{
+  namespace
+  {
+    // --- one rank's part ---
+
+    /// Values of the rank's nodes that it owns, three each; the arrays of Solid have four numbers a node.
+    NumberedValues
+    owned_values(const LocalMesh &mesh, const AlignedVector<double> &values)
+    {
+      NumberedValues owned{3, {}};
+      for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+        if (mesh.owned[n])
+          owned.values.insert(owned.values.end(), &values[4 * n], &values[4 * n + 3]);
+      return owned;
+    }
+
+    /// Place of element e's first number in an array of visit_histories().
+    std::size_t
+    packed_place(const std::size_t e, const unsigned int width, const unsigned int components)
+    {
+      return e / width * width * components + e % width;
+    }
+
+    /// Histories of the elements of both bodies in the order of the rank's cells; those of
+    /// plastic flow if either body may flow, with zeros for the other one.
+    std::map<std::string, NumberedValues>
+    histories(const Solid &solid)
+    {
+      std::map<std::string, NumberedValues> all;
+      // the two bodies may have elements of different forms: rows of one length hold either
+      for (const ElementBlocks &blocks : solid.blocks)
+        visit_histories(blocks, [&](const char *name, const unsigned int n, const auto &) {
+          all[name].components = std::max(all[name].components, n);
+        });
+      for (auto &entry : all)
+        entry.second.values.resize(entry.second.components * solid.mesh.cells.size());
+      for (int body = 0; body < 2; ++body)
+        {
+          const ElementBlocks &blocks = solid.blocks[body];
+          visit_histories(blocks,
+                          [&](const char *name, const unsigned int n, const AlignedVector<double> &packed) {
+                            NumberedValues &v = all[name];
+                            for (std::size_t e = 0; e < blocks.n_elements; ++e)
+                              for (unsigned int i = 0; i < n; ++i)
+                                v.values[v.components * solid.block_cells[body][e] + i] =
+                                  packed[packed_place(e, blocks.width, n) + i * blocks.width];
+                          });
+        }
+      return all;
+    }
+
+    // --- all ranks ---
+
+    /// The values of all ranks one after the other, on rank 0.
+    template <typename T>
+    std::vector<T>
+    gather(const std::vector<T> &own, const MPI_Datatype type, MPI_Comm communicator)
+    {
+      int rank, size;
+      MPI_Comm_rank(communicator, &rank);
+      MPI_Comm_size(communicator, &size);
+      const int        n = static_cast<int>(own.size());
+      std::vector<int> counts(size), begin(size, 0);
+      MPI_Gather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, communicator);
+      for (int r = 1; r < size; ++r)
+        begin[r] = begin[r - 1] + counts[r - 1];
+      std::vector<T> all(rank == 0 ? begin.back() + counts.back() : 0);
+      MPI_Gatherv(own.data(), n, type, all.data(), counts.data(), begin.data(), type, 0, communicator);
+      return all;
+    }
+
+    /// Puts rows in the order of their numbers.
+    std::vector<double>
+    in_order(const std::vector<std::uint32_t> &number,
+             const std::vector<double>        &values,
+             const unsigned int                components)
+    {
+      std::vector<double> ordered(values.size());
+      for (std::size_t k = 0; k < number.size(); ++k)
+        std::copy_n(&values[components * k], components, &ordered[std::size_t(components) * number[k]]);
+      return ordered;
+    }
+
+    std::map<std::string, NumberedValues>
+    gather_values(const std::map<std::string, NumberedValues> &parts,
+                  const std::vector<std::uint32_t>            &number,
+                  MPI_Comm                                     communicator)
+    {
+      std::map<std::string, NumberedValues> whole;
+      for (const auto &[name, part] : parts)
+        {
+          const auto all = gather(part.values, MPI_DOUBLE, communicator);
+          whole[name]    = {part.components, in_order(number, all, part.components)};
+        }
+      return whole;
+    }
+
+    // --- restoring ---
+
+    /// Whether the nodes of the rank lie where those of the saved state did, but for round-off.
+    bool
+    same_places(const std::vector<double> &saved, const LocalMesh &mesh)
+    {
+      constexpr double tolerance = 1e-10; // [m]
+      for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+        for (int d = 0; d < 3; ++d)
+          if (!(std::abs(saved[3 * std::size_t(mesh.node_number[n]) + d] - mesh.reference[4 * n + d]) <
+                tolerance))
+            return false;
+      return true;
+    }
+
+    bool
+    fits(const Checkpoint &whole, const Solid &solid)
+    {
+      const LocalMesh &mesh  = solid.mesh;
+      const auto       below = [](const std::vector<std::uint32_t> &numbers, const std::size_t n) {
+        return std::all_of(numbers.begin(), numbers.end(), [n](const std::uint32_t k) { return k < n; });
+      };
+      const bool same_mesh =
+        whole.node.size() == solid.quality.nodes && whole.cell.size() == solid.quality.elements &&
+        below(mesh.node_number, whole.node.size()) && below(mesh.cell_number, whole.cell.size());
+      const auto has = [](const auto &all, const std::string &name, const unsigned int n) {
+        return all.count(name) == 1 && all.at(name).components >= n;
+      };
+      bool complete = has(whole.node_values, "position", 3) && has(whole.node_values, "displacement", 3) &&
+                      has(whole.node_values, "velocity", 3);
+      for (const auto &blocks : solid.blocks)
+        visit_histories(blocks, [&](const char *name, const unsigned int n, const auto &) {
+          complete = complete && has(whole.cell_values, name, n);
+        });
+      return same_mesh && complete && same_places(whole.node_values.at("position").values, mesh);
+    }
+
+    void
+    restore_solid(const Checkpoint &whole, Solid &solid)
+    {
+      const auto restore_nodes = [&](const char *name, AlignedVector<double> &values) {
+        const auto &saved = whole.node_values.at(name).values;
+        for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+          std::copy_n(&saved[3 * std::size_t(solid.mesh.node_number[n])], 3, &values[4 * n]);
+      };
+      restore_nodes("displacement", solid.displacement);
+      restore_nodes("velocity", solid.velocity);
+      for (int body = 0; body < 2; ++body)
+        {
+          ElementBlocks &blocks = solid.blocks[body];
+          visit_histories(blocks, [&](const char *name, const unsigned int n, AlignedVector<double> &packed) {
+            const NumberedValues &saved = whole.cell_values.at(name);
+            for (std::size_t e = 0; e < blocks.n_elements; ++e)
+              for (unsigned int i = 0; i < n; ++i)
+                {
+                  const std::size_t cell = solid.mesh.cell_number[solid.block_cells[body][e]];
+                  packed[packed_place(e, blocks.width, n) + i * blocks.width] =
+                    saved.values[saved.components * cell + i];
+                }
+          });
+          mark_flowed(blocks);
+        }
+    }
+
+    /// What of a sum over ranks this rank goes on with.
+    double
+    share(const std::vector<double> &of_ranks, MPI_Comm communicator)
+    {
+      int rank, size;
+      MPI_Comm_rank(communicator, &rank);
+      MPI_Comm_size(communicator, &size);
+      if (of_ranks.size() == std::size_t(size))
+        return of_ranks[rank];
+      return rank == 0 ? std::accumulate(of_ranks.begin(), of_ranks.end(), 0.) : 0.;
+    }
+  } // namespace
+
+
+  Checkpoint
+  take_checkpoint(const Model &model, const Axle &axle, const Rolling &rolling, const Recorder &recorder)
+  {
+    const LocalMesh &mesh = model.solid.mesh;
+    Checkpoint       part;
+    part.time_step = model.time_step;
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      if (mesh.owned[n])
+        part.node.push_back(mesh.node_number[n]);
+    part.cell                        = mesh.cell_number;
+    part.node_values["position"]     = owned_values(mesh, mesh.reference);
+    part.node_values["displacement"] = owned_values(mesh, model.solid.displacement);
+    part.node_values["velocity"]     = owned_values(mesh, model.solid.velocity);
+    part.cell_values                 = histories(model.solid);
+    part.contact                     = model.contact->state();
+    part.axle                        = axle.state();
+    part.rolling                     = rolling.state();
+    part.recorder                    = recorder.state();
+    part.viscous                     = {part.rolling.viscous};
+    part.support_work                = {part.rolling.support_work};
+    return part;
+  }
+
+
+  bool
+  is_finite(const Checkpoint &part, MPI_Comm communicator)
+  {
+    int finite = 1;
+    for (const auto &entry : part.node_values)
+      for (const double value : entry.second.values)
+        finite = finite && std::isfinite(value);
+    MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, communicator);
+    return finite == 1;
+  }
+
+
+  Checkpoint
+  gather_checkpoint(const Checkpoint &part, MPI_Comm communicator)
+  {
+    int rank;
+    MPI_Comm_rank(communicator, &rank);
+    Checkpoint whole;
+    whole.node         = gather(part.node, MPI_UINT32_T, communicator);
+    whole.cell         = gather(part.cell, MPI_UINT32_T, communicator);
+    whole.node_values  = gather_values(part.node_values, whole.node, communicator);
+    whole.cell_values  = gather_values(part.cell_values, whole.cell, communicator);
+    whole.viscous      = gather(part.viscous, MPI_DOUBLE, communicator);
+    whole.support_work = gather(part.support_work, MPI_DOUBLE, communicator);
+    if (rank > 0)
+      return {};
+    std::iota(whole.node.begin(), whole.node.end(), 0);
+    std::iota(whole.cell.begin(), whole.cell.end(), 0);
+    whole.parameters        = part.parameters;
+    whole.wall_time         = part.wall_time;
+    whole.ticks             = part.ticks;
+    whole.time_step         = part.time_step;
+    whole.prepared_distance = part.prepared_distance;
+    whole.fine_margin       = part.fine_margin;
+    whole.contact           = part.contact;
+    whole.axle              = part.axle;
+    whole.rolling           = part.rolling;
+    whole.recorder          = part.recorder;
+    return whole;
+  }
+
+
+  void
+  restore_checkpoint(const Checkpoint &whole,
+                     Model            &model,
+                     Axle             &axle,
+                     Rolling          &rolling,
+                     Recorder         &recorder,
+                     MPI_Comm          communicator)
+  {
+    int same = fits(whole, model.solid) ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
+    if (same == 0)
+      throw InputError(
+        "--resume: the mesh is not that of the saved state, since a profile file or the program has changed: "
+        "start anew without --resume");
+    restore_solid(whole, model.solid);
+    model.contact->set_state(whole.contact);
+    axle.set_state(whole.axle);
+    Rolling::State state = whole.rolling;
+    state.viscous        = share(whole.viscous, communicator);
+    state.support_work   = share(whole.support_work, communicator);
+    rolling.set_state(state);
+    recorder.set_state(whole.recorder);
+  }
+} // namespace wheelrail

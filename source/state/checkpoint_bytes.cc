@@ -1,0 +1,215 @@
+#include <wheelrail/output/hdf5_handles.h>
+#include <wheelrail/state/checkpoint.h>
+
+#include <numeric>
+#include <sstream>
+#include <type_traits>
+
+namespace wheelrail
+{
+  using namespace hdf5;
+
+  namespace
+  {
+    // --- what is in a file: the lists serve writing and reading alike ---
+
+    template <typename C, typename Visit>
+    void
+    visit_numbers(C &c, const Visit &visit)
+    {
+      visit("wall_time", c.wall_time);
+      visit("ticks", c.ticks);
+      visit("time_step", c.time_step);
+      visit("prepared_distance", c.prepared_distance);
+      visit("fine_margin", c.fine_margin);
+      visit("time", c.rolling.time);
+      visit("steps", c.rolling.steps);
+      visit("friction", c.rolling.friction);
+      visit("contact_damping", c.rolling.contact_damping);
+      visit("balance_started", c.rolling.balance_started);
+      visit("energy_at_start", c.rolling.energy_at_start);
+      visit("energy_error", c.rolling.energy_error);
+      visit("height", c.axle.height);
+      visit("lift", c.axle.lift);
+      visit("vertical_speed", c.axle.vertical_speed);
+      visit("angle", c.axle.angle);
+      visit("pitch_rate", c.axle.pitch_rate);
+      visit("travelled", c.axle.travelled);
+      visit("sprung_height", c.axle.sprung_height);
+      visit("sprung_speed", c.axle.sprung_speed);
+      visit("damped", c.axle.work.damped);
+      visit("torque_work", c.axle.work.torque_work);
+      visit("hold_work", c.axle.work.hold_work);
+      visit("rail_first", c.contact.window.rail_first);
+      visit("rail_last", c.contact.window.rail_last);
+      visit("wheel_first", c.contact.window.wheel_first);
+      visit("wheel_last", c.contact.window.wheel_last);
+    }
+
+    /// Pressure, shear (3), facet (2) and place in it (2) of each node.
+    constexpr std::size_t contact_numbers = 8;
+
+    std::vector<double>
+    pack(const std::vector<ContactNode> &nodes)
+    {
+      std::vector<double> values;
+      for (const ContactNode &n : nodes)
+        values.insert(values.end(),
+                      {n.pressure,
+                       n.shear[0],
+                       n.shear[1],
+                       n.shear[2],
+                       double(n.facet_i),
+                       double(n.facet_j),
+                       n.xi,
+                       n.eta});
+      return values;
+    }
+
+    std::vector<ContactNode>
+    unpack(const std::vector<double> &values)
+    {
+      std::vector<ContactNode> nodes(values.size() / contact_numbers);
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        {
+          const double *v   = &values[contact_numbers * k];
+          nodes[k].pressure = v[0];
+          nodes[k].shear    = {v[1], v[2], v[3]};
+          nodes[k].facet_i  = static_cast<int>(v[4]);
+          nodes[k].facet_j  = static_cast<int>(v[5]);
+          nodes[k].xi       = v[6];
+          nodes[k].eta      = v[7];
+        }
+      return nodes;
+    }
+
+    // --- tables: one array, column by column, the names and units as lines of text ---
+
+    std::string
+    join_lines(const std::vector<std::string> &lines)
+    {
+      std::string text;
+      for (const std::string &line : lines)
+        text += line + "\n";
+      return text;
+    }
+
+    std::vector<std::string>
+    split_lines(const std::string &text)
+    {
+      std::vector<std::string> lines;
+      std::istringstream       stream(text);
+      for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+      return lines;
+    }
+
+    void
+    write_table(const hid_t file, const std::string &name, const History &table)
+    {
+      std::vector<double> values;
+      for (const auto &column : table.columns)
+        values.insert(values.end(), column.begin(), column.end());
+      write_dataset(file, name, {values.size()}, values, "SI");
+      write_attribute(file, name + "_names", join_lines(table.names));
+      write_attribute(file, name + "_units", join_lines(table.units));
+    }
+
+    History
+    read_table(const hid_t file, const std::string &name)
+    {
+      History table;
+      table.names         = split_lines(read_text_attribute(file, name + "_names"));
+      table.units         = split_lines(read_text_attribute(file, name + "_units"));
+      const auto   values = read_dataset(file, name);
+      const size_t rows   = table.names.empty() ? 0 : values.size() / table.names.size();
+      for (auto begin = values.begin(); table.columns.size() < table.names.size(); begin += rows)
+        table.columns.emplace_back(begin, begin + rows);
+      return table;
+    }
+
+    // --- values by number: the rows of a dataset, in a group that names them ---
+
+    void
+    write_values(const hid_t file, const std::string &group, const std::map<std::string, NumberedValues> &all)
+    {
+      std::string names;
+      for (const auto &[name, v] : all)
+        {
+          write_dataset(
+            file, group + "_" + name, {v.values.size() / v.components, v.components}, v.values, "SI");
+          names += name + "\n";
+        }
+      write_attribute(file, group, names);
+    }
+
+    std::map<std::string, NumberedValues>
+    read_values(const hid_t file, const std::string &group, const std::size_t rows)
+    {
+      std::map<std::string, NumberedValues> all;
+      for (const std::string &name : split_lines(read_text_attribute(file, group)))
+        {
+          NumberedValues &v = all[name];
+          v.values          = read_dataset(file, group + "_" + name);
+          v.components      = rows > 0 ? v.values.size() / rows : 1;
+        }
+      return all;
+    }
+
+    std::vector<std::uint32_t>
+    count_to(const double n)
+    {
+      std::vector<std::uint32_t> numbers(static_cast<std::size_t>(n));
+      std::iota(numbers.begin(), numbers.end(), 0);
+      return numbers;
+    }
+  } // namespace
+
+
+  std::vector<char>
+  checkpoint_bytes(const Checkpoint &checkpoint)
+  {
+    const Quiet  quiet;
+    const Handle file(open_in_memory(), H5Fclose, "make a file in memory");
+    write_attribute(file, "parameters", checkpoint.parameters);
+    visit_numbers(checkpoint, [&](const char *name, const auto value) {
+      write_attribute(file, name, static_cast<double>(value));
+    });
+    write_attribute(file, "nodes", static_cast<double>(checkpoint.node.size()));
+    write_attribute(file, "cells", static_cast<double>(checkpoint.cell.size()));
+    write_values(file, "node_values", checkpoint.node_values);
+    write_values(file, "cell_values", checkpoint.cell_values);
+    const auto write = [&](const char *name, const std::vector<double> &values) {
+      write_dataset(file, name, {values.size()}, values, "SI");
+    };
+    write("viscous", checkpoint.viscous);
+    write("support_work", checkpoint.support_work);
+    write("contact", pack(checkpoint.contact.nodes));
+    write_table(file, "history", checkpoint.recorder.history);
+    write_table(file, "patches", checkpoint.recorder.patches);
+    return file_image(file);
+  }
+
+
+  Checkpoint
+  checkpoint_from_bytes(const std::string &bytes)
+  {
+    const Quiet  quiet;
+    const Handle file(open_in_memory(bytes), H5Fclose, "read it");
+    Checkpoint   checkpoint;
+    checkpoint.parameters = read_text_attribute(file, "parameters");
+    visit_numbers(checkpoint, [&](const char *name, auto &value) {
+      value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
+    });
+    checkpoint.node             = count_to(read_number_attribute(file, "nodes"));
+    checkpoint.cell             = count_to(read_number_attribute(file, "cells"));
+    checkpoint.node_values      = read_values(file, "node_values", checkpoint.node.size());
+    checkpoint.cell_values      = read_values(file, "cell_values", checkpoint.cell.size());
+    checkpoint.viscous          = read_dataset(file, "viscous");
+    checkpoint.support_work     = read_dataset(file, "support_work");
+    checkpoint.contact.nodes    = unpack(read_dataset(file, "contact"));
+    checkpoint.recorder.history = read_table(file, "history");
+    checkpoint.recorder.patches = read_table(file, "patches");
+    return checkpoint;
+  }
+} // namespace wheelrail

@@ -1,0 +1,76 @@
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/input/input_file.h>
+#include <wheelrail/state/checkpoint_checks.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace wheelrail
+{
+  namespace
+  {
+    std::map<std::string, std::string>
+    entries_of(const std::string &parameters)
+    {
+      std::map<std::string, std::string> values;
+      for (const Assignment &a : parse_input(parameters, "").assignments)
+        values[a.section.empty() ? a.name : a.section + "/" + a.name] = a.value;
+      return values;
+    }
+
+    /// Outputs, limits and lengths that no step depends on.
+    bool
+    may_differ(const std::string &path)
+    {
+      static const std::set<std::string> single = {"Title",
+                                                   "Run/Energy limit",
+                                                   "Run/Averaging distance",
+                                                   "Run/Rolling distance",
+                                                   "Mesh/Prepared distance"};
+      return path.rfind("Output/", 0) == 0 || path.rfind("Half-space/", 0) == 0 || single.count(path) > 0;
+    }
+
+    std::string
+    mm(const double length)
+    {
+      return format_number(std::round(length * 1e9) / 1e6) + " mm";
+    }
+
+    std::string
+    or_nothing(const std::string &value)
+    {
+      return value.empty() ? "(not there)" : value;
+    }
+  } // namespace
+
+
+  std::string
+  obstacle_to_resume(const Checkpoint &saved, const Scene &scene, const std::string &parameters)
+  {
+    auto        before = entries_of(saved.parameters), after = entries_of(parameters);
+    std::string differences;
+    for (const auto &table : {before, after})
+      for (const auto &[path, value] : table)
+        if (before[path] != after[path] && !may_differ(path))
+          {
+            differences += (differences.empty() ? "" : "; ") + path + " = " + or_nothing(after[path]) +
+                           ", saved with " + or_nothing(before[path]);
+            before[path] = after[path]; // reported once
+          }
+    if (!differences.empty())
+      return "entries differ from those of the saved state, which must not change: " + differences +
+             "; set them back, or start anew in another Output/Folder";
+
+    const double rolled = saved.axle.travelled;
+    if (scene.rolling_distance > saved.prepared_distance * (1 + 1e-12))
+      return "Run/Rolling distance = " + mm(scene.rolling_distance) +
+             ": the mesh of the saved state was made for " + mm(saved.prepared_distance) +
+             " of rolling; give at most that, or start anew with Mesh/Prepared distance = " +
+             mm(scene.rolling_distance);
+    if (scene.rolling_distance <= rolled)
+      return "Run/Rolling distance = " + mm(scene.rolling_distance) + ": the saved state has rolled " +
+             mm(rolled) + "; give more than that, and at most " + mm(saved.prepared_distance);
+    return "";
+  }
+} // namespace wheelrail

@@ -1,0 +1,73 @@
+#include <wheelrail/state/checkpoint_files.h>
+#include <wheelrail/state/saved_states.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace wheelrail
+{
+  namespace
+  {
+    double
+    seconds()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+  } // namespace
+
+
+  SavedStates::SavedStates(const Scene &scene,
+                           std::string  parameters,
+                           const double interval,
+                           MPI_Comm     communicator)
+    : folder_(scene.folder)
+    , parameters_(std::move(parameters))
+    , prepared_distance_(scene.mesh_distance())
+    , interval_(interval)
+    , communicator_(communicator)
+    , last_end_(seconds())
+  {
+  }
+
+
+  void
+  SavedStates::keep(const RunParts &run, const unsigned int ticks, const double wall_time)
+  {
+    Checkpoint part = take_checkpoint(run.model, run.axle, run.rolling, run.recorder);
+    if (!is_finite(part, communicator_))
+      return;
+    kept_                   = std::move(part);
+    kept_.parameters        = parameters_;
+    kept_.prepared_distance = prepared_distance_;
+    kept_.fine_margin       = run.scene.fine_margin;
+    kept_.ticks             = ticks;
+    kept_.wall_time         = wall_time;
+    on_disk_                = false;
+  }
+
+
+  bool
+  SavedStates::due() const
+  {
+    // the clocks of the ranks differ: that of rank 0 counts
+    const double interval = interval_ > 0 ? interval_ : std::max(60., 100 * last_seconds_);
+    int          is_due   = seconds() - last_end_ >= interval ? 1 : 0;
+    MPI_Bcast(&is_due, 1, MPI_INT, 0, communicator_);
+    return is_due == 1;
+  }
+
+
+  double
+  SavedStates::save()
+  {
+    if (on_disk_)
+      return bytes_;
+    const double begin = seconds();
+    bytes_             = write_checkpoint(kept_, folder_, communicator_);
+    on_disk_           = true;
+    last_end_          = seconds();
+    last_seconds_      = last_end_ - begin;
+    saving_ += last_seconds_;
+    return bytes_;
+  }
+} // namespace wheelrail
