@@ -293,7 +293,7 @@ namespace
 
   /// Nodes on nodes, and nodes on coarser facets whose lines coincide with theirs, pass; where the lines do
   /// not coincide the pressure is uneven, which is why the program gives both bodies the same lattice. Nodes
-  /// on finer facets leave some of those without load, which is no sound use (doc/contact.md).
+  /// on finer facets leave some of those without load, which is no sound use (doc/theory/contact.md).
   void
   patch_tests()
   {

@@ -12,7 +12,8 @@ using namespace test;
 namespace
 {
   /// Highest frequencies over the estimate that gives the stable step. The cells' own patterns must stay
-  /// below; free edges of nearly incompressible cubes go beyond the default factor 0.95 (doc/element.md).
+  /// below; free edges of nearly incompressible cubes go beyond the default factor 0.95
+  /// (doc/theory/element.md).
   void
   frequencies()
   {

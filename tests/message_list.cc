@@ -1,5 +1,5 @@
-// Every message of the program that a user can meet stands in doc/messages.md and is the subject of a test;
-// so is every note on what was done to a profile. The messages are found in the source: the texts of
+// Every message of the program that a user can meet stands in doc/manual/messages.md and is the subject of a
+// test; so is every note on what was done to a profile. The messages are found in the source: the texts of
 // InputError, RunError, and of the lists of problems, findings and notes.
 
 #include "check.h"
@@ -152,7 +152,7 @@ namespace
   const std::map<std::string, std::string> internal = {
     {"halfspace/", "arguments of the half-space solver, which the program makes itself"},
     {"output/hdf5", "sizes of fields, or a disk that fails while a file is written"},
-    {"output/patch_measures.cc", "sizes of fields"},
+    {"sampling/patch_measures.cc", "sizes of fields"},
     {"\" do not fit together: rank ", "sizes of fields"},
     {"geometry/curve.cc", "segments of the standard profiles"},
     {"geometry/segment.cc", "segments of the standard profiles"},
@@ -163,7 +163,7 @@ namespace
     {"material/", "the entries accept possible materials only"},
   };
 
-  /// Files whose messages share a row of doc/messages.md; the notes on profiles have none, they are no
+  /// Files whose messages share a row of doc/manual/messages.md; the notes on profiles have none, they are no
   /// faults.
   const std::vector<std::string> one_row = {"mesh/"};
 
@@ -201,7 +201,7 @@ namespace
 int
 main()
 {
-  const std::string manual = whole_file(WHEELRAIL_SOURCE_DIR "/doc/messages.md");
+  const std::string manual = whole_file(WHEELRAIL_SOURCE_DIR "/doc/manual/messages.md");
   // a test may compare a part of a message, but one that tells it from others
   std::vector<std::string> tested;
   for (const fs::path &path : files_below(WHEELRAIL_TEST_DIR, false))
@@ -219,7 +219,7 @@ main()
         continue;
       if (!shares_a_row(message))
         check(manual.find(key) != std::string::npos,
-              "doc/messages.md has \"" + key + "\" of " + message.file);
+              "doc/manual/messages.md has \"" + key + "\" of " + message.file);
       if (std::find(hard_to_test.begin(), hard_to_test.end(), key) != hard_to_test.end())
         continue;
       const bool is_tested = std::any_of(tested.begin(), tested.end(), [&](const std::string &text) {

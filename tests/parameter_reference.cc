@@ -1,4 +1,4 @@
-// doc/parameters.md is what the program prints, and what it prints holds every entry.
+// doc/manual/parameters.md is what the program prints, and what it prints holds every entry.
 
 #include "check.h"
 
@@ -50,10 +50,10 @@ int
 main()
 {
   const std::string expected = parameter_reference();
-  const std::string found    = file_text(WHEELRAIL_SOURCE_DIR "/doc/parameters.md");
-  if (!check(
-        found == expected,
-        "doc/parameters.md is up to date (./wheelrail parameters --markdown > doc/parameters.md renews it)"))
+  const std::string found    = file_text(WHEELRAIL_SOURCE_DIR "/doc/manual/parameters.md");
+  if (!check(found == expected,
+             "doc/manual/parameters.md is up to date (./wheelrail parameters --markdown > "
+             "doc/manual/parameters.md renews it)"))
     show_difference(found, expected);
 
   for (const Entry &entry : entries())

@@ -30,7 +30,7 @@ namespace
     Body         body(brick({24, 3, 3}, {length, 3 * h, 3 * h}), material, plasticity);
     const double viscosity = 0.06;
     // every cell is at a free surface, where it breathes in three directions: see
-    // element.md
+    // doc/theory/element.md
     const double lambda = material.lame_lambda(), mu = material.shear_modulus();
     const double step = part * std::sqrt((lambda + 2 * mu) / (3 * lambda + 2 * mu)) * body.step;
     // a wave of uniaxial strain v / (2 c) has the equivalent stress mu v / c

@@ -54,7 +54,7 @@ namespace
     return scene.highest_frequency() * scene.solid.stable.step / 2;
   }
 
-  /// The estimate is that of an endless mesh; doc/element.md says how far free edges exceed it.
+  /// The estimate is that of an endless mesh; doc/theory/element.md says how far free edges exceed it.
   void
   estimate(const Setup &base)
   {

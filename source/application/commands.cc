@@ -236,7 +236,7 @@ namespace wheelrail
          [](po::options_description &options) {
            add_set_option(options);
            options.add_options()("validate", "only check the file");
-           options.add_options()("markdown", "print the table of all entries of doc/parameters.md");
+           options.add_options()("markdown", "print the table of all entries of doc/manual/parameters.md");
          },
          act_parameters},
         {"compare",

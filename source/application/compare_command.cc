@@ -142,7 +142,7 @@ namespace wheelrail
   std::string
   trust_sentence(const Scene &scene, const Trust &trust, const bool finished)
   {
-    // the rules of doc/compare.md
+    // the rules of doc/manual/compare.md
     const bool steady = trust.unsteadiness < 0.01, stiff = trust.penetration < 0.02, fine = trust.cells >= 12,
                flat         = trust.turn < 0.2;
     const double difference = std::abs(trust.peak_difference);

@@ -121,7 +121,7 @@ namespace wheelrail
         nx_[e]        = qx / q;
         ny_[e]        = qy / q;
         stiffness_[e] = b * (q - g) / g;
-        // Normal row: the bound, times b; tangential row: the direction, see doc/halfspace.md.
+        // Normal row: the bound, times b; tangential row: the direction, see doc/theory/halfspace.md.
         const double fx = te[0] - g * nx_[e], fy = te[1] - g * ny_[e];
         const double normal  = -b * (fx * nx_[e] + fy * ny_[e]);
         const double tangent = -b * q / g * (-fx * ny_[e] + fy * nx_[e]);

@@ -59,7 +59,7 @@ namespace wheelrail
       << "# All entries\n\n"
          "This page is printed by `./wheelrail parameters --markdown` from the program's own table; to renew "
          "it:\n\n"
-         "    ./wheelrail parameters --markdown > doc/parameters.md\n\n"
+         "    ./wheelrail parameters --markdown > doc/manual/parameters.md\n\n"
          "How a file is written tells [input.md](input.md); what the program answers to a faulty one, "
          "[messages.md](messages.md).\n";
     write_entries("", out);

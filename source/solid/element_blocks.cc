@@ -212,7 +212,7 @@ namespace wheelrail
         for (const auto &axis : g.frame)
           for (const double component : axis)
             put(component);
-        // (1/8 h.u / half)^2 V/3 integrates a linear strain over the cell: see doc/element.md
+        // (1/8 h.u / half)^2 V/3 integrates a linear strain over the cell: see doc/theory/element.md
         for (const double half : g.half)
           put(std::sqrt(g.volume / 3) / (8 * half));
         put(2 * material.wave_speed() / std::sqrt(element_frequency_bound(g, material)));

@@ -8,7 +8,8 @@
 
 namespace wheelrail
 {
-  /// What the differences between a run and the half-spaces come from, each from a rule of doc/compare.md.
+  /// What the differences between a run and the half-spaces come from, each from a rule of
+  /// doc/manual/compare.md.
   struct Trust
   {
     double peak_difference = 0; ///< (run - half-space) / half-space

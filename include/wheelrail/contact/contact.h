@@ -53,7 +53,7 @@ namespace wheelrail
 
   /// Node-to-facet penalty contact of the rail nodes (nodal quadrature) against the wheel facets, on
   /// the fine lattices of both bodies, with the gap between the true profiles. The lattices may differ;
-  /// nodes that meet nodes make less noise in rolling (doc/contact.md).
+  /// nodes that meet nodes make less noise in rolling (doc/theory/contact.md).
   ///
   /// A window of stations that follows the axle is known to all ranks, and all of them evaluate it
   /// alike, so results do not depend on the partition.

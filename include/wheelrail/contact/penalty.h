@@ -17,8 +17,8 @@ namespace wheelrail
   ///
   /// A spring eps between two masses m per area swings at sqrt(2 eps/m). With the damping ratio z, the
   /// damper taken at the half step behind, central differences are stable up to omega dt = 2 (sqrt(1 +
-  /// z^2) - z), so m = 2 eps (dt/that)^2; see doc/contact.md. `step` is the stable step of the elements
-  /// [s], `bulk_modulus` the mean of both bodies [Pa], `cell_size` that of the surface cells [m].
+  /// z^2) - z), so m = 2 eps (dt/that)^2; see doc/theory/contact.md. `step` is the stable step of the
+  /// elements [s], `bulk_modulus` the mean of both bodies [Pa], `cell_size` that of the surface cells [m].
   Penalty
   make_penalty(double scale, double bulk_modulus, double cell_size, double damping_ratio, double step);
 

@@ -5,7 +5,7 @@
 namespace wheelrail
 {
   /// Filter of the surface lattice that makes its discrete response the exact one to second order in
-  /// the cell size, see doc/contact.md. Zero weights filter nothing.
+  /// the cell size, see doc/theory/contact.md. Zero weights filter nothing.
   struct SurfaceFilter
   {
     double normal = 0; ///< weight for positions and pressures, along and across

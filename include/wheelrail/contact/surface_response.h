@@ -26,7 +26,7 @@ namespace wheelrail
 
   /// The filter that takes the error of second order in the cell size out of the normal response (mean
   /// over wave vectors along and at 45 degrees to the cells), and out of the tangential one for wave
-  /// vectors across the traction. See doc/contact.md.
+  /// vectors across the traction. See doc/theory/contact.md.
   SurfaceFilter
   surface_filter(const std::array<double, 24 * 24> &stiffness, const Elasticity &material);
 } // namespace wheelrail

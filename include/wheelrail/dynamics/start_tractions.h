@@ -22,7 +22,7 @@ namespace wheelrail
   };
 
   /// Steady shear tractions for a given longitudinal force [N, on the wheel], exact for two half-spaces
-  /// under the pressures of `contact` (Kalker 1990; doc/halfspace.md): every lateral strip slides with
+  /// under the pressures of `contact` (Kalker 1990; doc/theory/halfspace.md): every lateral strip slides with
   /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
   /// turning wheel (together: creepage and spin). One element a lattice node. The friction coefficient is
   /// that at rest. Wanted forces are cut to 98 % of full slip.

@@ -9,7 +9,7 @@ namespace wheelrail
   /// A curve of spline pieces through measured points [m], in their order, that leaves out noise of
   /// standard deviation `noise` [m] (at least 0.02 micrometres is assumed) and keeps curvature: x and y
   /// are cubic splines over the chord length whose third derivative is penalised, weakly where the
-  /// curvature of the points changes and strongly where it does not (doc/geometry.md). Neighbouring
+  /// curvature of the points changes and strongly where it does not (doc/theory/geometry.md). Neighbouring
   /// pieces have equal curvature, except at the kinks, where the curve goes exactly through the
   /// point with two tangents.
   ///

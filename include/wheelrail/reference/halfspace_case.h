@@ -7,7 +7,8 @@
 
 namespace wheelrail
 {
-  /// Where rail head and wheel rim stand against the rigid placement of 2D-Geo (signs of doc/signs.md).
+  /// Where rail head and wheel rim stand against the rigid placement of 2D-Geo (signs of
+  /// doc/manual/signs.md).
   struct SectionOffsets
   {
     double lateral    = 0; ///< wheel moved against the rail to the track centre [m]
@@ -57,8 +58,8 @@ namespace wheelrail
 
   /// Solves the contact of the scene's profiles at its lateral shift in steady rolling. The undeformed
   /// distance is exact in the lateral direction and x^2 / (2 r) along the rail; materials, friction, speed,
-  /// element size and spin are those of the scene (doc/compare.md). Throws InputError when wheel and rail do
-  /// not touch or the longitudinal force exceeds friction.
+  /// element size and spin are those of the scene (doc/manual/compare.md). Throws InputError when wheel and
+  /// rail do not touch or the longitudinal force exceeds friction.
   WheelRailSolution
   solve_wheel_rail(const Scene &scene, const WheelRailLoad &load, const SectionOffsets &offsets);
 

@@ -12,7 +12,7 @@ namespace wheelrail
 {
   /// Elements in a batch unless asked otherwise. Twice as many (AVX-512) are a tenth faster in the
   /// caches, but from main memory up to a third slower: a core overlaps the loads of the next batch with
-  /// the arithmetic of this one only as far as its window reaches. See doc/element.md.
+  /// the arithmetic of this one only as far as its window reaches. See doc/theory/element.md.
   constexpr int kernel_width = native_width < 4 ? native_width : 4;
 
   /// Geometry of one hexahedron, all in the reference configuration.
@@ -20,7 +20,7 @@ namespace wheelrail
   /// For the form `full` the vertices would do. The one-point part of `reduced` is the uniform-gradient
   /// element of Flanagan and Belytschko (1981): B is the volume mean of the shape function gradients. The
   /// stabilisation acts on the four hourglass patterns h (eta zeta, zeta xi, xi eta, xi eta zeta), made blind
-  /// to linear fields by gamma = h - B (h X); see doc/element.md.
+  /// to linear fields by gamma = h - B (h X); see doc/theory/element.md.
   struct ElementGeometry
   {
     std::array<std::array<double, 3>, 8> B;           ///< mean gradient of each shape function [1/m]
@@ -39,7 +39,7 @@ namespace wheelrail
 
   /// Largest squared angular frequency of an endless regular mesh of such elements with the smallest
   /// nodal share of the volume at every node [1/s2]. Exact for bricks inside a body and on smooth
-  /// surfaces; nodes at free edges go a few per cent beyond it, see doc/element.md.
+  /// surfaces; nodes at free edges go a few per cent beyond it, see doc/theory/element.md.
   double
   element_frequency_bound(const ElementGeometry &geometry, const Elasticity &material);
 

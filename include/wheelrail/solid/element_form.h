@@ -2,7 +2,7 @@
 
 namespace wheelrail
 {
-  /// The two hexahedra, see doc/element.md.
+  /// The two hexahedra, see doc/theory/element.md.
   enum class ElementForm
   {
     reduced, ///< one point and a stabilisation

@@ -5,7 +5,7 @@
 namespace wheelrail
 {
   /// The `full` hexahedron: 2 x 2 x 2 Gauss points with the mean dilatation of the cell at all of them,
-  /// so that it does not lock when the material is nearly incompressible. See doc/element.md.
+  /// so that it does not lock when the material is nearly incompressible. See doc/theory/element.md.
 
   /// Packs elements for the `full` kernel (rows: full_points.h). The last batch is filled up with
   /// copies of its first element whose eight nodes are one and the same: they have no strain.

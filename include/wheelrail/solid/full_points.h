@@ -6,7 +6,7 @@
 
 namespace wheelrail
 {
-  /// The `full` hexahedron at its eight Gauss points, W elements at once; see doc/element.md.
+  /// The `full` hexahedron at its eight Gauss points, W elements at once; see doc/theory/element.md.
   ///
   /// Points and nodes are numbered alike: bit k of the number is set when the coordinate xi_k is
   /// positive. A derivative along xi_k does not vary with xi_k, so that it has four values for the

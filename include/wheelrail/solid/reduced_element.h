@@ -3,7 +3,7 @@
 #include <wheelrail/solid/lanes.h>
 
 // The parts of the `reduced` hexahedron for W elements at once, as inline functions for its kernels;
-// see doc/element.md.
+// see doc/theory/element.md.
 
 namespace wheelrail::reduced
 {

@@ -3,7 +3,7 @@
 #include <wheelrail/material/bilinear.h>
 #include <wheelrail/solid/reduced_element.h>
 
-// Plastic flow of the `reduced` hexahedron; see doc/element.md.
+// Plastic flow of the `reduced` hexahedron; see doc/theory/element.md.
 
 namespace wheelrail::reduced
 {
