@@ -40,7 +40,7 @@ namespace wheelrail
   /// outside (two nodes). A straight line through the gap alone would put the edge 5 to 10 % of the
   /// area too far inside on cells of 1 mm, because the gap is a small -p/eps inside and opens like
   /// the power 3/2 outside. The area is that of the polygon through these points plus the segments
-  /// that its chords cut off (see doc/manual/output.md for the measured errors). Width and length use the
+  /// that its chords cut off (see doc/theory/patch.md for the measured errors). Width and length use the
   /// outermost point of each grid line and the parabola through the three lines at the extreme.
   ///
   /// Throws RunError when a field has not n_along x n_lateral values. A patch without load gives
