@@ -69,7 +69,8 @@ main()
       check_relative(s.peak_pressure, row.peak, 0.01, name + "peak pressure");
       check_relative(s.area, row.area, 0.01, name + "area");
       check_relative(s.peak_shear, row.shear, 0.03, name + "peak shear");
-      // CONTACT's weights of its mean angle are not known, here they are the pressure (doc/theory/accuracy.md)
+      // CONTACT's weights of its mean angle are not known, here they are the pressure
+      // (doc/theory/accuracy.md)
       check_near(-result.angle, row.angle, 1.5e-3, name + "contact angle");
       check_near(result.spin, row.spin, 3e-3, name + "spin");
       check_near(result.lateral, -row.lateral_on_rail, 0.002 * row.load, name + "lateral force");
