@@ -1,0 +1,185 @@
+"""Runs a scene of tests/runs, holds it against its stored result and against half-spaces: tests/runs/README.md.
+
+Usage: runs.py PROGRAM MPIEXEC FILE.prm RUN
+
+Leaves FILE.output in the present folder: the stored result with this run's figures in it.
+"""
+
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+
+from checks import check, finish
+
+UNITS = {"MPa": 1e6, "kN": 1e3, "mm2": 1e-6, "mm": 1e-3, "mrad": 1e-3, "1e-3": 1e-3, "%": 1e-2, "J": 1, "1": 1}
+
+# A run may differ from half-spaces under its own load and pose by so much, on cells of 1 mm; on others in proportion
+# to the cell size.
+HALF_SPACES = {"max_pressure_Pa": "2 %", "contact_area_m2": "2.5 %", "max_shear_traction_Pa": "2 %", "creepage": "3 %"}
+
+# what a new stored result begins with: figure, unit, tolerance
+FIGURES = [line.split(maxsplit=2) for line in """
+normal_force_N kN 0.1 %
+longitudinal_force_N kN 0.02
+lateral_force_N kN 0.02
+max_pressure_Pa MPa 0.1 %
+max_pressure_fitted_Pa MPa 0.1 %
+contact_area_m2 mm2 0.1 %
+patch_lateral_m mm 0.1 %
+patch_longitudinal_m mm 0.1 %
+patch_centre_lateral_m mm 0.01
+patch_centre_longitudinal_m mm 0.01
+max_shear_traction_Pa MPa 0.1 %
+stick_fraction % 0.1
+creepage 1e-3 0.002
+max_von_mises_Pa MPa 0.1 %
+max_plastic_strain 1e-3 0.1 %
+plastic_work_rail_J J 0.1 %
+plastic_work_wheel_J J 0.1 %
+relative_lateral_m mm 0.001
+rail_head_roll_rad mrad 0.002
+wheel_rim_roll_rad mrad 0.002
+energy_error % 0.005
+elements 1 0
+halfspace_max_pressure_Pa MPa 0.1 %
+halfspace_contact_area_m2 mm2 0.1 %
+halfspace_max_shear_traction_Pa MPa 0.1 %
+halfspace_creepage 1e-3 0.002
+""".strip().splitlines()]
+
+
+def allowed(tolerance, value):
+    """What "0.1 %" of the value, or an absolute number, allows."""
+    if tolerance.endswith("%"):
+        return 0.01 * float(tolerance[:-1]) * abs(value)
+    return float(tolerance)
+
+
+class Row:
+    """A line of a stored result: key, value in its unit, unit, tolerance (absolute in the unit, or with % relative)."""
+
+    def __init__(self, key, value, unit, tolerance):
+        self.key, self.unit, self.tolerance = key, unit, tolerance
+        self.factor = UNITS[unit]
+        self.value = float(value)
+
+    def with_value(self, value):
+        return f"{self.key:30} {value:14.7g}  {self.unit:5} {self.tolerance}"
+
+
+def read_scene(file, run):
+    """What the remarks at the top of the scene say of this run: ranks, changed entries; and whether it is compared with
+    half-spaces, with which limits of its own."""
+    with open(file) as lines:
+        remarks = [line.rstrip("\n") for line in lines if line.startswith("#")]
+    ranks, entries, found, limits = 2, [], False, None
+    for line in remarks:
+        match = re.match(r"# run (\S+):(.*)", line)
+        if match and match[1] == run:
+            found = True
+            for word in filter(None, (word.strip() for word in match[2].split(","))):
+                if re.fullmatch(r"ranks \d+", word):
+                    ranks = int(word.split()[1])
+                elif "=" in word:
+                    entries.append(word)
+                elif word != "long":
+                    sys.exit(f'{file}, run {run}: "{word}" is neither long nor ranks N nor Section/Entry = value.')
+        match = re.match(r"# half-spaces: compared(.*)", line)
+        if match:
+            limits = dict(HALF_SPACES)
+            limits.update(re.findall(r"(\w+) ([\d.e-]+(?: %)?)", match[1]))
+    if not found:
+        sys.exit(f'{file} has no line "# run {run}: ...".')
+    return ranks, entries, limits
+
+
+def read_stored(file):
+    """The stored results by run, each a list of rows; empty without the file."""
+    runs, rows = {}, None
+    if os.path.exists(file):
+        with open(file) as lines:
+            for number, line in enumerate(lines, 1):
+                words = line.split(maxsplit=3)
+                if line.startswith("run "):
+                    rows = runs.setdefault(words[1], [])
+                elif words and not line.startswith("#"):
+                    if len(words) != 4 or words[2] not in UNITS or rows is None:
+                        sys.exit(f"{file}, line {number}: key, value, unit and tolerance are expected below a line "
+                                 f'"run NAME"; units are {", ".join(UNITS)}.')
+                    rows.append(Row(words[0], words[1], words[2], words[3].strip()))
+    return runs
+
+
+def write_stored(file, runs, run, figures):
+    """The stored results with the figures of this run in place of its old ones."""
+    if run not in runs:
+        runs[run] = [Row(key, 0, unit, tolerance) for key, unit, tolerance in FIGURES if figures.get(key) is not None]
+    with open(file, "w") as output:
+        for name, rows in runs.items():
+            output.write(f"run {name}\n")
+            for row in rows:
+                value = row.value if name != run else number(figures, row.key) / row.factor
+                output.write(row.with_value(value) + "\n")
+
+
+def number(figures, key):
+    """A figure in SI; nan where the run gives none."""
+    value = figures.get(key)
+    return math.nan if value is None else float(value)
+
+
+def execute(*command):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if done.returncode != 0:
+        print(done.stdout)
+    check(done.returncode == 0, " ".join(os.path.basename(word) for word in command[-8:]))
+
+
+def read_json(file):
+    with open(file) as text:
+        return json.load(text)
+
+
+def check_stored(rows, figures):
+    for row in rows:
+        value = number(figures, row.key) / row.factor
+        unit = "" if row.unit == "1" else " " + row.unit
+        check(abs(value - row.value) <= allowed(row.tolerance, row.value),
+              f"{row.key}: {value:.7g}{unit}, stored {row.value:.7g}, tolerance {row.tolerance}")
+
+
+def check_half_spaces(limits):
+    with open("run/parameters.prm") as text:
+        cell = float(re.search(r"set Solution cell size *= *([\d.]+) mm", text.read())[1])
+    lines = {line["key"]: line for line in read_json("run/compare.json")["figures"]}
+    for key, limit in limits.items():
+        run, half_spaces = number(lines[key], "fe"), number(lines[key], "halfspace")
+        factor, unit = lines[key]["factor"], lines[key]["unit"]
+        check(abs(run - half_spaces) <= cell * allowed(limit, half_spaces),
+              f"{key}: {factor * run:.5g} {unit}, half-spaces {factor * half_spaces:.5g}, difference "
+              f"{100 * (run / half_spaces - 1):+.2f} %, limit {limit} x {cell:g} mm")
+
+
+def main():
+    program, mpiexec, scene, run = sys.argv[1:]
+    ranks, entries, limits = read_scene(scene, run)
+    sets = [word for entry in ["Output/Folder = run", *entries] for word in ("--set", entry)]
+    execute(mpiexec, "--bind-to", "none", "--oversubscribe", "-q", "-n", str(ranks), program, "run", scene,
+            "--overwrite", *sets)
+    if limits:
+        execute(program, "compare", "run")
+        check_half_spaces(limits)
+
+    stored_file = re.sub(r"\.prm$", ".output", scene)
+    figures, stored = read_json("run/summary.json"), read_stored(stored_file)
+    check(run in stored, f"{os.path.basename(stored_file)} holds a result of run {run}")
+    check_stored(stored.get(run, []), figures)
+    write_stored(os.path.basename(stored_file), stored, run, figures)
+    finish()
+
+
+if __name__ == "__main__":
+    main()
