@@ -1,6 +1,7 @@
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_texts.h>
+#include <wheelrail/sampling/fields.h>
 
 #include <sys/resource.h>
 
