@@ -2,8 +2,9 @@
 
 Usage: residual_slices.py PROGRAM MPIEXEC
 
-The laws: a free surface bears no normal stress; a steady pass leaves stresses of depth and lateral place only
-(Merwin and Johnson 1963); far from the band there is no residual stress.
+The laws: no stress beyond the yield stress, hardened by the plastic strain; no force across a free surface; a steady pass
+leaves stresses of depth and lateral place only, compression at the surface (Merwin and Johnson 1963); beside a band that
+has flowed the stress falls at least as the square of the distance.
 """
 
 import subprocess
@@ -14,9 +15,10 @@ import numpy as np
 
 from checks import SMALL_SCENE, check, finish
 
-STEEL = """
-  set Yield stress = 280 MPa
-  set Tangent modulus = 21 GPa
+YOUNG, YIELD, TANGENT = 210e9, 280e6, 21e9
+STEEL = f"""
+  set Yield stress = {1e-6 * YIELD:g} MPa
+  set Tangent modulus = {1e-9 * TANGENT:g} GPa
 """
 SCENE = f"""
 set Title = residual stress
@@ -68,17 +70,33 @@ with h5py.File("run/slices.h5") as slices:
     again = np.sqrt(0.5 * ((normal - np.roll(normal, 1, axis=0))**2).sum(axis=0) + 3 * (shear**2).sum(axis=0))
     check(np.allclose(mises, again, rtol=1e-4, atol=1.), "the equivalent belongs to the components")
     peak = mises.max()
-    check(5e7 < peak < 2.8e8, f"largest residual von Mises stress {1e-6 * peak:.0f} MPa, below the yield stress")
-    check(1e-4 < strain.max() < 2e-2, f"largest plastic strain {1e3 * strain.max():.2f} thousandths")
+    hardened = YIELD + YOUNG * TANGENT / (YOUNG - TANGENT) * strain
+    check(np.all(mises <= hardened),
+          f"residual von Mises stress, {1e-6 * peak:.0f} MPa at most, nowhere beyond the hardened yield stress")
+    # misfit strains of more than twice the yield strain would be far beyond the yield stress if nothing gave way
+    check(strain.max() > 2 * YIELD / YOUNG and peak > 0.25 * YIELD,
+          f"plastic strain up to {1e3 * strain.max():.2f} thousandths leaves stress of the order of the yield stress")
     deep = depth > 13e-3
     check(np.all(strain[:, deep] == 0), "no plastic strain 13 mm below the surface")
-    below = np.abs(along["stress_yy"][:]).max()
-    flat = max(np.abs(along["stress_xx"][:]).max(), np.abs(along["stress_zz"][:]).max())
-    check(below < 0.5 * flat, f"no load from above: {1e-6 * below:.0f} MPa upright, {1e-6 * flat:.0f} MPa in the plane")
+    for name in ("stress_xx", "stress_zz"):
+        check(np.all(along[name][:][:, 0] < 0), f"{name}: compression at the surface")
+    surface = {name: across[name][:][:, 0] for name in ("stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz")}
+    # cells of 4 mm at the 2 % a millimetre of tests/runs
+    limit = 0.08 * max(np.abs(surface[name]).max() for name in ("stress_xx", "stress_zz"))
+    for name in ("stress_yy", "stress_xy", "stress_yz"):
+        mean = surface[name].mean()
+        check(abs(mean) < limit, f"{name}: {1e-6 * mean:.1f} MPa, mean across the free surface, limit {1e-6 * limit:.1f}")
+    # the wheel's own stress at these places (Boussinesq, Cerruti) is 3 to 10 MPa
     steady = mises[-3:, depth <= 4e-3]  # farther down nodes hang between two cell sizes
     spread = np.abs(steady - steady.mean(axis=0)).max() / peak
     check(spread < 0.05, f"the last three stations differ by {100 * spread:.1f} % of the largest stress")
     lateral, aside = across["position"][:], across["residual_von_mises_stress"][:]
-    ends = np.nanmax(aside[[0, -1]])
-    check(ends < 0.35 * np.nanmax(aside), f"at the ends of the plane across {1e-6 * ends:.0f} MPa")
+    flowed = lateral[np.nanmax(across["plastic_strain"][:], axis=1) > 0]
+    cell = lateral[1] - lateral[0]
+    middle, half = (flowed[0] + flowed[-1]) / 2, (flowed[-1] - flowed[0] + cell) / 2
+    for end in (0, -1):
+        rest, far = np.nanmax(aside[end]), abs(lateral[end] - middle)
+        check(rest < (half / far)**2 * np.nanmax(aside),
+              f"{1e3 * far:.0f} mm from the middle of a band {2e3 * half:.0f} mm wide: {1e-6 * rest:.0f} MPa of "
+              f"{1e-6 * np.nanmax(aside):.0f}")
 finish()
