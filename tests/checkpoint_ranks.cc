@@ -33,7 +33,7 @@ namespace
     static Model
     plastic_model(MPI_Comm communicator)
     {
-      Model      model = make_model(small_scene(4e-3), communicator);
+      Model      model = test::small_model(communicator, 4e-3);
       Plasticity law;
       law.yield_stress    = 300e6;
       law.tangent_modulus = 21e9;

@@ -30,7 +30,7 @@ namespace
     load.force                     = 95e3;
     load.vertical                  = true;
     load.longitudinal              = 20e3;
-    const WheelRailSolution result = solve_wheel_rail(scene, load, offsets);
+    const WheelRailSolution result = solve_wheel_rail(scene, make_geometry(scene), load, offsets);
     Summary                 run    = halfspace_summary(scene, result);
     set_figure(run, "relative_lateral_m", offsets.lateral);
     set_figure(run, "rail_head_roll_rad", offsets.rail_roll);

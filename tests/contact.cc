@@ -152,7 +152,7 @@ namespace
   {
     Scene scene            = small_scene(5e-4);
     scene.rolling_distance = 1e-3;
-    Model model            = make_model(scene, MPI_COMM_WORLD);
+    Model model            = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
     check(model.contact->lattice().n_lateral > 61,
           std::to_string(model.contact->lattice().n_lateral) + " rows of 0.5 mm");
     const Motion motion{60e-6, 0, 0};
@@ -354,7 +354,7 @@ int
 main(int argc, char **argv)
 {
   Parallel parallel(argc, argv);
-  Model    model = make_model(small_scene(2e-3), MPI_COMM_WORLD);
+  Model    model = test::small_model(MPI_COMM_WORLD, 2e-3);
   undeformed_distance_is_met(model);
   no_cogging(model);
   action_and_reaction(model);

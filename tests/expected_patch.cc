@@ -24,12 +24,7 @@ namespace
   ExpectedPatch
   patch_of(const Scene &scene)
   {
-    return expected_patch(scene,
-                          find_contact(rail_profile(scene.rail_profile),
-                                       wheel_profile(scene.wheel_profile),
-                                       scene.track,
-                                       scene.lateral_shift,
-                                       scene.roll));
+    return expected_patch(scene, make_geometry(scene));
   }
 
   /// The scene under this load on one rail [N].
@@ -85,7 +80,7 @@ namespace
   test_elements(const std::vector<std::string> &sets)
   {
     const Scene scene = scene_from_text("", "none", sets);
-    const Model model = make_model(scene, MPI_COMM_SELF);
+    const Model model = make_model(scene, make_geometry(scene), MPI_COMM_SELF);
     check_near(expected_elements(scene, patch_of(scene)) / double(model.solid.quality.elements),
                1,
                1. / 3,

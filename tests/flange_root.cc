@@ -13,14 +13,15 @@ using namespace test;
 int
 main(int argc, char **argv)
 {
-  Parallel    parallel(argc, argv);
-  Scene       scene  = read_scene(WHEELRAIL_SOURCE_DIR "/prm/quickstart.prm",
+  Parallel            parallel(argc, argv);
+  Scene               scene    = read_scene(WHEELRAIL_SOURCE_DIR "/prm/quickstart.prm",
                            {"Wheelset/Lateral shift = -5.5 mm", "Mesh/Fine margin = 3 mm"});
-  const Scene given  = scene;
-  Model       model  = make_model(scene, MPI_COMM_WORLD);
-  const auto  narrow = model.contact->lattice();
-  Log         log;
-  const auto  start = start_on_wide_mesh(scene, model, log, MPI_COMM_WORLD);
+  const Scene         given    = scene;
+  const SceneGeometry geometry = make_geometry(scene);
+  Model               model    = make_model(scene, geometry, MPI_COMM_WORLD);
+  const auto          narrow   = model.contact->lattice();
+  Log                 log;
+  const auto          start = start_on_wide_mesh(scene, geometry, model, log, MPI_COMM_WORLD);
   check(!start.at_border, "the patch keeps off the edge of the fine cells");
   check_near(scene.fine_margin / given.fine_margin, 2, 1e-12, "the fine margin is doubled");
   check(model.contact->lattice().n_lateral > narrow.n_lateral + 4, "the lattice is wider");

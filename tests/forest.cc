@@ -21,7 +21,7 @@ namespace
   void
   sums_do_not_depend_on_ranks(const Model &model)
   {
-    const Model alone = make_model(small_scene(4e-3), MPI_COMM_SELF);
+    const Model alone = test::small_model(MPI_COMM_SELF, 4e-3);
     check(model.solid.quality.elements == alone.solid.quality.elements, "as many cells as on one rank");
     check(model.solid.quality.nodes == alone.solid.quality.nodes, "as many nodes as on one rank");
     check_near(model.solid.stable.step / alone.solid.stable.step, 1, 1e-12, "stable step of one rank");
@@ -251,7 +251,7 @@ int
 main(int argc, char **argv)
 {
   Parallel parallel(argc, argv);
-  Model    model = make_model(small_scene(4e-3), MPI_COMM_WORLD);
+  Model    model = test::small_model(MPI_COMM_WORLD, 4e-3);
   sums_do_not_depend_on_ranks(model);
   running_lattices(model);
   hanging_nodes(model);

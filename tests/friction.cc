@@ -89,7 +89,7 @@ namespace
   void
   sliding_wheel()
   {
-    Model model = make_model(small_scene(2e-3), MPI_COMM_WORLD);
+    Model model = test::small_model(MPI_COMM_WORLD, 2e-3);
     struct Case
     {
       std::string name;

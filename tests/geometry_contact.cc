@@ -247,7 +247,7 @@ namespace
   {
     Scene              scene;
     std::ostringstream plain, wide;
-    check(run_geometry_command(scene, {}, plain) == 0, "the command returns 0");
+    check(run_geometry_command(scene, read_profiles(scene), {}, plain) == 0, "the command returns 0");
     const std::string text = plain.str();
     check(text.find("-29.731   -26.076   19.628   463.8240") != std::string::npos,
           "the command lists shift -5.5 mm");
@@ -256,7 +256,8 @@ namespace
     check(text.find("undeformed distance at s = -10 mm") != std::string::npos,
           "the command gives the details");
     scene.lateral_shift = 0.06;
-    check(run_geometry_command(scene, {0.06, 0}, wide) == 1, "a scene without contact returns 1");
+    check(run_geometry_command(scene, read_profiles(scene), {0.06, 0}, wide) == 1,
+          "a scene without contact returns 1");
     check(wide.str().find("no contact") != std::string::npos &&
             wide.str().find("460.4288") != std::string::npos,
           "a shift without contact gets its line, the others are listed");

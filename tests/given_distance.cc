@@ -28,13 +28,19 @@ namespace
     return scene;
   }
 
+  WheelRailSolution
+  solve(const Scene &scene)
+  {
+    return solve_given_distance(scene, make_geometry(scene));
+  }
+
   /// CONTACT (open-source version, revision 2707 of 2025-07-23): Rx 460, Ry 300, steel, mu 0.5, 100 kN,
   /// elements of 0.25 mm, Fx = 0.5 mu N, no lateral force or spin asked: 1237.65 MPa, creepage 2.084e-3, 1951
   /// elements, 85.375 mm2 of adhesion.
   void
   hertz()
   {
-    const WheelRailSolution result = solve_given_distance(hertz_scene());
+    const WheelRailSolution result = solve(hertz_scene());
     const auto             &s      = result.solution;
     check(s.converged() && !s.touches_grid_edge, "converged, off the edge of the grid");
     check_near(s.peak_pressure / 1237.65e6, 1, 1e-4, "peak pressure over that of CONTACT");
@@ -46,13 +52,11 @@ namespace
     Scene back                  = hertz_scene();
     back.halfspace_normal_force = 0;
     back.halfspace_approach     = s.approach;
-    check_near(solve_given_distance(back).solution.fn / 100e3,
-               1,
-               1e-5,
-               "normal force of the same approach over the given one");
+    check_near(
+      solve(back).solution.fn / 100e3, 1, 1e-5, "normal force of the same approach over the given one");
     back.halfspace_normal_force = 100e3;
     check_text(
-      message_of([&]() { solve_given_distance(back); }),
+      message_of([&]() { solve(back); }),
       "Half-space/Normal force and Half-space/Approach are both given; one follows from the other: set "
       "one of them to auto",
       "both given");
@@ -60,7 +64,7 @@ namespace
     held.drive                   = Drive::rate;
     held.creepage                = s.xi;
     held.halfspace_contact_angle = 0.05;
-    const auto spinning          = solve_given_distance(held);
+    const auto spinning          = solve(held);
     check_near(spinning.solution.xi, s.xi, 1e-12, "the creepage is the given one");
     check_near(
       spinning.solution.phi * 0.46, std::sin(0.05), 1e-12, "spin x radius is the sine of the contact angle");
@@ -93,8 +97,7 @@ namespace
     Scene scene = hertz_scene();
     scene.halfspace_distance =
       file_of(grid_text(30, [](const double x, const double y) { return 0.7 + x * x / 920 + y * y / 600; }));
-    const auto exact = solve_given_distance(hertz_scene()).solution,
-               read  = solve_given_distance(scene).solution;
+    const auto exact = solve(hertz_scene()).solution, read = solve(scene).solution;
     check(!read.touches_grid_edge, "off the edge of the grid");
     check_near(
       read.peak_pressure / exact.peak_pressure, 1, 1e-4, "peak pressure of the file over the Hertzian one");
@@ -102,7 +105,7 @@ namespace
 
     scene.halfspace_distance =
       file_of(grid_text(6, [](const double x, const double y) { return x * x / 920 + y * y / 600; }));
-    check(solve_given_distance(scene).solution.touches_grid_edge, "a file smaller than the patch is told");
+    check(solve(scene).solution.touches_grid_edge, "a file smaller than the patch is told");
   }
 
   void

@@ -51,15 +51,16 @@ int
 main()
 {
   Scene scene;
-  scene.velocity       = 10;
-  scene.halfspace_spin = HalfspaceSpin::contact;
+  scene.velocity               = 10;
+  scene.halfspace_spin         = HalfspaceSpin::contact;
+  const SceneGeometry geometry = make_geometry(scene);
   for (const Row &row : read_rows())
     {
       WheelRailLoad load;
       load.force               = row.load;
       load.vertical            = true;
       load.longitudinal        = -row.force;
-      const auto        result = solve_wheel_rail(scene, load, {row.lateral, -row.inclination, 0});
+      const auto        result = solve_wheel_rail(scene, geometry, load, {row.lateral, -row.inclination, 0});
       const auto       &s      = result.solution;
       const std::string name   = std::to_string(row.lateral * 1e3) + " mm, " +
                                std::to_string(row.inclination * 1e3) + " mrad, " +

@@ -127,7 +127,7 @@ namespace
     check_near(
       section_integrals(model.forest->plan().rail)[0] / outline.area, 1, 2e-3, "area of the rail's blocks");
 
-    const Model fine = make_model(small_scene(4e-3, 8e-3), MPI_COMM_WORLD);
+    const Model fine = test::small_model(MPI_COMM_WORLD, 4e-3, 8e-3);
     // what the chords of the coarse blocks cost, most of it at the concave fillets
     const double mass_limit[2] = {15e-3, 4e-3}, centre_limit[2] = {1.5e-3, 0.5e-3};
     for (const Body body : {Body::rail, Body::wheel})
@@ -183,7 +183,7 @@ int
 main(int argc, char **argv)
 {
   Parallel    parallel(argc, argv);
-  const Model model = make_model(small_scene(4e-3), MPI_COMM_WORLD);
+  const Model model = test::small_model(MPI_COMM_WORLD, 4e-3);
   chords_converge(model.forest->plan());
   mass_properties_converge(model);
   return parallel.report();

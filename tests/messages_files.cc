@@ -64,7 +64,7 @@ namespace
     check_message(
       []() {
         std::ostringstream out;
-        draw_profiles(Scene(), "nowhere/profiles", out);
+        draw_profiles(Scene(), make_geometry(Scene()), "nowhere/profiles", out);
       },
       "nowhere/profiles.csv: cannot be written; choose a folder with room and permission to write");
     // without the plotting package
@@ -74,7 +74,7 @@ namespace
     check_message(
       []() {
         std::ostringstream out;
-        draw_profiles(Scene(), "profiles", out);
+        draw_profiles(Scene(), make_geometry(Scene()), "profiles", out);
       },
       "profiles.png could not be drawn from profiles.csv; install the Debian package python3-matplotlib");
     unsetenv("PYTHONPATH");
@@ -104,7 +104,7 @@ namespace
   test_start_without_contact()
   {
     const Scene scene    = test::small_scene(8e-3);
-    Model       model    = make_model(scene, MPI_COMM_WORLD);
+    Model       model    = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
     StaticLoads loads    = static_loads(scene, model);
     loads.first_approach = -1e-4;
     check_message(

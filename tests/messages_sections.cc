@@ -129,12 +129,11 @@ namespace
   void
   test_rail_length()
   {
-    const Pair pair;
-    Scene      scene;
+    Scene scene;
     scene.rail_length      = 0.15;
     scene.rolling_distance = 0.1;
     check_message(
-      [&]() { sweep_plan(scene, pair.contact, 1e-4); },
+      [&]() { sweep_plan(scene, make_geometry(scene)); },
       "Track/Rail length is too short: the rolled stretch with its fine cells reaches from -31.966 mm to "
       "143.849 mm, the rail from -25 mm to 125 mm; take a longer rail or a shorter Run/Rolling distance");
   }

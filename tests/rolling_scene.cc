@@ -36,7 +36,7 @@ namespace
   roll(const Scene &scene, MPI_Comm communicator)
   {
     Run               run;
-    Model             model = make_model(scene, communicator);
+    Model             model = make_model(scene, make_geometry(scene), communicator);
     const StaticLoads loads = static_loads(scene, model);
     run.wheel_load          = model.wheel_load;
     run.start = static_start(*model.forest, model.solid, *model.contact, loads, [](const std::string &) {});

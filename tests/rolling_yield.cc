@@ -24,7 +24,7 @@ namespace
         material->tangent_modulus = 21e9;
       }
     scene.rolling_distance = 5e-3;
-    Model          model   = make_model(scene, MPI_COMM_WORLD);
+    Model          model   = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
     Log            log;
     const RunStart start = start_from_rest(scene, model, log, MPI_COMM_WORLD);
     Axle           axle(model.axle, model.solid, start.lift, start.rate, MPI_COMM_WORLD);

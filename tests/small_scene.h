@@ -20,4 +20,12 @@ namespace test
     scene.averaging_distance = 3e-3;
     return scene;
   }
+
+  /// Its model. Collective.
+  inline wheelrail::Model
+  small_model(MPI_Comm communicator, const double cell_size, const double coarse_cell_size = 16e-3)
+  {
+    const wheelrail::Scene scene = small_scene(cell_size, coarse_cell_size);
+    return wheelrail::make_model(scene, wheelrail::make_geometry(scene), communicator);
+  }
 } // namespace test

@@ -19,21 +19,16 @@ namespace
   check_step(const double shift, const double cell, const double least)
   {
     Scene scene;
-    scene.lateral_shift            = shift;
-    scene.cell_size                = cell;
-    scene.fine_depth               = 5 * cell;
-    scene.rolling_distance         = 0.005;
-    const ContactGeometry geometry = find_contact(rail_profile(scene.rail_profile),
-                                                  wheel_profile(scene.wheel_profile),
-                                                  scene.track,
-                                                  scene.lateral_shift,
-                                                  scene.roll);
-    const Forest          forest(MPI_COMM_WORLD, sweep_plan(scene, geometry, 1e-4));
-    const Elasticity      steel = elasticity(scene.rail_material);
-    const double          zeta  = scene.bulk_viscosity;
-    const Solid           solid = make_solid(forest.local_mesh(), steel, steel, zeta, MPI_COMM_WORLD);
-    const double speed = std::sqrt((steel.lame_lambda() + 2 * steel.shear_modulus()) / steel.density);
-    const double cubes = cell / speed * (std::sqrt(1 + zeta * zeta) - zeta);
+    scene.lateral_shift    = shift;
+    scene.cell_size        = cell;
+    scene.fine_depth       = 5 * cell;
+    scene.rolling_distance = 0.005;
+    const Forest     forest(MPI_COMM_WORLD, sweep_plan(scene, make_geometry(scene)));
+    const Elasticity steel = elasticity(scene.rail_material);
+    const double     zeta  = scene.bulk_viscosity;
+    const Solid      solid = make_solid(forest.local_mesh(), steel, steel, zeta, MPI_COMM_WORLD);
+    const double     speed = std::sqrt((steel.lame_lambda() + 2 * steel.shear_modulus()) / steel.density);
+    const double     cubes = cell / speed * (std::sqrt(1 + zeta * zeta) - zeta);
 
     std::ostringstream text;
     text << "cells of " << cell * 1e3 << " mm, shift " << shift * 1e3 << " mm: step "

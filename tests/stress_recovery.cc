@@ -98,7 +98,7 @@ int
 main(int argc, char **argv)
 {
   Parallel    parallel(argc, argv);
-  const Model model = make_model(small_scene(4e-3), MPI_COMM_WORLD);
+  const Model model = test::small_model(MPI_COMM_WORLD, 4e-3);
   // the web of the wheel and the toes of the foot are one layer of cells
   const Predicate around_contact = [](const Vector3 &X) { return norm(X) < 0.08; };
   check_near(largest_error(model.solid, linear, around_contact, MPI_COMM_WORLD),

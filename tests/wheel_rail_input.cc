@@ -34,10 +34,10 @@ namespace
   test_lines()
   {
     Scene scene;
-    scene.velocity                          = 10;
-    scene.lateral_shift                     = 1.5e-3;
-    scene.halfspace_element_size            = 0.25e-3;
-    const auto                     files    = wheel_rail_input(scene, 100e3, "r.txt", "w.txt");
+    scene.velocity               = 10;
+    scene.lateral_shift          = 1.5e-3;
+    scene.halfspace_element_size = 0.25e-3;
+    const auto files             = wheel_rail_input(scene, make_geometry(scene), 100e3, "r.txt", "w.txt");
     const std::vector<std::string> expected = {" 1 MODULE",
                                                " 1203110",
                                                " 0022033",
@@ -62,7 +62,7 @@ namespace
     scene.drive         = Drive::rate;
     scene.creepage      = 0.002;
     scene.lateral_shift = 0;
-    const auto held     = lines_of(wheel_rail_input(scene, 100e3, "r.txt", "w.txt").input);
+    const auto held = lines_of(wheel_rail_input(scene, make_geometry(scene), 100e3, "r.txt", "w.txt").input);
     check_text(held[1], " 1203100", "control digits with a held rate");
     std::istringstream words(held[14]);
     double             value = 0;
@@ -76,7 +76,7 @@ namespace
   test_profiles()
   {
     const Scene        scene;
-    const auto         files = wheel_rail_input(scene, 100e3, "r.txt", "w.txt");
+    const auto         files = wheel_rail_input(scene, make_geometry(scene), 100e3, "r.txt", "w.txt");
     ProfileFileOptions exact;
     exact.noise                      = 0;
     ProfileFileOptions wheel_options = exact;
@@ -107,18 +107,18 @@ namespace
     Scene scene;
     scene.friction_law = FrictionKind::rational;
     check_text(
-      message_of([&]() { wheel_rail_input(scene, 1e5, "r", "w"); }),
+      message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
       "--contact-wheel-rail-input writes constant friction only: set Contact/Friction law = constant",
       "friction over speed");
     scene.friction_law = FrictionKind::constant;
     scene.roll         = RollMode::from_contact;
-    check_text(message_of([&]() { wheel_rail_input(scene, 1e5, "r", "w"); }),
+    check_text(message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
                "--contact-wheel-rail-input writes wheelsets without roll only: set Wheelset/Roll = none",
                "roll");
     scene.roll               = RollMode::none;
     scene.halfspace_distance = "hertz";
     check_text(
-      message_of([&]() { wheel_rail_input(scene, 1e5, "r", "w"); }),
+      message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
       "--contact-wheel-rail-input writes profiles only: set Half-space/Undeformed distance = profiles",
       "no profiles");
   }

@@ -9,7 +9,7 @@
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
-#include <wheelrail/model/scene_profiles.h>
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/run/simulation.h>
 
 #include <boost/program_options.hpp>
@@ -69,7 +69,7 @@ namespace wheelrail
     validate(const po::variables_map &options, std::ostream &out)
     {
       const Scene scene = scene_of(options);
-      for (const std::string &note : profile_notes(scene))
+      for (const std::string &note : read_profiles(scene).notes)
         out << "note: " << note << "\n";
       const Findings found = cross_checks(scene, this_machine(ranks_of_launcher()));
       for (const std::string &warning : found.warnings)
@@ -120,12 +120,14 @@ namespace wheelrail
       std::vector<double> shifts;
       if (options.count("shifts"))
         shifts = parse_shifts(options["shifts"].as<std::string>());
-      const Scene scene = scene_of(options, Checks::entries);
-      const int   code  = run_geometry_command(scene, shifts, out);
+      const Scene         scene    = scene_of(options, Checks::entries);
+      const SceneProfiles profiles = read_profiles(scene);
+      const int           code     = run_geometry_command(scene, profiles, shifts, out);
       if (code == 0 && options.count("profiles"))
         {
           const std::string stem = std::filesystem::path(file_of(options)).stem().string();
-          draw_profiles(scene, (stem.empty() ? "" : stem + "_") + "profiles", out);
+          draw_profiles(
+            scene, make_geometry(scene, profiles), (stem.empty() ? "" : stem + "_") + "profiles", out);
         }
       return code;
     }
@@ -137,8 +139,9 @@ namespace wheelrail
       const auto file = [&](const char *option) {
         return options.count(option) ? options[option].as<std::string>() : std::string();
       };
+      const Scene scene = scene_of(options);
       return run_halfspace_command(
-        scene_of(options), {file("contact-input"), file("contact-wheel-rail-input")}, out);
+        scene, make_geometry(scene), {file("contact-input"), file("contact-wheel-rail-input")}, out);
     }
 
     int

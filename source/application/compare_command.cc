@@ -2,6 +2,7 @@
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 
@@ -210,8 +211,9 @@ namespace wheelrail
         "patch could be compared.");
     const WheelRailLoad     load         = load_of_run(run);
     const SectionOffsets    offsets      = offsets_of_run(run);
-    const WheelRailSolution result       = solve_wheel_rail(scene, load, offsets);
-    const double            peak_at_rest = solve_wheel_rail(scene, load, {}).solution.peak_pressure;
+    const SceneGeometry     geometry     = make_geometry(scene);
+    const WheelRailSolution result       = solve_wheel_rail(scene, geometry, load, offsets);
+    const double            peak_at_rest = solve_wheel_rail(scene, geometry, load, {}).solution.peak_pressure;
     const Summary           halfspace    = halfspace_summary(scene, result);
 
     out << run.title << "\nMeans of the run against half-spaces on elements of "

@@ -2,7 +2,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/conicity.h>
-#include <wheelrail/model/scene_profiles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -257,11 +256,13 @@ namespace wheelrail
 
 
   int
-  run_geometry_command(const Scene &scene, const std::vector<double> &shifts, std::ostream &out)
+  run_geometry_command(const Scene               &scene,
+                       const SceneProfiles       &profiles,
+                       const std::vector<double> &shifts,
+                       std::ostream              &out)
   {
-    std::vector<std::string> notes;
-    Pair pair{scene_rail(scene, &notes), scene_wheel(scene, &notes), scene.track, RollMode::none};
-    for (const std::string &note : notes)
+    Pair pair{profiles.rail, profiles.wheel, scene.track, RollMode::none};
+    for (const std::string &note : profiles.notes)
       out << "note: " << note << '\n';
     out << "Wheel " << pair.wheel.name << " on rail " << pair.rail.name << ", gauge "
         << fixed(1e3 * scene.track.gauge, 2) << " mm (" << fixed(1e3 * scene.track.gauge_height, 1)

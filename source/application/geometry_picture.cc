@@ -1,6 +1,5 @@
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/model/scene_profiles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -87,19 +86,16 @@ namespace wheelrail
 
 
   void
-  draw_profiles(const Scene &scene, const std::string &name, std::ostream &out)
+  draw_profiles(const Scene &scene, const SceneGeometry &geometry, const std::string &name, std::ostream &out)
   {
-    const RailProfile     rail  = scene_rail(scene);
-    const WheelProfile    wheel = scene_wheel(scene);
-    const ContactGeometry c     = find_contact(rail, wheel, scene.track, scene.lateral_shift, scene.roll);
-
-    Rows rows(name + ".csv");
+    const ContactGeometry &c = geometry.contact;
+    Rows                   rows(name + ".csv");
     rows.add_text("wheel name", scene.wheel_profile);
     rows.add_text("rail name", scene.rail_profile);
     rows.add("shift", 1e3 * c.lateral_shift, 1e3 * c.roll);
     rows.add("radius", 1e3 * c.rolling_radius, c.angle * 180 / std::acos(-1.));
-    add_curve(rows, "rail", rail.head, c.rail);
-    add_curve(rows, "wheel", wheel.tread, c.wheel);
+    add_curve(rows, "rail", geometry.rail.head, c.rail);
+    add_curve(rows, "wheel", geometry.wheel.tread, c.wheel);
     rows.add("contact", 1e3 * c.frame.origin.x, 1e3 * c.frame.origin.y);
     rows.add("contact in sections", 1e3 * c.rail_x, 1e3 * c.wheel_x);
     for (const FurtherPoint &p : c.further)
@@ -108,9 +104,9 @@ namespace wheelrail
           rows.add("further", 1e3 * p.position.x, 1e3 * p.position.y);
           rows.add("further gap", 1e6 * p.gap, 1e3 * c.frame.to_frame(p.position).x);
         }
-    const FrameProfile wheel_heights(wheel.tread, c.wheel, c.frame), rail_heights(rail.head, c.rail, c.frame);
-    const double       low = std::max({wheel_heights.s_min(), rail_heights.s_min(), -0.03}),
-                 high      = std::min({wheel_heights.s_max(), rail_heights.s_max(), 0.03});
+    const FrameProfile &wheel_heights = geometry.wheel_heights, &rail_heights = geometry.rail_heights;
+    const double        low = std::max({wheel_heights.s_min(), rail_heights.s_min(), -0.03}),
+                 high       = std::min({wheel_heights.s_max(), rail_heights.s_max(), 0.03});
     for (int i = 0; i <= 1200; ++i)
       {
         const double s = low + (high - low) * i / 1200;

@@ -42,12 +42,15 @@ namespace wheelrail
   {
     /// The input and, beside it, the profile files: case.inp, case_rail.txt, case_wheel.txt.
     void
-    write_wheel_rail_input(const Scene &scene, const double vertical_load, const std::string &path)
+    write_wheel_rail_input(const Scene         &scene,
+                           const SceneGeometry &geometry,
+                           const double         vertical_load,
+                           const std::string   &path)
     {
       const std::filesystem::path whole = path;
       const std::string           stem  = whole.stem().string();
       const std::string           rail = stem + "_rail.txt", wheel = stem + "_wheel.txt";
-      const WheelRailInput        files = wheel_rail_input(scene, vertical_load, rail, wheel);
+      const WheelRailInput        files = wheel_rail_input(scene, geometry, vertical_load, rail, wheel);
       replace_file((whole.parent_path() / rail).string(), files.rail);
       replace_file((whole.parent_path() / wheel).string(), files.wheel);
       replace_file(path, files.input);
@@ -56,15 +59,19 @@ namespace wheelrail
 
 
   int
-  run_halfspace_command(const Scene &scene, const ContactInputFiles &inputs, std::ostream &out)
+  run_halfspace_command(const Scene             &scene,
+                        const SceneGeometry     &geometry,
+                        const ContactInputFiles &inputs,
+                        std::ostream            &out)
   {
     const bool              given = distance_is_given(scene);
     const WheelRailSolution result =
-      given ? solve_given_distance(scene) : solve_wheel_rail(scene, scene_load(scene), scene_offsets(scene));
+      given ? solve_given_distance(scene, geometry)
+            : solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene));
     if (!inputs.basic.empty())
       replace_file(inputs.basic, contact_input(result.problem, scene.title));
     if (!inputs.wheel_rail.empty())
-      write_wheel_rail_input(scene, result.vertical, inputs.wheel_rail);
+      write_wheel_rail_input(scene, geometry, result.vertical, inputs.wheel_rail);
     const Summary        figures = halfspace_summary(scene, result);
     const HalfspaceGrid &grid    = result.solution.grid;
 

@@ -169,6 +169,13 @@ namespace wheelrail
   } // namespace
 
 
+  bool
+  is_file_name(const std::string &name)
+  {
+    return name.find_first_of("./") != std::string::npos;
+  }
+
+
   MeasuredProfile
   read_profile_text(const std::string &text, const std::string &file, const ProfileFileOptions &options)
   {

@@ -76,6 +76,13 @@ namespace wheelrail
 
 
   double
+  half_length_bound(const double approach, const double rolling_radius)
+  {
+    return std::sqrt(2 * rolling_radius * approach);
+  }
+
+
+  double
   RunningSurfaces::local_radius(const double s) const
   {
     return nominal_radius - wheel_placement.to_section(frame.to_track({s, wheel.at(s).n})).y;

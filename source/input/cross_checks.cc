@@ -4,7 +4,7 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/scene_profiles.h>
+#include <wheelrail/model/scene_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -278,23 +278,16 @@ namespace wheelrail
                            "per wheel");
     }
 
-    ContactGeometry
-    contact_of(const Scene &scene)
-    {
-      return find_contact(
-        scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll);
-    }
-
     /// Whether blocks of the wanted size fit into both sections: lays them out, which takes 20 ms.
     void
-    check_sections(const Scene &scene, const ExpectedPatch &patch, Sentences &errors)
+    check_sections(const Scene &scene, const SceneGeometry &geometry, Sentences &errors)
     {
       // with very many blocks that would take long; smaller ones fit better than large ones
       if (scene.coarse_cell_size < 4e-3)
         return;
       try
         {
-          sweep_plan(scene, contact_of(scene), patch.approach);
+          sweep_plan(scene, geometry);
         }
       catch (const std::exception &error)
         {
@@ -304,14 +297,14 @@ namespace wheelrail
         }
     }
 
-    /// The patch of the rigid profiles; none, and an error, when they do not touch.
-    std::optional<ExpectedPatch>
-    find_patch(const Scene &scene, Sentences &errors)
+    /// The profiles in touch; nothing, and an error, when they cannot be read or do not touch.
+    std::optional<SceneGeometry>
+    find_geometry(const Scene &scene, Sentences &errors)
     {
+      SceneProfiles profiles;
       try
         {
-          scene_rail(scene);
-          scene_wheel(scene);
+          profiles = read_profiles(scene);
         }
       catch (const InputError &error) // it names its entry
         {
@@ -320,7 +313,7 @@ namespace wheelrail
         }
       try
         {
-          return expected_patch(scene, contact_of(scene));
+          return make_geometry(scene, std::move(profiles));
         }
       catch (const InputError &error)
         {
@@ -341,16 +334,18 @@ namespace wheelrail
     check_drive(scene, found.warnings);
     check_steps(scene, found.warnings);
     // what follows from a wrong track or wheel would only be said twice
-    const std::optional<ExpectedPatch> patch =
-      found.errors.empty() ? find_patch(scene, found.errors) : std::optional<ExpectedPatch>();
-    if (patch)
+    const std::optional<SceneGeometry> geometry =
+      found.errors.empty() ? find_geometry(scene, found.errors) : std::optional<SceneGeometry>();
+    std::optional<ExpectedPatch> patch;
+    if (geometry)
       {
+        patch = expected_patch(scene, *geometry);
         check_patch(scene, *patch, found);
         check_size(scene, *patch, machine, found);
       }
     check_distances(scene, patch, found.errors);
-    if (patch && found.errors.empty())
-      check_sections(scene, *patch, found.errors);
+    if (geometry && found.errors.empty())
+      check_sections(scene, *geometry, found.errors);
     return found;
   }
 } // namespace wheelrail

@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/geometry/profiles.h>
 #include <wheelrail/input/profile_entries.h>
-#include <wheelrail/model/scene_profiles.h>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
+#include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/model/expected_patch.h>
-#include <wheelrail/model/scene_profiles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,24 +40,17 @@ namespace wheelrail
   }
 
 
-  double
-  half_length_bound(const double approach, const double rolling_radius)
-  {
-    return std::sqrt(2 * rolling_radius * approach);
-  }
-
-
   ExpectedPatch
-  expected_patch(const Scene &scene, const ContactGeometry &geometry)
+  expected_patch(const Scene &scene, const SceneGeometry &geometry)
   {
     constexpr double kik_piotrowski = 0.55;
+    const double     radius         = geometry.contact.rolling_radius;
     ExpectedPatch    patch;
-    patch.approach                = expected_approach(scene, geometry.rolling_radius);
+    patch.approach                = expected_approach(scene, radius);
     const double virtual_approach = kik_piotrowski * patch.approach;
-    patch.length                  = 2 * half_length_bound(virtual_approach, geometry.rolling_radius);
-    const FrameProfile rail(scene_rail(scene).head, geometry.rail, geometry.frame);
-    const FrameProfile wheel(scene_wheel(scene).tread, geometry.wheel, geometry.frame);
-    for (const Range &range : interpenetration(wheel, rail, virtual_approach))
+    patch.length                  = 2 * half_length_bound(virtual_approach, radius);
+    for (const Range &range :
+         interpenetration(geometry.wheel_heights, geometry.rail_heights, virtual_approach))
       patch.width += range.s1 - range.s0;
     return patch;
   }

@@ -1,63 +1,29 @@
-#include <wheelrail/base/errors.h>
-#include <wheelrail/base/quantity.h>
 #include <wheelrail/contact/penalty.h>
 #include <wheelrail/contact/surface_response.h>
+#include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/scene_profiles.h>
 #include <wheelrail/solid/highest_frequency.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace wheelrail
 {
   namespace
   {
-    /// Block borders along the rail: the wheel's spacing where it rolls, stretched to the given ends
-    /// elsewhere.
-    std::vector<double>
-    rail_stations(const double begin,
-                  const double end,
-                  const double fine_begin,
-                  const double fine_end,
-                  const double spacing)
+    Solid
+    make_bodies(const Scene &scene, const Forest &forest, MPI_Comm communicator)
     {
-      const long first = static_cast<long>(std::floor(fine_begin / spacing)) - 1;
-      const long last  = static_cast<long>(std::ceil(fine_end / spacing)) + 1;
-      if (first * spacing < begin + spacing || last * spacing > end - spacing)
-        throw InputError(
-          "Track/Rail length is too short: the rolled stretch with its fine cells reaches from " +
-          in_mm(first * spacing) + " to " + in_mm(last * spacing) + ", the rail from " + in_mm(begin) +
-          " to " + in_mm(end) + "; take a longer rail or a shorter Run/Rolling distance");
-      std::vector<double> stations;
-      const auto          fill = [&](const double from, const double to) {
-        const int n = std::max(1, static_cast<int>(std::lround((to - from) / spacing)));
-        for (int k = 0; k < n; ++k)
-          stations.push_back(from + (to - from) * k / n);
-      };
-      fill(begin, first * spacing);
-      for (long k = first; k < last; ++k)
-        stations.push_back(k * spacing);
-      fill(last * spacing, end);
-      stations.push_back(end);
-      return stations;
-    }
-
-    Lattice
-    make_lattice(const SweepPlan &plan)
-    {
-      const double       parts  = std::pow(2., plan.levels);
-      const unsigned int blocks = plan.strip.s.size() - 1;
-      Lattice            lattice;
-      lattice.spacing_along = 2 * M_PI * plan.surfaces.rolling_radius / (plan.sectors * parts);
-      lattice.first_station = static_cast<int>(std::ceil(plan.fine_begin / lattice.spacing_along));
-      lattice.n_along =
-        static_cast<int>(std::floor(plan.fine_end / lattice.spacing_along)) - lattice.first_station + 1;
-      lattice.s_begin         = plan.strip.s.front();
-      lattice.n_lateral       = blocks * static_cast<unsigned int>(parts) + 1;
-      lattice.spacing_lateral = (plan.strip.s.back() - plan.strip.s.front()) / (lattice.n_lateral - 1);
-      return lattice;
+      Solid solid =
+        make_solid(forest.local_mesh(),
+                   elasticity(scene.rail_material),
+                   elasticity(scene.wheel_material),
+                   scene.bulk_viscosity,
+                   communicator,
+                   {plasticity(scene.rail_material), plasticity(scene.wheel_material)},
+                   {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)});
+      lower_stable_step(solid, scene.bulk_viscosity, communicator);
+      return solid;
     }
 
     std::array<Vector3, 8>
@@ -90,6 +56,52 @@ namespace wheelrail
           }
       return law;
     }
+
+    /// The contact of the bodies on the lattice of the plan. Its window holds the longest patch and two cells
+    /// on either side of it.
+    std::unique_ptr<Contact>
+    make_contact(const Scene &scene, Model &model, MPI_Comm communicator)
+    {
+      const SweepPlan       &plan     = model.forest->plan();
+      const RunningSurfaces &surfaces = plan.surfaces;
+      const Lattice          lattice  = make_lattice(plan);
+      const auto             collect  = [&](const Body body) {
+        return make_surface(model.solid.mesh, body, surfaces, lattice, communicator);
+      };
+      Surface          rail = collect(Body::rail), wheel = collect(Body::wheel);
+      const ContactLaw law = make_law(scene, model.solid, rail, wheel);
+      const double     half_window =
+        half_length_bound(model.expected_approach, surfaces.rolling_radius) + 2 * scene.cell_size;
+      return std::make_unique<Contact>(
+        std::move(rail), std::move(wheel), surfaces, law, half_window, communicator);
+    }
+
+    /// The axle without its torque, which follows from the load.
+    AxleData
+    make_axle(const Scene &scene, const ContactGeometry &geometry)
+    {
+      AxleData axle;
+      axle.centre        = {geometry.axle.x, geometry.axle.y, 0};
+      axle.axis          = {std::cos(geometry.wheel.angle), std::sin(geometry.wheel.angle), 0};
+      axle.mass          = scene.axle_mass;
+      axle.pitch_inertia = scene.axle_pitch_inertia;
+      axle.sprung_mass   = scene.sprung_mass;
+      axle.stiffness     = scene.suspension_stiffness;
+      axle.damping       = scene.suspension_damping;
+      axle.gravity       = scene.gravity;
+      axle.velocity      = scene.velocity;
+      axle.rate_held     = scene.drive == Drive::rate;
+      return axle;
+    }
+
+    /// The largest step within the wanted fraction of the stable one that divides the rolling distance.
+    double
+    time_step(const Scene &scene, const StableStep &stable)
+    {
+      const double steps =
+        std::ceil(scene.rolling_distance / (scene.velocity * scene.time_step_factor * stable.step));
+      return scene.rolling_distance / (scene.velocity * steps);
+    }
   } // namespace
 
 
@@ -108,99 +120,37 @@ namespace wheelrail
 
 
   SweepPlan
-  sweep_plan(const Scene &scene, const ContactGeometry &geometry, const double expected_approach)
+  sweep_plan(const Scene &scene, const SceneGeometry &geometry)
   {
-    const RailProfile  rail  = scene_rail(scene);
-    const WheelProfile wheel = scene_wheel(scene);
-    const FrameProfile rail_frame(rail.head, geometry.rail, geometry.frame);
-    const FrameProfile wheel_frame(wheel.tread, geometry.wheel, geometry.frame);
-
-    SweepPlan plan;
-    plan.levels        = std::max(0L, std::lround(std::log2(scene.coarse_cell_size / scene.cell_size)));
-    const double block = scene.cell_size * std::pow(2., plan.levels);
-    plan.strip =
-      make_fine_strip(geometry, wheel_frame, rail_frame, expected_approach, scene.fine_margin, block);
-    plan.surfaces.frame           = geometry.frame;
-    plan.surfaces.wheel_placement = geometry.wheel;
-    plan.surfaces.nominal_radius  = scene.track.nominal_radius;
-    plan.surfaces.rolling_radius  = geometry.rolling_radius;
-    const double s0 =
-      std::max({plan.strip.s.front() - scene.cell_size, rail_frame.s_min(), wheel_frame.s_min()});
-    const double s1 =
-      std::min({plan.strip.s.back() + scene.cell_size, rail_frame.s_max(), wheel_frame.s_max()});
-    plan.surfaces.rail  = HeightTable(rail_frame, s0, s1);
-    plan.surfaces.wheel = HeightTable(wheel_frame, s0, s1);
-
-    plan.sectors         = std::lround(2 * M_PI * geometry.rolling_radius / block);
-    const double reach   = half_length_bound(expected_approach, geometry.rolling_radius) + scene.fine_margin;
-    plan.fine_begin      = -reach;
-    plan.fine_end        = scene.mesh_distance() + reach;
-    plan.fine_depth      = scene.fine_depth;
-    const double spacing = 2 * M_PI * geometry.rolling_radius / plan.sectors;
-    const double middle  = 0.5 * scene.mesh_distance();
-    plan.rail_stations   = rail_stations(middle - 0.5 * scene.rail_length,
-                                       middle + 0.5 * scene.rail_length,
-                                       plan.fine_begin,
-                                       plan.fine_end,
-                                       spacing);
-
-    WheelDimensions dimensions = scene.wheel;
-    dimensions.nominal_radius  = scene.track.nominal_radius;
-    plan.rail                  = make_rail_section(rail, geometry.rail, plan.strip, block);
-    plan.wheel                 = make_wheel_section(wheel, dimensions, geometry.wheel, plan.strip, block);
-    return plan;
+    WheelDimensions wheel = scene.wheel;
+    wheel.nominal_radius  = scene.track.nominal_radius;
+    SweepSizes sizes;
+    sizes.cell        = scene.cell_size;
+    sizes.coarse      = scene.coarse_cell_size;
+    sizes.fine_depth  = scene.fine_depth;
+    sizes.fine_margin = scene.fine_margin;
+    sizes.approach    = expected_approach(scene, geometry.contact.rolling_radius);
+    sizes.distance    = scene.mesh_distance();
+    sizes.rail_length = scene.rail_length;
+    return make_sweep_plan(geometry, wheel, sizes);
   }
 
 
   Model
-  make_model(const Scene &scene, MPI_Comm communicator)
+  make_model(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator)
   {
     Model model;
-    model.geometry =
-      find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll);
-    model.expected_approach = expected_approach(scene, model.geometry.rolling_radius);
-
-    SweepPlan     plan    = sweep_plan(scene, model.geometry, model.expected_approach);
-    const Lattice lattice = make_lattice(plan);
-    model.forest          = std::make_unique<Forest>(communicator, std::move(plan));
-    model.solid =
-      make_solid(model.forest->local_mesh(),
-                 elasticity(scene.rail_material),
-                 elasticity(scene.wheel_material),
-                 scene.bulk_viscosity,
-                 communicator,
-                 {plasticity(scene.rail_material), plasticity(scene.wheel_material)},
-                 {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)});
-    lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
-
-    const RunningSurfaces &surfaces = model.forest->plan().surfaces;
-    Surface                rail = make_surface(model.solid.mesh, Body::rail, surfaces, lattice, communicator);
-    Surface          wheel = make_surface(model.solid.mesh, Body::wheel, surfaces, lattice, communicator);
-    const ContactLaw law   = make_law(scene, model.solid, rail, wheel);
-    const double     half_window =
-      half_length_bound(model.expected_approach, surfaces.rolling_radius) + 2 * scene.cell_size;
-    model.contact =
-      std::make_unique<Contact>(std::move(rail), std::move(wheel), surfaces, law, half_window, communicator);
-
-    AxleData &axle     = model.axle;
-    axle.centre        = {model.geometry.axle.x, model.geometry.axle.y, 0};
-    axle.axis          = {std::cos(model.geometry.wheel.angle), std::sin(model.geometry.wheel.angle), 0};
-    axle.mass          = scene.axle_mass;
-    axle.pitch_inertia = scene.axle_pitch_inertia;
-    axle.sprung_mass   = scene.sprung_mass;
-    axle.stiffness     = scene.suspension_stiffness;
-    axle.damping       = scene.suspension_damping;
-    axle.gravity       = scene.gravity;
-    axle.velocity      = scene.velocity;
-    axle.rate_held     = scene.drive == Drive::rate;
-    model.wheel_load   = (scene.sprung_mass + scene.axle_mass +
-                        mass_properties(model.solid, Body::wheel, axle.centre, communicator).mass) *
+    model.geometry          = geometry.contact;
+    model.expected_approach = expected_approach(scene, geometry.contact.rolling_radius);
+    model.forest            = std::make_unique<Forest>(communicator, sweep_plan(scene, geometry));
+    model.solid             = make_bodies(scene, *model.forest, communicator);
+    model.contact           = make_contact(scene, model, communicator);
+    model.axle              = make_axle(scene, geometry.contact);
+    model.wheel_load        = (scene.sprung_mass + scene.axle_mass +
+                        mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass) *
                        scene.gravity;
-    axle.torque = scene.traction_coefficient * model.wheel_load * surfaces.rolling_radius;
-
-    const double steps =
-      std::ceil(scene.rolling_distance / (scene.velocity * scene.time_step_factor * model.solid.stable.step));
-    model.time_step = scene.rolling_distance / (scene.velocity * steps);
+    model.axle.torque = scene.traction_coefficient * model.wheel_load * geometry.contact.rolling_radius;
+    model.time_step   = time_step(scene, model.solid.stable);
     return model;
   }
 } // namespace wheelrail

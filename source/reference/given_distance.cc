@@ -125,7 +125,7 @@ namespace wheelrail
 
 
   WheelRailSolution
-  solve_given_distance(const Scene &scene)
+  solve_given_distance(const Scene &scene, const SceneGeometry &geometry)
   {
     const auto begin = std::chrono::steady_clock::now();
     if (scene.halfspace_normal_force > 0 && scene.halfspace_approach > 0)
@@ -140,7 +140,7 @@ namespace wheelrail
     problem.approach            = scene.halfspace_approach;
     if (problem.force_given)
       problem.normal_force =
-        scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force : static_wheel_load(scene);
+        scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force : static_wheel_load(scene, geometry);
 
     const HalfspaceSolution normal   = solve_normal_problem(scene, surfaces, problem, result.enlargements);
     problem.motion                   = HalfspaceMotion::steady;

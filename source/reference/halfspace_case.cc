@@ -1,6 +1,5 @@
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/scene_profiles.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
 
@@ -29,13 +28,15 @@ namespace wheelrail
       FrameProfile    rail, wheel;
       double          lowest = 0, lowest_s = 0; ///< smallest distance of the profiles, and its place
 
-      Sections(const Scene &scene, const ContactGeometry &c, const SectionOffsets &offsets)
-        : geometry(c)
-        , spinning(moved(c.wheel, c.frame.origin, 0, offsets.lateral))
-        , rail(scene_rail(scene).head, moved(c.rail, c.frame.origin, offsets.rail_roll, 0), c.frame)
-        , wheel(scene_wheel(scene).tread,
-                moved(c.wheel, c.frame.origin, offsets.wheel_roll, offsets.lateral),
-                c.frame)
+      Sections(const TouchingProfiles &profiles, const SectionOffsets &offsets)
+        : geometry(profiles.contact)
+        , spinning(moved(geometry.wheel, geometry.frame.origin, 0, offsets.lateral))
+        , rail(profiles.rail.head,
+               moved(geometry.rail, geometry.frame.origin, offsets.rail_roll, 0),
+               geometry.frame)
+        , wheel(profiles.wheel.tread,
+                moved(geometry.wheel, geometry.frame.origin, offsets.wheel_roll, offsets.lateral),
+                geometry.frame)
       {
         lowest = undeformed_distance(wheel, rail, 0);
         for (double s = s_min(); s <= s_max(); s += 1e-5)
@@ -188,12 +189,9 @@ namespace wheelrail
 
 
   double
-  static_wheel_load(const Scene &scene)
+  static_wheel_load(const Scene &scene, const SceneGeometry &geometry)
   {
-    const ContactGeometry geometry =
-      find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll);
-    const Section wheel =
-      sweep_plan(scene, geometry, expected_approach(scene, geometry.rolling_radius)).wheel;
+    const Section wheel = sweep_plan(scene, geometry).wheel;
     // first moment of the section about the axle, from small quadrilaterals (Guldin)
     constexpr int n      = 8;
     double        moment = 0;
@@ -217,10 +215,10 @@ namespace wheelrail
 
 
   WheelRailLoad
-  scene_load(const Scene &scene)
+  scene_load(const Scene &scene, const SceneGeometry &geometry)
   {
     WheelRailLoad load;
-    load.force        = static_wheel_load(scene);
+    load.force        = static_wheel_load(scene, geometry);
     load.vertical     = true;
     load.longitudinal = scene.traction_coefficient * load.force;
     load.rate_held    = scene.drive == Drive::rate;
@@ -237,13 +235,13 @@ namespace wheelrail
 
 
   WheelRailSolution
-  solve_wheel_rail(const Scene &scene, const WheelRailLoad &load, const SectionOffsets &offsets)
+  solve_wheel_rail(const Scene          &scene,
+                   const SceneGeometry  &geometry,
+                   const WheelRailLoad  &load,
+                   const SectionOffsets &offsets)
   {
-    const auto     begin = std::chrono::steady_clock::now();
-    const Sections sections(
-      scene,
-      find_contact(scene_rail(scene), scene_wheel(scene), scene.track, scene.lateral_shift, scene.roll),
-      offsets);
+    const auto       begin = std::chrono::steady_clock::now();
+    const Sections   sections(geometry, offsets);
     HalfspaceProblem problem = halfspace_problem(scene);
     problem.normal_force     = load.force;
 

@@ -1,6 +1,4 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/geometry/contact_geometry.h>
-#include <wheelrail/model/scene_profiles.h>
 #include <wheelrail/reference/contact_input.h>
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/wheel_rail_input.h>
@@ -68,18 +66,16 @@ namespace wheelrail
 
 
   WheelRailInput
-  wheel_rail_input(const Scene       &scene,
-                   const double       vertical_load,
-                   const std::string &rail_file,
-                   const std::string &wheel_file)
+  wheel_rail_input(const Scene         &scene,
+                   const SceneGeometry &geometry,
+                   const double         vertical_load,
+                   const std::string   &rail_file,
+                   const std::string   &wheel_file)
   {
     check_scene(scene);
-    const RailProfile  rail_profile  = scene_rail(scene);
-    const WheelProfile wheel_profile = scene_wheel(scene);
-    const bool         rate_held     = scene.drive == Drive::rate;
-    const double       radius =
-      find_contact(rail_profile, wheel_profile, scene.track, scene.lateral_shift, scene.roll).rolling_radius;
-    const auto shear_modulus = [](const MaterialData &m) {
+    const bool   rate_held     = scene.drive == Drive::rate;
+    const double radius        = geometry.contact.rolling_radius;
+    const auto   shear_modulus = [](const MaterialData &m) {
       return 1e-6 * m.youngs_modulus / (2 * (1 + m.poissons_ratio));
     };
     const double h = 1e3 * scene.halfspace_element_size;
@@ -120,10 +116,10 @@ namespace wheelrail
                 std::string("VS, VY, VZ, VROLL, VYAW, ") + (rate_held ? "VPITCH" : "FX_WS"));
     text += " 0 MODULE\n";
 
-    std::vector<Point2> points = outline(rail_profile.head);
+    std::vector<Point2> points = outline(geometry.rail.head);
     std::reverse(points.begin(), points.end());
     files.rail  = table(points);
-    files.wheel = table(outline(wheel_profile.tread));
+    files.wheel = table(outline(geometry.wheel.tread));
     return files;
   }
 } // namespace wheelrail

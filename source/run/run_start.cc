@@ -66,7 +66,11 @@ namespace wheelrail
 
 
   RunStart
-  start_on_wide_mesh(Scene &scene, Model &model, Log &log, MPI_Comm communicator)
+  start_on_wide_mesh(Scene               &scene,
+                     const SceneGeometry &geometry,
+                     Model               &model,
+                     Log                 &log,
+                     MPI_Comm             communicator)
   {
     constexpr double widest = 12e-3;
     RunStart         start  = start_from_rest(scene, model, log, communicator);
@@ -76,7 +80,7 @@ namespace wheelrail
         wider.fine_margin *= 2;
         try
           {
-            model = make_model(wider, communicator);
+            model = make_model(wider, geometry, communicator);
           }
         catch (const InputError &) // no room; the run tells what is wrong with the mesh that there is
           {

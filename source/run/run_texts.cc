@@ -1,4 +1,3 @@
-#include <wheelrail/model/scene_profiles.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/pose.h>
 
@@ -23,6 +22,7 @@ namespace wheelrail
                const Scene                    &scene,
                const Model                    &model,
                const int                       ranks,
+               const std::vector<std::string> &profile_notes,
                const std::vector<std::string> &warnings)
   {
     const MeshQuality     &q       = model.solid.quality;
@@ -63,7 +63,7 @@ namespace wheelrail
               text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",
                    model.contact->law().stiffness,
                    scene.penalty_scale));
-    for (const std::string &note : profile_notes(scene))
+    for (const std::string &note : profile_notes)
       log.value("profile", note);
     for (const std::string &warning : warnings)
       log.warning(warning);

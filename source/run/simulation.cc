@@ -73,7 +73,8 @@ namespace wheelrail
             scene_.prepared_distance = resume_point_->whole.prepared_distance;
             scene_.fine_margin       = resume_point_->whole.fine_margin;
           }
-        model_          = make_model(scene_, communicator_);
+        geometry_       = make_geometry(scene_);
+        model_          = make_model(scene_, *geometry_, communicator_);
         const auto mode = resume_point_        ? FolderMode::resume
                           : options_.overwrite ? FolderMode::overwrite
                                                : FolderMode::fresh;
@@ -123,25 +124,26 @@ namespace wheelrail
       void
       leave_word(const std::string &error) const;
 
-      Scene                      scene_;
-      const RunOptions          &options_;
-      double                     start_;
-      MPI_Comm                   communicator_ = MPI_COMM_WORLD;
-      int                        rank_ = 0, size_ = 1;
-      std::vector<std::string>   warnings_; ///< what the machine may lack
-      Log                        log_;
-      Model                      model_;
-      std::optional<ResumePoint> resume_point_;
-      SavedStates                states_;
-      std::unique_ptr<Axle>      axle_;
-      std::unique_ptr<Rolling>   rolling_;
-      std::unique_ptr<Recorder>  recorder_;
-      std::unique_ptr<RunParts>  parts_;
-      std::unique_ptr<RunOutput> output_;
-      unsigned int               tick_           = 0;
-      double                     loop_start_     = 0;                   ///< of this part of the run [s]
-      unsigned long              first_step_     = 0;                   ///< steps before this part
-      double                     first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
+      Scene                        scene_;
+      const RunOptions            &options_;
+      double                       start_;
+      MPI_Comm                     communicator_ = MPI_COMM_WORLD;
+      int                          rank_ = 0, size_ = 1;
+      std::vector<std::string>     warnings_; ///< what the machine may lack
+      Log                          log_;
+      std::optional<SceneGeometry> geometry_;
+      Model                        model_;
+      std::optional<ResumePoint>   resume_point_;
+      SavedStates                  states_;
+      std::unique_ptr<Axle>        axle_;
+      std::unique_ptr<Rolling>     rolling_;
+      std::unique_ptr<Recorder>    recorder_;
+      std::unique_ptr<RunParts>    parts_;
+      std::unique_ptr<RunOutput>   output_;
+      unsigned int                 tick_           = 0;
+      double                       loop_start_     = 0;                   ///< of this part of the run [s]
+      unsigned long                first_step_     = 0;                   ///< steps before this part
+      double                       first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
     };
 
 
@@ -150,7 +152,7 @@ namespace wheelrail
     Simulation::set_out()
     {
       on_root(communicator_, [&]() { log_ = Log(scene_.folder + "/log.txt", resume_point_.has_value()); });
-      write_header(log_, scene_, model_, size_, warnings_);
+      write_header(log_, scene_, model_, size_, geometry_->notes, warnings_);
       log_.value("set-up", format_duration(seconds() - start_));
       if (options_.resume && !resume_point_)
         log_.warning("the run in this folder had not saved a state yet; it starts anew");
@@ -164,7 +166,7 @@ namespace wheelrail
     void
     Simulation::start_rolling()
     {
-      const RunStart start = start_on_wide_mesh(scene_, model_, log_, communicator_);
+      const RunStart start = start_on_wide_mesh(scene_, *geometry_, model_, log_, communicator_);
       make_rolling(start.lift, start.rate);
       if (scene_.volume_fields)
         output_->volume("volume_start");

@@ -1,4 +1,4 @@
-#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/sampling/fields.h>
 #include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/stress_recovery.h>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
 #include <ostream>
@@ -19,9 +20,12 @@ namespace wheelrail
   /// shifts at which the contact point jumps, and the details of the scene's own shift.
   ///
   /// A shift without contact gets a line that says so. Returns the exit code: 0, or 1 when the
-  /// scene's own shift has no contact. Throws InputError for unknown profiles.
+  /// scene's own shift has no contact.
   int
-  run_geometry_command(const Scene &scene, const std::vector<double> &shifts, std::ostream &out);
+  run_geometry_command(const Scene               &scene,
+                       const SceneProfiles       &profiles,
+                       const std::vector<double> &shifts,
+                       std::ostream              &out);
 
   /// Shifts in metres from "-6:6:0.5" (first:last:step) or "-5.5,0,5.5", both in mm.
   /// Throws InputError.

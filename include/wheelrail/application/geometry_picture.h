@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
 #include <ostream>
@@ -12,8 +13,10 @@ namespace wheelrail
   /// own shift, the contact point, further points that touch under load, and the undeformed distance along
   /// the common tangent. Tells the name of the picture.
   ///
-  /// Throws InputError when there is no contact at the scene's shift, RunError when a file cannot be
-  /// written or the script fails.
+  /// Throws RunError when a file cannot be written or the script fails.
   void
-  draw_profiles(const Scene &scene, const std::string &name, std::ostream &out);
+  draw_profiles(const Scene         &scene,
+                const SceneGeometry &geometry,
+                const std::string   &name,
+                std::ostream        &out);
 } // namespace wheelrail

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
 #include <ostream>
@@ -20,7 +21,10 @@ namespace wheelrail
   /// "<Output/Folder>-halfspace". Where file names are given, also writes inputs for the program CONTACT.
   /// Returns the exit code. Throws InputError, RunError.
   int
-  run_halfspace_command(const Scene &scene, const ContactInputFiles &inputs, std::ostream &out);
+  run_halfspace_command(const Scene             &scene,
+                        const SceneGeometry     &geometry,
+                        const ContactInputFiles &inputs,
+                        std::ostream            &out);
 
   /// Runs a script of source/report with Debian's Python and waits for it; returns its exit code.
   /// Throws RunError when Python cannot be started.

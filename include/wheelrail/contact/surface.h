@@ -2,6 +2,7 @@
 
 #include <wheelrail/base/vector3.h>
 #include <wheelrail/geometry/running_surfaces.h>
+#include <wheelrail/mesh/lattice.h>
 #include <wheelrail/mesh/local_mesh.h>
 
 #include <mpi.h>
@@ -10,21 +11,6 @@
 
 namespace wheelrail
 {
-  /// The lattice on which the vertices of a running surface lie in the fine zone: stations along
-  /// the track at `first_station + i` times `spacing_along`, rows across at `s_begin + j spacing`.
-  struct Lattice
-  {
-    int          first_station = 0;
-    unsigned int n_along = 0, n_lateral = 0;
-    double       spacing_along = 0, s_begin = 0, spacing_lateral = 0; ///< [m]
-
-    std::size_t
-    index(const unsigned int i, const unsigned int j) const
-    {
-      return std::size_t(i) * n_lateral + j;
-    }
-  };
-
   /// The running surface of one body in its fine zone, known to all ranks; index i n_lateral + j.
   struct Surface
   {

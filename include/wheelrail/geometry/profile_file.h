@@ -45,6 +45,11 @@ namespace wheelrail
     std::vector<std::string> notes;     ///< what was found and what was done, one sentence each
   };
 
+  /// Whether a value that may be a name of the program's own (of a standard profile, say) means a file: it
+  /// has a dot or a slash, which no such name has.
+  bool
+  is_file_name(const std::string &name);
+
   /// Reads a wheel or rail profile (SIMPACK, MiniProf, two columns; profile_formats.h) and turns it
   /// into x positive to the field side, y up, running from the field side to the gauge side (rail:
   /// the head down to at most 35 mm below its top) or to the flange back (wheel). The origin stays

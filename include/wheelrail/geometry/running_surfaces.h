@@ -27,6 +27,11 @@ namespace wheelrail
     std::vector<double> height_, slope_;
   };
 
+  /// Half the length of the stretch along the track where the undeformed wheel, lowered by `approach` [m],
+  /// dips into the rail, by the parabola z^2 / (2 r) [m]: no patch is longer.
+  double
+  half_length_bound(double approach, double rolling_radius);
+
   /// The two running surfaces in their reference state: the rail's a cylinder along Z, the wheel's a
   /// surface of revolution about its axle.
   struct RunningSurfaces

@@ -6,33 +6,13 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/affine_constraints.h>
 
-#include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/mesh/local_mesh.h>
-#include <wheelrail/mesh/wheel_section.h>
+#include <wheelrail/mesh/sweep_plan.h>
+
+#include <array>
 
 namespace wheelrail
 {
-  /// How the two sections are swept and where the finest cells go.
-  ///
-  /// Track frame: X towards the track centre, Y up, Z along the track in the rolling direction, Z = 0
-  /// at the contact point of the start. The wheel's arc coordinate is the angle in front of the
-  /// contact times the rolling radius, so that arc coordinate and Z meet in rolling.
-  struct SweepPlan
-  {
-    Section             rail;          ///< in the track plane
-    std::vector<double> rail_stations; ///< coarse block borders along Z [m], ascending
-
-    Section      wheel;         ///< (lateral, radius)
-    unsigned int sectors = 180; ///< coarse blocks around the wheel
-
-    FineStrip       strip;
-    RunningSurfaces surfaces;
-    unsigned int    levels     = 4;    ///< refinements from the coarse blocks to the finest cells
-    double          fine_depth = 5e-3; ///< of the finest cells below the running surface [m]
-    double          fine_begin = 0;    ///< range of Z and of the arc coordinate with finest cells [m]
-    double          fine_end   = 0;
-  };
-
   /// Wheel and rail in one p4est forest, refined towards the strip where they touch.
   ///
   /// All cells that overlap the box below the strip are of the finest level. Cells beside it grow with

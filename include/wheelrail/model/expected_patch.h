@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
 namespace wheelrail
@@ -25,15 +26,10 @@ namespace wheelrail
   double
   expected_approach(const Scene &scene, double rolling_radius);
 
-  /// Half the length of the stretch where the undeformed wheel, lowered by `approach` [m], dips into
-  /// the rail [m]: no patch is longer.
-  double
-  half_length_bound(double approach, double rolling_radius);
-
   /// Size of the patch as the stretch where the undeformed profiles interpenetrate at 0.55 of the
   /// approach, the rule of Kik and Piotrowski (1996); some 10 % too long for a wheel on a rail head.
   ExpectedPatch
-  expected_patch(const Scene &scene, const ContactGeometry &geometry);
+  expected_patch(const Scene &scene, const SceneGeometry &geometry);
 
   /// Number of hexahedra of the mesh, to about a third: a fixed strip of solution cells on both
   /// bodies, the cells around it, and coarse cells in the rest.

@@ -2,14 +2,17 @@
 
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/mesh/forest.h>
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 #include <wheelrail/wheelset/axle.h>
+
+#include <mpi.h>
 
 #include <memory>
 
 namespace wheelrail
 {
-  /// Everything a run is made of, built from a scene: geometry, mesh, bodies, contact.
+  /// Everything a run is made of, built from a scene: mesh, bodies, contact, axle.
   struct Model
   {
     ContactGeometry          geometry;
@@ -29,11 +32,12 @@ namespace wheelrail
   Plasticity
   plasticity(const MaterialData &material);
 
-  /// Where the fine zone lies and how the sections are swept, for a contact found by 2D-Geo.
+  /// Where the fine zone lies and how the sections are swept. Throws InputError and RunError as
+  /// make_sweep_plan() does.
   SweepPlan
-  sweep_plan(const Scene &scene, const ContactGeometry &geometry, double expected_approach);
+  sweep_plan(const Scene &scene, const SceneGeometry &geometry);
 
   /// Builds the model. Throws InputError when the scene cannot be built. Collective.
   Model
-  make_model(const Scene &scene, MPI_Comm communicator);
+  make_model(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator);
 } // namespace wheelrail

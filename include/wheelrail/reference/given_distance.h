@@ -9,11 +9,11 @@ namespace wheelrail
   distance_is_given(const Scene &scene);
 
   /// Solves steady rolling with the undeformed distance of Half-space/Undeformed distance: Hertzian
-  /// (Hertz, 1882) or from a file. Normal force (auto: static wheel load) or approach are given, the
-  /// longitudinal force is traction coefficient x normal force, or with Drive = rate the creepage is given;
-  /// spin is sin(Contact angle) / Radius along. Rail as body 1, no inclination of the contact plane. Throws
-  /// InputError for a faulty file, for a force and an approach at once, and for a longitudinal force beyond
-  /// friction.
+  /// (Hertz, 1882) or from a file. Normal force (auto: static wheel load of the wheel that touches the rail)
+  /// or approach are given, the longitudinal force is traction coefficient x normal force, or with Drive =
+  /// rate the creepage is given; spin is sin(Contact angle) / Radius along. Rail as body 1, no inclination of
+  /// the contact plane. Throws InputError for a faulty file, for a force and an approach at once, and for a
+  /// longitudinal force beyond friction.
   WheelRailSolution
-  solve_given_distance(const Scene &scene);
+  solve_given_distance(const Scene &scene, const SceneGeometry &geometry);
 } // namespace wheelrail

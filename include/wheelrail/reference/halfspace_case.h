@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/halfspace/problem.h>
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/scene/scene.h>
@@ -46,22 +47,25 @@ namespace wheelrail
   /// Weight of sprung mass, axle and wheel [N]; the wheel's mass is that of the section a run would mesh,
   /// turned around the axle, times its density. Throws InputError when there is no such section.
   double
-  static_wheel_load(const Scene &scene);
+  static_wheel_load(const Scene &scene, const SceneGeometry &geometry);
 
   /// What the scene's own entries ask for: static wheel load, traction coefficient or creepage.
   WheelRailLoad
-  scene_load(const Scene &scene);
+  scene_load(const Scene &scene, const SceneGeometry &geometry);
 
   /// Offsets of the scene's subsection Half-space.
   SectionOffsets
   scene_offsets(const Scene &scene);
 
-  /// Solves the contact of the scene's profiles at its lateral shift in steady rolling. The undeformed
+  /// Solves the contact of the profiles in steady rolling. The undeformed
   /// distance is exact in the lateral direction and x^2 / (2 r) along the rail; materials, friction, speed,
-  /// element size and spin are those of the scene (doc/manual/compare.md). Throws InputError when wheel and
-  /// rail do not touch or the longitudinal force exceeds friction.
+  /// element size and spin are those of the scene (doc/manual/compare.md). Throws InputError when the
+  /// longitudinal force exceeds friction.
   WheelRailSolution
-  solve_wheel_rail(const Scene &scene, const WheelRailLoad &load, const SectionOffsets &offsets);
+  solve_wheel_rail(const Scene          &scene,
+                   const SceneGeometry  &geometry,
+                   const WheelRailLoad  &load,
+                   const SectionOffsets &offsets);
 
   /// The figures of a solution under the names of a run's summary, in its signs.
   Summary

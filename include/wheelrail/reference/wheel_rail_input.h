@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
 #include <string>
@@ -20,8 +21,9 @@ namespace wheelrail
   /// files are named by `rail_file` and `wheel_file`. Throws InputError for friction that depends on speed, a
   /// wheelset that rolls, and a distance that is not that of the profiles.
   WheelRailInput
-  wheel_rail_input(const Scene       &scene,
-                   double             vertical_load,
-                   const std::string &rail_file,
-                   const std::string &wheel_file);
+  wheel_rail_input(const Scene         &scene,
+                   const SceneGeometry &geometry,
+                   double               vertical_load,
+                   const std::string   &rail_file,
+                   const std::string   &wheel_file);
 } // namespace wheelrail

@@ -28,5 +28,9 @@ namespace wheelrail
   /// most, and the model made anew. Where profiles conform, as in the root of the flange, small moves of the
   /// loaded bodies open a second patch beside the one that the profiles let expect. Collective.
   RunStart
-  start_on_wide_mesh(Scene &scene, Model &model, Log &log, MPI_Comm communicator);
+  start_on_wide_mesh(Scene               &scene,
+                     const SceneGeometry &geometry,
+                     Model               &model,
+                     Log                 &log,
+                     MPI_Comm             communicator);
 } // namespace wheelrail

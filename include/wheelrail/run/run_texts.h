@@ -22,13 +22,14 @@ namespace wheelrail
   std::string
   mesh_text(const MeshQuality &q);
 
-  /// Writes what a run starts from: contact point, load, mesh, time step, contact stiffness, and the
-  /// warnings of the cross-checks.
+  /// Writes what a run starts from: contact point, load, mesh, time step, contact stiffness, the notes on
+  /// profile files, and the warnings of the checks.
   void
   write_header(Log                            &log,
                const Scene                    &scene,
                const Model                    &model,
                int                             ranks,
+               const std::vector<std::string> &profile_notes,
                const std::vector<std::string> &warnings);
 
   /// Adds the rigid motions of rail head and wheel rim near the contact to the figures of a run, see

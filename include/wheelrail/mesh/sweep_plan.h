@@ -1,0 +1,57 @@
+#pragma once
+
+#include <wheelrail/geometry/running_surfaces.h>
+#include <wheelrail/geometry/touching_profiles.h>
+#include <wheelrail/mesh/fine_strip.h>
+#include <wheelrail/mesh/section.h>
+#include <wheelrail/mesh/wheel_section.h>
+
+#include <vector>
+
+namespace wheelrail
+{
+  /// How the two sections are swept and where the finest cells go.
+  ///
+  /// Track frame: X towards the track centre, Y up, Z along the track in the rolling direction, Z = 0
+  /// at the contact point of the start. The wheel's arc coordinate is the angle in front of the
+  /// contact times the rolling radius, so that arc coordinate and Z meet in rolling.
+  struct SweepPlan
+  {
+    Section             rail;          ///< in the track plane
+    std::vector<double> rail_stations; ///< coarse block borders along Z [m], ascending
+
+    Section      wheel;         ///< (lateral, radius)
+    unsigned int sectors = 180; ///< coarse blocks around the wheel
+
+    FineStrip       strip;
+    RunningSurfaces surfaces;
+    unsigned int    levels     = 4;    ///< refinements from the coarse blocks to the finest cells
+    double          fine_depth = 5e-3; ///< of the finest cells below the running surface [m]
+    double          fine_begin = 0;    ///< range of Z and of the arc coordinate with finest cells [m]
+    double          fine_end   = 0;
+
+    /// Length of a coarse block on the running circle [m]; where the wheel rolls, the stations of the rail
+    /// are its multiples, too.
+    double
+    block_length() const;
+  };
+
+  /// The lengths that a sweep plan is made with [m].
+  struct SweepSizes
+  {
+    double cell        = 0; ///< of the finest cells
+    double coarse      = 0; ///< of the blocks; the nearest of cell, 2 cell, 4 cell, ... is taken
+    double fine_depth  = 0; ///< of the finest cells below the running surface
+    double fine_margin = 0; ///< of finest cells around the expected patch
+    double approach    = 0; ///< of wheel and rail under the load, expected
+    double distance    = 0; ///< that the wheel rolls
+    double rail_length = 0; ///< its middle lies under that of the rolled stretch
+  };
+
+  /// Lays out the sections, the strip of finest cells, and the stations along rail and wheel. The finest
+  /// cells cover the rolled stretch and, before and behind it, the reach of the undeformed wheel
+  /// (half_length_bound) and the margin. Throws InputError when the rail is too short for them or a section
+  /// cannot be divided, RunError when a block would be folded.
+  SweepPlan
+  make_sweep_plan(const TouchingProfiles &profiles, const WheelDimensions &wheel, const SweepSizes &sizes);
+} // namespace wheelrail

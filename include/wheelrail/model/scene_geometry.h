@@ -1,0 +1,39 @@
+#pragma once
+
+#include <wheelrail/geometry/touching_profiles.h>
+#include <wheelrail/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The rail and the wheel of a scene, standard ones or read from files (measured_profiles.h).
+  struct SceneProfiles
+  {
+    RailProfile  rail;
+    WheelProfile wheel;
+    std::vector<std::string>
+      notes; ///< what was found in files and done to them, with entry and file in front
+  };
+
+  /// All that follows from profiles and track of a scene alone. A command makes it once and hands it to
+  /// whatever needs profiles: checks, model, half-spaces, texts.
+  struct SceneGeometry : TouchingProfiles
+  {
+    std::vector<std::string> notes; ///< as those of the profiles
+  };
+
+  /// Reads and smooths the profiles. Throws InputError that names the entry.
+  SceneProfiles
+  read_profiles(const Scene &scene);
+
+  /// Puts the profiles in touch at the scene's lateral shift, see touching_profiles(). Throws InputError when
+  /// they do not touch there.
+  SceneGeometry
+  make_geometry(const Scene &scene, SceneProfiles profiles);
+
+  /// Both.
+  SceneGeometry
+  make_geometry(const Scene &scene);
+} // namespace wheelrail

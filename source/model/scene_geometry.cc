@@ -1,0 +1,91 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/measured_profiles.h>
+#include <wheelrail/model/scene_geometry.h>
+
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Reads a file and makes the profile of it; messages and notes get the name of the entry in front.
+    template <typename Make>
+    auto
+    from_file(const std::string        &entry,
+              const std::string        &path,
+              const ProfileFileOptions &options,
+              const Make               &make,
+              std::vector<std::string> &notes)
+    {
+      try
+        {
+          MeasuredProfile measured = read_profile_file(path, options);
+          auto            profile  = make(measured, measured.notes);
+          for (const std::string &note : measured.notes)
+            notes.push_back(entry + " = " + path + ": " + note);
+          return profile;
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(entry + ": " + error.what());
+        }
+    }
+
+    WheelProfile
+    read_wheel(const Scene &scene, std::vector<std::string> &notes)
+    {
+      if (!is_file_name(scene.wheel_profile))
+        return wheel_profile(scene.wheel_profile);
+      return from_file(
+        "Profiles/Wheel",
+        scene.wheel_profile,
+        scene.wheel_file,
+        [&](const MeasuredProfile &measured, std::vector<std::string> &more) {
+          return measured_wheel(measured, scene.wheel.rim_width, more);
+        },
+        notes);
+    }
+
+    RailProfile
+    read_rail(const Scene &scene, std::vector<std::string> &notes)
+    {
+      if (!is_file_name(scene.rail_profile))
+        return rail_profile(scene.rail_profile);
+      return from_file(
+        "Profiles/Rail",
+        scene.rail_profile,
+        scene.rail_file,
+        [&](const MeasuredProfile &measured, std::vector<std::string> &more) {
+          return measured_rail(measured, scene.rail_body, more);
+        },
+        notes);
+    }
+  } // namespace
+
+
+  SceneProfiles
+  read_profiles(const Scene &scene)
+  {
+    SceneProfiles profiles;
+    profiles.wheel = read_wheel(scene, profiles.notes);
+    profiles.rail  = read_rail(scene, profiles.notes);
+    return profiles;
+  }
+
+
+  SceneGeometry
+  make_geometry(const Scene &scene, SceneProfiles profiles)
+  {
+    return {
+      touching_profiles(
+        std::move(profiles.rail), std::move(profiles.wheel), scene.track, scene.lateral_shift, scene.roll),
+      std::move(profiles.notes)};
+  }
+
+
+  SceneGeometry
+  make_geometry(const Scene &scene)
+  {
+    return make_geometry(scene, read_profiles(scene));
+  }
+} // namespace wheelrail
