@@ -201,6 +201,27 @@ namespace
     const auto below = subsurface_stresses(
       rolling, sphere.body2, HalfspaceSide::body2, {{sphere.grid.x(i), sphere.grid.y(j), 0}})[0];
     check_relative(below.xn, -rolling.traction_x[e], 1e-9, "sigma_xn is the same in body 2");
+    // layers by FFT against sums over the elements
+    for (const auto side : {HalfspaceSide::body1, HalfspaceSide::body2})
+      {
+        const HalfspaceBody &body = side == HalfspaceSide::body1 ? sphere.body1 : sphere.body2;
+        SubsurfaceLayers     layers(rolling, body, side);
+        double               worst = 0;
+        for (const double depth : {0., 0.3e-3, 3e-3})
+          {
+            const HalfspaceStress layer = layers.at(depth)[e];
+            const HalfspaceStress sum =
+              subsurface_stresses(rolling, body, side, {{sphere.grid.x(i), sphere.grid.y(j), depth}})[0];
+            for (const auto c : {&HalfspaceStress::xx,
+                                 &HalfspaceStress::yy,
+                                 &HalfspaceStress::nn,
+                                 &HalfspaceStress::xy,
+                                 &HalfspaceStress::xn,
+                                 &HalfspaceStress::yn})
+              worst = std::max(worst, std::abs(layer.*c - sum.*c));
+          }
+        check_near(worst / p0, 0, 1e-12, "layers against sums over the elements, over p0");
+      }
     // div sigma = 0 by central differences inside body 1.
     const double h = 0.02e-3, x = 2e-3, y = 1e-3, z = 2e-3;
     const auto   px = at(rolling, x + h, y, z), mx = at(rolling, x - h, y, z), py = at(rolling, x, y + h, z),

@@ -6,6 +6,7 @@
 #include <wheelrail/reference/contact_input.h>
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/reference/wheel_rail_input.h>
 
 #include <cmath>
@@ -55,6 +56,27 @@ namespace wheelrail
       replace_file((whole.parent_path() / wheel).string(), files.wheel);
       replace_file(path, files.input);
     }
+
+    void
+    print_stresses(const HalfspaceStresses &stresses, std::ostream &out)
+    {
+      char text[256];
+      if (stresses.subsurface_von_mises > 0)
+        std::snprintf(text,
+                      sizeof(text),
+                      "Largest von Mises stress: %.1f MPa %.2f mm below the surface, in the %s; %.1f MPa at "
+                      "the surface\n",
+                      1e-6 * stresses.subsurface_von_mises,
+                      1e3 * stresses.subsurface_depth,
+                      stresses.subsurface_body == Body::rail ? "rail" : "wheel",
+                      1e-6 * stresses.surface_von_mises);
+      else
+        std::snprintf(text,
+                      sizeof(text),
+                      "Largest von Mises stress: %.1f MPa at the surface, from which it falls everywhere\n",
+                      1e-6 * stresses.surface_von_mises);
+      out << text;
+    }
   } // namespace
 
 
@@ -72,8 +94,15 @@ namespace wheelrail
       replace_file(inputs.basic, contact_input(result.problem, scene.title));
     if (!inputs.wheel_rail.empty())
       write_wheel_rail_input(scene, geometry, result.vertical, inputs.wheel_rail);
-    const Summary        figures = halfspace_summary(scene, result);
-    const HalfspaceGrid &grid    = result.solution.grid;
+    const HalfspaceStresses stresses = halfspace_stresses(result);
+    const HalfspaceGrid    &grid     = result.solution.grid;
+    Summary                 figures  = halfspace_summary(scene, result);
+    set_figure(figures, "surface_von_mises_Pa", stresses.surface_von_mises);
+    if (stresses.subsurface_von_mises > 0)
+      {
+        set_figure(figures, "subsurface_von_mises_Pa", stresses.subsurface_von_mises);
+        set_figure(figures, "subsurface_von_mises_depth_m", stresses.subsurface_depth);
+      }
 
     char text[256];
     std::snprintf(text,
@@ -87,6 +116,7 @@ namespace wheelrail
                   grid.my);
     out << text;
     print_summary(figures, out);
+    print_stresses(stresses, out);
 
     std::filesystem::path folder = scene.folder;
     if (!folder.has_filename())
@@ -97,6 +127,8 @@ namespace wheelrail
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     TickFile patches((folder / "halfspace.h5").string(), false, 0);
     append_patch(patches, result.patch);
+    TickFile slices((folder / "slices.h5").string(), false, 0);
+    append_slices(slices, result.patch.time, result.patch.rolled_distance, stresses.slices);
     write_summary(figures, (folder / "summary.json").string());
     out << "Results in " << folder.string() << std::endl;
     run_script("halfspace.py", {folder.string()});

@@ -1,7 +1,9 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/halfspace/subsurface.h>
 
+#include <array>
 #include <cmath>
+#include <string>
 
 namespace wheelrail
 {
@@ -96,6 +98,41 @@ namespace wheelrail
       s.xn += factor * (qx * d.zzz - z * b_xz);
       s.yn += factor * (qy * d.zzz - z * b_yz);
     }
+
+    /// Stresses at (x, y, z) from the centre of a loaded element dx x dy.
+    void
+    add_element(const HalfspaceGrid &grid,
+                const double         nu,
+                const double         x,
+                const double         y,
+                const double         z,
+                const double         qx,
+                const double         qy,
+                const double         p,
+                HalfspaceStress     &s)
+    {
+      Derivatives d;
+      add_corner(1, x + grid.dx / 2, y + grid.dy / 2, z, d);
+      add_corner(-1, x + grid.dx / 2, y - grid.dy / 2, z, d);
+      add_corner(-1, x - grid.dx / 2, y + grid.dy / 2, z, d);
+      add_corner(1, x - grid.dx / 2, y - grid.dy / 2, z, d);
+      add_stress(d, nu, z, qx, qy, p, s);
+    }
+
+    void
+    check_depth(const double depth)
+    {
+      if (!(depth >= 0))
+        throw InputError("Subsurface stresses: the depth " + std::to_string(depth) +
+                         " m is negative; depths count into the body.");
+    }
+
+    constexpr std::array<double HalfspaceStress::*, 6> components = {&HalfspaceStress::xx,
+                                                                     &HalfspaceStress::yy,
+                                                                     &HalfspaceStress::nn,
+                                                                     &HalfspaceStress::xy,
+                                                                     &HalfspaceStress::xn,
+                                                                     &HalfspaceStress::yn};
   } // namespace
 
   double
@@ -117,32 +154,96 @@ namespace wheelrail
     for (std::size_t k = 0; k < points.size(); ++k)
       {
         const SubsurfacePoint &point = points[k];
-        if (!(point.depth >= 0))
-          throw InputError("Subsurface stresses: the depth " + std::to_string(point.depth) +
-                           " m is negative; depths count into the body.");
+        check_depth(point.depth);
         for (int j = 0; j < g.my; ++j)
           for (int i = 0; i < g.mx; ++i)
             {
               const int e = i + g.mx * j;
               if (solution.pressure[e] <= 0)
                 continue;
-              const double x = point.x - g.x(i), y = point.y - g.y(j), z = point.depth;
-              Derivatives  d;
-              add_corner(1, x + g.dx / 2, y + g.dy / 2, z, d);
-              add_corner(-1, x + g.dx / 2, y - g.dy / 2, z, d);
-              add_corner(-1, x - g.dx / 2, y + g.dy / 2, z, d);
-              add_corner(1, x - g.dx / 2, y - g.dy / 2, z, d);
-              add_stress(d,
-                         body.poisson_ratio,
-                         z,
-                         sign * solution.traction_x[e],
-                         sign * solution.traction_y[e],
-                         solution.pressure[e],
-                         stresses[k]);
+              add_element(g,
+                          body.poisson_ratio,
+                          point.x - g.x(i),
+                          point.y - g.y(j),
+                          point.depth,
+                          sign * solution.traction_x[e],
+                          sign * solution.traction_y[e],
+                          solution.pressure[e],
+                          stresses[k]);
             }
         // Depth runs against n in body 2.
         stresses[k].xn *= sign;
         stresses[k].yn *= sign;
+      }
+    return stresses;
+  }
+
+
+  SubsurfaceLayers::SubsurfaceLayers(const HalfspaceSolution &solution,
+                                     const HalfspaceBody     &body,
+                                     const HalfspaceSide      side)
+    : grid_(solution.grid)
+    , poisson_ratio_(body.poisson_ratio)
+    , sign_(side == HalfspaceSide::body1 ? 1 : -1)
+    , products_(solution.grid)
+  {
+    products_.forward(solution.traction_x, loads_[0]);
+    products_.forward(solution.traction_y, loads_[1]);
+    products_.forward(solution.pressure, loads_[2]);
+    for (const int traction : {0, 1})
+      for (auto &value : loads_[traction])
+        value *= sign_;
+  }
+
+
+  std::vector<HalfspaceStress>
+  SubsurfaceLayers::at(const double depth)
+  {
+    check_depth(depth);
+    // stresses under a unit of each load, by the distance in elements
+    const int                                   nx = 2 * grid_.mx - 1, ny = 2 * grid_.my - 1;
+    std::array<std::vector<HalfspaceStress>, 3> unit;
+    for (int load = 0; load < 3; ++load)
+      {
+        unit[load].resize(std::size_t(nx) * ny);
+        for (int j = 0; j < ny; ++j)
+          for (int i = 0; i < nx; ++i)
+            add_element(grid_,
+                        poisson_ratio_,
+                        (i - grid_.mx + 1) * grid_.dx,
+                        (j - grid_.my + 1) * grid_.dy,
+                        depth,
+                        load == 0,
+                        load == 1,
+                        load == 2,
+                        unit[load][i + std::size_t(nx) * j]);
+      }
+
+    std::vector<HalfspaceStress> stresses(grid_.size());
+    std::vector<double>          field;
+    InfluenceProducts::Spectrum  sum;
+    for (std::size_t c = 0; c < components.size(); ++c)
+      {
+        sum.assign(products_.spectrum_size(), 0.);
+        for (int load = 0; load < 3; ++load)
+          {
+            const auto kernel = products_.kernel([&](const double x, const double y) {
+              const long i = std::lround(x / grid_.dx) + grid_.mx - 1;
+              const long j = std::lround(y / grid_.dy) + grid_.my - 1;
+              // distances beyond the grid, which the doubled one has, meet no load
+              return i < 0 || j < 0 || i >= nx || j >= ny ? 0. : unit[load][i + nx * j].*components[c];
+            });
+            for (std::size_t m = 0; m < sum.size(); ++m)
+              sum[m] += kernel[m] * loads_[load][m];
+          }
+        products_.backward(sum, field);
+        for (std::size_t e = 0; e < stresses.size(); ++e)
+          stresses[e].*components[c] = field[e];
+      }
+    for (HalfspaceStress &s : stresses) // depth runs against n in body 2
+      {
+        s.xn *= sign_;
+        s.yn *= sign_;
       }
     return stresses;
   }

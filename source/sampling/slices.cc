@@ -28,9 +28,6 @@ namespace wheelrail
                                                {"stress_xy", "Pa"},
                                                {"plastic_strain", "1"}};
 
-    /// Deep enough for the stresses of a patch of some 20 mm.
-    constexpr double depth_of_slices = 15e-3;
-
     /// Where a slice runs over the lattice of the contact: nodes at both sides of every point of the line,
     /// and the weight of the second.
     struct Line

@@ -8,6 +8,9 @@
 
 namespace wheelrail
 {
+  /// Deepest point of a slice [m]: deep enough for the stresses of a patch of some 20 mm.
+  constexpr double depth_of_slices = 15e-3;
+
   /// A plane cut through one body below the contact: points at `position` x `depth`, index
   /// i depth.size() + j.
   ///
