@@ -239,7 +239,8 @@ namespace wheelrail
   FrictionSystem::inverse_block(const double *r, std::vector<double> &result)
   {
     result.assign(2 * n_, 0.);
-    if (c_ > 0.3 * kernels_.diagonal) // then B + c is nearly diagonal
+    // B + c is then nearly diagonal; the preconditioner decides on speed only
+    if (c_ > 0.3 * kernels_.diagonal)
       for (std::size_t k = 0; k < 2 * n_; ++k)
         result[k] = r[k] / b_;
     else

@@ -45,7 +45,7 @@ namespace wheelrail
         {
           std::vector<double> sorted(distance);
           std::nth_element(sorted.begin(), sorted.begin() + n / 4, sorted.end());
-          level = sorted[n / 4];
+          level = sorted[n / 4]; // a quarter of the grid in contact: a start like any other
         }
       contact.pressure.assign(n, 0.);
       for (std::size_t k = 0; k < n; ++k)

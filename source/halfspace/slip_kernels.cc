@@ -33,6 +33,7 @@ namespace wheelrail
     for (std::size_t m = 0; m < xx.size(); ++m)
       {
         const double a = std::abs(xx[m].real()), b = xy[m].real(), d = std::abs(yy[m].real());
+        // a preconditioner only: kept away from singular where the cut kernels' symbol is not definite
         const double det = std::max(a * d - b * b, 0.01 * a * d);
         k.inverse_xx[m]  = scale * d / det;
         k.inverse_xy[m]  = -scale * b / det;

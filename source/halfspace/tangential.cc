@@ -8,6 +8,8 @@ namespace wheelrail
 {
   namespace
   {
+    // Newton steps that are exact to 1e-3 gain three digits each, enough where the sets of slip still change;
+    // the limits lie far beyond what cases need: 25 products and 11 steps (doc/theory/halfspace.md)
     constexpr double krylov_tolerance   = 1e-3;
     constexpr int    max_krylov         = 200;
     constexpr int    max_inner_steps    = 12; ///< of one proximal point
@@ -71,6 +73,7 @@ namespace wheelrail
                   return true;
                 }
             }
+          // after a failure back beyond the last c that went well (8 x 0.3 > 1)
           c *= good ? 0.3 : 8;
         }
       return false;

@@ -70,6 +70,7 @@ namespace wheelrail
     {
       const double end   = rail.head.curve->parameter_end();
       const double depth = running_layer_depth * rail.block_size;
+      // the middle of the rounded corner, which turns from the slope of the crown to the side of the head
       const double field =
         rail.head.find_tangent(50 * degree, 0, end, "rounded upper corner on the field side");
       const double gauge =
@@ -103,7 +104,9 @@ namespace wheelrail
     {
       SectionBuilder    &builder = rail.builder;
       const unsigned int n       = layer.outer.size() - 1;
-      const double       depth   = std::min(0.85 * rail.block_size, 0.013);
+      // of the blocks at sides and underside: a proportion that keeps their angles (tests/mesh_sections.cc),
+      // at most 13 mm, so that large blocks leave a core between them
+      const double depth = std::min(0.85 * rail.block_size, 0.013);
 
       Side &inner = rail.layer_inner;
       for (const Point2 &p : layer.inner)
@@ -282,7 +285,7 @@ namespace wheelrail
     rail.field       = find_half(rail.outline, 1, profile.height);
     rail.gauge       = find_half(rail.outline, -1, profile.height);
     rail.block_size  = block_size;
-    rail.web_columns = std::max(2u, block_count(0.016, block_size));
+    rail.web_columns = std::max(2u, block_count(0.016, block_size)); // webs of 54E1 and 60E1: 16 to 16.5 mm
 
     const RunningLayer layer = make_top_layer(rail, placement, strip);
     const Side         neck  = make_head(rail, layer);

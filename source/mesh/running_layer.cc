@@ -50,6 +50,7 @@ namespace wheelrail
       const double rest  = sign * signed_length(curve, strip, end.parameter);
       if (end.movable)
         return rest < input.block_size ? curve.advance(strip, sign * input.block_size) : end.parameter;
+      // thinner rests would be cells that cut the stable time step
       if (rest < 0.05 * input.block_size)
         throw InputError("The fine strip ends " + in_mm(std::abs(rest)) + (rest < 0 ? " beyond" : " before") +
                          " the end of the running surface; " + in_mm(0.05 * input.block_size) +

@@ -26,7 +26,7 @@ namespace wheelrail
       unsigned int    disc_columns = 2;
     };
 
-    // Parameters of `field` and `gauge` in the middle of the fillets.
+    // Parameters of `field` and `gauge` in the middle of the fillets, which are their segments 1 and 3.
     constexpr double rim_fillet = 1.5, hub_fillet = 3.5;
 
     Segment
@@ -83,6 +83,7 @@ namespace wheelrail
               "the disc with its fillets must lie within the width of the rim.");
       require(std::abs(d.hub_position - d.disc_position) + half < 0.5 * d.hub_length,
               "the disc with its fillets must lie within the length of the hub.");
+      // a profile as wide as the rim, but for what its file rounds off, is accepted
       require(tread_width < d.rim_width + 1e-4,
               "the profile is " + in_mm(tread_width) + " wide, which is more than the rim width of " +
                 in_mm(d.rim_width) + ". Shorten the profile or widen the rim.");

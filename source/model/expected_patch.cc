@@ -27,6 +27,7 @@ namespace wheelrail
   double
   expected_load(const Scene &scene)
   {
+    // the default section, turned around the axle, has 344 kg: that changes the approach by 0.15 %
     constexpr double usual_wheel = 320;
     return (scene.sprung_mass + scene.axle_mass + usual_wheel) * scene.gravity;
   }
@@ -63,6 +64,8 @@ namespace wheelrail
     constexpr double rail_area = 7e-3, wheel_volume = 0.04;
     const double     h = scene.cell_size, coarse = std::max(scene.coarse_cell_size, h);
     // the strip covers the interpenetration at the full approach, in whole blocks
+    // at the full approach the overlap is wider and longer than at 0.55 of it: 1/sqrt(0.55) = 1.35 where the
+    // profiles are parabolas, about 1.3 across on the flattening tread
     const double width  = std::ceil((1.3 * patch.width + 2 * scene.fine_margin) / coarse) * coarse;
     const double length = scene.mesh_distance() + 1.35 * patch.length + 2 * scene.fine_margin;
     const double layers = std::ceil(scene.fine_depth / h);

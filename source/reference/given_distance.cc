@@ -85,10 +85,11 @@ namespace wheelrail
             break;
         }
       const auto index = [h](const double value) { return int(std::floor(value / h)); };
-      const int  i0    = std::max(index(1.2 * x0 - 0.2 * x1) - 2, index(surfaces.x_min) + 1),
-                i1     = std::min(index(1.2 * x1 - 0.2 * x0) + 3, index(surfaces.x_max)),
-                j0     = std::max(index(1.2 * y0 - 0.2 * y1) - 2, index(surfaces.y_min) + 1),
-                j1     = std::min(index(1.2 * y1 - 0.2 * y0) + 3, index(surfaces.y_max));
+      // a fifth of the extent more on either side: the patch of a given force is found only roughly
+      const int i0 = std::max(index(1.2 * x0 - 0.2 * x1) - 2, index(surfaces.x_min) + 1),
+                i1 = std::min(index(1.2 * x1 - 0.2 * x0) + 3, index(surfaces.x_max)),
+                j0 = std::max(index(1.2 * y0 - 0.2 * y1) - 2, index(surfaces.y_min) + 1),
+                j1 = std::min(index(1.2 * y1 - 0.2 * y0) + 3, index(surfaces.y_max));
       return {i1 - i0 + 1, j1 - j0 + 1, h, h, i0 * h, j0 * h};
     }
 

@@ -39,6 +39,7 @@ namespace wheelrail
                 geometry.frame)
       {
         lowest = undeformed_distance(wheel, rail, 0);
+        // every 10 um: between two such places a profile of 10 mm radius moves by less than 2 nm
         for (double s = s_min(); s <= s_max(); s += 1e-5)
           if (const double d = undeformed_distance(wheel, rail, s); d < lowest)
             {
@@ -94,7 +95,7 @@ namespace wheelrail
     void
     set_distance(const Scene &scene, const Sections &sections, HalfspaceProblem &problem)
     {
-      constexpr double far = 0.1;
+      constexpr double far = 0.1; // where there is no profile: farther than any approach [m]
       problem.undeformed_distance.assign(problem.grid.size(), far);
       for (int j = 0; j < problem.grid.my; ++j)
         {
@@ -177,6 +178,8 @@ namespace wheelrail
     HalfspaceSolution
     solve_pressure(const Scene &scene, const Sections &sections, HalfspaceProblem &problem, int &enlargements)
     {
+      // a first grid: interpenetration at 0.55 of the approach has about the size of the patch (Kik and
+      // Piotrowski, 1996), the rest is room for it to grow
       const double approach = 0.75 * expected_approach(scene, sections.geometry.rolling_radius) *
                               std::pow(std::max(1., problem.normal_force / expected_load(scene)), 2. / 3);
       const auto lay_grid = [&](const double reached) {

@@ -51,6 +51,7 @@ namespace wheelrail
                         int                               &enlargements)
   {
     problem.motion = HalfspaceMotion::none;
+    // extents go with the root of the approach: each grid is a fifth longer and wider than the last
     for (enlargements = 0;; ++enlargements, approach *= 1.5)
       {
         lay_grid(approach);

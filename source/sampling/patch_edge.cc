@@ -266,7 +266,7 @@ namespace wheelrail
     if (!(peak > 0))
       return edge;
 
-    const Grid grid{patch, 1e-3 * peak};
+    const Grid grid{patch, 1e-3 * peak}; // loaded: see measure_patch()
     for (int i = 0; i < int(patch.n_along); ++i)
       for (int j = 0; j < int(patch.n_lateral); ++j)
         if (grid.loaded(i, j))

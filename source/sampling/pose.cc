@@ -60,6 +60,7 @@ namespace wheelrail
         if (rail ? away[1] < -query.head_depth
                  : norm(arm - dot(arm, query.axis) * query.axis) < query.rim_inner_radius)
           continue;
+        // the part of the rim around the contact: beyond 0.1 m above it the wheel has turned away from it
         if (!rail && away[1] > 0.1)
           continue;
         const Vector3 u = solid.position(n) - place;

@@ -40,6 +40,7 @@ namespace wheelrail
     place_in_cell(const Corners &corner, const Vector3 &x, Vector3 &xi)
     {
       xi = {0.5, 0.5, 0.5};
+      // bricks take one step; elsewhere the digits double with each, so that this is ample
       for (int iteration = 0; iteration < 8; ++iteration)
         {
           const auto N    = shape(xi);
@@ -107,6 +108,7 @@ namespace wheelrail
           Box     box;
           for (int v = 0; v < 8; ++v)
             box.take(corner[v] = solid.position(solid.mesh.cells[c][v]));
+          // more than place_in_cell() lets a point lie outside
           const Vector3 margin = 0.02 * (box.high - box.low);
           box.take(box.low - margin);
           box.take(box.high + margin);

@@ -133,7 +133,8 @@ namespace wheelrail
     if (n_patches_ > 0)
       set_figure(summary, "patches", n_patches_);
 
-    // where a force or traction is hardly there, a small part of what presses counts
+    // within 1 % of the mean over 2 mm, which takes out what repeats from cell to cell (cells of 1 mm); where
+    // a force or traction is hardly there, 5 % of what presses counts in place of its mean
     const auto settled = [&](const History &table, const char *name, const char *pressing) {
       const auto  &along = column(table, "rolled_distance"), &values = column(table, name);
       const double final = mean_from(along, values, from).mean;
