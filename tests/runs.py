@@ -75,7 +75,7 @@ def read_scene(file, run):
     half-spaces, with which limits of its own."""
     with open(file) as lines:
         remarks = [line.rstrip("\n") for line in lines if line.startswith("#")]
-    ranks, entries, found, limits = 2, [], False, None
+    ranks, entries, found, limits, stored_only = 2, [], False, None, False
     for line in remarks:
         match = re.match(r"# run (\S+):(.*)", line)
         if match and match[1] == run:
@@ -85,15 +85,18 @@ def read_scene(file, run):
                     ranks = int(word.split()[1])
                 elif "=" in word:
                     entries.append(word)
+                elif word == "stored only":
+                    stored_only = True
                 elif word != "long":
-                    sys.exit(f'{file}, run {run}: "{word}" is neither long nor ranks N nor Section/Entry = value.')
+                    sys.exit(f'{file}, run {run}: "{word}" is neither long, stored only, ranks N nor '
+                             "Section/Entry = value.")
         match = re.match(r"# half-spaces: compared(.*)", line)
         if match:
             limits = dict(HALF_SPACES)
             limits.update(re.findall(r"(\w+) ([\d.e-]+(?: %)?)", match[1]))
     if not found:
         sys.exit(f'{file} has no line "# run {run}: ...".')
-    return ranks, entries, limits
+    return ranks, entries, None if stored_only else limits
 
 
 def read_stored(file):
