@@ -52,7 +52,7 @@ namespace
           }
       }
     result.error = std::sqrt(squares / compared) / largest;
-    result.cpu   = block.timing.sum();
+    result.cpu   = block.loop.timing().sum();
     MPI_Allreduce(MPI_IN_PLACE, &result.cpu, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     int size;
     MPI_Comm_size(MPI_COMM_WORLD, &size);

@@ -79,12 +79,18 @@ namespace
     std::vector<double> phases[6];
     for (int sample = 0; sample < samples; ++sample)
       {
-        block.timing       = BlockTiming();
-        const double begin = MPI_Wtime();
+        const auto   before = block.loop.timing();
+        const double begin  = MPI_Wtime();
         for (int r = 0; r < repeat; ++r)
           block.step();
-        const auto &t       = block.timing;
-        double      sums[6] = {t.elements, t.exchange, t.boundary, t.update, t.sum(), MPI_Wtime() - begin};
+        const double wall    = MPI_Wtime() - begin;
+        const auto  &t       = block.loop.timing();
+        double       sums[6] = {t.elements - before.elements,
+                                t.exchange - before.exchange,
+                                t.parts - before.parts,
+                                t.update - before.update,
+                                t.sum() - before.sum(),
+                                wall};
         MPI_Allreduce(MPI_IN_PLACE, sums, 6, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
         for (int k = 0; k < 6; ++k)
           phases[k].push_back(sums[k] / n_ranks / repeat);

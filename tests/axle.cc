@@ -1,5 +1,6 @@
 // The rigid axle by itself: free fall, suspension, pitch under torque, energy, and bore nodes that follow.
 
+#include <wheelrail/solid/boundary_nodes.h>
 #include <wheelrail/wheelset/axle.h>
 
 #include "parallel.h"
@@ -46,6 +47,21 @@ namespace
     mesh.owned.assign(mesh.n_nodes(), 1);
     mesh.hanging_begin = {0};
     return make_solid(mesh, Elasticity(), Elasticity(), 0, MPI_COMM_WORLD);
+  }
+
+  Axle
+  make_axle(const AxleData &data, const Solid &solid, const double lift, const double rate)
+  {
+    Axle                     axle(data, lift, rate, MPI_COMM_WORLD);
+    std::vector<NodeInertia> inertia = node_inertia(solid);
+    axle.prepare(solid, inertia);
+    return axle;
+  }
+
+  void
+  make_step(Axle &axle, Solid &solid, const double step, const bool first)
+  {
+    axle.constrain({0, step, make_kick(first ? step / 2 : step), first, false}, solid, {});
   }
 
   /// Mass of the bore nodes and their inertia about the axis, by their places.
@@ -115,13 +131,13 @@ namespace
     AxleData data    = inclined_axle();
     data.sprung_mass = data.stiffness = data.damping = 0;
     Solid        solid                               = hub(data);
-    Axle         axle(data, solid, 0, 0, MPI_COMM_WORLD);
+    Axle         axle                                = make_axle(data, solid, 0, 0);
     const double step = 1e-5, t = 1000 * step;
     double       worst = 0;
     for (int n = 0; n < 1000; ++n)
       {
         load(solid, axle, data.gravity, 0, 0);
-        axle.step(solid, step, n == 0);
+        make_step(axle, solid, step, n == 0);
         worst = std::max(worst, distance_from_axle(solid, axle));
       }
     check(axle.bore().size() == 48, "bore nodes are found by their faces");
@@ -149,13 +165,13 @@ namespace
     const AxleData data  = inclined_axle();
     Solid          solid = hub(data);
     const double   lift = -1e-4, c = 1e9, step = 2e-5;
-    Axle           axle(data, solid, lift, 0, MPI_COMM_WORLD);
+    Axle           axle        = make_axle(data, solid, lift, 0);
     const double   axle_mass   = data.mass + bore_mass(solid).mass;
     const double   static_load = (data.sprung_mass + axle_mass) * data.gravity;
     for (int n = 0; n < 100; ++n)
       {
         load(solid, axle, data.gravity, static_load, 0);
-        axle.step(solid, step, n == 0);
+        make_step(axle, solid, step, n == 0);
       }
     check_near(axle.height() - lift, 0, 1e-15, "static load: the axle stays [m]");
 
@@ -168,7 +184,7 @@ namespace
         const double     q   = axle.height() - lift;
         const AxleEnergy old = axle.energy();
         load(solid, axle, data.gravity, static_load - c * q + (n == 0 ? 1e5 : 0.), 0);
-        axle.step(solid, step, false);
+        make_step(axle, solid, step, false);
         // all at the full step before: kinetic energy and damper from the half steps around it
         const AxleEnergy e     = axle.energy();
         const double     Q     = axle.height() - lift;
@@ -206,11 +222,11 @@ namespace
   void
   sprung_mass()
   {
-    AxleData data      = inclined_axle();
-    data.sprung_mass   = 300;
-    data.damping       = 0;
-    Solid        solid = hub(data);
-    Axle         axle(data, solid, 0, 0, MPI_COMM_WORLD);
+    AxleData data          = inclined_axle();
+    data.sprung_mass       = 300;
+    data.damping           = 0;
+    Solid        solid     = hub(data);
+    Axle         axle      = make_axle(data, solid, 0, 0);
     const double axle_mass = data.mass + bore_mass(solid).mass,
                  load_up   = (data.sprung_mass + axle_mass) * data.gravity;
     const double omega = std::sqrt(data.stiffness * (1 / axle_mass + 1 / data.sprung_mass)), step = 2e-5;
@@ -219,7 +235,7 @@ namespace
     for (int n = 0; n < n_steps; ++n)
       {
         load(solid, axle, data.gravity, load_up + (n == 1 ? 1e5 : 0.), 0);
-        axle.step(solid, step, n == 0);
+        make_step(axle, solid, step, n == 0);
       }
     // after ten periods the relative motion is back; both have moved on with the common velocity
     const double t = step * (n_steps - 1), together = impulse / (axle_mass + data.sprung_mass);
@@ -238,14 +254,14 @@ namespace
     Solid        solid = hub(data);
     const double rate = 84.5, step = 1e-5,
                  load_up = (data.sprung_mass + data.mass + bore_mass(solid).mass) * data.gravity;
-    Axle         axle(data, solid, 0, rate, MPI_COMM_WORLD);
+    Axle         axle    = make_axle(data, solid, 0, rate);
     const double moment = -4000, inertia = data.pitch_inertia + bore_mass(solid).inertia, t = 1000 * step;
     double       worst = 0;
     const double start = axle.energy().kinetic;
     for (int n = 0; n < 1000; ++n)
       {
         load(solid, axle, data.gravity, load_up, moment);
-        axle.step(solid, step, n == 0);
+        make_step(axle, solid, step, n == 0);
         worst = std::max(worst, distance_from_axle(solid, axle));
       }
     // the rate belongs to half a step before
@@ -263,13 +279,13 @@ namespace
 
     data.rate_held = true;
     std::fill(solid.displacement.begin(), solid.displacement.end(), 0.);
-    Axle held(data, solid, 0, rate, MPI_COMM_WORLD);
+    Axle held = make_axle(data, solid, 0, rate);
     for (int n = 0; n < 100; ++n)
       {
         load(solid, held, data.gravity, load_up, moment);
         for (const unsigned int b : held.bore())
           solid.force[4 * b + 2] += 10;
-        held.step(solid, step, n == 0);
+        make_step(held, solid, step, n == 0);
       }
     check_near(held.pitch_rate() - rate, 0, 0, "held rate stays [rad/s]");
     check_near(held.applied_torque() / -moment, 1, 1e-9, "held rate: torque balances the moment");

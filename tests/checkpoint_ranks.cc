@@ -24,8 +24,8 @@ namespace
 
     explicit Parts(MPI_Comm communicator)
       : model(plastic_model(communicator))
-      , axle(model.axle, model.solid, -1e-4, 80, communicator)
-      , rolling(model.solid, *model.contact, axle, model.time_step, 0.06, communicator)
+      , axle(model.axle, -1e-4, 80, communicator)
+      , rolling(model.solid, *model.contact, axle, {model.time_step, 0.06, 0}, communicator)
       , recorder(model)
     {
     }
@@ -131,6 +131,13 @@ namespace
       }
     check(same, what + ": the batches that have flowed are known");
   }
+
+  /// The rank's part of a sum of works.
+  double
+  viscous(const Parts &parts)
+  {
+    return parts.rolling.state().energy.works.at("viscous_dissipation");
+  }
 } // namespace
 
 int
@@ -141,24 +148,24 @@ main(int argc, char **argv)
   Axle::State axle = parts.axle.state();
   axle.height = -2e-4, axle.pitch_rate = 81;
   parts.axle.set_state(axle);
-  Rolling::State rolling = parts.rolling.state();
-  rolling.viscous        = 1 + parallel.rank;
+  TimeLoop::State rolling                        = parts.rolling.state();
+  rolling.energy.works.at("viscous_dissipation") = 1 + parallel.rank;
   parts.rolling.set_state(rolling);
   for_each(parts.model.solid, [](double &value, const double wanted) { value = wanted; });
 
   const Checkpoint part = take_checkpoint(parts.model, parts.axle, parts.rolling, parts.recorder);
   check(is_finite(part, MPI_COMM_WORLD), "the state is finite");
   const Checkpoint whole = everywhere(gather_checkpoint(part, MPI_COMM_WORLD), parallel.rank);
-  check(whole.ranks() == static_cast<unsigned int>(parallel.size), "the state tells its number of ranks");
+  check(whole.ranks == parallel.size, "the state tells its number of ranks");
   const MeshQuality &quality = parts.model.solid.quality;
   check(whole.node.size() == quality.nodes && whole.cell.size() == quality.elements, "all nodes and cells");
 
   Parts again(MPI_COMM_WORLD);
   check_restored(again, whole, MPI_COMM_WORLD, "as many ranks");
-  check(again.rolling.state().viscous == 1 + parallel.rank, "as many ranks: each has its own sum");
+  check(viscous(again) == 1 + parallel.rank, "as many ranks: each has its own sum");
   Parts alone(MPI_COMM_SELF);
   check_restored(alone, whole, MPI_COMM_SELF, "one rank");
-  check(alone.rolling.state().viscous == parallel.size * (parallel.size + 1) / 2, "one rank: all sums");
+  check(viscous(alone) == parallel.size * (parallel.size + 1) / 2, "one rank: all sums");
 
   Checkpoint broken = part;
   if (parallel.rank == parallel.size - 1)

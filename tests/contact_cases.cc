@@ -39,8 +39,11 @@ namespace
         const double step = scene.time_step;
         // the ball starts in free flight, so its velocity belongs to the half step behind from the start
         largest_force = std::max(largest_force, pair.sums.force[1]);
-        ball.velocity[1] += step * (pair.sums.force[1] / mass - gravity);
-        ball.move[1] += step * ball.velocity[1];
+        wheelrail::advance(ball.move[1],
+                           ball.velocity[1],
+                           pair.sums.force[1] / mass - gravity,
+                           wheelrail::make_kick(step),
+                           step);
       };
     }
 
@@ -95,8 +98,9 @@ namespace
           }
         const double      out     = ball.pair.wheel.velocity[1];
         const std::string name    = "ball, contact damping " + std::to_string(damping).substr(0, 3) + ": ";
-        const Energy     &quarter = ball.scene.energy();
-        const double      left    = 4 * (quarter.kinetic + quarter.strain + quarter.stabilisation);
+        const EnergyBook &quarter = ball.scene.energy();
+        const double      left =
+          4 * (quarter["kinetic_energy"] + quarter["strain_energy"] + quarter["stabilisation_energy"]);
         std::cout << "        contact for " << 1e6 * (leave - touch) << " us, force up to "
                   << 1e-3 * ball.largest_force << " kN, rebound " << out / speed << ", waves left "
                   << left / kinetic << ", damping " << ball.pair.damping_energy / kinetic << std::endl;
@@ -143,10 +147,10 @@ namespace
     while (ball.scene.time() < 300e-6)
       {
         ball.scene.step(true);
-        const Energy &e   = ball.scene.energy();
-        const double  v   = ball.pair.wheel.velocity[1];
-        const double  sum = 4 * (e.kinetic + e.strain + e.stabilisation) + 0.5 * ball.mass * v * v +
-                           ball.pair.sums.stored_energy + ball.pair.damping_energy;
+        const EnergyBook &e   = ball.scene.energy();
+        const double      v   = ball.pair.wheel.velocity[1];
+        const double      sum = 4 * (e["kinetic_energy"] + e["strain_energy"] + e["stabilisation_energy"]) +
+                           0.5 * ball.mass * v * v + ball.pair.sums.stored_energy + ball.pair.damping_energy;
         worst = std::max(worst, sum / stored);
       }
     check(stored > 0, "the ball starts inside the block");

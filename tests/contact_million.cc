@@ -141,10 +141,10 @@ namespace
     PressedPlate  plate;
     constexpr int settled = 20;
     const Cycle   early = turn(plate, settled), late = turn(plate, million / PressedPlate::cycle - settled);
-    const double  drift = norm(late.place - early.place);
-    const Energy &e     = plate.scene.energy();
-    const auto   &pair  = plate.pair;
-    const double  kept  = pair.sums.stored_energy + pair.friction_energy + pair.damping_energy;
+    const double  drift    = norm(late.place - early.place);
+    const EnergyBook &e    = plate.scene.energy();
+    const auto       &pair = plate.pair;
+    const double      kept = pair.sums.stored_energy + pair.friction_energy + pair.damping_energy;
     std::cout << "        plate: swing " << 1e6 * late.swing << " um, drift " << 1e9 * drift
               << " nm, shear force " << late.shear << " of the bound, friction " << pair.friction_energy
               << " J, energy of the bodies off by " << e.residual() << " J, of the contact by "
@@ -157,7 +157,8 @@ namespace
     check(std::abs(late.normal - 1) < std::abs(early.normal - 1) + 1e-5,
           "plate: normal force no farther from the load than after twenty cycles");
     check_near(drift / late.swing, 0, 1e-3, "plate: place at the end of a cycle, over the swing");
-    check_near(e.residual() / (e.strain + e.viscous), 0, 1e-3, "plate: energy of the bodies");
+    check_near(
+      e.residual() / (e["strain_energy"] + e["viscous_dissipation"]), 0, 1e-3, "plate: energy of the bodies");
     check_near((pair.work + kept) / kept, 0, 1e-3, "plate: energy of the contact");
   }
 } // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
-// Bricks of reduced hexahedra moved by hand or by central differences, for the
-// tests of plastic flow.
+// Bricks of reduced hexahedra moved by hand, for the tests of plastic flow.
 
 #include <wheelrail/solid/kernel.h>
 
@@ -63,34 +62,24 @@ namespace test
     return mesh;
   }
 
-  /// An explicit body: central differences, velocities at half steps.
-  struct Body
+  /// A body whose displacement is given.
+  struct Brick
   {
     Mesh                  mesh;
     ElementBlocks         blocks;
-    AlignedVector<double> u, v, f; ///< f: internal forces
-    std::vector<double>   mass;
-    double                step = 1e300;
+    AlignedVector<double> u, f; ///< f: internal forces
     ElementEnergy         energy;
 
-    Body(const Mesh       &m,
-         const Elasticity &material,
-         const Plasticity &plasticity,
-         const int         width = native_width)
+    Brick(const Mesh       &m,
+          const Elasticity &material,
+          const Plasticity &plasticity,
+          const int         width = native_width)
       : mesh(m)
       , blocks(pack_elements(m.geometry, m.cells, material, width))
       , u(4 * m.vertices.size(), 0.)
-      , v(u)
       , f(u)
-      , mass(m.vertices.size(), 0.)
     {
       set_plasticity(blocks, plasticity);
-      for (std::size_t e = 0; e < m.cells.size(); ++e)
-        {
-          for (int a = 0; a < 8; ++a)
-            mass[m.cells[e][a]] += material.density * m.geometry[e].node_volume[a];
-          step = std::min(step, 2 / std::sqrt(element_frequency_bound(m.geometry[e], material)));
-        }
     }
 
     void

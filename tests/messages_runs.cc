@@ -106,10 +106,10 @@ namespace
   small_state()
   {
     Checkpoint state;
-    state.parameters        = parameters;
-    state.prepared_distance = 0.03;
-    state.axle.travelled    = 0.01;
-    state.viscous = state.support_work = {0.};
+    state.parameters                   = parameters;
+    state.prepared_distance            = 0.03;
+    state.axle.travelled               = 0.01;
+    state.works["viscous_dissipation"] = {0.};
     return state;
   }
 

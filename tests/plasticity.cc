@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "explicit_brick.h"
+#include "scenes/dynamics.h"
 
 using namespace test;
 
@@ -16,7 +17,7 @@ namespace
   void
   patch_test()
   {
-    Body body(brick({3, 3, 3}, {1, 1, 1}, 0.25), Elasticity(), soft);
+    Brick body(brick({3, 3, 3}, {1, 1, 1}, 0.25), Elasticity(), soft);
     for (const double amount : {1., 2., 0.5})
       body.move_to(nodal(body.mesh, [amount](const Vector &X) -> Vector {
         return {amount * (1e-3 * X[0] + 2e-3 * X[1]),
@@ -65,7 +66,7 @@ namespace
   void
   rotation()
   {
-    Body         rest(brick({2, 2, 2}, {1, 1, 1}, 0.2), Elasticity(), soft), turning = rest;
+    Brick        rest(brick({2, 2, 2}, {1, 1, 1}, 0.2), Elasticity(), soft), turning = rest;
     const int    steps = 60;
     const double turns = 10 * 2 * M_PI + 1;
     for (int n = 1; n <= steps; ++n)
@@ -109,7 +110,7 @@ namespace
   void
   energy(const Plasticity &plasticity, const std::string &name)
   {
-    Body      body(brick({2, 2, 2}, {1, 1, 1}, 0.2), Elasticity(), plasticity);
+    Brick     body(brick({2, 2, 2}, {1, 1, 1}, 0.2), Elasticity(), plasticity);
     double    work = 0, last = 0;
     bool      monotone = true;
     const int steps    = 4000;
@@ -133,13 +134,13 @@ namespace
   widths()
   {
     const Mesh mesh = brick({3, 3, 3}, {1, 1, 1}, 0.2);
-    Body       one(mesh, Elasticity(), soft, 1);
+    Brick      one(mesh, Elasticity(), soft, 1);
     for (const int width : {2, 4, 8})
       {
-        Body body(mesh, Elasticity(), soft, width);
-        Body single = one;
+        Brick body(mesh, Elasticity(), soft, width);
+        Brick single = one;
         for (const double amount : {0.2, 1., -0.5, 0.1})
-          for (Body *b : {&body, &single})
+          for (Brick *b : {&body, &single})
             b->move_to(nodal(mesh, [&](const Vector &X) { return rough(X, amount); }));
         test::check_near(difference(body.f, single.f) / largest(single.f),
                          0,
@@ -150,8 +151,8 @@ namespace
                          1e-12,
                          "and so does its plastic work");
       }
-    Body elastic(mesh, Elasticity(), Plasticity()), strong(mesh, Elasticity(), {1e12, 21e9, 0});
-    for (Body *b : {&elastic, &strong})
+    Brick elastic(mesh, Elasticity(), Plasticity()), strong(mesh, Elasticity(), {1e12, 21e9, 0});
+    for (Brick *b : {&elastic, &strong})
       b->move_to(nodal(mesh, [&](const Vector &X) { return rough(X, 1); }));
     test::check_near(difference(elastic.f, strong.f) / largest(elastic.f),
                      0,
@@ -164,7 +165,7 @@ namespace
   elastic_meanwhile()
   {
     const Mesh mesh = brick({2, 2, 2}, {1, 1, 1}, 0.2);
-    Body       body(mesh, Elasticity(), soft), elastic(mesh, Elasticity(), Plasticity());
+    Brick      body(mesh, Elasticity(), soft), elastic(mesh, Elasticity(), Plasticity());
     const auto u = nodal(mesh, [](const Vector &X) { return rough(X, 1); });
     elastic.move_to(u);
     {
@@ -182,7 +183,7 @@ namespace
   saved_state()
   {
     const Mesh mesh = brick({3, 3, 3}, {1, 1, 1}, 0.2); // 27 cells: the last batch is not full
-    Body       body(mesh, Elasticity(), soft), other = body;
+    Brick      body(mesh, Elasticity(), soft), other = body;
     body.move_to(nodal(mesh, [](const Vector &X) { return rough(X, 1); }));
     // as a checkpoint does it
     std::vector<AlignedVector<double>> saved;
@@ -194,7 +195,7 @@ namespace
       values = saved[next++];
     });
     mark_flowed(other.blocks);
-    for (Body *b : {&body, &other})
+    for (Brick *b : {&body, &other})
       b->move_to(nodal(mesh, [](const Vector &X) { return rough(X, -0.5); }));
     check_near(difference(body.f, other.f), 0, 0, "a restored history goes on with the same forces");
     check_near(body.energy.plastic_work - other.energy.plastic_work, 0, 0, "and the same plastic work");
@@ -207,50 +208,50 @@ namespace
   /// `last`: damped dynamics with the ends' rotation held. The step is small
   /// since a free cell breathes faster than one in a body.
   double
-  bending_moment(const int         layers,
-                 const Plasticity &plasticity,
-                 const double      curvature,
-                 const double      last,
-                 Body             &body)
+  bending_moment(const int layers, const Plasticity &plasticity, const double curvature, const double last)
   {
-    const double h = 1e-3, length = 2 * h / layers;
-    body                     = Body(brick({2, layers, 1}, {length, h, h}), Elasticity(), plasticity);
-    const double first_yield = plasticity.yield_stress / (body.blocks.material.youngs_modulus * h / 2);
-    const int    steps       = 8000 * layers;
-    double       moment      = 0;
-    for (int n = 1; n <= steps; ++n)
+    const double  h = 1e-3, length = 2 * h / layers;
+    scenes::Setup setup;
+    setup.plasticity  = plasticity;
+    setup.step_factor = 0.6;
+    scenes::Dynamics scene(scenes::box({0, 0, 0}, {length, h, h}, {2, unsigned(layers), 1}), setup);
+    scene.mass_damping        = 0.02 / scene.time_step;
+    const double first_yield  = plasticity.yield_stress / (setup.material.youngs_modulus * h / 2);
+    const int    steps        = 8000 * layers;
+    const double duration     = steps * scene.time_step;
+    const auto   curvature_at = [=](const double time) {
+      // up in the first 60 %, to the last value until 80 %, then rest
+      const double t  = time / duration;
+      const double up = std::min(t / 0.6, 1.), down = std::clamp((t - 0.6) / 0.2, 0., 1.);
+      return first_yield * (curvature * up + (last - curvature) * down);
+    };
+    std::vector<std::pair<unsigned int, double>> end; // numbers of the reactions and their arms
+    for (unsigned int n = 0; n < scene.solid.mesh.n_nodes(); ++n)
       {
-        // up in the first 60 %, to the last value until 80 %, then rest
-        const double t  = double(n) / steps;
-        const double up = std::min(t / 0.6, 1.), down = std::clamp((t - 0.6) / 0.2, 0., 1.);
-        const double kappa = first_yield * (curvature * up + (last - curvature) * down);
-        for (std::size_t k = 0; k < body.u.size(); ++k)
-          {
-            body.v[k] = 0.98 * body.v[k] - 0.6 * body.step * body.f[k] / body.mass[k / 4];
-            body.u[k] += 0.6 * body.step * body.v[k];
-          }
-        for (std::size_t node = 0; node < body.mesh.vertices.size(); ++node)
-          {
-            const Vector &X = body.mesh.vertices[node];
-            if (X[0] == 0 || X[0] == length)
-              body.u[4 * node] = kappa * (X[1] - h / 2) * (X[0] == 0 ? 0.5 : -0.5) * length;
-          }
-        body.find_force();
-        moment = 0;
-        for (std::size_t node = 0; node < body.mesh.vertices.size(); ++node)
-          if (body.mesh.vertices[node][0] == 0)
-            moment += body.f[4 * node] * (body.mesh.vertices[node][1] - h / 2);
+        const auto   X   = scenes::place_of(scene.solid.mesh, n);
+        const double arm = X[1] - h / 2;
+        if (X[0] > 1e-9 && X[0] < length - 1e-9)
+          continue;
+        const double side   = X[0] < 1e-9 ? 0.5 : -0.5;
+        const auto   number = scene.prescribe(
+          {n}, 0, [=](const double time) { return curvature_at(time) * arm * side * length; });
+        if (side > 0)
+          end.push_back({number, arm});
       }
+    for (int n = 0; n < steps; ++n)
+      scene.step();
+    double moment = 0;
+    for (const auto &[number, arm] : end)
+      moment += scene.reaction(number) * arm;
     return moment / (plasticity.yield_stress * h * h * h / 4);
   }
 
   void
   fully_plastic_moment()
   {
-    Body body(brick({1, 1, 1}, {1, 1, 1}), Elasticity(), perfect);
     for (const int layers : {1, 2, 3, 4, 8})
       {
-        const double moment = bending_moment(layers, perfect, 10, 10, body);
+        const double moment = bending_moment(layers, perfect, 10, 10);
         test::check_near(moment,
                          1,
                          layers == 2 ? 0.06 : 0.02,
@@ -259,7 +260,7 @@ namespace
     // between first yield and full plasticity, M = M_p (1 - 1/(3 k^2)) at k times the curvature of first
     // yield: a single layer stays elastic up to M_p
     const auto partly = [&](const int layers, const double k) {
-      return bending_moment(layers, perfect, k, k, body) / (1 - 1 / (3 * k * k));
+      return bending_moment(layers, perfect, k, k) / (1 - 1 / (3 * k * k));
     };
     for (const double k : {1.25, 1.5, 2., 3.})
       {
@@ -275,15 +276,16 @@ namespace
     test::check_near(partly(1, 1.5) * (1 - 1 / 6.75), 1, 0.01, "a single layer is elastic up to M_p");
     // unloading from 10 to 9 times the curvature of first yield is elastic: M = E
     // I kappa
-    const double full = bending_moment(1, perfect, 10, 10, body);
-    const double less = bending_moment(1, perfect, 10, 9, body);
+    const double full = bending_moment(1, perfect, 10, 10);
+    const double less = bending_moment(1, perfect, 10, 9);
     test::check_near(full - less, 2. / 3, 0.005, "a plastic hinge unloads with its elastic stiffness");
   }
 } // namespace
 
 int
-main()
+main(int argc, char **argv)
 {
+  scenes::Program program(argc, argv);
   patch_test();
   rotation();
   energy(soft, " (mixed hardening)");

@@ -46,7 +46,7 @@ namespace
         mass += scene.solid.mass[n];
     result.speed /= mass;
     result.plateau /= count;
-    result.residual = scene.energy().residual() / scene.energy().start;
+    result.residual = scene.energy().residual() / scene.energy().start();
     return result;
   }
 

@@ -130,10 +130,10 @@ namespace
         if (scene.steps() % 100 == 0)
           worst = std::max(worst, std::abs(scene.energy().residual()));
       }
-    const Energy &energy = scene.energy();
-    std::cout << "        of " << start << " J: strain " << energy.strain << ", stabilisation "
-              << energy.stabilisation << ", viscous " << energy.viscous << ", largest residual " << worst
-              << " J\n";
+    const EnergyBook &energy = scene.energy();
+    std::cout << "        of " << start << " J: strain " << energy["strain_energy"] << ", stabilisation "
+              << energy["stabilisation_energy"] << ", viscous " << energy["viscous_dissipation"]
+              << ", largest residual " << worst << " J\n";
     test::check_near(energy.error(), 0, tolerance, name + ": energy error after 100 000 steps");
     test::check_near(
       worst / start, 0, tolerance, name + ": largest residual on the way over the energy at the start");

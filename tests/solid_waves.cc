@@ -33,7 +33,7 @@ namespace
     const Pulse  pulse{1e-3, 0.5 * bar_length / bar.speed()};
     const double unit = bar_length / bar.cells / bar.speed(), end = 1.4 * bar_length / bar.speed();
     const auto   places = [&](const double step) {
-      Dynamics   scene = bar.scene([=](const double t) { return pulse.displacement(t); });
+      BarScene   scene(bar, [=](const double t) { return pulse.displacement(t); });
       const auto steps = static_cast<unsigned int>(std::ceil(end / step));
       scene.time_step  = end / steps;
       while (scene.steps() < steps)
@@ -60,8 +60,8 @@ namespace
     bar.cells      = 120;
     const double c = bar.speed(), rho = bar.setup.material.density;
     const Pulse  pulse{1e-3, 0.5 * bar_length / c};
-    Dynamics     scene = bar.scene([=](const double t) { return pulse.displacement(t); });
-    const double h     = bar_length / bar.cells;
+    BarScene     scene(bar, [=](const double t) { return pulse.displacement(t); });
+    const double h = bar_length / bar.cells;
     unsigned int node[3]; // near the start, near the end, at the end
     const double place[3] = {30 * h, 80 * h, bar_length};
     for (int k = 0; k < 3; ++k)
@@ -99,7 +99,7 @@ namespace
     const double velocity = 1e-2, c = bar.speed();
     bar.setup.bulk_viscosity = 0.06;
     bar.cells                = 150;
-    Dynamics scene           = bar.scene([=](const double t) { return velocity * t; });
+    BarScene scene(bar, [=](const double t) { return velocity * t; });
     while (scene.time() < 0.8 * bar_length / c)
       scene.step();
     const auto   stress = element_stress(scene.solid.blocks[1], scene.solid.displacement.data());

@@ -1,4 +1,5 @@
 #include <wheelrail/dynamics/rolling_velocities.h>
+#include <wheelrail/solid/boundary_nodes.h>
 
 namespace wheelrail
 {

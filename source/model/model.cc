@@ -119,6 +119,13 @@ namespace wheelrail
   }
 
 
+  TimeScheme
+  time_scheme(const Scene &scene, const Model &model)
+  {
+    return {model.time_step, scene.bulk_viscosity, 0};
+  }
+
+
   SweepPlan
   sweep_plan(const Scene &scene, const SceneGeometry &geometry)
   {

@@ -27,7 +27,7 @@ namespace wheelrail
   std::string
   reason_to_stop(const RunParts &run)
   {
-    const double error = run.rolling.energy().error, rolled = 1e3 * run.axle.travelled();
+    const double error = run.rolling.energy().error(), rolled = 1e3 * run.axle.travelled();
     if (!std::isfinite(error))
       return text(
         "a value is not finite after %lu steps, at %.3f mm rolled; take a smaller Run/Time step "

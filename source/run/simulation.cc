@@ -197,9 +197,9 @@ namespace wheelrail
     void
     Simulation::make_rolling(const double lift, const double rate)
     {
-      axle_    = std::make_unique<Axle>(model_.axle, model_.solid, lift, rate, communicator_);
+      axle_    = std::make_unique<Axle>(model_.axle, lift, rate, communicator_);
       rolling_ = std::make_unique<Rolling>(
-        model_.solid, *model_.contact, *axle_, model_.time_step, scene_.bulk_viscosity, communicator_);
+        model_.solid, *model_.contact, *axle_, time_scheme(scene_, model_), communicator_);
       recorder_ = std::make_unique<Recorder>(model_);
       parts_ =
         std::make_unique<RunParts>(RunParts{scene_, model_, *axle_, *rolling_, *recorder_, communicator_});
@@ -278,7 +278,7 @@ namespace wheelrail
       line.normal_force       = force[0] * normal.x + force[1] * normal.y;
       line.longitudinal_force = force[2];
       line.lateral_force      = force[0];
-      line.energy_error       = rolling_->energy().error;
+      line.energy_error       = rolling_->energy().error();
       line.updates_per_second =
         (rolling_->steps() - first_step_) * double(model_.solid.quality.elements) / elapsed;
       line.seconds_left = elapsed * std::max(0., scene_.rolling_distance - axle_->travelled()) /
@@ -327,11 +327,11 @@ namespace wheelrail
       const auto &t           = rolling_->timing();
       log_.value("time per step",
                  text("%.2f ns per element update of all ranks together; elements %.1f s, exchange %.1f s, "
-                      "contact %.1f s, update %.1f s",
+                      "contact and axle %.1f s, update %.1f s",
                       1e9 / summary.element_updates_per_second,
                       t.elements,
                       t.exchange,
-                      t.contact,
+                      t.parts,
                       t.update));
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
       const double settled = get_figure(summary, "settled_after_m"), from = averaging_start();

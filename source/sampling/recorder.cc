@@ -56,10 +56,10 @@ namespace wheelrail
   void
   Recorder::add(const Rolling &rolling, const Axle &axle)
   {
-    const ContactSums   &c = rolling.contact_sums();
-    const EnergyBalance &e = rolling.energy();
-    const Point2         t = model_.geometry.frame.tangent(), n = model_.geometry.frame.normal();
-    Row                  row(state_.history);
+    const ContactSums &c = rolling.contact_sums();
+    const EnergyBook  &e = rolling.energy();
+    const Point2       t = model_.geometry.frame.tangent(), n = model_.geometry.frame.normal();
+    Row                row(state_.history);
     row.put("time", "s", rolling.time());
     row.put("rolled_distance", "m", axle.travelled());
     row.put("normal_force", "N", c.force[0] * n.x + c.force[1] * n.y);
@@ -75,19 +75,10 @@ namespace wheelrail
     row.put("pitch_rate", "rad/s", axle.pitch_rate());
     row.put("drive_torque", "N m", axle.applied_torque());
     row.put("axle_height", "m", axle.height());
-    row.put("kinetic_energy", "J", e.kinetic);
-    row.put("strain_energy", "J", e.strain);
-    row.put("stabilisation_energy", "J", e.stabilisation);
-    row.put("contact_energy", "J", e.contact);
-    row.put("plastic_work", "J", e.plastic);
-    row.put("friction_dissipation", "J", e.friction);
-    row.put("viscous_dissipation", "J", e.viscous);
-    row.put("contact_damping_dissipation", "J", e.contact_damping);
-    row.put("suspension_dissipation", "J", e.suspension);
-    row.put("torque_work", "J", e.torque_work);
-    row.put("speed_hold_work", "J", e.hold_work);
-    row.put("energy_residual", "J", e.residual);
-    row.put("energy_error", "1", e.error);
+    for (const EnergyTerm &term : e.terms())
+      row.put(term.name, "J", term.value);
+    row.put("energy_residual", "J", e.residual());
+    row.put("energy_error", "1", e.error());
   }
 
 

@@ -16,7 +16,7 @@ namespace wheelrail
     double
     pass(Solid                          &solid,
          const std::vector<NodeInertia> &inertia,
-         const double                    kick,
+         const Kick                     &kick,
          const double                    time_step,
          const bool                      before)
     {
@@ -29,9 +29,10 @@ namespace wheelrail
         {
           const double inverse = inertia[n].inverse_mass;
           const Four   old     = v[n];
-          const Four   now     = old + (kick * inverse) * f[n];
-          v[n]                 = now;
-          u[n] += (inverse > 0 ? time_step : 0.) * now; // tied nodes are placed by the axle
+          // tied nodes are placed by the part that holds them
+          const Four now = (inverse > 0 ? kick.retain : 1.) * old + (kick.gain * inverse) * f[n];
+          v[n]           = now;
+          u[n] += (inverse > 0 ? time_step : 0.) * now;
           f[n] = resting_force(inertia[n]);
           if constexpr (with_energy)
             if (inverse > 0 && solid.mesh.owned[n])
@@ -45,6 +46,25 @@ namespace wheelrail
   } // namespace
 
 
+  Kick
+  make_kick(const double duration, const double damping_rate)
+  {
+    const double damping = 0.5 * duration * damping_rate;
+    return {duration, (1 - damping) / (1 + damping), duration / (1 + damping)};
+  }
+
+
+  std::vector<NodeInertia>
+  node_inertia(const Solid &solid)
+  {
+    std::vector<NodeInertia> inertia(solid.mesh.n_nodes());
+    for (std::size_t n = 0; n < inertia.size(); ++n)
+      if (solid.mass[n] > 0)
+        inertia[n].inverse_mass = 1 / (solid.mass[n] + solid.added_mass[n]);
+    return inertia;
+  }
+
+
   void
   start_forces(Solid &solid, const std::vector<NodeInertia> &inertia)
   {
@@ -54,14 +74,26 @@ namespace wheelrail
   }
 
 
+  Vector3
+  mean_velocity(const Solid                    &solid,
+                const std::vector<NodeInertia> &inertia,
+                const unsigned int              node,
+                const Kick                     &kick)
+  {
+    const double *v = &solid.velocity[4 * node], *f = &solid.force[4 * node];
+    const double  keep = 0.5 * (1 + kick.retain), gain = 0.5 * kick.gain * inertia[node].inverse_mass;
+    return {keep * v[0] + gain * f[0], keep * v[1] + gain * f[1], keep * v[2] + gain * f[2]};
+  }
+
+
   double
   move_nodes(Solid                          &solid,
              const std::vector<NodeInertia> &inertia,
-             const double                    kick,
+             const Kick                     &kick,
              const double                    time_step,
              const bool                      with_energy)
   {
-    return with_energy ? pass<true>(solid, inertia, kick, time_step, kick < time_step)
+    return with_energy ? pass<true>(solid, inertia, kick, time_step, kick.duration < time_step)
                        : pass<false>(solid, inertia, kick, time_step, false);
   }
 } // namespace wheelrail

@@ -199,8 +199,8 @@ namespace wheelrail
     part.axle                        = axle.state();
     part.rolling                     = rolling.state();
     part.recorder                    = recorder.state();
-    part.viscous                     = {part.rolling.viscous};
-    part.support_work                = {part.rolling.support_work};
+    for (const auto &[name, work] : part.rolling.energy.works)
+      part.works[name] = {work};
     return part;
   }
 
@@ -223,16 +223,17 @@ namespace wheelrail
     int rank;
     MPI_Comm_rank(communicator, &rank);
     Checkpoint whole;
-    whole.node         = gather(part.node, MPI_UINT32_T, communicator);
-    whole.cell         = gather(part.cell, MPI_UINT32_T, communicator);
-    whole.node_values  = gather_values(part.node_values, whole.node, communicator);
-    whole.cell_values  = gather_values(part.cell_values, whole.cell, communicator);
-    whole.viscous      = gather(part.viscous, MPI_DOUBLE, communicator);
-    whole.support_work = gather(part.support_work, MPI_DOUBLE, communicator);
+    whole.node        = gather(part.node, MPI_UINT32_T, communicator);
+    whole.cell        = gather(part.cell, MPI_UINT32_T, communicator);
+    whole.node_values = gather_values(part.node_values, whole.node, communicator);
+    whole.cell_values = gather_values(part.cell_values, whole.cell, communicator);
+    for (const auto &[name, work] : part.works)
+      whole.works[name] = gather(work, MPI_DOUBLE, communicator);
     if (rank > 0)
       return {};
     std::iota(whole.node.begin(), whole.node.end(), 0);
     std::iota(whole.cell.begin(), whole.cell.end(), 0);
+    MPI_Comm_size(communicator, &whole.ranks);
     whole.parameters        = part.parameters;
     whole.wall_time         = part.wall_time;
     whole.ticks             = part.ticks;
@@ -264,9 +265,9 @@ namespace wheelrail
     restore_solid(whole, model.solid);
     model.contact->set_state(whole.contact);
     axle.set_state(whole.axle);
-    Rolling::State state = whole.rolling;
-    state.viscous        = share(whole.viscous, communicator);
-    state.support_work   = share(whole.support_work, communicator);
+    TimeLoop::State state = whole.rolling;
+    for (const auto &[name, of_ranks] : whole.works)
+      state.energy.works[name] = share(of_ranks, communicator);
     rolling.set_state(state);
     recorder.set_state(whole.recorder);
   }

@@ -24,11 +24,10 @@ namespace wheelrail
       visit("fine_margin", c.fine_margin);
       visit("time", c.rolling.time);
       visit("steps", c.rolling.steps);
-      visit("friction", c.rolling.friction);
-      visit("contact_damping", c.rolling.contact_damping);
-      visit("balance_started", c.rolling.balance_started);
-      visit("energy_at_start", c.rolling.energy_at_start);
-      visit("energy_error", c.rolling.energy_error);
+      visit("balance_started", c.rolling.energy.started);
+      visit("energy_at_start", c.rolling.energy.start);
+      visit("energy_error", c.rolling.energy.error);
+      visit("ranks", c.ranks);
       visit("height", c.axle.height);
       visit("lift", c.axle.lift);
       visit("vertical_speed", c.axle.vertical_speed);
@@ -45,6 +44,9 @@ namespace wheelrail
       visit("wheel_first", c.contact.window.wheel_first);
       visit("wheel_last", c.contact.window.wheel_last);
     }
+
+    /// Before the name of an energy term in the names of datasets.
+    const std::string work_prefix = "work_";
 
     /// Pressure, shear (3), facet (2) and place in it (2) of each node.
     constexpr std::size_t contact_numbers = 8;
@@ -179,11 +181,16 @@ namespace wheelrail
     write_attribute(file, "cells", static_cast<double>(checkpoint.cell.size()));
     write_values(file, "node_values", checkpoint.node_values);
     write_values(file, "cell_values", checkpoint.cell_values);
-    const auto write = [&](const char *name, const std::vector<double> &values) {
+    const auto write = [&](const std::string &name, const std::vector<double> &values) {
       write_dataset(file, name, {values.size()}, values, "SI");
     };
-    write("viscous", checkpoint.viscous);
-    write("support_work", checkpoint.support_work);
+    std::vector<std::string> names;
+    for (const auto &[name, work] : checkpoint.works)
+      {
+        write(work_prefix + name, work);
+        names.push_back(name);
+      }
+    write_attribute(file, "works", join_lines(names));
     write("contact", pack(checkpoint.contact.nodes));
     write_table(file, "history", checkpoint.recorder.history);
     write_table(file, "patches", checkpoint.recorder.patches);
@@ -201,12 +208,12 @@ namespace wheelrail
     visit_numbers(checkpoint, [&](const char *name, auto &value) {
       value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
     });
-    checkpoint.node             = count_to(read_number_attribute(file, "nodes"));
-    checkpoint.cell             = count_to(read_number_attribute(file, "cells"));
-    checkpoint.node_values      = read_values(file, "node_values", checkpoint.node.size());
-    checkpoint.cell_values      = read_values(file, "cell_values", checkpoint.cell.size());
-    checkpoint.viscous          = read_dataset(file, "viscous");
-    checkpoint.support_work     = read_dataset(file, "support_work");
+    checkpoint.node        = count_to(read_number_attribute(file, "nodes"));
+    checkpoint.cell        = count_to(read_number_attribute(file, "cells"));
+    checkpoint.node_values = read_values(file, "node_values", checkpoint.node.size());
+    checkpoint.cell_values = read_values(file, "cell_values", checkpoint.cell.size());
+    for (const std::string &name : split_lines(read_text_attribute(file, "works")))
+      checkpoint.works[name] = read_dataset(file, work_prefix + name);
     checkpoint.contact.nodes    = unpack(read_dataset(file, "contact"));
     checkpoint.recorder.history = read_table(file, "history");
     checkpoint.recorder.patches = read_table(file, "patches");

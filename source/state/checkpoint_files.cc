@@ -158,7 +158,7 @@ namespace wheelrail
       state["rolled_distance_mm"] = std::stod(mm(whole.axle.travelled));
       state["time_s"]             = whole.rolling.time;
       state["time_steps"]         = whole.rolling.steps;
-      state["ranks"]              = whole.ranks();
+      state["ranks"]              = whole.ranks;
       state["program_version"]    = WHEELRAIL_VERSION;
       state["bytes"]              = bytes.size();
       state["checksum"]           = checksum(bytes.data(), bytes.size());
@@ -190,9 +190,9 @@ namespace wheelrail
       const Checkpoint whole = checkpoint_from_bytes(bytes);
       if (const auto obstacle = obstacle_to_resume(whole, scene, parameters); !obstacle.empty())
         refuse(scene.folder, obstacle);
-      if (whole.ranks() != static_cast<unsigned int>(size))
-        notes += "the state was saved by " + std::to_string(whole.ranks()) +
-                 (whole.ranks() == 1 ? " rank" : " ranks") + " and goes on with " + std::to_string(size) +
+      if (whole.ranks != size)
+        notes += "the state was saved by " + std::to_string(whole.ranks) +
+                 (whole.ranks == 1 ? " rank" : " ranks") + " and goes on with " + std::to_string(size) +
                  ": figures agree up to the growth of round-off\n";
     });
     broadcast(bytes, communicator);

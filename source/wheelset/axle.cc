@@ -1,7 +1,8 @@
+#include <wheelrail/solid/boundary_nodes.h>
 #include <wheelrail/wheelset/axle.h>
 
+#include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace wheelrail
 {
@@ -26,58 +27,82 @@ namespace wheelrail
   } // namespace
 
 
-  std::vector<unsigned int>
-  boundary_nodes(const LocalMesh &mesh, const Boundary mark)
-  {
-    std::set<unsigned int> nodes;
-    for (const auto &face : mesh.faces)
-      if (face.mark == mark)
-        nodes.insert(face.nodes.begin(), face.nodes.end());
-    return {nodes.begin(), nodes.end()};
-  }
-
-
-  Axle::Axle(const AxleData &data,
-             const Solid    &solid,
-             const double    lift,
-             const double    pitch_rate,
-             MPI_Comm        communicator)
+  Axle::Axle(const AxleData &data, const double lift, const double pitch_rate, MPI_Comm communicator)
     : data_(data)
     , height_(lift)
     , lift_(lift)
     , pitch_rate_(pitch_rate)
+    , applied_torque_(data.torque)
     , communicator_(communicator)
   {
-    // only nodes of own faces are known to be bore nodes; another holder learns it from its own faces or
-    // from the sum below, since a bore node of a rank's cells always has a bore face in some rank's cells
-    AlignedVector<double> mark(4 * solid.mesh.n_nodes(), 0.);
-    for (const unsigned int n : boundary_nodes(solid.mesh, Boundary::bore))
-      mark[4 * n] = 1;
-    SharedSum sum(solid.mesh, communicator);
-    sum(mark.data(), 1);
-    double totals[2] = {0, 0};
-    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
-      if (mark[4 * n] > 0)
-        {
-          const double *X = &solid.mesh.reference[4 * n];
-          bore_.push_back(n);
-          arm_.push_back(Vector3{X[0], X[1], X[2]} - data.centre);
-          if (solid.mesh.owned[n])
-            {
-              const Vector3 radial = arm_.back() - dot(arm_.back(), data.axis) * data.axis;
-              totals[0] += solid.mass[n];
-              totals[1] += solid.mass[n] * dot(radial, radial);
-            }
-        }
-    ordered_sum(totals, communicator);
-    total_mass_     = data.mass + totals[0];
-    total_inertia_  = data.pitch_inertia + totals[1];
-    applied_torque_ = data.torque;
   }
 
 
   void
-  Axle::step(Solid &solid, const double time_step, const bool first)
+  Axle::prepare(const Solid &solid, std::vector<NodeInertia> &inertia)
+  {
+    bore_ = held_boundary_nodes(solid.mesh, Boundary::bore, communicator_);
+    arm_.clear();
+    double totals[2] = {0, 0};
+    for (const unsigned int n : bore_)
+      {
+        const double *X         = &solid.mesh.reference[4 * n];
+        inertia[n].inverse_mass = 0;
+        arm_.push_back(Vector3{X[0], X[1], X[2]} - data_.centre);
+        if (solid.mesh.owned[n])
+          {
+            const Vector3 radial = arm_.back() - dot(arm_.back(), data_.axis) * data_.axis;
+            totals[0] += solid.mass[n];
+            totals[1] += solid.mass[n] * dot(radial, radial);
+          }
+      }
+    ordered_sum(totals, communicator_);
+    total_mass_    = data_.mass + totals[0];
+    total_inertia_ = data_.pitch_inertia + totals[1];
+  }
+
+
+  void
+  Axle::enter(EnergyBook &book)
+  {
+    terms_ = {&book.term("kinetic_energy", EnergyKind::stored),
+              &book.term("potential_energy", EnergyKind::stored),
+              &book.term("suspension_dissipation", EnergyKind::dissipated),
+              &book.term("torque_work", EnergyKind::supplied),
+              &book.term("speed_hold_work", EnergyKind::supplied)};
+  }
+
+
+  void
+  Axle::constrain(const Instant &now, Solid &solid, const std::vector<NodeInertia> &)
+  {
+    const AxleEnergy before = energy();
+    move(solid, now.kick, now.step);
+    if (now.with_energy)
+      write(before);
+  }
+
+
+  void
+  Axle::write(const AxleEnergy &before)
+  {
+    // positions belong to the full step, speeds and works to the half steps around it: their means. All ranks
+    // have the same axle: one of them enters it.
+    int rank;
+    MPI_Comm_rank(communicator_, &rank);
+    if (rank > 0 || terms_.kinetic == nullptr)
+      return;
+    const AxleEnergy after = energy();
+    terms_.kinetic->here += 0.5 * (before.kinetic + after.kinetic);
+    terms_.potential->here += before.potential;
+    terms_.suspension->here += 0.5 * (before.damped + after.damped);
+    terms_.torque->here += 0.5 * (before.torque_work + after.torque_work);
+    terms_.hold->here += 0.5 * (before.hold_work + after.hold_work);
+  }
+
+
+  void
+  Axle::move(Solid &solid, const Kick &kick, const double time_step)
   {
     // 1. force and moment of the wheel on the axle
     double sums[4] = {0, 0, 0, 0};
@@ -94,27 +119,23 @@ namespace wheelrail
     std::copy(sums, sums + 4, reaction_);
 
     // 2. vertical motion with suspension, preload and weight
-    const double kick       = first ? time_step / 2 : time_step;
     const double stretch    = height_ - lift_ - sprung_height_;
     const double closing    = vertical_speed_ - sprung_speed_;
     const double suspension = data_.stiffness * stretch + data_.damping * closing;
     const double weight     = (data_.sprung_mass + data_.mass) * data_.gravity;
-    vertical_speed_ += kick * (sums[1] - weight - suspension) / total_mass_;
+    advance(height_, vertical_speed_, (sums[1] - weight - suspension) / total_mass_, kick, time_step);
     if (data_.sprung_mass > 0)
-      sprung_speed_ += kick * suspension / data_.sprung_mass;
-    work_.damped += kick * data_.damping * closing * closing;
+      advance(sprung_height_, sprung_speed_, suspension / data_.sprung_mass, kick, time_step);
+    work_.damped += kick.duration * data_.damping * closing * closing;
 
     // 3. pitch: driven by the torque, or held
     const double rate_before = pitch_rate_;
     applied_torque_          = data_.rate_held ? -sums[3] : data_.torque;
-    pitch_rate_ += kick * (sums[3] + applied_torque_) / total_inertia_;
-    work_.torque_work += kick * applied_torque_ * 0.5 * (rate_before + pitch_rate_);
-    work_.hold_work -= kick * sums[2] * data_.velocity;
+    advance(angle_, pitch_rate_, (sums[3] + applied_torque_) / total_inertia_, kick, time_step);
+    work_.torque_work += kick.duration * applied_torque_ * 0.5 * (rate_before + pitch_rate_);
+    work_.hold_work -= kick.duration * sums[2] * data_.velocity;
 
-    // 4. positions
-    height_ += time_step * vertical_speed_;
-    sprung_height_ += time_step * sprung_speed_;
-    angle_ += time_step * pitch_rate_;
+    // 4. along the track, and the bore nodes
     travelled_ += time_step * data_.velocity;
     place_bore(solid, time_step);
   }

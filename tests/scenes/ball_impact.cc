@@ -41,10 +41,10 @@ namespace scenes
         if (now > 0)
           result.duration = scene.time() / result.hertz_duration;
         if (measured && when > 0.3 && when < 0.7)
-          result.stabilisation =
-            std::max(result.stabilisation, scene.energy().stabilisation / scene.energy().strain);
+          result.stabilisation = std::max(
+            result.stabilisation, scene.energy()["stabilisation_energy"] / scene.energy()["strain_energy"]);
       }
-    result.residual = scene.energy().residual() / scene.energy().start;
+    result.residual = scene.energy().residual() / scene.energy().start();
     result.cells    = mesh.cells.size();
     result.steps    = scene.steps();
     return result;

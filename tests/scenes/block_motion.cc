@@ -17,7 +17,7 @@ namespace scenes
 
   namespace
   {
-    /// CPU time of this process [s]: on a busy machine wall time would count the others.
+    /// CPU time of this process [s].
     double
     cpu_seconds()
     {
@@ -183,6 +183,50 @@ namespace scenes
   }
 
 
+  void
+  BlockBoundary::prepare(const Solid &solid, std::vector<NodeInertia> &)
+  {
+    const double near = 1e-6 * (scene_.high[0] - scene_.low[0]),
+                 area = (scene_.high[1] - scene_.low[1]) * (scene_.high[2] - scene_.low[2]);
+    double mass       = 0;
+    face_.clear();
+    held_.clear();
+    load_.clear();
+    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      {
+        const double *X = &solid.mesh.reference[4 * n];
+        for (int i = 0; i < 3; ++i)
+          if ((i > 0 && X[i] < scene_.low[i] + near) || X[i] > scene_.high[i] - near)
+            held_.push_back(4 * n + i);
+        if (X[0] < scene_.low[0] + near && solid.mesh.owned[n])
+          {
+            face_.push_back(n);
+            mass += solid.mass[n];
+          }
+      }
+    // equal cells: a node's share of the face is that of its mass
+    MPI_Allreduce(MPI_IN_PLACE, &mass, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    for (const unsigned int n : face_)
+      load_.push_back(scene_.pressure * area * solid.mass[n] / mass);
+  }
+
+
+  void
+  BlockBoundary::add_shares(const Instant &, Solid &solid)
+  {
+    for (std::size_t k = 0; k < face_.size(); ++k)
+      solid.force[4 * face_[k]] += load_[k];
+  }
+
+
+  void
+  BlockBoundary::constrain(const Instant &, Solid &solid, const std::vector<NodeInertia> &)
+  {
+    for (const std::size_t k : held_)
+      solid.force[k] = 0;
+  }
+
+
   BlockMotion::BlockMotion(const BlockScene &scene,
                            const ElementForm form,
                            const double      bulk_viscosity,
@@ -199,69 +243,21 @@ namespace scenes
                         {scene.plasticity, scene.plasticity},
                         {form, form});
     }())
-    , time_step_(scene.time_step)
-    , bulk_viscosity_(bulk_viscosity)
+    , boundary(scene, communicator)
+    , loop(solid, {scene.time_step, bulk_viscosity, 0}, communicator)
     , communicator_(communicator)
-    , sum_(solid.mesh, communicator)
-    , inertia_(solid.mesh.n_nodes())
   {
-    const double near = 1e-6 * (scene.high[0] - scene.low[0]),
-                 area = (scene.high[1] - scene.low[1]) * (scene.high[2] - scene.low[2]);
-    double mass       = 0;
-    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
-      {
-        inertia_[n].inverse_mass = 1 / solid.mass[n];
-        const double *X          = &solid.mesh.reference[4 * n];
-        for (int i = 0; i < 3; ++i)
-          if ((i > 0 && X[i] < scene.low[i] + near) || X[i] > scene.high[i] - near)
-            held_.push_back(4 * n + i);
-        if (X[0] < scene.low[0] + near && solid.mesh.owned[n])
-          {
-            face_.push_back(n);
-            mass += solid.mass[n];
-          }
-      }
-    // equal cells: a node's share of the face is that of its mass
-    MPI_Allreduce(MPI_IN_PLACE, &mass, 1, MPI_DOUBLE, MPI_SUM, communicator);
-    for (const unsigned int n : face_)
-      load_.push_back(scene.pressure * area * solid.mass[n] / mass);
-    start_forces(solid, inertia_);
-  }
-
-
-  void
-  BlockMotion::step()
-  {
-    double              t[5] = {cpu_seconds()};
-    const BulkViscosity viscosity{first_ ? 0. : bulk_viscosity_, bulk_viscosity_ > 0 ? time_step_ : 0.};
-    ElementEnergy       ignored;
-    double             *f = solid.force.data();
-    for (auto &blocks : solid.blocks)
-      subtract_internal_force(blocks, solid.displacement.data(), f, viscosity, false, ignored);
-    t[1] = cpu_seconds();
-    for (std::size_t k = 0; k < face_.size(); ++k)
-      f[4 * face_[k]] += load_[k];
-    t[2] = cpu_seconds();
-    sum_(f);
-    t[3] = cpu_seconds();
-    for (const std::size_t k : held_)
-      f[k] = 0;
-    const double half = cpu_seconds();
-    move_nodes(solid, inertia_, first_ ? time_step_ / 2 : time_step_, time_step_, false);
-    t[4]   = cpu_seconds();
-    first_ = false;
-    timing.elements += t[1] - t[0];
-    timing.exchange += t[3] - t[2];
-    timing.boundary += t[2] - t[1] + half - t[3];
-    timing.update += t[4] - half;
+    loop.clock = cpu_seconds;
+    loop.add(boundary);
+    loop.prepare();
   }
 
 
   double
   BlockMotion::face_displacement() const
   {
-    double sums[2] = {0, double(face_.size())};
-    for (const unsigned int n : face_)
+    double sums[2] = {0, double(boundary.face().size())};
+    for (const unsigned int n : boundary.face())
       sums[0] += solid.displacement[4 * n];
     MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, communicator_);
     return sums[0] / sums[1];

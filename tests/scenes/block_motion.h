@@ -5,8 +5,7 @@
 
 #include "dynamics.h"
 
-#include <wheelrail/solid/exchange.h>
-#include <wheelrail/solid/motion.h>
+#include <wheelrail/dynamics/time_loop.h>
 
 namespace scenes
 {
@@ -38,15 +37,36 @@ namespace scenes
   double
   exact_face(const BlockScene &scene, double t);
 
-  /// Seconds of one rank's CPU time in the phases of its steps.
-  struct BlockTiming
+  /// What acts on the block: rollers, and the dead pressure.
+  class BlockBoundary : public wheelrail::Part
   {
-    double elements = 0, exchange = 0, boundary = 0, update = 0;
-    double
-    sum() const
+  public:
+    BlockBoundary(const BlockScene &scene, MPI_Comm communicator)
+      : scene_(scene)
+      , communicator_(communicator)
     {
-      return elements + exchange + boundary + update;
     }
+
+    void
+    prepare(const Solid &solid, std::vector<NodeInertia> &inertia) override;
+    void
+    add_shares(const Instant &now, Solid &solid) override;
+    void
+    constrain(const Instant &now, Solid &solid, const std::vector<NodeInertia> &inertia) override;
+
+    /// Nodes of the pressed face that this rank owns.
+    const Nodes &
+    face() const
+    {
+      return face_;
+    }
+
+  private:
+    BlockScene               scene_;
+    MPI_Comm                 communicator_;
+    Nodes                    face_;
+    std::vector<std::size_t> held_; ///< places of the node arrays
+    std::vector<double>      load_; ///< along x on the nodes of the face [N]
   };
 
   class BlockMotion
@@ -59,23 +79,21 @@ namespace scenes
                 MPI_Comm               communicator);
 
     void
-    step();
+    step(const bool with_energy = false)
+    {
+      loop.step(with_energy);
+    }
 
     /// Mean displacement of the nodes of the pressed face along x [m]. Collective.
     double
     face_displacement() const;
 
-    Solid       solid;
-    BlockTiming timing;
+    Solid         solid;
+    BlockBoundary boundary;
+    /// Its clock is the CPU time of this process: on a busy machine wall time would count the others.
+    wheelrail::TimeLoop loop;
 
   private:
-    double                              time_step_, bulk_viscosity_;
-    MPI_Comm                            communicator_;
-    wheelrail::SharedSum                sum_;
-    std::vector<wheelrail::NodeInertia> inertia_;
-    Nodes                               face_;
-    std::vector<std::size_t>            held_; ///< places of the node arrays
-    std::vector<double>                 load_; ///< along x on the nodes of the face [N]
-    bool                                first_ = true;
+    MPI_Comm communicator_;
   };
 } // namespace scenes

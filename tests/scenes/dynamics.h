@@ -1,47 +1,18 @@
 #pragma once
 
-// The explicit central difference scheme of the program for idealised scenes: any body, motions and
-// loads given as functions of time, extra forces by callback, and the energy balance.
+// The program's time loop for idealised scenes: any body, motions and loads given as functions of time,
+// extra forces by callback, and the energy balance.
 
-#include "meshes.h"
+#include "parts.h"
 
-#include <wheelrail/solid/solid.h>
+#include <wheelrail/dynamics/time_loop.h>
 
+#include <memory>
 #include <optional>
 
 namespace scenes
 {
   using wheelrail::Elasticity;
-  using wheelrail::Solid;
-
-  using Function = std::function<double(double time)>;
-
-  /// Energies [J] at a full step. The kinetic energy is half the mass times the product of the velocities
-  /// of both half steps around it: with it, central differences keep the energy of a linear body to
-  /// round-off at any stable step (the mean of both squares would exceed it by up to the strain energy of
-  /// the highest waves).
-  struct Energy
-  {
-    double kinetic = 0, strain = 0, stabilisation = 0;
-    double plastic = 0; ///< work done on plastic strains, stored in hardening or dissipated
-    double viscous = 0; ///< dissipated by the bulk viscosity
-    double damping = 0; ///< dissipated by the mass damping
-    double work    = 0; ///< done by loads, extra forces, prescribed motions and walls
-    double start   = 0; ///< total at the start
-
-    /// What the parts fail to add up to since the start.
-    double
-    residual() const
-    {
-      return kinetic + strain + stabilisation + plastic + viscous + damping - work - start;
-    }
-    /// |residual| over strain plus dissipated energy, as in the program's summary.
-    double
-    error() const
-    {
-      return std::abs(residual()) / (strain + stabilisation + plastic + viscous + damping);
-    }
-  };
 
   /// Materials and the scheme of a scene.
   struct Setup
@@ -87,18 +58,14 @@ namespace scenes
     unsigned int
     fix(const Nodes &nodes, int component);
 
-    /// A rigid frictionless wall: side x (position of the component - level(t)) >= 0, side = 1 or -1.
-    /// Exact impenetrability by the forward increment Lagrange multiplier (Carpenter, Taylor and Katona
-    /// 1991): no penalty, no limit on the step. A node that hits loses the energy of its normal velocity.
-    /// Returns a number for reaction().
+    /// A rigid frictionless wall: side x (position of the component - level(t)) >= 0, side = 1 or -1; see
+    /// Tie. Returns a number for reaction().
     unsigned int
     wall(const Nodes &nodes, int component, int side, const Function &level);
 
-    /// Adds forces in every step. force: 4 numbers a node [N]; the velocity in `solid` is that of the
-    /// half step behind. The work of the force is counted.
-    using Force = std::function<void(double time, const Solid &solid, double *force)>;
+    /// Adds forces in every step, and counts their work.
     void
-    add_force(const Force &force);
+    add_force(const NodalLoad::Force &force);
 
     /// Dead load: pressure(t) [Pa] on the faces in the reference configuration.
     void
@@ -116,23 +83,23 @@ namespace scenes
     double
     reaction(const unsigned int number) const
     {
-      return ties_[number].reaction;
+      return ties_[number]->reaction;
     }
 
     double
     time() const
     {
-      return time_;
+      return loop_.time();
     }
     unsigned long
     steps() const
     {
-      return steps_;
+      return loop_.steps();
     }
-    const Energy &
+    const EnergyBook &
     energy() const
     {
-      return balance_;
+      return loop_.energy();
     }
     /// Of the velocities in `solid` [J].
     double
@@ -148,16 +115,6 @@ namespace scenes
     double mass_damping;
 
   private:
-    using Vector = wheelrail::AlignedVector<double>;
-    /// Nodes whose component is prescribed (side 0) or bounded by a wall (side 1 or -1).
-    struct Tie
-    {
-      Nodes        nodes;
-      unsigned int component;
-      int          side;
-      Function     value;
-      double       reaction;
-    };
     unsigned int
     add_tie(const Nodes &nodes, int component, int side, const Function &value);
     double
@@ -165,27 +122,10 @@ namespace scenes
     {
       return solid.mass[node] + solid.added_mass[node];
     }
-    void
-    add_internal_forces(bool with_energy);
-    void
-    add_external_forces();
-    void
-    move_nodes(double kick);
-    void
-    apply(Tie &tie, double kick);
-    void
-    balance(const Energy &before);
 
-    double                   bulk_viscosity_;
-    Nodes                    masses_;          ///< nodes with mass
-    Vector                   velocity_before_; ///< of the half step behind [m/s]
-    Vector                   external_;        ///< extra forces of this step [N]
-    std::vector<Tie>         ties_;
-    std::vector<Force>       forces_;
-    wheelrail::ElementEnergy elements_;
-    Energy                   energy_;  ///< sums up to the last half step
-    Energy                   balance_; ///< of the last full step that asked for it
-    double                   time_  = 0;
-    unsigned long            steps_ = 0;
+    Nodes                                   masses_; ///< nodes with mass
+    std::vector<std::unique_ptr<Tie>>       ties_;
+    std::vector<std::unique_ptr<NodalLoad>> loads_;
+    wheelrail::TimeLoop                     loop_;
   };
 } // namespace scenes

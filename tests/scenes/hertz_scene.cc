@@ -194,9 +194,11 @@ namespace scenes
     const double frequency = 1.2e5;
     const double mass      = load / (line ? 4e-6 : truth.solution.approach) / (frequency * frequency);
     pair.drive             = [&](const double time, RigidMotion &wheel) {
-      double &v = wheel.velocity[1];
-      v += scene.time_step * ((pair.sums.force[1] - load * loading(time)) / mass - scene.mass_damping * v);
-      wheel.move[1] += scene.time_step * v;
+      advance(wheel.move[1],
+              wheel.velocity[1],
+              (pair.sums.force[1] - load * loading(time)) / mass,
+              make_kick(scene.time_step, scene.mass_damping),
+              scene.time_step);
     };
 
     const std::clock_t start = std::clock();

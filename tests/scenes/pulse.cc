@@ -6,27 +6,23 @@ namespace scenes
 {
   using namespace wheelrail;
 
-  Dynamics
-  Bar::scene(const Function &displacement) const
+  BarScene::BarScene(const Bar &bar, const Function &displacement)
+    : Dynamics(box({0, 0, 0}, {bar_length, bar.height(), bar.height()}, {bar.cells, 1, 1}), bar.setup)
   {
-    const double h = bar_length / cells;
-    Dynamics     dynamics(box({0, 0, 0}, {bar_length, h, h}, {cells, 1, 1}), setup);
-    const auto   everywhere = [](const Vector3 &) { return true; };
-    if (confined)
+    if (bar.confined)
       for (const int component : {1, 2})
-        dynamics.fix(select(dynamics.solid.mesh, everywhere), component);
-    dynamics.prescribe(select(dynamics.solid.mesh, plane(0, 0)), 0, displacement);
-    if (end == End::fixed)
-      dynamics.fix(select(dynamics.solid.mesh, plane(0, bar_length)), 0);
-    return dynamics;
+        fix(select(solid.mesh, [](const Vector3 &) { return true; }), component);
+    prescribe(select(solid.mesh, plane(0, 0)), 0, displacement);
+    if (bar.end == End::fixed)
+      fix(select(solid.mesh, plane(0, bar_length)), 0);
   }
 
 
   double
   pulse_error(const Bar &bar, const Pulse &pulse, const double step)
   {
-    const double c     = bar.speed();
-    Dynamics     scene = bar.scene([=](const double t) { return pulse.displacement(t); });
+    const double c = bar.speed();
+    BarScene     scene(bar, [=](const double t) { return pulse.displacement(t); });
     const double end   = 1.4 * bar_length / c;
     const auto   steps = static_cast<unsigned int>(std::ceil(end / step));
     scene.time_step    = end / steps;

@@ -32,9 +32,12 @@ namespace scenes
       return confined ? m.wave_speed() : std::sqrt(m.youngs_modulus / m.density);
     }
 
-    /// The bar whose near end moves so.
-    Dynamics
-    scene(const Function &displacement) const;
+    /// Edge of its cubes [m].
+    double
+    height() const
+    {
+      return bar_length / cells;
+    }
 
     std::string
     name() const
@@ -42,6 +45,13 @@ namespace scenes
       return form_name(setup) + (confined ? " block" : " bar") +
              (end == End::free ? ", free end" : ", fixed end");
     }
+  };
+
+  /// The bar whose near end moves so.
+  class BarScene : public Dynamics
+  {
+  public:
+    BarScene(const Bar &bar, const Function &displacement);
   };
 
   /// Velocity peak sin^2(pi t/duration) of the loaded end.

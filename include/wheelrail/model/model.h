@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/contact/contact.h>
+#include <wheelrail/dynamics/time_loop.h>
 #include <wheelrail/mesh/forest.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
@@ -31,6 +32,9 @@ namespace wheelrail
 
   Plasticity
   plasticity(const MaterialData &material);
+
+  TimeScheme
+  time_scheme(const Scene &scene, const Model &model);
 
   /// Where the fine zone lies and how the sections are swept. Throws InputError and RunError as
   /// make_sweep_plan() does.

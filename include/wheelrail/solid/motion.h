@@ -4,6 +4,30 @@
 
 namespace wheelrail
 {
+  // Central differences: displacements at full steps, velocities at half steps.
+
+  /// How the force of a full step changes the velocities from one half step to the next:
+  /// v becomes retain x v + gain x force / mass.
+  struct Kick
+  {
+    double duration = 0; ///< the step, or half of it from a start at a full step [s]
+    double retain   = 1; ///< below 1 with mass damping
+    double gain     = 0; ///< [s]
+  };
+
+  /// The kick over `duration` [s] with the damping force -rate x mass x velocity [1/s], which belongs to the
+  /// mean of the velocities of both half steps; without it, retain is exactly 1.
+  Kick
+  make_kick(double duration, double damping_rate = 0);
+
+  /// One step of a rigid body's coordinate: its speed is kicked by the acceleration, its place follows.
+  inline void
+  advance(double &place, double &speed, const double acceleration, const Kick &kick, const double time_step)
+  {
+    speed = kick.retain * speed + kick.gain * acceleration;
+    place += time_step * speed;
+  }
+
   /// What a node needs in every step beside its state.
   struct NodeInertia
   {
@@ -11,23 +35,35 @@ namespace wheelrail
     double weight       = 0; ///< force against Y that acts in every step; on shared nodes, of one rank [N]
   };
 
+  /// Inverse masses of all nodes, added mass included; hanging nodes have none.
+  std::vector<NodeInertia>
+  node_inertia(const Solid &solid);
+
   /// Sets solid.force to the weights: where the sum of the next step starts.
   void
   start_forces(Solid &solid, const std::vector<NodeInertia> &inertia);
 
-  /// One step of central differences for all nodes of this rank in one pass over memory:
-  /// velocity += kick x force / mass, displacement += time_step x velocity, and solid.force becomes the
-  /// weights again. `kick` is the step, or half of it from a start at a full step [s]. Nodes without
+  /// Mean of the velocities of both half steps around the full one, along which its forces work [m/s];
+  /// solid.force must be final and the node not yet moved.
+  Vector3
+  mean_velocity(const Solid                    &solid,
+                const std::vector<NodeInertia> &inertia,
+                unsigned int                    node,
+                const Kick                     &kick);
+
+  /// One step of central differences for all nodes of this rank in one pass over memory: velocities are
+  /// kicked, displacement += time_step x velocity, and solid.force becomes the weights again. Nodes without
   /// inverse mass stay where they are, hanging nodes too: see distribute().
   ///
   /// With `with_energy` it returns the kinetic energy at the full step of the nodes that this rank owns
   /// [J]: half the mass times the product of the velocities before and after, or of those before alone
-  /// when `kick` is half a step. With it, central differences keep the energy of a linear body to
-  /// round-off at any stable step. Returns zero otherwise.
+  /// when the kick is half a step. With it, central differences keep the energy of a linear body to
+  /// round-off at any stable step (the mean of both squares would exceed it by up to the strain energy of the
+  /// highest waves). Returns zero otherwise.
   double
   move_nodes(Solid                          &solid,
              const std::vector<NodeInertia> &inertia,
-             double                          kick,
+             const Kick                     &kick,
              double                          time_step,
              bool                            with_energy);
 } // namespace wheelrail

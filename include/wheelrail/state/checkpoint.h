@@ -30,21 +30,16 @@ namespace wheelrail
     double       prepared_distance = 0; ///< for which the mesh was made [m]
     double       fine_margin       = 0; ///< with which the mesh was made [m]
 
-    std::vector<std::uint32_t>            node, cell;  ///< numbers of the nodes and cells that follow
-    std::map<std::string, NumberedValues> node_values; ///< position, displacement [m], velocity [m/s]
-    std::map<std::string, NumberedValues> cell_values; ///< see visit_histories()
-    std::vector<double> viscous, support_work;         ///< sums of Rolling that each rank has of its own [J]
+    std::vector<std::uint32_t>                 node, cell;  ///< numbers of the nodes and cells that follow
+    std::map<std::string, NumberedValues>      node_values; ///< position, displacement [m], velocity [m/s]
+    std::map<std::string, NumberedValues>      cell_values; ///< see visit_histories()
+    std::map<std::string, std::vector<double>> works; ///< energy terms that are sums: one part a rank [J]
+    int                                        ranks = 1;
 
     Contact::State  contact;
     Axle::State     axle;
-    Rolling::State  rolling;
+    TimeLoop::State rolling;
     Recorder::State recorder;
-
-    unsigned int
-    ranks() const
-    {
-      return viscous.size();
-    }
   };
 
   /// Copies the rank's part of the state after a step. `parameters`, `wall_time` and `ticks` are left to the

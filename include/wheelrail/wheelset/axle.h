@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/solid/solid.h>
+#include <wheelrail/solid/part.h>
 
 #include <mpi.h>
 
@@ -36,18 +36,23 @@ namespace wheelrail
 
   /// The rigid axle: vertical motion and pitch are free, longitudinal speed is held, lateral, roll and
   /// yaw are fixed. The bore nodes follow it exactly.
-  class Axle
+  class Axle : public Part
   {
   public:
-    /// `bore`: the rank's bore nodes (marks of the mesh). `lift` [m] is the axle's static vertical
-    /// displacement, `pitch_rate` [rad/s] its start value. Collective.
-    Axle(const AxleData &data, const Solid &solid, double lift, double pitch_rate, MPI_Comm communicator);
+    /// `lift` [m] is the axle's static vertical displacement, `pitch_rate` [rad/s] its start value.
+    Axle(const AxleData &data, double lift, double pitch_rate, MPI_Comm communicator);
+
+    /// Finds the bore nodes by the marks of the mesh, takes them from the loop, and adds their mass and
+    /// inertia to the axle's. Collective.
+    void
+    prepare(const Solid &solid, std::vector<NodeInertia> &inertia) override;
+    void
+    enter(EnergyBook &book) override;
 
     /// Sums the forces on the bore nodes and advances the rigid motion by a step, then places the
-    /// bore nodes (displacement and velocity of `solid`). `first` makes a half kick from a start at a
-    /// full step. Collective.
+    /// bore nodes (displacement and velocity of `solid`). Collective.
     void
-    step(Solid &solid, double time_step, bool first);
+    constrain(const Instant &now, Solid &solid, const std::vector<NodeInertia> &inertia) override;
 
     const AxleData &
     data() const
@@ -123,6 +128,16 @@ namespace wheelrail
     }
 
   private:
+    /// Terms of the energy book.
+    struct Terms
+    {
+      EnergyTerm *kinetic = nullptr, *potential = nullptr, *suspension = nullptr, *torque = nullptr,
+                 *hold = nullptr;
+    };
+    void
+    move(Solid &solid, const Kick &kick, double time_step);
+    void
+    write(const AxleEnergy &before);
     void
     place_bore(Solid &solid, double time_step);
 
@@ -137,10 +152,7 @@ namespace wheelrail
     double                    reaction_[4]    = {0, 0, 0, 0};        ///< force and moment about the axis
     double                    applied_torque_ = 0;
     AxleEnergy                work_;
+    Terms                     terms_;
     MPI_Comm                  communicator_;
   };
-
-  /// Nodes of this rank that lie on faces with the given mark, once each.
-  std::vector<unsigned int>
-  boundary_nodes(const LocalMesh &mesh, Boundary mark);
 } // namespace wheelrail

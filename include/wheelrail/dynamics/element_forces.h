@@ -1,0 +1,22 @@
+#pragma once
+
+#include <wheelrail/solid/part.h>
+
+namespace wheelrail
+{
+  /// Internal forces of the elements of both bodies, with the linear bulk viscosity, and their energies.
+  class ElementForces
+  {
+  public:
+    void
+    enter(EnergyBook &book);
+
+    /// Subtracts the internal forces of the rank's elements; the first step only records the dilatation, from
+    /// which the viscosity of the next one takes its rate.
+    void
+    add_shares(const Instant &now, double bulk_viscosity, Solid &solid);
+
+  private:
+    EnergyTerm *strain_ = nullptr, *stabilisation_ = nullptr, *plastic_ = nullptr, *viscous_ = nullptr;
+  };
+} // namespace wheelrail

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <wheelrail/contact/contact.h>
+#include <wheelrail/wheelset/axle.h>
+
+namespace wheelrail
+{
+  /// The contact of the two running surfaces as a part of the time loop: its window follows the axle.
+  class RollingContact : public Part
+  {
+  public:
+    RollingContact(Contact &contact, const Axle &axle, MPI_Comm communicator)
+      : contact_(contact)
+      , axle_(axle)
+      , communicator_(communicator)
+    {
+    }
+
+    void
+    enter(EnergyBook &book) override;
+    void
+    add_forces(const Instant &now, Solid &solid) override;
+
+    /// Of the last step.
+    const ContactSums &
+    sums() const
+    {
+      return sums_;
+    }
+
+  private:
+    Contact    &contact_;
+    const Axle &axle_;
+    MPI_Comm    communicator_;
+    ContactSums sums_;
+    EnergyTerm *stored_ = nullptr, *friction_ = nullptr, *damping_ = nullptr;
+  };
+
+  /// Turns the added mass of the wheel's running surface with the wheel: mass that moves on a circle needs a
+  /// force towards its centre, and without one of its own it would pull at the rim.
+  class AddedMassRotation : public Part
+  {
+  public:
+    explicit AddedMassRotation(const Axle &axle)
+      : axle_(axle)
+    {
+    }
+
+    void
+    prepare(const Solid &solid, std::vector<NodeInertia> &inertia) override;
+    void
+    enter(EnergyBook &book) override;
+    void
+    add_forces(const Instant &now, Solid &solid) override;
+    void
+    account(const Instant &now, const Solid &solid, const std::vector<NodeInertia> &inertia) override;
+
+  private:
+    const Axle               &axle_;
+    std::vector<unsigned int> nodes_; ///< wheel nodes with added mass
+    std::vector<Vector3>      force_; ///< on them in this step [N]
+    EnergyTerm               *work_ = nullptr;
+  };
+} // namespace wheelrail

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <wheelrail/dynamics/element_forces.h>
+#include <wheelrail/solid/exchange.h>
+#include <wheelrail/solid/part.h>
+
+#include <memory>
+
+namespace wheelrail
+{
+  /// Constants of the scheme.
+  struct TimeScheme
+  {
+    double time_step      = 0; ///< [s]
+    double bulk_viscosity = 0; ///< coefficient of the linear bulk viscosity
+    double mass_damping = 0; ///< force -rate x mass x velocity on all nodes, for scenes that shall rest [1/s]
+  };
+
+  /// The one explicit time loop: central differences for deformable bodies and for the parts of a scene.
+  ///
+  /// Displacements are known at full steps, velocities at half steps; a start has both at the same instant.
+  /// One step: shares of the forces (elements, then the parts), their sum over ranks, forces that all ranks
+  /// know alike (contact, loads), constraints (axle, supports, walls), energies, and then all free nodes.
+  class TimeLoop
+  {
+  public:
+    /// The state in `solid` (displacement and velocity at the same instant) is the start.
+    TimeLoop(Solid &solid, const TimeScheme &scheme, MPI_Comm communicator);
+    TimeLoop(const TimeLoop &) = delete;
+
+    /// Parts act in the order in which they are added; each must outlive the loop.
+    void
+    add(Part &part);
+
+    /// Prepares the loop and all parts for the mesh and the masses that `solid` has now: before the first
+    /// step, and whenever the mesh changes. Collective.
+    void
+    prepare();
+
+    /// One time step. `with_energy` brings the energies up to date, too. Collective.
+    void
+    step(bool with_energy);
+
+    /// May be changed as long as no step is made.
+    TimeScheme scheme;
+
+    double
+    time() const
+    {
+      return time_;
+    }
+    unsigned long
+    steps() const
+    {
+      return steps_;
+    }
+    const EnergyBook &
+    energy() const
+    {
+      return book_;
+    }
+
+    /// What one step leaves to the next beside the bodies and the parts.
+    struct State
+    {
+      double            time  = 0; ///< [s]
+      unsigned long     steps = 0;
+      EnergyBook::State energy;
+    };
+    State
+    state() const;
+    void
+    set_state(const State &state);
+
+    /// Seconds spent since the start (this rank).
+    struct Timing
+    {
+      double elements = 0; ///< forces of the elements
+      double exchange = 0; ///< sums over ranks
+      double parts    = 0; ///< contact, loads, constraints
+      double update   = 0; ///< of the nodes
+
+      double
+      sum() const
+      {
+        return elements + exchange + parts + update;
+      }
+    };
+    const Timing &
+    timing() const
+    {
+      return timing_;
+    }
+    /// Where seconds come from, wall time unless set: a benchmark on a busy machine takes CPU time.
+    double (*clock)();
+
+  private:
+    Instant
+    instant(bool with_energy) const;
+    void
+    account(const Instant &now);
+    void
+    move(const Instant &now);
+
+    Solid                     &solid_;
+    MPI_Comm                   communicator_;
+    ElementForces              elements_;
+    std::vector<Part *>        parts_;
+    std::unique_ptr<SharedSum> sum_;
+    std::vector<NodeInertia>   inertia_;
+    EnergyBook                 book_;
+    EnergyTerm                &kinetic_;
+    double                     time_  = 0;
+    unsigned long              steps_ = 0;
+    Timing                     timing_;
+  };
+} // namespace wheelrail

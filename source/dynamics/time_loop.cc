@@ -1,0 +1,163 @@
+#include <wheelrail/dynamics/time_loop.h>
+
+#include <chrono>
+
+namespace wheelrail
+{
+  namespace
+  {
+    double
+    wall_seconds()
+    {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    }
+
+    /// Adds the seconds between its making and its end to a total.
+    class Stopwatch
+    {
+    public:
+      Stopwatch(double (*clock)(), double &total)
+        : clock_(clock)
+        , total_(total)
+        , start_(clock())
+      {
+      }
+      ~Stopwatch()
+      {
+        total_ += clock_() - start_;
+      }
+      Stopwatch(const Stopwatch &) = delete;
+
+    private:
+      double (*clock_)();
+      double &total_;
+      double  start_;
+    };
+  } // namespace
+
+
+  TimeLoop::TimeLoop(Solid &solid, const TimeScheme &scheme, MPI_Comm communicator)
+    : scheme(scheme)
+    , clock(wall_seconds)
+    , solid_(solid)
+    , communicator_(communicator)
+    , kinetic_(book_.term("kinetic_energy", EnergyKind::stored))
+  {
+    elements_.enter(book_);
+  }
+
+
+  void
+  TimeLoop::add(Part &part)
+  {
+    parts_.push_back(&part);
+    part.enter(book_);
+  }
+
+
+  void
+  TimeLoop::prepare()
+  {
+    sum_     = std::make_unique<SharedSum>(solid_.mesh, communicator_);
+    inertia_ = node_inertia(solid_);
+    for (Part *part : parts_)
+      part->prepare(solid_, inertia_);
+    start_forces(solid_, inertia_);
+  }
+
+
+  Instant
+  TimeLoop::instant(const bool with_energy) const
+  {
+    const bool first = steps_ == 0;
+    return {time_,
+            scheme.time_step,
+            make_kick(first ? scheme.time_step / 2 : scheme.time_step, scheme.mass_damping),
+            first,
+            with_energy};
+  }
+
+
+  void
+  TimeLoop::step(const bool with_energy)
+  {
+    const Instant now = instant(with_energy);
+    book_.begin_step();
+    // 1. each rank's share of the forces
+    {
+      const Stopwatch watch(clock, timing_.elements);
+      elements_.add_shares(now, scheme.bulk_viscosity, solid_);
+    }
+    {
+      const Stopwatch watch(clock, timing_.parts);
+      for (Part *part : parts_)
+        part->add_shares(now, solid_);
+    }
+    // 2. sums over ranks
+    {
+      const Stopwatch watch(clock, timing_.exchange);
+      condense(solid_.mesh, solid_.force.data());
+      (*sum_)(solid_.force.data());
+    }
+    // 3. forces known alike, constraints, works
+    {
+      const Stopwatch watch(clock, timing_.parts);
+      for (Part *part : parts_)
+        part->add_forces(now, solid_);
+      for (Part *part : parts_)
+        part->constrain(now, solid_, inertia_);
+      account(now);
+    }
+    // 4. free nodes
+    {
+      const Stopwatch watch(clock, timing_.update);
+      move(now);
+    }
+    time_ += now.step;
+    ++steps_;
+    if (with_energy)
+      book_.balance(now.first, communicator_);
+  }
+
+
+  void
+  TimeLoop::account(const Instant &now)
+  {
+    for (Part *part : parts_)
+      part->account(now, solid_, inertia_);
+    if (scheme.mass_damping == 0)
+      return;
+    double power = 0;
+    for (unsigned int n = 0; n < inertia_.size(); ++n)
+      if (inertia_[n].inverse_mass > 0 && solid_.mesh.owned[n])
+        {
+          const Vector3 v = mean_velocity(solid_, inertia_, n, now.kick);
+          power += scheme.mass_damping / inertia_[n].inverse_mass * dot(v, v);
+        }
+    book_.term("mass_damping_dissipation", EnergyKind::dissipated).add_work(now.kick.duration * power);
+  }
+
+
+  void
+  TimeLoop::move(const Instant &now)
+  {
+    kinetic_.here += move_nodes(solid_, inertia_, now.kick, now.step, now.with_energy);
+    distribute(solid_.mesh, solid_.displacement.data());
+  }
+
+
+  TimeLoop::State
+  TimeLoop::state() const
+  {
+    return {time_, steps_, book_.state()};
+  }
+
+
+  void
+  TimeLoop::set_state(const State &state)
+  {
+    time_  = state.time;
+    steps_ = state.steps;
+    book_.set_state(state.energy);
+  }
+} // namespace wheelrail

@@ -1,0 +1,33 @@
+#include <wheelrail/solid/boundary_nodes.h>
+#include <wheelrail/solid/exchange.h>
+
+#include <set>
+
+namespace wheelrail
+{
+  std::vector<unsigned int>
+  boundary_nodes(const LocalMesh &mesh, const Boundary mark)
+  {
+    std::set<unsigned int> nodes;
+    for (const auto &face : mesh.faces)
+      if (face.mark == mark)
+        nodes.insert(face.nodes.begin(), face.nodes.end());
+    return {nodes.begin(), nodes.end()};
+  }
+
+
+  std::vector<unsigned int>
+  held_boundary_nodes(const LocalMesh &mesh, const Boundary mark, MPI_Comm communicator)
+  {
+    AlignedVector<double> marked(4 * mesh.n_nodes(), 0.);
+    for (const unsigned int n : boundary_nodes(mesh, mark))
+      marked[4 * n] = 1;
+    SharedSum sum(mesh, communicator);
+    sum(marked.data(), 1);
+    std::vector<unsigned int> nodes;
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      if (marked[4 * n] > 0)
+        nodes.push_back(n);
+    return nodes;
+  }
+} // namespace wheelrail

@@ -1,0 +1,90 @@
+#include <wheelrail/solid/energy_book.h>
+
+#include <cmath>
+#include <vector>
+
+namespace wheelrail
+{
+  EnergyTerm &
+  EnergyBook::term(const std::string &name, const EnergyKind kind)
+  {
+    for (EnergyTerm &term : terms_)
+      if (term.name == name)
+        return term;
+    terms_.push_back({name, kind});
+    return terms_.back();
+  }
+
+
+  double
+  EnergyBook::operator[](const std::string &name) const
+  {
+    for (const EnergyTerm &term : terms_)
+      if (term.name == name)
+        return term.value;
+    return 0;
+  }
+
+
+  double
+  EnergyBook::sum(const EnergyKind kind) const
+  {
+    double total = 0;
+    for (const EnergyTerm &term : terms_)
+      if (term.kind == kind)
+        total += term.value;
+    return total;
+  }
+
+
+  void
+  EnergyBook::begin_step()
+  {
+    for (EnergyTerm &term : terms_)
+      {
+        term.here   = 0;
+        term.before = term.work;
+      }
+  }
+
+
+  void
+  EnergyBook::balance(const bool first, MPI_Comm communicator)
+  {
+    std::vector<double> values;
+    for (const EnergyTerm &term : terms_)
+      values.push_back(term.here + (first ? term.before : 0.5 * (term.before + term.work)));
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), values.size(), MPI_DOUBLE, MPI_SUM, communicator);
+    std::size_t k = 0;
+    for (EnergyTerm &term : terms_)
+      term.value = values[k++];
+    const double total = stored() + dissipated() - supplied();
+    if (!state_.started)
+      state_.start = total;
+    state_.started = true;
+    residual_      = total - state_.start;
+    state_.error   = std::abs(residual_) / ((*this)["strain_energy"] + dissipated());
+  }
+
+
+  EnergyBook::State
+  EnergyBook::state() const
+  {
+    State state = state_;
+    for (const EnergyTerm &term : terms_)
+      if (term.kind != EnergyKind::stored)
+        state.works[term.name] = term.work;
+    return state;
+  }
+
+
+  void
+  EnergyBook::set_state(const State &state)
+  {
+    for (EnergyTerm &term : terms_)
+      if (const auto found = state.works.find(term.name); found != state.works.end())
+        term.work = found->second;
+    state_ = state;
+    state_.works.clear();
+  }
+} // namespace wheelrail
