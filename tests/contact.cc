@@ -69,7 +69,7 @@ namespace
     const Lattice &lattice = contact.lattice();
     GapErrors      errors;
     // on the outermost lines the surface filter is one-sided; a loaded node there stops a run
-    for (int i = contact.window().rail_first + 1; i + 1 < contact.window().rail_last; ++i)
+    for (int i = contact.window().rail.first + 1; i + 1 < contact.window().rail.last; ++i)
       for (unsigned int j = 1; j + 1 < lattice.n_lateral; ++j)
         {
           const std::size_t k     = lattice.index(i, j);
@@ -98,7 +98,7 @@ namespace
     model.contact->evaluate(0);
     double error = 0, lowest = 0;
     int    nodes = 0;
-    for (int i = contact.window().rail_first; i < contact.window().rail_last; ++i)
+    for (int i = contact.window().rail.first; i < contact.window().rail.last; ++i)
       for (unsigned int j = 1; j + 1 < lattice.n_lateral; ++j)
         {
           const double s     = lattice.s_begin + j * lattice.spacing_lateral,
@@ -256,12 +256,12 @@ namespace
         for (const auto &node : model.contact->nodes())
           {
             excess = std::max(excess, norm(node.traction) - law.friction.at_rest * node.pressure);
-            tilt   = std::max(tilt, std::abs(dot(node.shear, node.normal)));
+            tilt   = std::max(tilt, std::abs(dot(node.elastic, node.normal)));
             if (node.pressure > 0.2 * sums.largest_pressure)
               {
                 const double along = slow * (1 - node.normal[2] * node.normal[2]);
                 stick              = std::max(stick,
-                                 std::abs(node.shear[2] / (law.stiffness * n * step * along) - 1) +
+                                 std::abs(node.elastic[2] / (law.stiffness * n * step * along) - 1) +
                                    (node.slipping ? 1 : 0));
               }
           }
@@ -291,7 +291,7 @@ namespace
     place(model, {70e-6, 0, 0.002}, {0, 0, -slow});
     model.contact->evaluate(step);
     for (const auto &node : model.contact->nodes())
-      tilt = std::max(tilt, std::abs(dot(node.shear, node.normal)));
+      tilt = std::max(tilt, std::abs(dot(node.elastic, node.normal)));
     check_near(
       tilt / sums.largest_pressure, 0, 1e-12, "turned wheel: the shear history lies in the tangent plane");
   }

@@ -167,13 +167,10 @@ namespace
   {
   public:
     RigidPair(const double radius, const int n, const double friction, const double half_window)
-      : contact(numbered(surface(Body::rail, 1e6, n), 0),
-                numbered(surface(Body::wheel, radius, n + 2), (2 * n + 1) * (2 * n + 1)),
-                wheel_on_plane(radius, radius, 30e-3),
-                {1e15, 0, {friction}, {}},
-                half_window,
-                MPI_COMM_SELF)
+      : contact(wheel_on_plane(radius, radius, 30e-3), {1e15, 0, {friction}, {}}, half_window, MPI_COMM_SELF)
     {
+      contact.prepare(numbered(surface(Body::rail, 1e6, n), 0),
+                      numbered(surface(Body::wheel, radius, n + 2), (2 * n + 1) * (2 * n + 1)));
       u.assign(4 * (contact.rail().reference.size() + contact.wheel().reference.size()), 0.);
       v = u;
     }

@@ -112,7 +112,7 @@ namespace
   test_refused()
   {
     HalfspaceProblem problem = ellipse(true);
-    problem.friction.law     = HalfspaceFriction::Law::exponential;
+    problem.friction         = {0.5, FrictionKind::exponential, 0.4, 0.05};
     check_text(test::message_of([&]() { contact_input(problem, "x"); }),
                "--contact-input writes constant friction only: set Contact/Friction law = constant",
                "friction over speed");

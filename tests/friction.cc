@@ -54,8 +54,8 @@ namespace
     ContactLaw law = model.contact->law();
     law.friction   = friction;
     law.damping    = 0;
-    Contact contact(
-      model.contact->rail(), model.contact->wheel(), model.contact->surfaces(), law, 0.02, MPI_COMM_WORLD);
+    Contact contact(model.contact->surfaces(), law, 0.02, MPI_COMM_WORLD);
+    contact.prepare(model.contact->rail(), model.contact->wheel());
     Solid       &solid = model.solid;
     const int    n     = 400;
     const double way = 100e-6, step = way / speed / n;

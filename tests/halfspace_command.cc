@@ -49,16 +49,17 @@ namespace
     const PatchFields   patch = read_patch((folder / "scene-halfspace" / "halfspace.h5").string(), 0);
     const PatchMeasures m     = measure_patch(patch);
     check_near(m.normal_force / s.normal_force, 1, 1e-6, "sum of the pressures over normal force");
-    check_near(m.shear_force_along / -s.longitudinal_force, 1, 1e-3, "sum of the tractions over the force");
+    check_near(
+      m.traction_force_along / -s.longitudinal_force, 1, 1e-3, "sum of the tractions over the force");
     check_near(m.peak_pressure, s.max_pressure, 1, "peak pressure of the file");
     double worst = 0;
     for (std::size_t k = 0; k < patch.state.size(); ++k)
       if (patch.state[k] == 2) // friction on the rail acts along the slip of the wheel
-        worst = std::max(
-          worst,
-          std::hypot(patch.slip_along[k], patch.slip_lateral[k]) *
-              std::hypot(patch.shear_along[k], patch.shear_lateral[k]) -
-            (patch.slip_along[k] * patch.shear_along[k] + patch.slip_lateral[k] * patch.shear_lateral[k]));
+        worst = std::max(worst,
+                         std::hypot(patch.slip_along[k], patch.slip_lateral[k]) *
+                             std::hypot(patch.traction_along[k], patch.traction_lateral[k]) -
+                           (patch.slip_along[k] * patch.traction_along[k] +
+                            patch.slip_lateral[k] * patch.traction_lateral[k]));
     check_near(worst, 0, 1e-3 * 5e8 * 1e-3, "tractions on the rail against slip of the wheel");
     for (const char *file : {"parameters.prm", "pictures/sheet.png", "pictures/cut_along.png"})
       check(fs::exists(folder / "scene-halfspace" / file), std::string(file) + " is written");

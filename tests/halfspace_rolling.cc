@@ -44,15 +44,15 @@ namespace
           continue;
         HalfspaceProblem problem = ellipse(number(1) * 1e-3);
         const bool       fx = row[3] != "creepage", fy = row[3] == "Fx and Fy";
-        problem.friction.static_coefficient = number(2);
-        problem.longitudinal_force_given    = fx;
-        problem.lateral_force_given         = fy;
-        problem.fx                          = fx ? number(7) : 0;
-        problem.xi                          = fx ? 0 : number(4);
-        problem.eta                         = fy ? 0 : number(5);
-        problem.phi                         = number(6) * 1e3;
-        const auto        s                 = solve_rolling(problem);
-        const std::string name              = row[0] + " at " + row[1] + " mm: ";
+        problem.friction.at_rest         = number(2);
+        problem.longitudinal_force_given = fx;
+        problem.lateral_force_given      = fy;
+        problem.fx                       = fx ? number(7) : 0;
+        problem.xi                       = fx ? 0 : number(4);
+        problem.eta                      = fy ? 0 : number(5);
+        problem.phi                      = number(6) * 1e3;
+        const auto        s              = solve_rolling(problem);
+        const std::string name           = row[0] + " at " + row[1] + " mm: ";
         check(s.converged() && s.newton_steps <= 15,
               name + "converged in " + std::to_string(s.newton_steps) + " steps");
         check_near(
@@ -76,9 +76,9 @@ namespace
     double old = 1;
     for (const auto &row : test::read_table("contact_kalker_coefficients.csv"))
       {
-        const auto       number             = [&](const int column) { return std::stod(row[column]); };
-        HalfspaceProblem problem            = ellipse(number(0) * 1e-3);
-        problem.friction.static_coefficient = 1000;
+        const auto       number  = [&](const int column) { return std::stod(row[column]); };
+        HalfspaceProblem problem = ellipse(number(0) * 1e-3);
+        problem.friction.at_rest = 1000;
         const double G = 210e9 / 2.6, c = std::sqrt(7.161676e-3 * 5.387172e-3);
         problem.xi             = 1e-4;
         const double c11       = -solve_rolling(problem).fx / (G * c * c * 1e-4);

@@ -53,8 +53,8 @@ namespace test
           patch.lateral.push_back(y);
           patch.gap.push_back(r > 0 ? -p / penalty_spring : hertz_gap(a, b, x, y));
           patch.pressure.push_back(p);
-          patch.shear_along.push_back(-0.3 * p);
-          patch.shear_lateral.push_back(0);
+          patch.traction_along.push_back(-0.3 * p);
+          patch.traction_lateral.push_back(0);
           patch.slip_along.push_back(p > 0 && x < 0 ? 2e-3 : 0);
           patch.slip_lateral.push_back(0);
           patch.state.push_back(p > 0 ? (x < 0 ? 2 : 1) : 0);
@@ -76,8 +76,8 @@ namespace test
                               &P::lateral,
                               &P::gap,
                               &P::pressure,
-                              &P::shear_along,
-                              &P::shear_lateral,
+                              &P::traction_along,
+                              &P::traction_lateral,
                               &P::slip_along,
                               &P::slip_lateral,
                               &P::state,

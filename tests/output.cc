@@ -229,8 +229,8 @@ namespace
     check_near(m.peak_pressure, hertz_peak, 0.006 * hertz_peak, "largest nodal pressure [Pa]");
     check_near(m.peak_pressure_fitted, hertz_peak, 0.005 * hertz_peak, "fitted peak [Pa]");
     check_near(
-      m.shear_force_along, -0.3 * m.normal_force, 1e-6 * m.normal_force, "shear force on the rail [N]");
-    check_near(m.max_shear, 0.3 * m.peak_pressure, 1, "largest shear traction [Pa]");
+      m.traction_force_along, -0.3 * m.normal_force, 1e-6 * m.normal_force, "shear force on the rail [N]");
+    check_near(m.max_traction, 0.3 * m.peak_pressure, 1, "largest shear traction [Pa]");
     check(m.n_patches == 1 && !m.touches_border, "one whole patch");
     check(m.stick_fraction > 0.3 && m.stick_fraction < 0.7, "stick fraction of a half-sticking patch");
 

@@ -45,8 +45,8 @@ namespace
           patch.lateral.push_back(y);
           patch.pressure.push_back(p);
           patch.gap.push_back(p > 0 ? -1e-7 : 1e-6);
-          patch.shear_along.push_back(-0.8 * shear);
-          patch.shear_lateral.push_back(0.6 * shear);
+          patch.traction_along.push_back(-0.8 * shear);
+          patch.traction_lateral.push_back(0.6 * shear);
           patch.slip_along.push_back(0);
           patch.slip_lateral.push_back(0);
           patch.state.push_back(p > 0 ? (sticks ? 1 : 2) : 0);
@@ -60,7 +60,7 @@ namespace
   {
     double largest = 0;
     for (std::size_t k = 0; k < patch.pressure.size(); ++k)
-      largest = std::max(largest, std::hypot(patch.shear_along[k], patch.shear_lateral[k]));
+      largest = std::max(largest, std::hypot(patch.traction_along[k], patch.traction_lateral[k]));
     return largest;
   }
 
@@ -89,7 +89,7 @@ namespace
     check_near(largest_shear(all_slip), largest_nodal(all_slip), 0, "nothing sticks: the nodal value");
     const auto all_stick = strip_patch(6e-3, 9e-3, 0, 1e-3, 0.3, 0.2);
     check_near(largest_shear(all_stick), largest_nodal(all_stick), 0, "nothing slips: the nodal value");
-    check_near(measure_patch(strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0, 0)).max_shear,
+    check_near(measure_patch(strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0, 0)).max_traction,
                largest_shear(strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0, 0)),
                0,
                "the measures of a patch hold this peak");
@@ -101,8 +101,8 @@ namespace
     for (auto *field : {&turned.along,
                         &turned.lateral,
                         &turned.pressure,
-                        &turned.shear_along,
-                        &turned.shear_lateral,
+                        &turned.traction_along,
+                        &turned.traction_lateral,
                         &turned.state})
       std::reverse(field->begin(), field->end());
     check_near(largest_shear(turned), before, 1e-6 * before, "rolling the other way");

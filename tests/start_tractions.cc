@@ -2,6 +2,7 @@
 // saturation, signs.
 
 #include <wheelrail/dynamics/start_tractions.h>
+#include <wheelrail/halfspace/problem.h>
 
 #include "parallel.h"
 
@@ -13,7 +14,7 @@ using namespace test;
 namespace
 {
   constexpr double  radius = 0.46, largest_pressure = 1e9, friction = 0.4, stiffness = 1e15;
-  constexpr double  shear_modulus = 210e9 / 2.6;
+  constexpr double  shear_modulus = 210e9 / 2.6, velocity = 40;
   const StartBodies steel;
 
 
@@ -30,7 +31,10 @@ namespace
   /// A cone on a plane, both inclined by `angle` (a cylinder when it is zero), with rail nodes moved so
   /// that the pressure is elliptic with semi-axes `along` and `across` [m].
   Contact
-  elliptic_contact(const double along, const double across, const double angle = 0)
+  elliptic_contact(const double       along,
+                   const double       across,
+                   const double       angle = 0,
+                   const FrictionLaw &law   = {friction})
   {
     constexpr double spacing = 2.5e-4;
     Lattice          lattice;
@@ -68,7 +72,8 @@ namespace
                   {s * std::cos(angle), radius - r * std::cos(ahead), r * std::sin(ahead)});
             }
       }
-    Contact contact(body[0], body[1], surfaces, {stiffness, 0, {friction}, {}}, along + 0.01, MPI_COMM_SELF);
+    Contact contact(surfaces, {stiffness, 0, law, {}}, along + 0.01, MPI_COMM_SELF);
+    contact.prepare(body[0], body[1]);
     std::vector<double> displacement(8 * n, 0.), velocity(8 * n, 0.);
     contact.gather(displacement.data(), velocity.data());
     contact.evaluate(0);
@@ -105,7 +110,7 @@ namespace
 
     const double slope = shear_modulus * along * across * C11;
     const double small = 0.02 * friction * N / slope;
-    const auto   start = start_tractions_at_creepage(contact, small, steel);
+    const auto   start = start_tractions_at_creepage(contact, small, steel, velocity);
     // elements of a sixteenth of the semi-axis
     check_near(
       start.force / (slope * small), 1, 0.015, name + "force at small creepage over G a b C11 creepage");
@@ -116,16 +121,16 @@ namespace
     for (double k = 0.1; k < 2; k += 0.1)
       {
         const double expected = k < 1 ? 1 - std::pow(1 - k, 3) : 1;
-        const auto   at       = start_tractions_at_creepage(contact, 3 * k * friction * N / slope, steel);
-        worst                 = std::max(worst, std::abs(at.force / (friction * N) - expected));
+        const auto   at = start_tractions_at_creepage(contact, 3 * k * friction * N / slope, steel, velocity);
+        worst           = std::max(worst, std::abs(at.force / (friction * N) - expected));
       }
     check_near(worst, 0, 0.06, name + "largest distance from the curve of Vermeulen and Johnson");
 
-    const auto full = start_tractions_at_creepage(contact, 0.05, steel);
+    const auto full = start_tractions_at_creepage(contact, 0.05, steel, velocity);
     check_near(full.force / (friction * N), 1, 1e-3, name + "saturation at friction x normal force");
     double excess = 0;
-    for (std::size_t k = 0; k < full.shear.size(); ++k)
-      excess = std::max(excess, norm(full.shear[k]) - friction * contact.nodes()[k].pressure);
+    for (std::size_t k = 0; k < full.traction.size(); ++k)
+      excess = std::max(excess, norm(full.traction[k]) - friction * contact.nodes()[k].pressure);
     check_near(excess / largest_pressure, 0, 1e-12, name + "no traction exceeds friction x pressure");
   }
 
@@ -134,16 +139,16 @@ namespace
   {
     Contact      contact = elliptic_contact(6e-3, 4e-3);
     const double bound   = friction * normal_force(contact);
-    const auto   driving = start_tractions(contact, 0.5 * bound, steel),
-               braking   = start_tractions(contact, -0.5 * bound, steel);
+    const auto   driving = start_tractions(contact, 0.5 * bound, steel, velocity),
+               braking   = start_tractions(contact, -0.5 * bound, steel, velocity);
     check_near(driving.force / bound, 0.5, 1e-6, "the wanted force is met");
     check(driving.creepage > 0 && !driving.saturated, "driving: creepage positive, not saturated");
     check_near(braking.creepage / driving.creepage, -1, 1e-6, "braking mirrors driving");
     double largest = 0, mirror = 0;
-    for (std::size_t k = 0; k < driving.shear.size(); ++k)
+    for (std::size_t k = 0; k < driving.traction.size(); ++k)
       {
-        largest = std::max(largest, driving.shear[k][2]);
-        mirror  = std::max(mirror, std::abs(driving.shear[k][2] + braking.shear[k][2]));
+        largest = std::max(largest, driving.traction[k][2]);
+        mirror  = std::max(mirror, std::abs(driving.traction[k][2] + braking.traction[k][2]));
       }
     check_near(largest, 0, 0, "driving: tractions on the rail point backwards");
     check_near(mirror / largest_pressure, 0, 1e-6, "braking: tractions mirrored");
@@ -151,22 +156,22 @@ namespace
     // traction builds up from the leading edge, which is ahead of the axle
     const Lattice     &lattice = contact.lattice();
     const unsigned int row = lattice.n_lateral / 2, middle = lattice.n_along / 2;
-    const double       ahead = driving.shear[lattice.index(middle + 16, row)][2],
-                 behind      = driving.shear[lattice.index(middle - 8, row)][2];
+    const double       ahead = driving.traction[lattice.index(middle + 16, row)][2],
+                 behind      = driving.traction[lattice.index(middle - 8, row)][2];
     check(std::abs(ahead) < std::abs(behind), "traction grows from the leading edge to the rear");
 
-    for (std::size_t k = 0; k < driving.shear.size(); ++k)
-      contact.set_shear(k, driving.shear[k]);
+    for (std::size_t k = 0; k < driving.traction.size(); ++k)
+      contact.set_traction(k, driving.traction[k]);
     const ContactSums sums = contact.evaluate(0);
     check_near(sums.force[2] / driving.force,
                1,
                1e-3,
                "the contact with these tractions drives the wheel forward by the force");
 
-    const auto beyond = start_tractions(contact, 1.2 * bound, steel);
+    const auto beyond = start_tractions(contact, 1.2 * bound, steel, velocity);
     check(beyond.saturated, "a force beyond the bound is flagged");
     check_near(beyond.force / bound, 0.98, 1e-3, "and the bound less two per cent is given");
-    const auto none = start_tractions(contact, 0, steel);
+    const auto none = start_tractions(contact, 0, steel, velocity);
     check_near(none.force / bound, 0, 1e-6, "no force wanted: no force");
     check_near(none.creepage, 0, 1e-9, "no force wanted: no creepage");
   }
@@ -177,13 +182,13 @@ namespace
   {
     const double  a = 4e-3, angle = 0.025, rate = std::sin(angle) / radius;
     const Contact contact = elliptic_contact(a, a, angle);
-    const auto    start   = start_tractions(contact, 0, steel);
+    const auto    start   = start_tractions(contact, 0, steel, velocity);
     double        lateral = 0, inner = 0, outer = 0;
-    for (std::size_t k = 0; k < start.shear.size(); ++k)
+    for (std::size_t k = 0; k < start.traction.size(); ++k)
       {
         const double f = contact.rail().area[k] / std::cos(angle);
-        lateral -= f * start.shear[k][0];
-        (contact.rail().reference[k][0] > 0 ? inner : outer) += f * start.shear[k][2];
+        lateral -= f * start.traction[k][0];
+        (contact.rail().reference[k][0] > 0 ? inner : outer) += f * start.traction[k][2];
       }
     // C23 of a circle at Poisson's ratio 0.3 is 1.5 (Kalker 1990, table E.3)
     check_near(lateral / (1.5 * shear_modulus * std::pow(a, 3) * rate),
@@ -192,6 +197,63 @@ namespace
                "spin: lateral force on the wheel over G (ab)^1.5 C23 spin");
     check(inner > 0 && outer < 0, "spin: the smaller radius drags the rail forward, the larger one backward");
     check_near(start.creepage, 0, 1e-4, "spin: no creepage without force");
+  }
+
+  /// Friction that falls with the slip velocity: the tractions are those of the half-space problem with that
+  /// law, and a force that it does not carry is cut to the largest that it does.
+  void
+  falling_friction()
+  {
+    const double      a = 6e-3, b = 4e-3;
+    const FrictionLaw exponential{friction, FrictionKind::exponential, 0.15, 3},
+      rational{friction, FrictionKind::rational, 0.1, 0, 0.2};
+    for (const FrictionLaw &law : {exponential, rational})
+      {
+        const std::string name    = law.kind == FrictionKind::rational ? "rational: " : "exponential: ";
+        const Contact     contact = elliptic_contact(a, b, 0, law);
+        const double      load    = normal_force(contact);
+        HalfspaceProblem  problem;
+        problem.grid           = centred_grid(a, b, 2.5e-4, 2.5e-4);
+        const Lattice &lattice = contact.lattice();
+        const auto     node    = [&](const int i, const int j) {
+          return lattice.index(i + (int(lattice.n_along) - problem.grid.mx) / 2,
+                               j + (int(lattice.n_lateral) - problem.grid.my) / 2);
+        };
+        for (int j = 0; j < problem.grid.my; ++j)
+          for (int i = 0; i < problem.grid.mx; ++i)
+            problem.pressure.push_back(contact.nodes()[node(i, j)].pressure);
+        problem.friction                 = law;
+        problem.velocity                 = velocity;
+        problem.coupling_tolerance       = 1e-6;
+        problem.longitudinal_force_given = true;
+        problem.fx                       = -0.4 * friction * load;
+        const HalfspaceSolution solution = solve_rolling(problem);
+        const auto              start    = start_tractions(contact, -problem.fx, steel, velocity);
+        check(solution.converged() && start.converged && !start.saturated, name + "both converged");
+        check_near(start.creepage / solution.xi, 1, 1e-4, name + "creepage of the half-space problem");
+        double error = 0, slipping = 0;
+        for (int j = 0; j < problem.grid.my; ++j)
+          for (int i = 0; i < problem.grid.mx; ++i)
+            {
+              const std::size_t e = i + std::size_t(problem.grid.mx) * j, k = node(i, j);
+              error = std::max(error, std::abs(start.traction[k][2] - solution.traction_x[e]));
+              error = std::max(error, std::abs(start.traction[k][0] - solution.traction_y[e]));
+              slipping +=
+                solution.state[e] == HalfspaceSolution::slip && solution.friction[e] < 0.97 * friction;
+            }
+        check_near(error / largest_pressure, 0, 1e-4, name + "tractions of the half-space problem");
+        check(slipping > 20, name + "slip that lowers friction by three per cent and more");
+        const auto constant = start_tractions(elliptic_contact(a, b), -problem.fx, steel, velocity);
+        check(start.creepage > 1.01 * constant.creepage, name + "more creepage than with friction at rest");
+
+        const auto most    = start_tractions(contact, friction * load, steel, velocity);
+        double     largest = 0;
+        for (double creepage = start.creepage; creepage < 10 * start.creepage; creepage *= 1.1)
+          largest = std::max(largest, start_tractions_at_creepage(contact, creepage, steel, velocity).force);
+        check(most.saturated && largest < 0.97 * friction * load,
+              name + "the force at full slip is beyond it");
+        check_near(most.force / largest, 1, 0.02, name + "the largest force over all creepages");
+      }
   }
 } // namespace
 
@@ -204,5 +266,6 @@ main(int argc, char **argv)
   linear_theory(3e-3, 6e-3, 3.81);
   wanted_force();
   spin();
+  falling_friction();
   return parallel.report();
 }

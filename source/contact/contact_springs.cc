@@ -10,11 +10,11 @@ namespace wheelrail
   {
     std::vector<Spring> springs;
     // the nodes behind the filtered node (i, j) of a body, entered with `share`
-    const auto spread = [&](Spring &spring, const int body, const int i, const int j, const double share) {
-      const Surface &surface = body == 0 ? rail_ : wheel_;
-      const int      first   = body == 0 ? window_.rail_first : window_.wheel_first;
-      const int      last    = body == 0 ? window_.rail_last : window_.wheel_last;
-      const auto     stencil = filter_stencil(surface.lattice, first, last, law_.filter[body].normal, i, j);
+    const auto spread = [&](Spring &spring, const Body body, const int i, const int j, const double share) {
+      const Surface      &surface  = this->surface(body);
+      const StationRange &stations = window()[body];
+      const auto          stencil =
+        filter_stencil(surface.lattice, stations.first, stations.last, law_.filter[body].normal, i, j);
       for (int k = -1; k <= 1; ++k)
         for (int l = -1; l <= 1; ++l)
           if (stencil[k + 1][l + 1] != 0)
@@ -29,29 +29,30 @@ namespace wheelrail
                 spring.nodes.emplace_back(node, part);
             }
     };
-    for (int i = window_.rail_first; i < window_.rail_last; ++i)
-      for (unsigned int j = 0; j < rail_.lattice.n_lateral; ++j)
+    for (int i = window().rail.first; i < window().rail.last; ++i)
+      for (unsigned int j = 0; j < lattice().n_lateral; ++j)
         {
-          const std::size_t  k    = rail_.lattice.index(i, j);
+          const std::size_t  k    = lattice().index(i, j);
           const ContactNode &node = nodes_[k];
           // feet more than two cells away belong to iterates far from the solution; no matrix has room
           // for them
-          const bool far = std::abs(2 * (node.facet_i - i) + 1) > 3 ||
-                           std::abs(2 * (node.facet_j - static_cast<int>(j)) + 1) > 3;
+          const bool far = std::abs(2 * (node.foot.i - i) + 1) > 3 ||
+                           std::abs(2 * (node.foot.j - static_cast<int>(j)) + 1) > 3;
           if (node.pressure <= 0 || far)
             continue;
           Spring spring;
           spring.point     = k;
           spring.normal    = node.normal;
-          spring.stiffness = law_.stiffness * rail_.area[k];
-          spread(spring, 0, i, j, 1);
+          spring.stiffness = law_.stiffness * rail().area[k];
+          spread(spring, Body::rail, i, j, 1);
           for (int a = 0; a < 2; ++a)
             for (int b = 0; b < 2; ++b)
               spread(spring,
-                     1,
-                     node.facet_i + a,
-                     node.facet_j + b,
-                     -(a == 1 ? node.xi : 1 - node.xi) * (b == 1 ? node.eta : 1 - node.eta));
+                     Body::wheel,
+                     node.foot.i + a,
+                     node.foot.j + b,
+                     -(a == 1 ? node.foot.xi : 1 - node.foot.xi) *
+                       (b == 1 ? node.foot.eta : 1 - node.foot.eta));
           springs.push_back(spring);
         }
     return springs;

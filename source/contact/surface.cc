@@ -106,8 +106,8 @@ namespace wheelrail
       }
     for (std::size_t k = 0; k < n; ++k)
       if (surface.owner[k] < 0)
-        throw RunError("the fine zone of the " + std::string(body == Body::rail ? "rail" : "wheel") +
-                       " has a hole at station " + std::to_string(k / lattice.n_lateral) + ", row " +
+        throw RunError("the fine zone of the " + std::string(body_name(body)) + " has a hole at station " +
+                       std::to_string(k / lattice.n_lateral) + ", row " +
                        std::to_string(k % lattice.n_lateral) + ": choose another coarse cell size");
     // a rank may hold a lattice node as a vertex of coarser or other cells only
     std::vector<std::pair<std::uint32_t, unsigned int>> sorted;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace wheelrail
 {
@@ -128,93 +127,163 @@ namespace wheelrail
       return {material.shear_modulus(), material.poissons_ratio};
     }
 
-    /// Solves with the force on the wheel given, or else the creepage.
-    StartTractions
-    solve(const Contact              &contact,
-          const StartBodies          &bodies,
-          const std::optional<double> force,
-          const double                creepage)
+    /// The half-space problem of one contact; force or creepage are still to be given.
+    struct StartProblem
     {
-      StartTractions result;
-      result.creepage = creepage;
-      result.shear.assign(contact.nodes().size(), {0, 0, 0});
-      const LoadedGrid     loaded = loaded_grid(contact);
-      const HalfspaceGrid &grid   = loaded.grid;
-      if (grid.size() == 0 || contact.law().friction.at_rest == 0)
-        return result;
+      LoadedGrid       loaded;
+      HalfspaceProblem problem;
 
-      InfluenceProducts products(grid);
-      const SlipKernels kernels =
-        slip_kernels(products,
-                     halfspace_constants(half_space(bodies.rail), half_space(bodies.wheel)),
-                     grid,
-                     grid.dx,
-                     true);
-      TangentialTask task;
-      task.kernels    = &kernels;
-      task.grid       = grid;
-      task.rigid_slip = rigid_slip(contact.surfaces(), grid);
-      // nodes of inclined facets have more area than their elements
-      const auto area_ratio = [&](const int i, const int j) {
+      StartProblem(const Contact &contact, const StartBodies &bodies, const double velocity)
+        : loaded(loaded_grid(contact))
+      {
+        problem.grid     = loaded.grid;
+        problem.body1    = half_space(bodies.rail);
+        problem.body2    = half_space(bodies.wheel);
+        problem.friction = contact.law().friction;
+        problem.velocity = velocity;
+        // the static search asks for tractions again until they stay within 1e-5
+        problem.coupling_tolerance = 1e-5;
+        if (loaded.grid.size() == 0)
+          return;
+        problem.pressure = element_pressures(contact, loaded);
+        for (int j = 0; j < loaded.grid.my; ++j)
+          for (int i = 0; i < loaded.grid.mx; ++i)
+            problem.pressure[i + std::size_t(loaded.grid.mx) * j] *=
+              area_ratio(contact, i / loaded.parts, j / loaded.parts);
+        const VectorField slip = rigid_slip(contact.surfaces(), loaded.grid);
+        problem.rigid_slip_x   = slip[0];
+        problem.rigid_slip_y   = slip[1];
+      }
+
+      /// Nodes of inclined facets have more area than their elements.
+      double
+      area_ratio(const Contact &contact, const int i, const int j) const
+      {
         return contact.rail().area[loaded.node(contact.lattice(), i, j)] /
-               (grid.element_area() * loaded.parts * loaded.parts);
-      };
-      task.bound = element_pressures(contact, loaded);
-      for (int j = 0; j < grid.my; ++j)
-        for (int i = 0; i < grid.mx; ++i)
-          task.bound[i + std::size_t(grid.mx) * j] *=
-            contact.law().friction.at_rest * area_ratio(i / loaded.parts, j / loaded.parts);
-      if (force)
-        {
-          task.force_given[0] = true;
-          task.force[0]       = -*force;
-        }
-      TangentialState state;
-      state.creepage[0] = creepage;
-      solve_tangential(products, task, state);
+               (loaded.grid.element_area() * loaded.parts * loaded.parts);
+      }
 
-      result.creepage  = state.creepage[0];
-      result.converged = state.converged;
+      bool
+      empty(const Contact &contact) const
+      {
+        return loaded.grid.size() == 0 || contact.law().friction.at_rest == 0;
+      }
+    };
+
+    /// Tractions of the elements as means over the nodes.
+    StartTractions
+    nodal_tractions(const Contact &contact, const StartProblem &start, const HalfspaceSolution &solution)
+    {
+      const LoadedGrid &loaded = start.loaded;
+      const int         parts  = loaded.parts;
+      StartTractions    result;
+      result.creepage  = solution.xi;
+      result.force     = -solution.fx;
+      result.converged = solution.converged();
+      result.traction.assign(contact.nodes().size(), {0, 0, 0});
       for (int i = 0; i < loaded.n_i; ++i)
         for (int j = 0; j < loaded.n_j; ++j)
           {
-            double along = 0, lateral = 0; // means over the elements of the node
-            for (int a = 0; a < loaded.parts; ++a)
-              for (int b = 0; b < loaded.parts; ++b)
+            double along = 0, lateral = 0;
+            for (int a = 0; a < parts; ++a)
+              for (int b = 0; b < parts; ++b)
                 {
                   const std::size_t e = loaded.element(i, j, a, b);
-                  along += state.traction[0][e] / (loaded.parts * loaded.parts);
-                  lateral += state.traction[1][e] / (loaded.parts * loaded.parts);
-                  result.force -= state.traction[0][e] * grid.element_area();
+                  along += solution.traction_x[e] / (parts * parts);
+                  lateral += solution.traction_y[e] / (parts * parts);
                 }
-            const double angle =
-              inclination(contact.surfaces(), grid.y(loaded.parts * j + (loaded.parts - 1) / 2));
-            const double ratio                                 = area_ratio(i, j);
-            result.shear[loaded.node(contact.lattice(), i, j)] = {
+            const double angle = inclination(contact.surfaces(), loaded.grid.y(parts * j + (parts - 1) / 2));
+            const double ratio = start.area_ratio(contact, i, j);
+            result.traction[loaded.node(contact.lattice(), i, j)] = {
               lateral / ratio * std::cos(angle), lateral / ratio * std::sin(angle), along / ratio};
           }
       return result;
+    }
+
+    StartTractions
+    without_tractions(const Contact &contact, const double creepage)
+    {
+      StartTractions result;
+      result.creepage = creepage;
+      result.traction.assign(contact.nodes().size(), {0, 0, 0});
+      return result;
+    }
+
+    HalfspaceSolution
+    solve_with_force(HalfspaceProblem &problem, const double force)
+    {
+      problem.longitudinal_force_given = true;
+      problem.fx                       = -force;
+      return solve_rolling(problem);
+    }
+
+    /// The solution with the largest force up to the one wanted that friction falling with the slip
+    /// carries, to one per cent of the bound at rest: bisection from the force that it carries at any speed.
+    HalfspaceSolution
+    solve_with_falling_friction(HalfspaceProblem &problem, const double force, const double carried)
+    {
+      HalfspaceSolution best = solve_with_force(problem, force);
+      if (best.within_friction && best.tangential_converged)
+        return best;
+      double low = std::copysign(carried, force), high = force;
+      best = solve_with_force(problem, low);
+      while (std::abs(high - low) > 0.01 * std::abs(force))
+        {
+          const double      middle = 0.5 * (low + high);
+          HalfspaceSolution trial  = solve_with_force(problem, middle);
+          if (trial.within_friction && trial.tangential_converged)
+            {
+              low  = middle;
+              best = std::move(trial);
+            }
+          else
+            high = middle;
+        }
+      return best;
     }
   } // namespace
 
 
   StartTractions
-  start_tractions_at_creepage(const Contact &contact, const double creepage, const StartBodies &bodies)
+  start_tractions_at_creepage(const Contact     &contact,
+                              const double       creepage,
+                              const StartBodies &bodies,
+                              const double       velocity)
   {
-    return solve(contact, bodies, {}, creepage);
+    StartProblem start(contact, bodies, velocity);
+    if (start.empty(contact))
+      return without_tractions(contact, creepage);
+    start.problem.xi = creepage;
+    return nodal_tractions(contact, start, solve_rolling(start.problem));
   }
 
 
   StartTractions
-  start_tractions(const Contact &contact, const double longitudinal_force, const StartBodies &bodies)
+  start_tractions(const Contact     &contact,
+                  const double       longitudinal_force,
+                  const StartBodies &bodies,
+                  const double       velocity)
   {
     // the last two per cent below full slip cost any creepage; a torque beyond them spins the wheel up
-    constexpr double full_slip = 0.98;
-    double           bound     = 0;
+    constexpr double   full_slip = 0.98;
+    const FrictionLaw &friction  = contact.law().friction;
+    double             load      = 0;
     for (std::size_t k = 0; k < contact.nodes().size(); ++k)
-      bound +=
-        full_slip * contact.law().friction.at_rest * contact.nodes()[k].pressure * contact.rail().area[k];
-    StartTractions result = solve(contact, bodies, std::clamp(longitudinal_force, -bound, bound), 0);
+      load += contact.nodes()[k].pressure * contact.rail().area[k];
+    const double   bound = full_slip * friction.at_rest * load;
+    const double   force = std::clamp(longitudinal_force, -bound, bound);
+    StartProblem   start(contact, bodies, velocity);
+    StartTractions result;
+    if (start.empty(contact))
+      result = without_tractions(contact, 0);
+    else if (depends_on_speed(friction) && friction.at_speed < friction.at_rest)
+      result = nodal_tractions(
+        contact,
+        start,
+        solve_with_falling_friction(
+          start.problem, force, std::min(std::abs(force), full_slip * friction.at_speed * load)));
+    else
+      result = nodal_tractions(contact, start, solve_with_force(start.problem, force));
     result.saturated = std::abs(result.force - longitudinal_force) > 0.01 * std::abs(longitudinal_force) + 1;
     return result;
   }

@@ -27,9 +27,11 @@ namespace wheelrail
     StartTractions
     wanted_tractions(const Solid &solid, const Contact &contact, const StaticLoads &loads, const double load)
     {
-      const StartBodies bodies = {solid.blocks[0].material, solid.blocks[1].material};
-      return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies)
-                             : start_tractions(contact, loads.traction_coefficient * load, bodies);
+      const StartBodies bodies = {solid.blocks[index(Body::rail)].material,
+                                  solid.blocks[index(Body::wheel)].material};
+      const double      force = loads.traction_coefficient * load, velocity = loads.axle.velocity;
+      return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, velocity)
+                             : start_tractions(contact, force, bodies, velocity);
     }
   } // namespace
 
@@ -89,10 +91,10 @@ namespace wheelrail
 
   /// Adds the forces of contact with these tractions, bounded by friction; null: without.
   ContactSums
-  StaticSearch::contact_forces(const std::vector<Vector3> *shear, AlignedVector<double> &force)
+  StaticSearch::contact_forces(const std::vector<Vector3> *tractions, AlignedVector<double> &force)
   {
     for (std::size_t k = 0; k < contact_.nodes().size(); ++k)
-      contact_.set_shear(k, shear ? (*shear)[k] : Vector3{});
+      contact_.set_traction(k, tractions ? (*tractions)[k] : Vector3{});
     const ContactSums sums = contact_.evaluate(0);
     contact_.add_forces(force.data());
     return sums;
@@ -209,10 +211,10 @@ namespace wheelrail
     tractions                   = wanted_tractions(solid_, contact_, loads_, wheel_load());
     rate_                       = loads_.axle.velocity / loads_.rolling_radius * (1 + tractions.creepage);
     if (!loads_.tractions)
-      tractions.shear.assign(tractions.shear.size(), Vector3{});
+      tractions.traction.assign(tractions.traction.size(), Vector3{});
     drag_.assign(solid_.force.size(), 0.);
     AlignedVector<double> pressures(solid_.force.size(), 0.);
-    drag_sum_ = contact_forces(&tractions.shear, drag_).force - contact_forces(nullptr, pressures).force;
+    drag_sum_ = contact_forces(&tractions.traction, drag_).force - contact_forces(nullptr, pressures).force;
     for (std::size_t k = 0; k < drag_.size(); ++k)
       drag_[k] -= pressures[k];
     return std::abs(tractions.creepage - before.creepage) > 1e-5 * std::abs(tractions.creepage) ||
@@ -224,7 +226,7 @@ namespace wheelrail
   StaticSearch::set_tractions()
   {
     AlignedVector<double> ignored(solid_.force.size(), 0.);
-    if (!tractions.shear.empty())
-      contact_forces(&tractions.shear, ignored);
+    if (!tractions.traction.empty())
+      contact_forces(&tractions.traction, ignored);
   }
 } // namespace wheelrail

@@ -25,7 +25,7 @@ namespace wheelrail
       const Lattice &lattice = contact.lattice();
       const auto    &window  = contact.window();
       // a facet up to two cells away from its rail node, and the filter one more on both sides
-      const bool filtered = contact.law().filter[0].normal != 0 || contact.law().filter[1].normal != 0;
+      const bool filtered = contact.law().filter.rail.normal != 0 || contact.law().filter.wheel.normal != 0;
       const int  reach    = filtered ? 4 : 2;
       const auto couple   = [&](const unsigned int a, const unsigned int b) {
         if (owned.is_element(3 * a))
@@ -34,8 +34,8 @@ namespace wheelrail
               pattern.add(3 * a + i, 3 * b + j);
       };
       const int last_i = lattice.n_along - 1, last_j = lattice.n_lateral - 1;
-      for (int i = std::min(window.rail_first, window.wheel_first);
-           i < std::max(window.rail_last, window.wheel_last);
+      for (int i = std::min(window.rail.first, window.wheel.first);
+           i < std::max(window.rail.last, window.wheel.last);
            ++i)
         for (int j = 0; j <= last_j; ++j)
           {
@@ -290,7 +290,7 @@ namespace wheelrail
           for (int a = 0; a < 8; ++a)
             for (int i = 0; i < 3; ++i)
               X[a][i] = solid.mesh.reference[4 * solid.mesh.cells[c][a] + i];
-          const auto &blocks = solid.blocks[static_cast<int>(solid.mesh.cell_body[c])];
+          const auto &blocks = solid.blocks[index(solid.mesh.cell_body[c])];
           const auto  k      = element_stiffness(element_geometry(X), blocks.material, blocks.form);
           K.fill(k.data());
           cell->get_dof_indices(dofs);

@@ -24,22 +24,6 @@ namespace wheelrail
     return grid;
   }
 
-  double
-  friction_coefficient(const HalfspaceFriction &friction, const double slip_velocity)
-  {
-    const double v = slip_velocity / friction.velocity_scale, mu = friction.kinetic_coefficient,
-                 drop = friction.static_coefficient - mu;
-    switch (friction.law)
-      {
-        case HalfspaceFriction::Law::rational:
-          return mu + drop / (1 + v);
-        case HalfspaceFriction::Law::exponential:
-          return mu + drop * std::exp(-v);
-        default:
-          return friction.static_coefficient;
-      }
-  }
-
   void
   check_problem(const HalfspaceProblem &problem)
   {
@@ -48,7 +32,7 @@ namespace wheelrail
     if (g.mx < 1 || g.my < 1 || !(g.dx > 0) || !(g.dy > 0))
       refuse("the grid needs at least one element in each direction and positive element lengths.");
     const std::size_t n = g.size();
-    if (problem.undeformed_distance.size() != n)
+    if (problem.pressure.empty() && problem.undeformed_distance.size() != n)
       refuse("the undeformed distance has " + std::to_string(problem.undeformed_distance.size()) +
              " values, the grid " + std::to_string(n) + " elements.");
     for (const double h : problem.undeformed_distance)
@@ -66,15 +50,19 @@ namespace wheelrail
         refuse("a body has the shear modulus " + std::to_string(b.shear_modulus) +
                " Pa and Poisson's ratio " + std::to_string(b.poisson_ratio) +
                "; a positive modulus and a ratio from 0 to 0.5 are accepted.");
-    if (problem.force_given ? !(problem.normal_force > 0) : !std::isfinite(problem.approach))
+    if (!problem.pressure.empty() && problem.pressure.size() != n)
+      refuse("the given pressure has " + std::to_string(problem.pressure.size()) + " values, the grid " +
+             std::to_string(n) + " elements.");
+    if (problem.pressure.empty() &&
+        (problem.force_given ? !(problem.normal_force > 0) : !std::isfinite(problem.approach)))
       refuse("the normal force must be positive and the approach finite.");
-    const HalfspaceFriction &f = problem.friction;
+    const FrictionLaw &f = problem.friction;
     if (problem.motion != HalfspaceMotion::none &&
-        (!(f.static_coefficient >= 0) || !(f.kinetic_coefficient >= 0) || !(f.velocity_scale > 0) ||
+        (!(f.at_rest >= 0) || !(f.at_speed >= 0) || !(f.decay >= 0) || !(f.half_velocity > 0) ||
          !(problem.velocity > 0) || !(problem.step >= 0)))
       refuse(
-        "friction coefficients and the step must not be negative, velocity and velocity scale must be "
-        "positive.");
+        "friction coefficients, their decay and the step must not be negative, velocity and half velocity "
+        "must be positive.");
     if (problem.lateral_force_given && !problem.longitudinal_force_given)
       refuse("a lateral force can be given only together with the longitudinal one.");
     if (problem.previous && problem.previous->pressure.size() != n)

@@ -21,16 +21,22 @@ namespace wheelrail
         , grid_(problem.grid)
         , constants_(halfspace_constants(problem.body1, problem.body2))
         , products_(problem.grid)
-        , normal_kernel_(kernel(2, 2, 0))
+        , pressure_given_(!problem.pressure.empty())
         , coupled_(std::abs(constants_.coupling) > 1e-12 * constants_.normal)
         , friction_(problem.motion != HalfspaceMotion::none)
-        , velocity_dependent_(problem.friction.law != HalfspaceFriction::Law::coulomb &&
-                              problem.friction.static_coefficient != problem.friction.kinetic_coefficient)
+        , velocity_dependent_(depends_on_speed(problem.friction))
       {
         const bool shift = problem.motion == HalfspaceMotion::shift;
         solution_.grid   = grid_;
         solution_.step   = shift ? 1. : problem.step > 0 ? problem.step : grid_.dx;
         offset_          = shift ? 0. : solution_.step;
+        if (pressure_given_)
+          {
+            normal_.pressure  = problem.pressure;
+            normal_.converged = true;
+          }
+        else
+          normal_kernel_ = kernel(2, 2, 0);
         if (coupled_)
           {
             coupling_x_ = kernel(2, 0, 0);
@@ -73,11 +79,13 @@ namespace wheelrail
 
       void
       normal_problem();
-      void
+      /// False when the friction of this round does not carry the force asked for.
+      bool
       tangential_problem();
       VectorField
       rigid_slip();
-      /// Sets the coefficients to the slip of the last round; the largest change over the static coefficient.
+      /// Sets the coefficients to the slip of the last round; the largest change over the larger coefficient
+      /// of the law.
       double
       update_friction();
       void
@@ -92,7 +100,7 @@ namespace wheelrail
       HalfspaceConstants      constants_;
       InfluenceProducts       products_;
       Spectrum                normal_kernel_, coupling_x_, coupling_y_;
-      bool                    coupled_, friction_, velocity_dependent_;
+      bool                    pressure_given_, coupled_, friction_, velocity_dependent_;
       double                  offset_ = 0;
       SlipKernels             slip_kernels_;
       NormalContact           normal_;
@@ -166,7 +174,7 @@ namespace wheelrail
       return w;
     }
 
-    void
+    bool
     Solver::tangential_problem()
     {
       TangentialTask task;
@@ -188,6 +196,8 @@ namespace wheelrail
         std::hypot(task.force_given[0] ? task.force[0] : 0., task.force_given[1] ? task.force[1] : 0.);
       if (asked > 0 && asked >= limit * (1 - 1e-9))
         {
+          if (solution_.coupling_rounds > 1)
+            return false;
           std::ostringstream text;
           text << "Half-space problem: the tangential force asked for, " << asked
                << " N, is not below the friction limit of the contact, " << limit
@@ -203,11 +213,12 @@ namespace wheelrail
             }
           tangential_.slipping.assign(grid_.size(), 1);
           tangential_.converged = true;
-          return;
+          return true;
         }
       solve_tangential(products_, task, tangential_);
       solution_.newton_steps += tangential_.newton_steps;
       solution_.krylov_iterations += tangential_.krylov_iterations;
+      return true;
     }
 
     double
@@ -217,14 +228,15 @@ namespace wheelrail
       if (!velocity_dependent_ || tangential_.slip[0].empty())
         return change;
       // Half a step from the third round on: falling friction makes whole steps swing.
-      const double weight = solution_.coupling_rounds < 4 ? 1 : 0.5;
+      const double weight  = solution_.coupling_rounds < 4 ? 1 : 0.5;
+      const double largest = std::max(problem_.friction.at_rest, problem_.friction.at_speed);
       for (std::size_t e = 0; e < mu_.size(); ++e)
         {
           const double v    = problem_.velocity * std::hypot(tangential_.slip[0][e], tangential_.slip[1][e]);
           const double step = friction_coefficient(problem_.friction, v) - mu_[e];
           mu_[e] += weight * step;
           if (normal_.pressure[e] > 0)
-            change = std::max(change, std::abs(step) / problem_.friction.static_coefficient);
+            change = std::max(change, std::abs(step) / largest);
         }
       return change;
     }
@@ -233,14 +245,14 @@ namespace wheelrail
     Solver::run()
     {
       tangential_.creepage = {{problem_.xi, problem_.eta}};
-      mu_.assign(grid_.size(), problem_.friction.static_coefficient);
+      mu_.assign(grid_.size(), problem_.friction.at_rest);
       if (friction_)
         slip_kernels_ = slip_kernels(
           products_, constants_, grid_, solution_.step, problem_.motion == HalfspaceMotion::steady);
       for (solution_.coupling_rounds = 1;; ++solution_.coupling_rounds)
         {
           const std::vector<double> old = normal_.pressure;
-          if (solution_.coupling_rounds == 1 || coupled_)
+          if (!pressure_given_ && (solution_.coupling_rounds == 1 || coupled_))
             normal_problem();
           double change = 0, peak = 0;
           for (std::size_t e = 0; e < old.size(); ++e)
@@ -249,13 +261,14 @@ namespace wheelrail
               peak   = std::max(peak, normal_.pressure[e]);
             }
           const double friction_change = update_friction();
-          solution_.coupling_converged = !friction_ || (!coupled_ && !velocity_dependent_) ||
-                                         (!old.empty() && change <= problem_.coupling_tolerance * peak &&
-                                          friction_change <= problem_.coupling_tolerance);
+          solution_.coupling_converged =
+            !friction_ || (!coupled_ && !velocity_dependent_) ||
+            (solution_.coupling_rounds > 1 && change <= problem_.coupling_tolerance * peak &&
+             friction_change <= problem_.coupling_tolerance);
           const bool last = solution_.coupling_rounds == problem_.max_coupling_rounds;
           if (friction_ && (solution_.coupling_rounds == 1 || !solution_.coupling_converged))
-            tangential_problem();
-          if (solution_.coupling_converged || last)
+            solution_.within_friction = tangential_problem();
+          if (solution_.coupling_converged || last || !solution_.within_friction)
             break;
         }
       displacements();
@@ -279,6 +292,7 @@ namespace wheelrail
         field->resize(n, 0.);
       s.friction       = mu_;
       s.displacement_n = normal_.displacement;
+      s.displacement_n.resize(n, 0.);
       s.displacement_x.assign(n, 0.);
       s.displacement_y.assign(n, 0.);
       std::vector<double>       *u[3] = {&s.displacement_x, &s.displacement_y, &s.displacement_n};
@@ -287,8 +301,8 @@ namespace wheelrail
         for (int b = 0; b < 3; ++b)
           if ((a < 2 && b < 2 && friction_) || (coupled_ && (a == 2) != (b == 2)))
             add_displacement(a, b, 0, *t[b], 1, *u[a]);
-      s.gap.resize(n);
-      for (std::size_t e = 0; e < n; ++e)
+      s.gap.assign(n, 0.);
+      for (std::size_t e = 0; e < n && !pressure_given_; ++e)
         s.gap[e] = problem_.undeformed_distance[e] + s.displacement_n[e] - s.approach;
     }
 
@@ -346,10 +360,15 @@ namespace wheelrail
       if (!s.normal_converged)
         text << "The normal problem reached " << s.normal_residual << " of its tolerance "
              << problem_.normal_tolerance << " in " << s.normal_iterations << " iterations. ";
-      if (!s.tangential_converged)
+      if (!s.tangential_converged && s.within_friction)
         text << "The tangential problem reached " << s.tangential_residual << " of its tolerance "
              << problem_.tangential_tolerance << " in " << s.newton_steps << " steps. ";
-      if (!s.coupling_converged)
+      if (!s.within_friction)
+        text << "Friction, which falls with the slip velocity, does not carry the tangential force of "
+             << std::hypot(problem_.fx, problem_.fy)
+             << " N that is asked for. "
+                "Give less force, or give creepages. ";
+      else if (!s.coupling_converged)
         text << "Pressure, tractions and friction coefficients did not settle to each other in "
              << s.coupling_rounds << " rounds. ";
       s.not_reached = text.str();

@@ -21,6 +21,14 @@ namespace wheelrail
   }
 
 
+  bool
+  depends_on_speed(const FrictionLaw &law)
+  {
+    return law.kind != FrictionKind::constant && law.at_speed != law.at_rest &&
+           (law.kind != FrictionKind::exponential || law.decay != 0);
+  }
+
+
   double
   steepest_fall(const FrictionLaw &law)
   {

@@ -1,5 +1,4 @@
-#include <wheelrail/contact/penalty.h>
-#include <wheelrail/contact/surface_response.h>
+#include <wheelrail/contact/make_law.h>
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
@@ -26,39 +25,21 @@ namespace wheelrail
       return solid;
     }
 
-    std::array<Vector3, 8>
-    unit_cube()
-    {
-      std::array<Vector3, 8> vertices;
-      for (int a = 0; a < 8; ++a)
-        vertices[a] = {double(a & 1), double(a >> 1 & 1), double(a >> 2)};
-      return vertices;
-    }
-
-    /// The contact law of the scene; the surface nodes get their added mass.
     ContactLaw
-    make_law(const Scene &scene, Solid &solid, const Surface &rail, const Surface &wheel)
+    make_law(const Scene &scene, const Solid &solid)
     {
-      const double  K = 0.5 * (elasticity(scene.rail_material).bulk_modulus() +
-                              elasticity(scene.wheel_material).bulk_modulus());
-      const Penalty penalty =
-        make_penalty(scene.penalty_scale, K, scene.cell_size, scene.contact_damping, solid.stable.step);
-      for (const Surface *surface : {&rail, &wheel})
-        add_surface_mass(*surface, penalty.added_mass, solid.added_mass.data());
-      ContactLaw law{penalty.stiffness, penalty.damping, friction_law(scene), {}};
-      if (scene.surface_filter)
-        for (const int body : {0, 1})
-          {
-            const ElementBlocks &blocks = solid.blocks[body];
-            law.filter[body] =
-              surface_filter(element_stiffness(element_geometry(unit_cube()), blocks.material, blocks.form),
-                             blocks.material);
-          }
-      return law;
+      const auto body = [](const ElementBlocks &blocks) { return ContactBody{blocks.material, blocks.form}; };
+      return make_contact_law({body(solid.blocks[index(Body::rail)]), body(solid.blocks[index(Body::wheel)])},
+                              {scene.penalty_scale,
+                               scene.cell_size,
+                               scene.contact_damping,
+                               friction_law(scene),
+                               scene.surface_filter},
+                              solid.stable.step);
     }
 
     /// The contact of the bodies on the lattice of the plan. Its window holds the longest patch and two cells
-    /// on either side of it.
+    /// on either side of it; the surface nodes get the added mass of its law.
     std::unique_ptr<Contact>
     make_contact(const Scene &scene, Model &model, MPI_Comm communicator)
     {
@@ -68,12 +49,14 @@ namespace wheelrail
       const auto             collect  = [&](const Body body) {
         return make_surface(model.solid.mesh, body, surfaces, lattice, communicator);
       };
-      Surface          rail = collect(Body::rail), wheel = collect(Body::wheel);
-      const ContactLaw law = make_law(scene, model.solid, rail, wheel);
+      const ContactLaw law = make_law(scene, model.solid);
       const double     half_window =
         half_length_bound(model.expected_approach, surfaces.rolling_radius) + 2 * scene.cell_size;
-      return std::make_unique<Contact>(
-        std::move(rail), std::move(wheel), surfaces, law, half_window, communicator);
+      auto contact = std::make_unique<Contact>(surfaces, law, half_window, communicator);
+      contact->prepare(collect(Body::rail), collect(Body::wheel));
+      for (const Body body : both_bodies)
+        add_surface_mass(contact->surface(body), law.added_mass, model.solid.added_mass.data());
+      return contact;
     }
 
     /// The axle without its torque, which follows from the load.

@@ -18,16 +18,17 @@ namespace wheelrail
       std::vector<double> PatchFields::*values;
     };
 
-    const std::array<PatchColumn, 10> patch_columns = {{{"along", "m", &PatchFields::along},
-                                                        {"lateral", "m", &PatchFields::lateral},
-                                                        {"gap", "m", &PatchFields::gap},
-                                                        {"pressure", "Pa", &PatchFields::pressure},
-                                                        {"shear_along", "Pa", &PatchFields::shear_along},
-                                                        {"shear_lateral", "Pa", &PatchFields::shear_lateral},
-                                                        {"slip_along", "1", &PatchFields::slip_along},
-                                                        {"slip_lateral", "1", &PatchFields::slip_lateral},
-                                                        {"state", "1", &PatchFields::state},
-                                                        {"area", "m2", &PatchFields::area}}};
+    const std::array<PatchColumn, 10> patch_columns = {
+      {{"along", "m", &PatchFields::along},
+       {"lateral", "m", &PatchFields::lateral},
+       {"gap", "m", &PatchFields::gap},
+       {"pressure", "Pa", &PatchFields::pressure},
+       {"shear_along", "Pa", &PatchFields::traction_along},
+       {"shear_lateral", "Pa", &PatchFields::traction_lateral},
+       {"slip_along", "1", &PatchFields::slip_along},
+       {"slip_lateral", "1", &PatchFields::slip_lateral},
+       {"state", "1", &PatchFields::state},
+       {"area", "m2", &PatchFields::area}}};
 
     /// Adds the name of the file to what went wrong in it.
     template <typename Work>

@@ -54,11 +54,11 @@ namespace wheelrail
   std::string
   contact_input(const HalfspaceProblem &problem, const std::string &title)
   {
-    if (problem.friction.law != HalfspaceFriction::Law::coulomb)
+    if (depends_on_speed(problem.friction))
       throw InputError("--contact-input writes constant friction only: set Contact/Friction law = constant");
     const HalfspaceGrid &grid     = problem.grid;
     const bool           has_slip = !problem.rigid_slip_x.empty();
-    const double         mu       = problem.friction.static_coefficient;
+    const double         mu       = problem.friction.at_rest;
     const bool           alike    = problem.body1.shear_modulus == problem.body2.shear_modulus &&
                        problem.body1.poisson_ratio == problem.body2.poisson_ratio;
 

@@ -149,7 +149,7 @@ namespace wheelrail
     problem.longitudinal_force_given = scene.drive == Drive::torque;
     problem.fx                       = -scene.traction_coefficient * normal.fn;
     problem.xi                       = scene.drive == Drive::rate ? scene.creepage : 0;
-    result.solution                  = solve_rolling(problem);
+    result.solution                  = solve_carried(problem);
     result.spin                      = problem.phi;
     result.vertical                  = result.solution.fn;
     result.lateral                   = -result.solution.fy;

@@ -262,7 +262,7 @@ namespace wheelrail
       {
         if (load.vertical)
           problem.normal_force = (load.force + result.solution.fy * s) / c;
-        result.solution = solve_rolling(problem);
+        result.solution = solve_carried(problem);
         problem.xi      = result.solution.xi;
       }
     result.angle            = means.rail_angle;
@@ -298,7 +298,7 @@ namespace wheelrail
     summary.patch_longitudinal        = result.measures.length;
     summary.patch_centre_lateral      = result.measures.centre_lateral;
     summary.patch_centre_longitudinal = result.measures.centre_along;
-    summary.max_shear_traction        = result.measures.max_shear;
+    summary.max_shear_traction        = result.measures.max_traction;
     summary.stick_fraction            = result.measures.stick_fraction;
     summary.creepage                  = s.xi;
     summary.friction_coefficient      = scene.friction_coefficient;

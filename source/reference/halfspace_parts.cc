@@ -1,3 +1,4 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/reference/halfspace_parts.h>
 
 namespace wheelrail
@@ -9,25 +10,6 @@ namespace wheelrail
     {
       return {material.youngs_modulus / (2 * (1 + material.poissons_ratio)), material.poissons_ratio};
     }
-
-    HalfspaceFriction
-    halfspace_friction(const Scene &scene)
-    {
-      HalfspaceFriction friction;
-      friction.static_coefficient  = scene.friction_coefficient;
-      friction.kinetic_coefficient = scene.dynamic_friction_coefficient;
-      if (scene.friction_law == FrictionKind::exponential && scene.friction_decay > 0)
-        {
-          friction.law            = HalfspaceFriction::Law::exponential;
-          friction.velocity_scale = 1 / scene.friction_decay;
-        }
-      else if (scene.friction_law == FrictionKind::rational)
-        {
-          friction.law            = HalfspaceFriction::Law::rational;
-          friction.velocity_scale = scene.friction_half_velocity;
-        }
-      return friction;
-    }
   } // namespace
 
 
@@ -37,7 +19,7 @@ namespace wheelrail
     HalfspaceProblem problem;
     problem.body1    = halfspace_body(scene.rail_material);
     problem.body2    = halfspace_body(scene.wheel_material);
-    problem.friction = halfspace_friction(scene);
+    problem.friction = friction_law(scene);
     problem.velocity = scene.velocity;
     return problem;
   }
@@ -62,6 +44,16 @@ namespace wheelrail
   }
 
 
+  HalfspaceSolution
+  solve_carried(const HalfspaceProblem &problem)
+  {
+    HalfspaceSolution solution = solve_rolling(problem);
+    if (!solution.within_friction)
+      throw InputError("Half-space problem: " + solution.not_reached);
+    return solution;
+  }
+
+
   PatchFields
   halfspace_patch(const HalfspaceSolution &solution)
   {
@@ -77,8 +69,8 @@ namespace wheelrail
           patch.lateral.push_back(grid.y(j));
           patch.gap.push_back(solution.gap[e]);
           patch.pressure.push_back(solution.pressure[e]);
-          patch.shear_along.push_back(solution.traction_x[e]);
-          patch.shear_lateral.push_back(solution.traction_y[e]);
+          patch.traction_along.push_back(solution.traction_x[e]);
+          patch.traction_lateral.push_back(solution.traction_y[e]);
           patch.slip_along.push_back(-solution.slip_x[e]);
           patch.slip_lateral.push_back(-solution.slip_y[e]);
           patch.state.push_back(solution.state[e]);

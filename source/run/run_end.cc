@@ -61,9 +61,9 @@ namespace wheelrail
       plastic_figures(model.solid, run.axle, unloaded_distance(model), run.communicator);
     summary.max_plastic_strain     = plastic.max_strain;
     summary.max_residual_von_mises = plastic.max_residual;
-    for (int body = 0; body < 2; ++body)
-      if (model.solid.blocks[body].plastic())
-        set_figure(summary, body == 0 ? "plastic_work_rail_J" : "plastic_work_wheel_J", plastic.work[body]);
+    for (const Body body : both_bodies)
+      if (model.solid.blocks[index(body)].plastic())
+        set_figure(summary, std::string("plastic_work_") + body_name(body) + "_J", plastic.work[body]);
     summary.rolled_distance = run.axle.travelled();
     summary.velocity        = run.scene.velocity;
     summary.elements        = double(model.solid.quality.elements);

@@ -41,7 +41,7 @@ namespace wheelrail
     log.value("wheel load", text("%.2f kN (sprung mass, axle and wheel)", 1e-3 * model.wheel_load));
     log.value("mesh", mesh_text(q));
     log.value("cell sizes",
-              text("%.3f to %.1f mm; on the running band %.4f mm along, %.4f mm across",
+              text("%.3f to %.1f mm; in the fine zone %.4f mm along, %.4f mm across",
                    1e3 * q.smallest,
                    1e3 * q.largest,
                    1e3 * lattice.spacing_along,
@@ -54,7 +54,7 @@ namespace wheelrail
                    scene.rolling_distance / scene.velocity / model.time_step,
                    1e6 * s.step,
                    1e3 * s.length,
-                   s.body == Body::rail ? "rail" : "wheel",
+                   body_name(s.body),
                    1e3 * s.place[0],
                    1e3 * s.place[1],
                    1e3 * s.place[2],

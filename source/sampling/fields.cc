@@ -77,7 +77,7 @@ namespace wheelrail
     add_window_cells(FieldBuilder &builder, const Solid &solid, const Axle &axle, const Contact &contact)
     {
       const double reach =
-        0.5 * (contact.window().rail_last - contact.window().rail_first) * contact.lattice().spacing_along;
+        0.5 * (contact.window().rail.last - contact.window().rail.first) * contact.lattice().spacing_along;
       for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
         {
           const Vector3 x = solid.position(solid.mesh.cells[c][0]);
@@ -142,9 +142,9 @@ namespace wheelrail
     PatchFields    patch;
     patch.time            = time;
     patch.rolled_distance = travelled;
-    patch.n_along         = window.rail_last - window.rail_first;
+    patch.n_along         = window.rail.last - window.rail.first;
     patch.n_lateral       = lattice.n_lateral;
-    for (int i = window.rail_first; i < window.rail_last; ++i)
+    for (int i = window.rail.first; i < window.rail.last; ++i)
       for (unsigned int j = 0; j < lattice.n_lateral; ++j)
         {
           const std::size_t  k    = lattice.index(i, j);
@@ -154,8 +154,8 @@ namespace wheelrail
           patch.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
           patch.gap.push_back(node.gap);
           patch.pressure.push_back(node.pressure);
-          patch.shear_along.push_back(node.traction[2]);
-          patch.shear_lateral.push_back(node.traction[0] * t.x + node.traction[1] * t.y);
+          patch.traction_along.push_back(node.traction[2]);
+          patch.traction_lateral.push_back(node.traction[0] * t.x + node.traction[1] * t.y);
           patch.slip_along.push_back(node.slip[2] / axle.velocity);
           patch.slip_lateral.push_back((node.slip[0] * t.x + node.slip[1] * t.y) / axle.velocity);
           patch.state.push_back(node.pressure <= 0 ? 0 : node.slipping ? 2 : 1);
@@ -191,7 +191,8 @@ namespace wheelrail
       mesh.points.push_back(solid.position(n));
     builder.field(
       "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
-    const bool plastic = solid.blocks[0].plastic() || solid.blocks[1].plastic();
+    const bool plastic =
+      solid.blocks[index(Body::rail)].plastic() || solid.blocks[index(Body::wheel)].plastic();
     if (selection == Selection::surface)
       {
         add_contact_fields(builder, contact);
@@ -224,10 +225,11 @@ namespace wheelrail
   PlasticFigures
   plastic_figures(const Solid &solid, const Axle &axle, const double distance, MPI_Comm communicator)
   {
-    double largest[2] = {-1, -1}, work[2] = {0, 0};
-    for (int body = 0; body < 2; ++body)
+    double          largest[2] = {-1, -1};
+    PerBody<double> work;
+    for (const Body body : both_bodies)
       {
-        const ElementBlocks &blocks = solid.blocks[body];
+        const ElementBlocks &blocks = solid.blocks[index(body)];
         if (!blocks.plastic())
           continue;
         const auto strain = element_plastic_strain(blocks);
@@ -235,19 +237,20 @@ namespace wheelrail
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
           {
             largest[0]          = std::max(largest[0], strain[e]);
-            const Vector3 place = solid.position(solid.mesh.cells[solid.block_cells[body][e]][0]);
-            if (body == 0 && strain[e] > 0 && place[2] < axle.travelled() - distance)
+            const Vector3 place = solid.position(solid.mesh.cells[solid.block_cells[index(body)][e]][0]);
+            if (body == Body::rail && strain[e] > 0 && place[2] < axle.travelled() - distance)
               largest[1] = std::max(largest[1], von_mises(stress[e].data()));
           }
         for (const double w : blocks.plastic_work)
           work[body] += w;
       }
     MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, communicator);
-    MPI_Allreduce(MPI_IN_PLACE, work, 2, MPI_DOUBLE, MPI_SUM, communicator);
+    for (const Body body : both_bodies)
+      MPI_Allreduce(MPI_IN_PLACE, &work[body], 1, MPI_DOUBLE, MPI_SUM, communicator);
     for (double &value : largest)
       if (value < 0)
         value = std::numeric_limits<double>::quiet_NaN();
-    return {largest[0], largest[1], {work[0], work[1]}};
+    return {largest[0], largest[1], work};
   }
 
 

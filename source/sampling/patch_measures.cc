@@ -19,8 +19,8 @@ namespace wheelrail
                                 &patch.lateral,
                                 &patch.gap,
                                 &patch.pressure,
-                                &patch.shear_along,
-                                &patch.shear_lateral,
+                                &patch.traction_along,
+                                &patch.traction_lateral,
                                 &patch.state,
                                 &patch.area})
         if (field->size() != n)
@@ -74,8 +74,8 @@ namespace wheelrail
           measures.normal_force += force;
           moment_along += force * patch.along[k];
           moment_lateral += force * patch.lateral[k];
-          measures.shear_force_along += patch.shear_along[k] * patch.area[k];
-          measures.shear_force_lateral += patch.shear_lateral[k] * patch.area[k];
+          measures.traction_force_along += patch.traction_along[k] * patch.area[k];
+          measures.traction_force_lateral += patch.traction_lateral[k] * patch.area[k];
           if (patch.pressure[k] > 0)
             {
               loaded_area += patch.area[k];
@@ -99,7 +99,7 @@ namespace wheelrail
     check_lengths(patch);
     PatchMeasures measures;
     add_sums(patch, measures);
-    measures.max_shear = largest_shear(patch);
+    measures.max_traction = largest_shear(patch);
 
     const auto top = std::max_element(patch.pressure.begin(), patch.pressure.end());
     if (top == patch.pressure.end() || !(*top > 0))

@@ -142,11 +142,11 @@ namespace wheelrail
     ProbeSource source;
     source.stress = nodal_stress(solid, communicator);
     source.plastic_strain.resize(solid.mesh.cells.size());
-    for (int body = 0; body < 2; ++body)
+    for (const Body body : both_bodies)
       {
-        const auto strain = element_plastic_strain(solid.blocks[body]);
+        const auto strain = element_plastic_strain(solid.blocks[index(body)]);
         for (std::size_t e = 0; e < strain.size(); ++e)
-          source.plastic_strain[solid.block_cells[body][e]] = strain[e];
+          source.plastic_strain[solid.block_cells[index(body)][e]] = strain[e];
       }
     return source;
   }

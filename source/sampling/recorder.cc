@@ -95,7 +95,7 @@ namespace wheelrail
     row.put("patch_longitudinal", "m", m.length);
     row.put("patch_centre_lateral", "m", m.centre_lateral);
     row.put("patch_centre_longitudinal", "m", m.centre_along);
-    row.put("max_shear_traction", "Pa", m.max_shear);
+    row.put("max_shear_traction", "Pa", m.max_traction);
     row.put("stick_fraction", "", m.stick_fraction);
     n_patches_ = m.n_patches;
   }

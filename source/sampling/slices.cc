@@ -47,7 +47,7 @@ namespace wheelrail
       const int      j       = std::clamp(static_cast<int>(std::floor(row)), 0, last);
       Line           line;
       line.weight = row - j, line.offset = s;
-      for (int i = contact.window().rail_first; i < contact.window().rail_last; ++i)
+      for (int i = contact.window().rail.first; i < contact.window().rail.last; ++i)
         {
           line.position.push_back((lattice.first_station + i) * lattice.spacing_along - travelled);
           line.nodes.push_back({lattice.index(i, j), lattice.index(i, j + 1)});
@@ -62,7 +62,7 @@ namespace wheelrail
       const Lattice &lattice = contact.lattice();
       const double   station = (travelled + along) / lattice.spacing_along - lattice.first_station;
       const int      i       = std::clamp(
-        static_cast<int>(std::floor(station)), contact.window().rail_first, contact.window().rail_last - 2);
+        static_cast<int>(std::floor(station)), contact.window().rail.first, contact.window().rail.last - 2);
       Line line;
       line.weight = station - i, line.offset = along;
       for (unsigned int j = 0; j < lattice.n_lateral; ++j)
@@ -123,7 +123,7 @@ namespace wheelrail
       slice.position     = line.position;
       slice.depth        = depths(*model.contact);
       const auto values  = probe_body(model.solid, body, source, points, communicator);
-      const bool plastic = model.solid.blocks[static_cast<int>(body)].plastic();
+      const bool plastic = model.solid.blocks[index(body)].plastic();
       slice.values.resize(plastic ? n_fields : n_fields - 1);
       for (const auto &v : values)
         {
@@ -141,7 +141,7 @@ namespace wheelrail
       const Lattice        &lattice = contact.lattice();
       std::array<double, 2> place{0, 0};
       double                largest = 0;
-      for (int i = contact.window().rail_first; i < contact.window().rail_last; ++i)
+      for (int i = contact.window().rail.first; i < contact.window().rail.last; ++i)
         for (unsigned int j = 0; j < lattice.n_lateral; ++j)
           if (const double p = contact.nodes()[lattice.index(i, j)].pressure; p > largest)
             {
@@ -190,7 +190,7 @@ namespace wheelrail
     }
 
     /// The points of a slice of the unloaded rail: from its undeformed surface down. The first ones lie a
-    /// twentieth of a spacing deep, since the running band is lower than that surface.
+    /// twentieth of a spacing deep, since the fine zone is lower than that surface.
     std::vector<Vector3>
     points_behind(const Contact &contact, const Line &line)
     {
@@ -242,13 +242,13 @@ namespace wheelrail
                                                     {"BB_peak", line_across(contact, travelled, peak[1])}};
     std::vector<Slice>                  slices;
     for (const auto &[name, line] : lines)
-      for (const Body body : {Body::rail, Body::wheel})
+      for (const Body body : both_bodies)
         {
           const auto points = points_below(contact, line, body, depths(contact));
           slices.push_back(cut(model, line, body, points, source, communicator));
-          slices.back().name = std::string(name) + (body == Body::rail ? "_rail" : "_wheel");
+          slices.back().name = std::string(name) + "_" + body_name(body);
         }
-    if (model.solid.blocks[0].plastic())
+    if (model.solid.blocks[index(Body::rail)].plastic())
       add_unloaded(model, travelled, peak[0], source, slices, communicator);
     return slices;
   }

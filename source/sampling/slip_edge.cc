@@ -59,8 +59,8 @@ namespace wheelrail
       const PatchFields &patch = line.patch;
       const std::size_t  slip = line.index(0), k = line.index(n);
       const double       scale = line.pressure(n) / line.pressure(0);
-      const double       a     = scale * patch.shear_along[slip] - patch.shear_along[k];
-      const double       b     = scale * patch.shear_lateral[slip] - patch.shear_lateral[k];
+      const double       a     = scale * patch.traction_along[slip] - patch.traction_along[k];
+      const double       b     = scale * patch.traction_lateral[slip] - patch.traction_lateral[k];
       return a * a + b * b;
     }
 
@@ -114,7 +114,7 @@ namespace wheelrail
   largest_shear(const PatchFields &patch)
   {
     const auto nodal = [&](const std::size_t k) {
-      return std::hypot(patch.shear_along[k], patch.shear_lateral[k]);
+      return std::hypot(patch.traction_along[k], patch.traction_lateral[k]);
     };
     double largest = 0;
     for (std::size_t k = 0; k < patch.pressure.size(); ++k)

@@ -39,10 +39,10 @@ namespace wheelrail
       visit("damped", c.axle.work.damped);
       visit("torque_work", c.axle.work.torque_work);
       visit("hold_work", c.axle.work.hold_work);
-      visit("rail_first", c.contact.window.rail_first);
-      visit("rail_last", c.contact.window.rail_last);
-      visit("wheel_first", c.contact.window.wheel_first);
-      visit("wheel_last", c.contact.window.wheel_last);
+      visit("rail_first", c.contact.window.rail.first);
+      visit("rail_last", c.contact.window.rail.last);
+      visit("wheel_first", c.contact.window.wheel.first);
+      visit("wheel_last", c.contact.window.wheel.last);
     }
 
     /// Before the name of an energy term in the names of datasets.
@@ -58,13 +58,13 @@ namespace wheelrail
       for (const ContactNode &n : nodes)
         values.insert(values.end(),
                       {n.pressure,
-                       n.shear[0],
-                       n.shear[1],
-                       n.shear[2],
-                       double(n.facet_i),
-                       double(n.facet_j),
-                       n.xi,
-                       n.eta});
+                       n.elastic[0],
+                       n.elastic[1],
+                       n.elastic[2],
+                       double(n.foot.i),
+                       double(n.foot.j),
+                       n.foot.xi,
+                       n.foot.eta});
       return values;
     }
 
@@ -76,11 +76,11 @@ namespace wheelrail
         {
           const double *v   = &values[contact_numbers * k];
           nodes[k].pressure = v[0];
-          nodes[k].shear    = {v[1], v[2], v[3]};
-          nodes[k].facet_i  = static_cast<int>(v[4]);
-          nodes[k].facet_j  = static_cast<int>(v[5]);
-          nodes[k].xi       = v[6];
-          nodes[k].eta      = v[7];
+          nodes[k].elastic  = {v[1], v[2], v[3]};
+          nodes[k].foot.i   = static_cast<int>(v[4]);
+          nodes[k].foot.j   = static_cast<int>(v[5]);
+          nodes[k].foot.xi  = v[6];
+          nodes[k].foot.eta = v[7];
         }
       return nodes;
     }

@@ -1,6 +1,6 @@
 #include "contact.h"
 
-#include <wheelrail/contact/surface_response.h>
+#include <wheelrail/contact/make_law.h>
 #include <wheelrail/geometry/frame_profile.h>
 
 #include <algorithm>
@@ -187,36 +187,16 @@ namespace scenes
       return surface;
     }
 
-    Penalty
-    penalty_of(const Dynamics &scene, const ContactSetup &setup)
-    {
-      const ElementBlocks *blocks = scene.solid.blocks;
-      const double rail = blocks[0].material.bulk_modulus(), wheel = blocks[1].material.bulk_modulus();
-      return make_penalty(setup.scale,
-                          blocks[1].n_elements > 0 ? 0.5 * (rail + wheel) : rail,
-                          setup.cell_size,
-                          setup.damping_ratio,
-                          scene.solid.stable.step);
-    }
-
-    /// As the program makes it for a scene.
     ContactLaw
-    law_of(const Dynamics &scene, const Surface &rail, const Surface &wheel, const ContactSetup &setup)
+    law_of(const Dynamics &scene, const ContactSetup &setup)
     {
-      const Penalty          penalty = penalty_of(scene, setup);
-      ContactLaw             law{penalty.stiffness, penalty.damping, setup.friction, {}};
-      std::array<Vector3, 8> cube;
-      for (int a = 0; a < 8; ++a)
-        cube[a] = {double(a & 1), double(a >> 1 & 1), double(a >> 2)};
-      for (const Surface *surface : {&rail, &wheel})
-        if (setup.filter && surface->local[0] >= 0)
-          {
-            const int            body  = surface == &rail ? 0 : 1;
-            const ElementBlocks &block = scene.solid.blocks[body];
-            law.filter[body]           = surface_filter(
-              element_stiffness(element_geometry(cube), block.material, block.form), block.material);
-          }
-      return law;
+      const auto body = [](const ElementBlocks &blocks) {
+        return ContactBody{blocks.material, blocks.form, blocks.n_elements == 0};
+      };
+      return make_contact_law(
+        {body(scene.solid.blocks[index(Body::rail)]), body(scene.solid.blocks[index(Body::wheel)])},
+        {setup.scale, setup.cell_size, setup.damping_ratio, setup.friction, setup.filter},
+        scene.solid.stable.step);
     }
   } // namespace
 
@@ -230,19 +210,15 @@ namespace scenes
       const double radius = contact.surfaces().rolling_radius;
       return std::array<double, 2>{this->wheel.move[2], radius * this->wheel.angle - this->wheel.move[2]};
     })
-    , contact(whole_surface(rail, setup.symmetry, 0),
-              whole_surface(wheel, setup.symmetry, mirrored(rail, setup.symmetry).sources.size()),
-              surfaces,
-              law_of(scene, rail, wheel, setup),
-              setup.half_window,
-              MPI_COMM_SELF)
+    , contact(surfaces, law_of(scene, setup), setup.half_window, MPI_COMM_SELF)
     , scene_(scene)
   {
-    const Penalty penalty = penalty_of(scene, setup);
+    contact.prepare(whole_surface(rail, setup.symmetry, 0),
+                    whole_surface(wheel, setup.symmetry, mirrored(rail, setup.symmetry).sources.size()));
     for (const Surface *surface : {&rail, &wheel})
       {
         if (setup.added_mass)
-          add_surface_mass(*surface, penalty.added_mass, scene.solid.added_mass.data());
+          add_surface_mass(*surface, contact.law().added_mass, scene.solid.added_mass.data());
         const WholeSurface whole = mirrored(*surface, setup.symmetry);
         sources_.insert(sources_.end(), whole.sources.begin(), whole.sources.end());
         rigid_.insert(rigid_.end(), whole.surface.reference.begin(), whole.surface.reference.end());
@@ -314,8 +290,8 @@ namespace scenes
           patch.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
           patch.gap.push_back(node.gap);
           patch.pressure.push_back(node.pressure);
-          patch.shear_along.push_back(node.traction[2]);
-          patch.shear_lateral.push_back(node.traction[0]);
+          patch.traction_along.push_back(node.traction[2]);
+          patch.traction_lateral.push_back(node.traction[0]);
           patch.slip_along.push_back(node.slip[2]);
           patch.slip_lateral.push_back(node.slip[0]);
           patch.state.push_back(node.pressure <= 0 ? 0 : node.slipping ? 2 : 1);

@@ -7,7 +7,7 @@
 #include "dynamics.h"
 #include "mirrored.h"
 
-#include <wheelrail/contact/penalty.h>
+#include <wheelrail/contact/contact.h>
 #include <wheelrail/output/fields.h>
 
 namespace scenes
@@ -42,7 +42,7 @@ namespace scenes
   both_sides(const std::vector<double> &breakpoints);
 
   /// A block of the breakpoints given across (x), downwards (depth >= 0) and along (z); its top, where
-  /// both neighbouring breakpoints lie in the fine part, carries the mark of a running surface.
+  /// both neighbouring breakpoints lie in the fine zone, carries the mark of a running surface.
   LocalMesh
   rail_block(const std::vector<double> &across,
              const std::vector<double> &depth,

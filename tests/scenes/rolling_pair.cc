@@ -136,7 +136,7 @@ namespace scenes
     const double          lng  = setup.wheel_cell_along > 0 ? setup.wheel_cell_along : setup.cell;
     const RunningSurfaces surfaces =
       wheel_on_plane(setup.radius, setup.crown, std::max(30e-3, 1.5 * setup.width));
-    // both ends of the fine stretch are multiples of the cells
+    // both ends of the fine zone are multiples of the cells
     const auto fine = [&](const double cell) {
       return CellRange{
         -cell * std::ceil(13e-3 / cell), cell * std::ceil((setup.distance + 14e-3) / cell), cell};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/body.h>
 #include <wheelrail/base/vector3.h>
 #include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/mesh/lattice.h>

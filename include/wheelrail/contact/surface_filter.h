@@ -9,7 +9,7 @@ namespace wheelrail
   struct SurfaceFilter
   {
     double normal = 0; ///< weight for positions and pressures, along and across
-    double shear  = 0; ///< weight for sliding and shear: each component across its own direction only
+    double shear  = 0; ///< weight for slip and shear tractions: each component across its own direction only
   };
 
   /// Weights of one field: [component] along the track and across it.

@@ -12,7 +12,7 @@ namespace wheelrail
     double               force     = 0;     ///< longitudinal force on the wheel that the tractions give [N]
     bool                 saturated = false; ///< the wanted force exceeds the friction bound
     bool                 converged = true;  ///< the half-space solver reached its tolerance
-    std::vector<Vector3> shear;             ///< traction on the rail at every lattice node [Pa]
+    std::vector<Vector3> traction;          ///< on the rail at every lattice node [Pa]
   };
 
   /// Elastic constants of the two bodies as half-spaces.
@@ -24,12 +24,20 @@ namespace wheelrail
   /// Steady shear tractions for a given longitudinal force [N, on the wheel], exact for two half-spaces
   /// under the pressures of `contact` (Kalker 1990; doc/theory/halfspace.md): every lateral strip slides with
   /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
-  /// turning wheel (together: creepage and spin). One element a lattice node. The friction coefficient is
-  /// that at rest. Wanted forces are cut to 98 % of full slip.
+  /// turning wheel (together: creepage and spin). Elements of at most 0.35 mm, an odd number a lattice
+  /// node. The friction law is that of the contact, at the slip velocities of rolling with `velocity` [m/s].
+  /// Wanted forces are cut to 98 % of full slip at rest, and with friction that falls with speed to the
+  /// largest that it carries (to 1 %); a law that is zero at rest starts without tractions.
   StartTractions
-  start_tractions(const Contact &contact, double longitudinal_force, const StartBodies &bodies);
+  start_tractions(const Contact     &contact,
+                  double             longitudinal_force,
+                  const StartBodies &bodies,
+                  double             velocity);
 
   /// The same with the creepage given instead of the force.
   StartTractions
-  start_tractions_at_creepage(const Contact &contact, double creepage, const StartBodies &bodies);
+  start_tractions_at_creepage(const Contact     &contact,
+                              double             creepage,
+                              const StartBodies &bodies,
+                              double             velocity);
 } // namespace wheelrail

@@ -91,7 +91,7 @@ namespace wheelrail
     std::vector<Contact::Spring>
     load_springs();
     ContactSums
-    contact_forces(const std::vector<Vector3> *shear, AlignedVector<double> &force);
+    contact_forces(const std::vector<Vector3> *tractions, AlignedVector<double> &force);
 
     Solid                    &solid_;
     Contact                  &contact_;

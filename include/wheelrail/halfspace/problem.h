@@ -1,5 +1,7 @@
 #pragma once
 
+#include <wheelrail/material/friction.h>
+
 #include <array>
 #include <functional>
 #include <string>
@@ -60,25 +62,6 @@ namespace wheelrail
     double poisson_ratio = 0.3;
   };
 
-  /// The friction coefficient over the absolute slip velocity v [m/s].
-  struct HalfspaceFriction
-  {
-    enum class Law
-    {
-      coulomb,    ///< mu = static_coefficient
-      rational,   ///< mu = kinetic + (static - kinetic) / (1 + v / velocity_scale)
-      exponential ///< mu = kinetic + (static - kinetic) exp(-v / velocity_scale); decay = 1 / velocity_scale
-    };
-    Law    law                 = Law::coulomb;
-    double static_coefficient  = 0.5;
-    double kinetic_coefficient = 0.5;
-    double velocity_scale      = 1; ///< [m/s]
-  };
-
-  /// mu at the slip velocity [m/s].
-  double
-  friction_coefficient(const HalfspaceFriction &friction, double slip_velocity);
-
   enum class HalfspaceMotion
   {
     none,      ///< normal problem, no friction
@@ -100,12 +83,14 @@ namespace wheelrail
     bool   force_given  = true; ///< normal_force is given and the approach is found, or the reverse
     double normal_force = 0;    ///< [N]
     double approach     = 0;    ///< [m]
+    /// Pressure of every element [Pa], when it is known: the normal problem is then left out, with its
+    /// displacements, gap and approach. Empty: found from what stands above.
+    std::vector<double> pressure;
 
-    HalfspaceMotion   motion = HalfspaceMotion::steady;
-    HalfspaceFriction friction;
-    double            velocity =
-      1;             ///< of rolling [m/s]; for a shift: distance unit per second, used by the friction law
-    double step = 0; ///< rolled distance of one step [m]; 0: the element length dx
+    HalfspaceMotion motion = HalfspaceMotion::steady;
+    FrictionLaw     friction{0.5};
+    double          velocity = 1; ///< of rolling [m/s]; for a shift: distance unit per second; for the law
+    double          step     = 0; ///< rolled distance of one step [m]; 0: the element length dx
 
     /// Rigid slip over rolling velocity: w_x = xi - phi y, w_y = eta + phi (x + spin_offset * step).
     /// With a force given, the creepage of that direction is the first guess.
@@ -164,6 +149,7 @@ namespace wheelrail
     int         normal_iterations = 0, newton_steps = 0, krylov_iterations = 0, coupling_rounds = 0;
     double      normal_residual = 0, tangential_residual = 0; ///< in the measure of the tolerances
     bool        normal_converged = false, tangential_converged = false, coupling_converged = false;
+    bool        within_friction   = true;  ///< false: friction that falls with slip does not carry the force
     bool        touches_grid_edge = false; ///< the contact reaches the outermost elements: enlarge the grid
     std::string not_reached;               ///< empty, or what was not reached, in words
 
@@ -176,8 +162,9 @@ namespace wheelrail
 
   /// Solves the normal problem, the tangential problem and, for unlike materials, their coupling
   /// (alternately, Panagiotopoulos 1975); with friction that depends on the slip velocity its coefficients,
-  /// too. Throws InputError for impossible input (sizes, moduli, a tangential force above the friction
-  /// limit); a tolerance that was not reached is told in the solution, which then holds the best state found.
+  /// too. Given pressures are taken as they are; unlike materials then still shift under them. Throws
+  /// InputError for impossible input (sizes, moduli, a tangential force above the friction limit at rest); a
+  /// tolerance that was not reached is told in the solution, which then holds the best state found.
   HalfspaceSolution
   solve_rolling(const HalfspaceProblem &problem);
 

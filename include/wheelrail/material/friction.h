@@ -2,7 +2,7 @@
 
 namespace wheelrail
 {
-  /// How the friction coefficient depends on the sliding speed v.
+  /// How the friction coefficient depends on the slip velocity v.
   enum class FrictionKind
   {
     constant,    ///< mu = mu_s
@@ -20,9 +20,13 @@ namespace wheelrail
     double       half_velocity = 1; ///< v_h, at which half of mu_s - mu_d is gone (rational law) [m/s]
   };
 
-  /// Friction coefficient at the sliding speed `speed` >= 0 [m/s].
+  /// Friction coefficient at the slip velocity `speed` >= 0 [m/s].
   double
   friction_coefficient(const FrictionLaw &law, double speed);
+
+  /// The coefficient changes with the slip velocity.
+  bool
+  depends_on_speed(const FrictionLaw &law);
 
   /// Steepest fall of the coefficient with speed, at rest [s/m]; 0 where it is constant or rises.
   double

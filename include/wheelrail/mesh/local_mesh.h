@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/body.h>
 #include <wheelrail/base/simd.h>
 #include <wheelrail/mesh/section.h>
 
@@ -9,13 +10,6 @@
 
 namespace wheelrail
 {
-  /// The two bodies of a scene; also the material id of the cells.
-  enum class Body : unsigned char
-  {
-    rail  = 0,
-    wheel = 1
-  };
-
   /// A quadrilateral of the boundary that one rank holds.
   struct BoundaryFace
   {

@@ -32,13 +32,13 @@ namespace wheelrail
   {
     double              time = 0, rolled_distance = 0; ///< [s], [m]
     unsigned int        n_along = 0, n_lateral = 0;
-    std::vector<double> along;         ///< position relative to the axle along Z [m]
-    std::vector<double> lateral;       ///< contact frame coordinate s [m]
-    std::vector<double> gap;           ///< signed gap, negative = penetration [m]
-    std::vector<double> pressure;      ///< [Pa]
-    std::vector<double> shear_along;   ///< traction on the rail along the track [Pa]
-    std::vector<double> shear_lateral; ///< along s [Pa]
-    std::vector<double> slip_along;    ///< slip velocity of the wheel against the rail, over V [1]
+    std::vector<double> along;            ///< position relative to the axle along Z [m]
+    std::vector<double> lateral;          ///< contact frame coordinate s [m]
+    std::vector<double> gap;              ///< signed gap, negative = penetration [m]
+    std::vector<double> pressure;         ///< [Pa]
+    std::vector<double> traction_along;   ///< shear traction on the rail along the track [Pa]
+    std::vector<double> traction_lateral; ///< along s [Pa]
+    std::vector<double> slip_along;       ///< slip velocity of the wheel against the rail, over V [1]
     std::vector<double> slip_lateral;
     std::vector<double> state; ///< 0 open, 1 stick, 2 slip
     std::vector<double> area;  ///< tributary area [m2]

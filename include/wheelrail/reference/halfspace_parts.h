@@ -23,6 +23,11 @@ namespace wheelrail
                         const std::function<void(double)> &lay_grid,
                         int                               &enlargements);
 
+  /// solve_rolling(); also friction that falls with the slip velocity and does not carry the force asked for
+  /// is an InputError.
+  HalfspaceSolution
+  solve_carried(const HalfspaceProblem &problem);
+
   /// A solution in the layout and with the signs of a run's patch: lateral fastest, tractions on the rail
   /// (body 1), slip of the wheel against the rail.
   PatchFields

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/body.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/output/fields.h>
 
@@ -37,9 +38,9 @@ namespace wheelrail
   /// What plastic flow left behind, over all ranks; NaN where there is nothing to tell.
   struct PlasticFigures
   {
-    double max_strain;   ///< largest accumulated plastic strain of both bodies; NaN: both elastic [1]
-    double max_residual; ///< of the residual stress [Pa]
-    double work[2];      ///< plastic work of rail and wheel [J]
+    double          max_strain; ///< largest accumulated plastic strain of both bodies; NaN: both elastic [1]
+    double          max_residual; ///< of the residual stress [Pa]
+    PerBody<double> work;         ///< plastic work [J]
   };
 
   /// The residual stress is the stress of rail cells that have yielded and that the wheel left at

@@ -20,11 +20,11 @@ namespace wheelrail
     double centre_lateral             = 0;
     double centre_of_pressure_along   = 0; ///< position weighted with p A [m]
     double centre_of_pressure_lateral = 0;
-    double max_shear           = 0; ///< largest shear traction, also between nodes [Pa], see largest_shear()
-    double stick_fraction      = 0; ///< sticking part of the loaded tributary area [1], 0 without load
-    double normal_force        = 0; ///< sum of p A [N]
-    double shear_force_along   = 0; ///< sum of shear_along A, on the rail [N]
-    double shear_force_lateral = 0; ///< sum of shear_lateral A, on the rail [N]
+    double max_traction         = 0; ///< largest shear traction, also between nodes [Pa], see largest_shear()
+    double stick_fraction       = 0; ///< sticking part of the loaded tributary area [1], 0 without load
+    double normal_force         = 0; ///< sum of p A [N]
+    double traction_force_along = 0; ///< sum of traction_along A, on the rail [N]
+    double traction_force_lateral = 0; ///< sum of traction_lateral A, on the rail [N]
 
     unsigned int n_loaded       = 0;     ///< nodes with pressure
     unsigned int n_patches      = 0;     ///< separate patches, minus holes

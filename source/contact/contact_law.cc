@@ -1,0 +1,53 @@
+#include <wheelrail/contact/contact_law.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  ContactForces
+  apply_law(const ContactLaw    &law,
+            const ContactMotion &motion,
+            const double         time_step,
+            const double         area,
+            ContactNode         &node,
+            ContactSums         &sums)
+  {
+    const Vector3 n = node.normal;
+    // pressure: spring and damper, no suction
+    const double spring = -law.stiffness * node.gap;
+    node.pressure       = std::max(0., spring - law.damping * motion.opening);
+
+    // shear: elastic trial in the tangent plane, return to the Coulomb bound
+    const Vector3 before = node.elastic - dot(node.elastic, n) * n;
+    Vector3       trial  = before;
+    add(trial, law.stiffness * time_step, motion.slip);
+    Vector3      total = trial;
+    const double bound = friction_coefficient(law.friction, norm(motion.slip)) * node.pressure;
+    if (time_step > 0)
+      add(total, law.damping, motion.slip);
+    const double size = norm(total);
+    node.slipping     = size > bound;
+    if (node.slipping)
+      {
+        const double factor = size > 0 ? bound / size : 0;
+        total               = factor * total;
+        trial               = total;
+      }
+    node.elastic  = trial;
+    node.traction = total;
+    node.slip     = motion.slip;
+    if (time_step > 0)
+      add(node.slip, -1 / (law.stiffness * time_step), trial - before);
+
+    const ContactForces forces{(node.pressure * area) * n, -area * total};
+    add(sums.force, 1, forces.push + forces.drag);
+    sums.normal_force += node.pressure * area;
+    sums.stored_energy += area * (spring * spring + dot(trial, trial)) / (2 * law.stiffness);
+    sums.friction_power += area * dot(total, node.slip);
+    sums.damping_power += area * (spring - node.pressure) * motion.opening;
+    sums.damping_power += area * dot(total - trial, motion.slip - node.slip);
+    sums.largest_pressure = std::max(sums.largest_pressure, node.pressure);
+    ++sums.nodes;
+    return forces;
+  }
+} // namespace wheelrail

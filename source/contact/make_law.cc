@@ -1,0 +1,57 @@
+#include <wheelrail/contact/make_law.h>
+#include <wheelrail/contact/surface_response.h>
+#include <wheelrail/solid/element_blocks.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    double
+    bulk_modulus(const PerBody<ContactBody> &bodies)
+    {
+      if (bodies.wheel.rigid)
+        return bodies.rail.material.bulk_modulus();
+      if (bodies.rail.rigid)
+        return bodies.wheel.material.bulk_modulus();
+      return 0.5 * (bodies.rail.material.bulk_modulus() + bodies.wheel.material.bulk_modulus());
+    }
+
+    SurfaceFilter
+    filter_of(const ContactBody &body)
+    {
+      std::array<Vector3, 8> cube;
+      for (int a = 0; a < 8; ++a)
+        cube[a] = {double(a & 1), double(a >> 1 & 1), double(a >> 2)};
+      return surface_filter(element_stiffness(element_geometry(cube), body.material, body.form),
+                            body.material);
+    }
+  } // namespace
+
+
+  ContactLaw
+  make_contact_law(const PerBody<ContactBody> &bodies, const ContactChoice &choice, const double step)
+  {
+    const double z     = choice.damping_ratio;
+    const double limit = 2 * (std::sqrt(1 + z * z) - z);
+    ContactLaw   law;
+    law.stiffness  = choice.penalty_scale * bulk_modulus(bodies) / choice.cell_size;
+    law.added_mass = 2 * law.stiffness * std::pow(step / limit, 2);
+    law.damping    = 2 * z * std::sqrt(law.stiffness * law.added_mass / 2);
+    law.friction   = choice.friction;
+    for (const Body body : both_bodies)
+      if (choice.surface_filter && !bodies[body].rigid)
+        law.filter[body] = filter_of(bodies[body]);
+    return law;
+  }
+
+
+  void
+  add_surface_mass(const Surface &surface, const double added_mass, double *mass)
+  {
+    for (std::size_t k = 0; k < surface.reference.size(); ++k)
+      if (surface.local[k] >= 0)
+        mass[surface.local[k]] = added_mass * surface.area[k];
+  }
+} // namespace wheelrail
