@@ -79,7 +79,7 @@ namespace
   void
   test_elements(const std::vector<std::string> &sets)
   {
-    const Scene scene = scene_from_text("", "none", sets);
+    const Scene scene = scene_from_text("", "none", sets).scene;
     const Model model = make_model(scene, make_geometry(scene), MPI_COMM_SELF);
     check_near(expected_elements(scene, patch_of(scene)) / double(model.solid.quality.elements),
                1,

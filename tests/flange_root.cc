@@ -13,9 +13,10 @@ using namespace test;
 int
 main(int argc, char **argv)
 {
-  Parallel            parallel(argc, argv);
-  Scene               scene    = read_scene(WHEELRAIL_SOURCE_DIR "/prm/quickstart.prm",
-                           {"Wheelset/Lateral shift = -5.5 mm", "Mesh/Fine margin = 3 mm"});
+  Parallel parallel(argc, argv);
+  Scene    scene = read_scene(WHEELRAIL_SOURCE_DIR "/prm/quickstart.prm",
+                           {"Wheelset/Lateral shift = -5.5 mm", "Mesh/Fine margin = 3 mm"})
+                  .scene;
   const Scene         given    = scene;
   const SceneGeometry geometry = make_geometry(scene);
   Model               model    = make_model(scene, geometry, MPI_COMM_WORLD);

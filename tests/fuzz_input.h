@@ -7,7 +7,7 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
-#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
 
 namespace test
 {
@@ -92,10 +92,11 @@ namespace test
   {
     try
       {
-        const wheelrail::Scene scene =
+        const wheelrail::SceneInput input =
           from_file ? wheelrail::read_scene(name, {}) : wheelrail::scene_from_text(text, name, {});
-        const std::string listing = wheelrail::print_parameters(scene);
-        if (wheelrail::print_parameters(wheelrail::scene_from_text(listing, "listing", {})) != listing)
+        wheelrail::require_computable(input);
+        const std::string listing = wheelrail::print_parameters(input.scene);
+        if (wheelrail::print_parameters(wheelrail::scene_from_text(listing, "listing", {}).scene) != listing)
           throw std::logic_error("the listing of an accepted mutant reads back to another scene");
         return "";
       }

@@ -7,7 +7,7 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
-#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/run/simulation.h>
 
 #include <filesystem>
@@ -121,13 +121,15 @@ namespace
     std::vector<std::string> sets;
     for (const auto &value : other_values())
       sets.push_back(value.first + " = " + value.second);
-    return scene_from_text("", "none", sets);
+    SceneInput input = scene_from_text("", "none", sets);
+    require_computable(input);
+    return input.scene;
   }
 
   void
   test_entries()
   {
-    const Scene defaults = scene_from_text("", "none", {}), plain;
+    const Scene defaults = scene_from_text("", "none", {}).scene, plain;
     const Scene other    = other_scene();
     for (const Entry &entry : entries())
       {
@@ -151,7 +153,7 @@ namespace
   {
     for (const auto &value : other_values())
       {
-        Scene        scene = scene_from_text("", "none", {});
+        Scene        scene = scene_from_text("", "none", {}).scene;
         const auto   slash = value.first.find('/');
         const Entry *entry = slash == std::string::npos
                                ? find_entry("", value.first)
@@ -246,7 +248,7 @@ namespace
     check_text(s.folder, "output/other", "field folder");
     check_near(s.ticks, 13, 0, "field ticks");
     check(!s.volume_fields, "field volume_fields");
-    check_near(scene_from_text("", "none", {"Mesh/Solution cell size = 2 mm"}).fine_depth,
+    check_near(scene_from_text("", "none", {"Mesh/Solution cell size = 2 mm"}).scene.fine_depth,
                0.010,
                1e-18,
                "fine depth auto is five cells");
@@ -256,15 +258,16 @@ namespace
   test_round_trip()
   {
     const std::string defaults = print_parameters(Scene());
-    check_text(print_parameters(scene_from_text(defaults, "listing", {})),
+    check_text(print_parameters(scene_from_text(defaults, "listing", {}).scene),
                defaults,
                "listing of the defaults reads back");
     const std::string other = print_parameters(other_scene());
-    check_text(
-      print_parameters(scene_from_text(other, "listing", {})), other, "listing of another scene reads back");
+    check_text(print_parameters(scene_from_text(other, "listing", {}).scene),
+               other,
+               "listing of another scene reads back");
     check(other != defaults, "the listings differ");
-    const Scene odd  = scene_from_text("", "none", {"Wheelset/Velocity = 38.123456789012345 m/s"});
-    const Scene back = scene_from_text(print_parameters(odd), "listing", {});
+    const Scene odd  = scene_from_text("", "none", {"Wheelset/Velocity = 38.123456789012345 m/s"}).scene;
+    const Scene back = scene_from_text(print_parameters(odd), "listing", {}).scene;
     check_near(back.velocity, odd.velocity, 1e-14, "a velocity of 17 digits reads back");
     std::size_t        longest = 0;
     std::istringstream lines(defaults);
@@ -280,13 +283,15 @@ namespace
       "set Title = a = b # remark\r\n\r\n# only a remark\r\nsubsection Run\r\n\tset Rolling "
       "distance=30mm\r\nend # of Run\r\nsubsection Contact\nend\nsubsection Run\nset Energy "
       "limit = 1/100\nend";
-    const Scene scene = scene_from_text(text, "t.prm", {"Contact/Friction coefficient=0.4", "Title = c # d"});
+    const Scene scene =
+      scene_from_text(text, "t.prm", {"Contact/Friction coefficient=0.4", "Title = c # d"}).scene;
     check_near(scene.rolling_distance, 0.03, 0, "CRLF, tabs and no blanks around =");
     check_near(scene.energy_limit, 0.01, 0, "a subsection may come twice, the last line may lack its end");
     check_near(scene.friction_coefficient, 0.4, 0, "--set of an entry");
     check_text(scene.title, "c", "--set goes before the file");
-    check_text(scene_from_text(text, "t.prm", {}).title, "a = b", "= and remark in a value");
-    check_text(scene_from_text("\xEF\xBB\xBFset Title = mark", "t.prm", {}).title, "mark", "byte order mark");
+    check_text(scene_from_text(text, "t.prm", {}).scene.title, "a = b", "= and remark in a value");
+    check_text(
+      scene_from_text("\xEF\xBB\xBFset Title = mark", "t.prm", {}).scene.title, "mark", "byte order mark");
   }
 
   void
@@ -299,7 +304,7 @@ namespace
           std::string message;
           try
             {
-              read_scene(file.path().string(), {});
+              require_computable(read_scene(file.path().string(), {}));
             }
           catch (const InputError &error)
             {
@@ -335,7 +340,7 @@ namespace
           "run: the file as given with the changes as remarks");
     check_text(options.parameters_text, print_parameters(scene), "run: all entries in force");
     check_near(execute({"parameters", file}, run, out), 0, 0, "parameters");
-    check_text(out.str(), print_parameters(read_scene(file, {})), "parameters prints the listing");
+    check_text(out.str(), print_parameters(read_scene(file, {}).scene), "parameters prints the listing");
     check(needs_mpi({"run", "x.prm"}) && !needs_mpi({"run", "x.prm", "--validate"}) &&
             !needs_mpi({"geometry"}) && !needs_mpi({}),
           "only a run needs MPI");

@@ -5,7 +5,7 @@
 #include "check.h"
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -17,6 +17,7 @@
 namespace test
 {
   using wheelrail::InputError;
+  using wheelrail::require_computable;
   using wheelrail::RunError;
   using wheelrail::scene_from_text;
 
@@ -64,12 +65,14 @@ namespace test
   inline void
   check_file(const std::string &text, const std::string &expected, const std::string &what)
   {
-    check_text(message_of([&]() { scene_from_text(text, "x.prm", {}); }), expected, what);
+    check_text(message_of([&]() { require_computable(scene_from_text(text, "x.prm", {})); }), expected, what);
   }
 
   inline void
   check_set(const std::string &set, const std::string &expected)
   {
-    check_text(message_of([&]() { scene_from_text("", "x.prm", {set}); }), expected, "--set " + set);
+    check_text(message_of([&]() { require_computable(scene_from_text("", "x.prm", {set})); }),
+               expected,
+               "--set " + set);
   }
 } // namespace test

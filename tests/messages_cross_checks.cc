@@ -2,7 +2,7 @@
 
 #include "messages.h"
 
-#include <wheelrail/input/cross_checks.h>
+#include <wheelrail/model/scene_checks.h>
 
 using namespace wheelrail;
 using test::check;
@@ -66,11 +66,11 @@ namespace
       "over the last part of the run, so at most that is possible");
   }
 
-  /// The scene of the defaults with changes; the cross-checks are left to the caller.
+  /// The scene of the defaults with changes; the checks are left to the caller.
   Scene
   scene_with(const std::vector<std::string> &sets)
   {
-    return scene_from_text("", "x.prm", sets, Checks::entries);
+    return scene_from_text("", "x.prm", sets).scene;
   }
 
   void
@@ -78,7 +78,7 @@ namespace
                 const std::string              &expected,
                 const Machine                  &machine = {})
   {
-    const Findings found = cross_checks(scene_with(sets), machine);
+    const Findings found = scene_checks(scene_with(sets), machine);
     std::string    all;
     for (const std::string &warning : found.warnings)
       all += (all.empty() ? "" : "\n") + warning;
@@ -89,7 +89,7 @@ namespace
   void
   check_error(const std::vector<std::string> &sets, const std::string &expected, const Machine &machine = {})
   {
-    const Findings found = cross_checks(scene_with(sets), machine);
+    const Findings found = scene_checks(scene_with(sets), machine);
     check_text(found.errors.empty() ? "no error" : found.errors.front(),
                expected,
                "error: " + expected.substr(0, expected.find(": ")));
@@ -98,7 +98,7 @@ namespace
   void
   test_warnings()
   {
-    const Findings none = cross_checks(Scene(), {2, 2, 16e9, 12e9});
+    const Findings none = scene_checks(Scene(), {2, 2, 16e9, 12e9});
     check(none.errors.empty() && none.warnings.empty(), "the defaults raise no question");
     check_warning({"Contact/Friction coefficient = 0.2"},
                   "Wheelset/Traction coefficient = 0.25: friction carries at most Contact/Friction "

@@ -3,12 +3,12 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/input/cross_checks.h>
-#include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/run/simulation.h>
 
@@ -47,13 +47,22 @@ namespace wheelrail
       return options.count("file") ? options["file"].as<std::string>() : "";
     }
 
-    /// The scene of the file with the --set options; without a file that of the defaults.
-    Scene
-    scene_of(const po::variables_map &options, const Checks checks = Checks::all)
+    /// The file with the --set options; without a file the defaults.
+    SceneInput
+    input_of(const po::variables_map &options)
     {
       const std::string file = file_of(options);
-      return file.empty() ? scene_from_text("", "defaults", sets_of(options), checks)
-                          : read_scene(file, sets_of(options), checks);
+      return file.empty() ? scene_from_text("", "defaults", sets_of(options))
+                          : read_scene(file, sets_of(options));
+    }
+
+    /// The scene of input_of() if it can be computed.
+    Scene
+    scene_of(const po::variables_map &options)
+    {
+      const SceneInput input = input_of(options);
+      require_computable(input);
+      return input.scene;
     }
 
     /// The processes that the launcher would start a run on, which it tells by an environment variable; 0
@@ -71,7 +80,7 @@ namespace wheelrail
       const Scene scene = scene_of(options);
       for (const std::string &note : read_profiles(scene).notes)
         out << "note: " << note << "\n";
-      const Findings found = cross_checks(scene, this_machine(ranks_of_launcher()));
+      const Findings found = scene_checks(scene, this_machine(ranks_of_launcher()));
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
       std::string errors;
@@ -120,7 +129,7 @@ namespace wheelrail
       std::vector<double> shifts;
       if (options.count("shifts"))
         shifts = parse_shifts(options["shifts"].as<std::string>());
-      const Scene         scene    = scene_of(options, Checks::entries);
+      const Scene         scene    = input_of(options).scene;
       const SceneProfiles profiles = read_profiles(scene);
       const int           code     = run_geometry_command(scene, profiles, shifts, out);
       if (code == 0 && options.count("profiles"))

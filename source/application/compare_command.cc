@@ -1,7 +1,7 @@
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
@@ -203,7 +203,9 @@ namespace wheelrail
   {
     const std::filesystem::path path  = folder;
     Summary                     run   = read_summary((path / "summary.json").string());
-    const Scene                 scene = read_scene((path / "parameters.prm").string(), sets);
+    const SceneInput            input = read_scene((path / "parameters.prm").string(), sets);
+    require_computable(input);
+    const Scene &scene = input.scene;
     if (!std::isfinite(run.vertical_force) || !std::isfinite(run.longitudinal_force))
       throw RunError(
         "The file \"" + (path / "summary.json").string() +

@@ -5,6 +5,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <vector>
 
@@ -256,6 +258,12 @@ namespace wheelrail
   }
 
   std::string
+  rounded_mm(const double length)
+  {
+    return in_mm(length, 1e6);
+  }
+
+  std::string
   format_quantity(const double value, const std::string &unit_name)
   {
     if (unit_name.empty())
@@ -297,5 +305,19 @@ namespace wheelrail
   dimension_example(const Dimension dimension)
   {
     return dimension_text(dimension).example;
+  }
+
+  std::string
+  about(const double value)
+  {
+    char out[32];
+    std::snprintf(out, sizeof(out), "%.1e", value);
+    return format_number(std::strtod(out, nullptr));
+  }
+
+  std::string
+  about_count(const double value)
+  {
+    return value < 1e6 ? about(value) : about(1e-6 * value) + " million";
   }
 } // namespace wheelrail

@@ -1,3 +1,4 @@
+#include <wheelrail/base/choices.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/profile_entries.h>
 #include <wheelrail/input/run_entries.h>
@@ -352,5 +353,11 @@ namespace wheelrail
       if (paths.size() < 3 && candidate.distance <= candidates.front().distance + 1)
         paths.push_back(candidate.path);
     return paths;
+  }
+
+  std::string
+  entry_text(const Scene &scene, const std::string &section, const std::string &name)
+  {
+    return section + "/" + name + " = " + find_entry(section, name)->get(scene);
   }
 } // namespace wheelrail

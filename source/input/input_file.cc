@@ -1,6 +1,6 @@
+#include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
-#include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/input_file.h>
 
 #include <algorithm>

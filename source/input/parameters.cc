@@ -1,6 +1,6 @@
+#include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
-#include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/input/parameters.h>
@@ -125,6 +125,22 @@ namespace wheelrail
       return has_line ? std::stoul(problem.substr(start.size())) : ~0ul;
     }
 
+    void
+    require_no_problems(Sentences problems, const std::string &name)
+    {
+      std::stable_sort(problems.begin(), problems.end(), [&](const auto &a, const auto &b) {
+        return line_of(a, name) < line_of(b, name);
+      });
+      if (problems.size() > shown_problems)
+        {
+          const std::size_t rest = problems.size() - shown_problems;
+          problems.resize(shown_problems);
+          problems.push_back(name + ": " + std::to_string(rest) + " more faults; correct these first");
+        }
+      if (!problems.empty())
+        throw InputError(join(problems, "\n"));
+    }
+
     /// Breaks `text` at blanks into lines of at most `width` characters, each after `prefix`.
     std::string
     wrap(const std::string &text, const std::string &prefix, const std::size_t width)
@@ -157,11 +173,8 @@ namespace wheelrail
     }
   } // namespace
 
-  Scene
-  scene_from_text(const std::string              &text,
-                  const std::string              &name,
-                  const std::vector<std::string> &sets,
-                  const Checks                    checks)
+  SceneInput
+  scene_from_text(const std::string &text, const std::string &name, const std::vector<std::string> &sets)
   {
     InputText input = parse_input(text, name);
     for (const std::string &set : sets)
@@ -179,32 +192,26 @@ namespace wheelrail
       if (reader.problems.size() < most_problems)
         reader.read(assignment);
     complete_scene(reader.scene);
-
-    if (reader.problems.empty() && checks == Checks::all)
-      for (const std::string &sentence : cross_checks(reader.scene).errors)
-        {
-          const auto origin = reader.origin.find(sentence.substr(0, sentence.find(" = ")));
-          reader.problems.push_back((origin == reader.origin.end() ? name : origin->second) + ": " +
-                                    sentence);
-        }
-    std::stable_sort(reader.problems.begin(), reader.problems.end(), [&](const auto &a, const auto &b) {
-      return line_of(a, name) < line_of(b, name);
-    });
-    if (reader.problems.size() > shown_problems)
-      {
-        const std::size_t rest = reader.problems.size() - shown_problems;
-        reader.problems.resize(shown_problems);
-        reader.problems.push_back(name + ": " + std::to_string(rest) + " more faults; correct these first");
-      }
-    if (!reader.problems.empty())
-      throw InputError(join(reader.problems, "\n"));
-    return reader.scene;
+    require_no_problems(std::move(reader.problems), name);
+    return {reader.scene, name, reader.origin};
   }
 
-  Scene
-  read_scene(const std::string &prm_path, const std::vector<std::string> &sets, const Checks checks)
+  SceneInput
+  read_scene(const std::string &prm_path, const std::vector<std::string> &sets)
   {
-    return scene_from_text(read_input_file(prm_path), prm_path, sets, checks);
+    return scene_from_text(read_input_file(prm_path), prm_path, sets);
+  }
+
+  void
+  require_none(const std::vector<std::string> &errors, const SceneInput &input)
+  {
+    Sentences problems;
+    for (const std::string &sentence : errors)
+      {
+        const auto origin = input.origin.find(sentence.substr(0, sentence.find(" = ")));
+        problems.push_back((origin == input.origin.end() ? input.name : origin->second) + ": " + sentence);
+      }
+    require_no_problems(std::move(problems), input.name);
   }
 
   std::string

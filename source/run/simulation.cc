@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
-#include <wheelrail/input/cross_checks.h>
+#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/run_end.h>
@@ -41,7 +41,7 @@ namespace wheelrail
       MPI_Comm_free(&node);
       Findings found;
       on_root(communicator, [&]() {
-        found = cross_checks(scene, this_machine(ranks));
+        found = scene_checks(scene, this_machine(ranks));
         if (!found.errors.empty())
           throw InputError(found.errors.front());
       });

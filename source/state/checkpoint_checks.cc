@@ -2,7 +2,6 @@
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/state/checkpoint_checks.h>
 
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -32,12 +31,6 @@ namespace wheelrail
     }
 
     std::string
-    mm(const double length)
-    {
-      return format_number(std::round(length * 1e9) / 1e6) + " mm";
-    }
-
-    std::string
     or_nothing(const std::string &value)
     {
       return value.empty() ? "(not there)" : value;
@@ -64,13 +57,14 @@ namespace wheelrail
 
     const double rolled = saved.axle.travelled;
     if (scene.rolling_distance > saved.prepared_distance * (1 + 1e-12))
-      return "Run/Rolling distance = " + mm(scene.rolling_distance) +
-             ": the mesh of the saved state was made for " + mm(saved.prepared_distance) +
+      return "Run/Rolling distance = " + rounded_mm(scene.rolling_distance) +
+             ": the mesh of the saved state was made for " + rounded_mm(saved.prepared_distance) +
              " of rolling; give at most that, or start anew with Mesh/Prepared distance = " +
-             mm(scene.rolling_distance);
+             rounded_mm(scene.rolling_distance);
     if (scene.rolling_distance <= rolled)
-      return "Run/Rolling distance = " + mm(scene.rolling_distance) + ": the saved state has rolled " +
-             mm(rolled) + "; give more than that, and at most " + mm(saved.prepared_distance);
+      return "Run/Rolling distance = " + rounded_mm(scene.rolling_distance) +
+             ": the saved state has rolled " + rounded_mm(rolled) + "; give more than that, and at most " +
+             rounded_mm(saved.prepared_distance);
     return "";
   }
 } // namespace wheelrail

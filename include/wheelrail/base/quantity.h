@@ -46,6 +46,18 @@ namespace wheelrail
   std::string
   in_mm(double length, double parts = 1000);
 
+  /// A length of the user, or a sum of some [m], in millimetres to six decimals: no noise of rounding shows.
+  std::string
+  rounded_mm(double length);
+
+  /// `value` to two digits: what is estimated should look so.
+  std::string
+  about(double value);
+
+  /// A number of things to two digits: 97000, 17 million.
+  std::string
+  about_count(double value);
+
   /// Name with article for messages: "a velocity", "a pure number".
   std::string
   dimension_name(Dimension dimension);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <wheelrail/input/machine.h>
 #include <wheelrail/scene/scene.h>
 
 #include <string>
@@ -16,9 +15,13 @@ namespace wheelrail
     std::vector<std::string> warnings; ///< it can be computed, but may not be what was meant
   };
 
-  /// All checks between entries, and of the entries with the contact of the rigid profiles and with
-  /// the machine (what is unknown of it is not checked). Ranges of single values are the business of
-  /// the entries. Throws nothing for a scene whose entries are each within their range.
+  /// The checks of wheel, materials, cells, drive and friction that need nothing but the entries. Ranges
+  /// of single values are the business of the entries, the contact of the profiles and the machine that
+  /// of scene_checks(). Throws nothing for a scene whose entries are each within their range.
   Findings
-  cross_checks(const Scene &scene, const Machine &machine = {});
+  cross_checks(const Scene &scene);
+
+  /// The distances of the run against each other, added to `found`.
+  void
+  check_distances(const Scene &scene, Findings &found);
 } // namespace wheelrail

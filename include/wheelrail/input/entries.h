@@ -24,4 +24,8 @@ namespace wheelrail
   /// among equals; empty when nothing resembles it.
   std::vector<std::string>
   nearest_entries(const std::string &section, const std::string &name);
+
+  /// "Section/Name = value" with the value of `scene` as in the listing; the entry must exist.
+  std::string
+  entry_text(const Scene &scene, const std::string &section, const std::string &name);
 } // namespace wheelrail

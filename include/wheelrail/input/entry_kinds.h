@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/choices.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/scene/scene.h>
 
@@ -112,28 +113,6 @@ namespace wheelrail
   /// Free text; an empty one is accepted when the default is empty.
   Entry
   text_entry(const EntryHead &head, const Field<std::string> &place);
-
-  /// Throws InputError when `text` is none of `choices`; names the nearest.
-  void
-  require_choice(const std::string &text, const std::vector<std::string> &choices);
-
-  /// "a, b or c", or with another last word between them.
-  std::string
-  join_choices(const std::vector<std::string> &choices, const std::string &last_word = "or");
-
-  /// The choice nearest to `text` if one resembles it: at most two letters differ, or a third of
-  /// them in long words; otherwise an empty text.
-  std::string
-  nearest_choice(const std::string &text, const std::vector<std::string> &choices);
-
-  /// ", perhaps x is meant" when a choice resembles `text`, otherwise nothing.
-  std::string
-  perhaps(const std::string &text, const std::vector<std::string> &choices);
-
-  /// Number of single-letter insertions, deletions and replacements between two texts, case
-  /// ignored (Levenshtein, 1966).
-  unsigned int
-  edit_distance(const std::string &a, const std::string &b);
 
   // ---------------------------------------------------------------------------------------------
 

@@ -1,4 +1,4 @@
-#include <wheelrail/input/machine.h>
+#include <wheelrail/base/machine.h>
 
 #include <fstream>
 #include <string>

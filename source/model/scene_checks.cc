@@ -1,0 +1,164 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/model.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Sentences = std::vector<std::string>;
+
+    void
+    check_rail_length(const Scene &scene, const std::optional<ExpectedPatch> &patch, Sentences &found)
+    {
+      // the stress field below a patch of 13 mm reaches some 50 mm; the rail needs a few coarse cells
+      // beyond the fine ones
+      const double reach = patch ? 0.7 * patch->length : 0;
+      const double needed =
+        std::max(0.1, std::ceil(1e3 * (reach + scene.fine_margin + 3 * scene.coarse_cell_size)) / 1e3);
+      const double length = scene.mesh_distance() + 2 * needed;
+      if (length > scene.rail_length * (1 + 1e-12))
+        found.push_back(
+          (scene.prepared_distance > 0 ? entry_text(scene, "Mesh", "Prepared distance")
+                                       : entry_text(scene, "Run", "Rolling distance")) +
+          ": with " + rounded_mm(needed) + " of free rail at each end this needs a rail of " +
+          rounded_mm(length) + ", and Track/Rail length is " + rounded_mm(scene.rail_length) + "; " +
+          (scene.rail_length > 2 * needed
+             ? "roll at most " + rounded_mm(scene.rail_length - 2 * needed) + " or lengthen the rail"
+             : "lengthen the rail"));
+    }
+
+    void
+    check_patch(const Scene &scene, const ExpectedPatch &patch, Findings &found)
+    {
+      const double      smallest = std::min(patch.length, patch.width);
+      const std::string size     = "a patch of about " + about(1e3 * patch.width) + " mm x " +
+                               about(1e3 * patch.length) + " mm (width x length) is expected";
+      if (scene.cell_size > patch.length / 3)
+        found.errors.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": too coarse; " + size +
+                               " and needs three cells in length, so at most " +
+                               rounded_mm(std::floor(1e4 * patch.length / 3) / 1e4) +
+                               " is accepted, and a tenth of the patch for figures that can be trusted");
+      else if (scene.cell_size > smallest / 6)
+        found.warnings.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": coarse; " + size +
+                                 ", which is less than six cells in one direction, so the peak pressure "
+                                 "will be some 10 % or more off; take " +
+                                 rounded_mm(std::max(1e-4, std::floor(1e4 * smallest / 10) / 1e4)) +
+                                 " for figures");
+    }
+
+    std::string
+    gigabytes(const double bytes)
+    {
+      return about(1e-9 * bytes) + " GB";
+    }
+
+    /// Cells against what indices and memory hold, ranks against cores.
+    void
+    check_size(const Scene &scene, const ExpectedPatch &patch, const Machine &machine, Findings &found)
+    {
+      constexpr double  most_elements = 5e7; // the unknowns of the static start are counted in 32 bits
+      const double      elements      = expected_elements(scene, patch);
+      const double      memory        = expected_memory(elements, machine.ranks);
+      const std::string advice =
+        "; take larger cells, a shorter rolling distance or a smaller fine depth or margin";
+      const std::string need = entry_text(scene, "Mesh", "Solution cell size") + ": with " +
+                               entry_text(scene, "Mesh", "Coarse cell size") + " this makes about " +
+                               about_count(elements) + " cells";
+      if (elements > most_elements)
+        found.errors.push_back(need + ", and " + about_count(most_elements) + " are possible" + advice);
+      else if (machine.memory > 0 && memory > 2 * machine.memory)
+        found.errors.push_back(need + " and needs some " + gigabytes(memory) +
+                               " of memory, this machine has " + gigabytes(machine.memory) + advice);
+      else if (machine.free > 0 && memory > machine.free)
+        found.warnings.push_back(need + " and may need some " + gigabytes(memory) + " of memory, " +
+                                 gigabytes(machine.free) + " are free" + advice);
+      if (machine.cores > 0 && machine.ranks > machine.cores)
+        found.warnings.push_back(
+          "--ranks " + std::to_string(machine.ranks) + ": more than the " + std::to_string(machine.cores) +
+          " cores of this machine; ranks that wait for each other take turns, which is "
+          "slower than fewer ranks");
+    }
+
+    /// Whether blocks of the wanted size fit into both sections: lays them out, which takes 20 ms.
+    void
+    check_sections(const Scene &scene, const SceneGeometry &geometry, Sentences &errors)
+    {
+      // with very many blocks that would take long; smaller ones fit better than large ones
+      if (scene.coarse_cell_size < 4e-3)
+        return;
+      try
+        {
+          sweep_plan(scene, geometry);
+        }
+      catch (const std::exception &error)
+        {
+          errors.push_back(entry_text(scene, "Mesh", "Coarse cell size") +
+                           ": rail and wheel cannot be divided into cells at " +
+                           entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
+        }
+    }
+
+    /// The profiles in touch; nothing, and an error, when they cannot be read or do not touch.
+    std::optional<SceneGeometry>
+    find_geometry(const Scene &scene, Sentences &errors)
+    {
+      SceneProfiles profiles;
+      try
+        {
+          profiles = read_profiles(scene);
+        }
+      catch (const InputError &error) // it names its entry
+        {
+          errors.push_back(error.what());
+          return {};
+        }
+      try
+        {
+          return make_geometry(scene, std::move(profiles));
+        }
+      catch (const InputError &error)
+        {
+          errors.push_back(entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
+          return {};
+        }
+    }
+  } // namespace
+
+
+  Findings
+  scene_checks(const Scene &scene, const Machine &machine)
+  {
+    Findings found = cross_checks(scene);
+    // what follows from a wrong track or wheel would only be said twice
+    const std::optional<SceneGeometry> geometry =
+      found.errors.empty() ? find_geometry(scene, found.errors) : std::optional<SceneGeometry>();
+    std::optional<ExpectedPatch> patch;
+    if (geometry)
+      {
+        patch = expected_patch(scene, *geometry);
+        check_patch(scene, *patch, found);
+        check_size(scene, *patch, machine, found);
+      }
+    check_rail_length(scene, patch, found.errors);
+    check_distances(scene, found);
+    if (geometry && found.errors.empty())
+      check_sections(scene, *geometry, found.errors);
+    return found;
+  }
+
+
+  void
+  require_computable(const SceneInput &input)
+  {
+    require_none(scene_checks(input.scene).errors, input);
+  }
+} // namespace wheelrail
