@@ -5,7 +5,7 @@
 
 #include <wheelrail/application/commands.h>
 #include <wheelrail/application/compare_command.h>
-#include <wheelrail/input/parameters.h>
+#include <wheelrail/input/listing.h>
 #include <wheelrail/output/hdf5_file.h>
 
 #include <filesystem>

@@ -278,10 +278,10 @@ namespace test
     at_work() = {};
   }
 
-  /// What is wrong with a message about `file`: every line must be one sentence that begins with the
-  /// name of the file; an empty text when it is right.
+  /// What is wrong with a message: every line must be one sentence that begins with `start`, the name of a
+  /// file or of its folder; an empty text when it is right.
   inline std::string
-  fault_of_message(const std::string &message, const std::string &file)
+  fault_of_message(const std::string &message, const std::string &start)
   {
     if (message.empty() || message.back() == '\n')
       return "is empty or ends with a line end";
@@ -290,7 +290,7 @@ namespace test
       {
         const std::size_t end  = std::min(message.find('\n', begin), message.size());
         const std::string line = message.substr(begin, end - begin);
-        if (line.compare(0, file.size() + 1, file + ":") != 0)
+        if (line.compare(0, start.size(), start) != 0)
           return "does not begin with the file: " + line;
         if (line.size() > 1000)
           return "is longer than 1000 characters: " + line.substr(0, 200);
@@ -308,7 +308,7 @@ namespace test
   inline int
   fuzz(Mutator                                                              &mutator,
        const unsigned long                                                   count,
-       const std::string                                                    &file,
+       const std::string                                                    &start,
        const std::function<std::string(const std::string &, unsigned long)> &read)
   {
     watch();
@@ -323,7 +323,7 @@ namespace test
             const std::string message = read(text, n);
             accepted += message.empty();
             if (!message.empty())
-              fault = fault_of_message(message, file);
+              fault = fault_of_message(message, start);
           }
         catch (const std::exception &error)
           {

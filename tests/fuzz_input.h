@@ -7,6 +7,7 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
 
 namespace test
@@ -114,16 +115,19 @@ namespace test
     check(!texts.empty(),
           "seeds: " + std::to_string(texts.size()) + " files of prm/ and the listing of all entries");
     texts.push_back(wheelrail::print_parameters(wheelrail::Scene()));
-    Mutator           mutator(options.seed, texts, input_words());
-    const std::string name = "mutant.prm";
-    const int         result =
-      fuzz(mutator, options.count, name, [&](const std::string &text, const unsigned long n) {
+    Mutator mutator(options.seed, texts, input_words());
+    // in a folder with the files that the seeds include
+    const std::string folder = "fuzz_input_" + std::to_string(options.count), name = folder + "/mutant.prm";
+    std::filesystem::remove_all(folder);
+    std::filesystem::copy(WHEELRAIL_SOURCE_DIR "/prm", folder);
+    const int result =
+      fuzz(mutator, options.count, folder + "/", [&](const std::string &text, const unsigned long n) {
         // half of them as a file, half as a text, which may hold any byte
         if (n % 2 == 0)
           std::ofstream(name, std::ios::binary) << text;
         return read_mutant(text, name, n % 2 == 0);
       });
-    std::filesystem::remove(name);
+    std::filesystem::remove_all(folder);
     return result;
   }
 } // namespace test

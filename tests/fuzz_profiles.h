@@ -120,7 +120,7 @@ namespace test
     Mutator           mutator(options.seed, texts, profile_words());
     const std::string name = "mutant.txt";
     const int         result =
-      fuzz(mutator, options.count, name, [&](const std::string &text, const unsigned long n) {
+      fuzz(mutator, options.count, name + ":", [&](const std::string &text, const unsigned long n) {
         using namespace wheelrail;
         // mostly as a user would give them, sometimes against the file
         ProfileFileOptions how;

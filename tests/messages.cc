@@ -63,6 +63,9 @@ namespace
     check_set("Output/Volume fields = yes",
               "--set: Output/Volume fields = yes: not known here; true or false is accepted");
     check_set("Output/Folder =", "--set: Output/Folder = : no value; a text is needed");
+    check_set("Title = a\nb", "--set: Title = a?b: a text is one line that does not end with a backslash");
+    check_set("Output/Folder = runs\\",
+              "--set: Output/Folder = runs\\: a text is one line that does not end with a backslash");
   }
 
   void
@@ -114,11 +117,18 @@ namespace
     check_file("end", "x.prm:1: \"end\" without a subsection before it; remove it", "an end too many");
     check_file(
       "velocity 3",
-      "x.prm:1: \"velocity 3\": a line starts with set, subsection, end or #; an entry is written \"set Name "
-      "= value\"",
+      "x.prm:1: \"velocity 3\": a line starts with set, subsection, end, include or #; an entry is written "
+      "\"set Name = value\"",
       "a line of another kind");
     check_file(
       "set Title", "x.prm:1: \"set Title\": an entry is written \"set Name = value\"", "a set without =");
+    check_file("set Title = x\\",
+               "x.prm:1: the last line ends with a backslash, and no line follows; remove it",
+               "nothing after a backslash");
+    check_file("\nset Title = \\\n  a\nsubsection Run\n  set Rolling \\\n  distance = 30\nend",
+               "x.prm:5: Run/Rolling distance = 30: a bare number; a length with its unit is needed, such as "
+               "1.5 mm",
+               "a fault in a line that goes on in the next one");
     check_set("Title",
               "--set \"Title\": the form is --set \"Section/Entry = value\", such as --set "
               "\"Wheelset/Velocity = 140 km/h\"");
@@ -219,6 +229,8 @@ namespace
                "geometry: --shifts is given more than once; \"wheelrail geometry --help\" tells more");
     check_line({"parameters", "--markdown", "a.prm"},
                "parameters --markdown prints the defaults of all entries: leave file and --set out");
+    check_line({"parameters", "--json", "--xml"},
+               "parameters prints in one style: give one of --json, --xml and --markdown");
     check_line({"parameters", "--validate"},
                "parameters --validate needs a parameter file, such as ./wheelrail parameters --validate "
                "prm/rolling.prm");

@@ -5,7 +5,7 @@
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/input/input_file.h>
+#include <wheelrail/input/listing.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/scene_checks.h>
@@ -77,17 +77,13 @@ namespace wheelrail
     int
     validate(const po::variables_map &options, std::ostream &out)
     {
-      const Scene scene = scene_of(options);
-      for (const std::string &note : read_profiles(scene).notes)
+      const SceneInput input = input_of(options);
+      const Findings   found = scene_checks(input.scene, this_machine(ranks_of_launcher()));
+      require_none(found.errors, input);
+      for (const std::string &note : read_profiles(input.scene).notes)
         out << "note: " << note << "\n";
-      const Findings found = scene_checks(scene, this_machine(ranks_of_launcher()));
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
-      std::string errors;
-      for (const std::string &error : found.errors)
-        errors += (errors.empty() ? "" : "\n") + file_of(options) + ": " + error;
-      if (!errors.empty())
-        throw InputError(errors);
       out << file_of(options) << ": all entries are valid"
           << (found.warnings.empty() ? "" : ", with the warnings above") << "\n";
       return 0;
@@ -112,15 +108,14 @@ namespace wheelrail
       run_options.resume    = options.count("resume") > 0;
       if (run_options.overwrite && run_options.resume)
         throw InputError("--overwrite starts anew and --resume goes on: give one of them");
-      const Scene scene    = scene_of(options);
-      run_options.prm_text = read_input_file(file_of(options));
-      if (run_options.prm_text.back() != '\n')
-        run_options.prm_text += '\n';
+      const SceneInput input = input_of(options);
+      require_computable(input);
+      run_options.prm_text = input.text;
       for (const std::string &set : sets_of(options))
         run_options.prm_text += "# --set \"" + set + "\"\n";
-      run_options.parameters_text = print_parameters(scene);
+      run_options.parameters_text = print_parameters(input.scene);
       run_options.program_version = WHEELRAIL_VERSION;
-      return run(scene, run_options);
+      return run(input.scene, run_options);
     }
 
     int
@@ -161,10 +156,18 @@ namespace wheelrail
           require_file(options, "parameters --validate");
           return validate(options, out);
         }
+      if (options.count("markdown") + options.count("json") + options.count("xml") > 1)
+        throw InputError("parameters prints in one style: give one of --json, --xml and --markdown");
       if (options.count("markdown") && !(file_of(options).empty() && sets_of(options).empty()))
         throw InputError(
           "parameters --markdown prints the defaults of all entries: leave file and --set out");
-      out << (options.count("markdown") ? parameter_reference() : print_parameters(scene_of(options)));
+      if (options.count("markdown"))
+        out << parameter_reference();
+      else
+        out << print_parameters(scene_of(options),
+                                options.count("json")  ? ParameterStyle::json
+                                : options.count("xml") ? ParameterStyle::xml
+                                                       : ParameterStyle::prm);
       return 0;
     }
 
@@ -248,6 +251,8 @@ namespace wheelrail
          [](po::options_description &options) {
            add_set_option(options);
            options.add_options()("validate", "only check the file");
+           options.add_options()("json", "print them as JSON, as deal.II's ParameterHandler does");
+           options.add_options()("xml", "print them as XML for deal.II's parameter GUI");
            options.add_options()("markdown", "print the table of all entries of doc/manual/parameters.md");
          },
          act_parameters},

@@ -1,6 +1,6 @@
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/input/parameters.h>
+#include <wheelrail/input/listing.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/contact_input.h>

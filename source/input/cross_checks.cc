@@ -54,7 +54,7 @@ namespace wheelrail
           " times the solution cell size of " + rounded_mm(scene.cell_size) +
           "; cells are halved from coarse to fine, so the ratio must be about 1, 2, 4, 8, 16, ...: take " +
           rounded_mm(scene.cell_size * std::exp2(nearest)));
-      if (scene.fine_depth < 2 * scene.cell_size)
+      if (scene.depth_of_fine_cells() < 2 * scene.cell_size)
         found.push_back(entry_text(scene, "Mesh", "Fine depth") + ": less than two cells of " +
                         rounded_mm(scene.cell_size) + "; write auto or at least " +
                         rounded_mm(2 * scene.cell_size));

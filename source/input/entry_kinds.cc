@@ -1,6 +1,8 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/input/entry_kinds.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace wheelrail
@@ -41,8 +43,7 @@ namespace wheelrail
                const Bounds        &bounds,
                const Field<double> &place)
   {
-    Entry entry{
-      head.section, head.name, head.default_text, in_words(dimension, bounds), head.meaning, {}, {}};
+    Entry entry{head.section, head.name, head.meaning, in_words(dimension, bounds), {}, {}, {}, {}};
     entry.set = [=](Scene &scene, const std::string &text) {
       const double value = parse_quantity(text, dimension);
       require_bounds(value, dimension, bounds);
@@ -77,7 +78,7 @@ namespace wheelrail
               const Field<unsigned int> &place)
   {
     const std::string accepted = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-    Entry             entry{head.section, head.name, head.default_text, accepted, head.meaning, {}, {}};
+    Entry             entry{head.section, head.name, head.meaning, accepted, {}, {}, {}, {}};
     entry.set = [=](Scene &scene, const std::string &text) {
       unsigned int value  = 0;
       const auto   result = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -98,16 +99,55 @@ namespace wheelrail
   Entry
   text_entry(const EntryHead &head, const Field<std::string> &place)
   {
-    Entry      entry{head.section, head.name, head.default_text, "a text", head.meaning, {}, {}};
-    const bool may_be_empty = head.default_text.empty();
+    Entry      entry{head.section, head.name, head.meaning, "a text", {}, {}, {}, {}};
+    Scene      defaults;
+    const bool may_be_empty = place(defaults).empty();
     entry.set               = [=](Scene &scene, const std::string &text) {
       if (text.empty() && !may_be_empty)
         throw InputError("no value; a text is needed");
+      if (text.find('\n') != std::string::npos || (!text.empty() && text.back() == '\\'))
+        throw InputError("a text is one line that does not end with a backslash");
       place(scene) = text;
     };
     entry.get = [=](const Scene &scene) {
       Scene copy = scene;
       return place(copy);
+    };
+    return entry;
+  }
+
+  Entry
+  name_or_file_entry(const EntryHead                &head,
+                     const std::vector<std::string> &names,
+                     const std::string              &file,
+                     const Field<std::string>       &place)
+  {
+    std::vector<std::string> choices = names;
+    choices.push_back(file);
+    Entry      entry = text_entry(head, place);
+    const auto set   = entry.set;
+    entry.accepted   = join_choices(choices);
+    entry.set        = [set, names, accepted = entry.accepted](Scene &scene, const std::string &text) {
+      if (std::find(names.begin(), names.end(), text) == names.end() && !is_file_name(text))
+        throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");
+      set(scene, text);
+    };
+    return entry;
+  }
+
+  Entry
+  with_word(Entry entry, const std::string &word, const double value, const Field<double> &place)
+  {
+    entry.accepted = word + ", or " + entry.accepted;
+    entry.set      = [=, set = entry.set](Scene &scene, const std::string &text) {
+      if (text == word)
+        place(scene) = value;
+      else
+        set(scene, text);
+    };
+    entry.get = [=, get = entry.get](const Scene &scene) {
+      Scene copy = scene;
+      return place(copy) == value ? word : get(scene);
     };
     return entry;
   }

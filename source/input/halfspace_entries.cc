@@ -1,6 +1,5 @@
-#include <wheelrail/input/halfspace_entries.h>
-#include <wheelrail/input/profile_entries.h>
-#include <wheelrail/input/special_entries.h>
+#include <wheelrail/input/entry_kinds.h>
+#include <wheelrail/input/section_entries.h>
 
 namespace wheelrail
 {
@@ -16,7 +15,6 @@ namespace wheelrail
     {
       list.push_back(name_or_file_entry({"Half-space",
                                          "Undeformed distance",
-                                         "profiles",
                                          "Distance of the surfaces before they deform, for the command "
                                          "halfspace. profiles: of wheel and rail; "
                                          "hertz: x^2/(2 Radius along) + y^2/(2 Radius across); a file: rows "
@@ -28,38 +26,37 @@ namespace wheelrail
       list.push_back(
         length_entry({"Half-space",
                       "Radius along",
-                      "460 mm",
                       "Relative radius in the rolling direction; also turns Contact angle into spin."},
                      "mm",
                      B::between("1 mm", "100 m"),
                      field(&S::halfspace_radius_along)));
-      list.push_back(
-        length_entry({"Half-space", "Radius across", "300 mm", "Relative radius across, for hertz."},
-                     "mm",
-                     B::between("1 mm", "100 m"),
-                     field(&S::halfspace_radius_across)));
+      list.push_back(length_entry({"Half-space", "Radius across", "Relative radius across, for hertz."},
+                                  "mm",
+                                  B::between("1 mm", "100 m"),
+                                  field(&S::halfspace_radius_across)));
       const auto force = field(&S::halfspace_normal_force);
       list.push_back(
-        with_auto(number_entry({"Half-space",
+        with_word(number_entry({"Half-space",
                                 "Normal force",
-                                "auto",
                                 "For hertz and files; auto: static wheel load, or as Approach gives it."},
                                D::force,
                                "kN",
                                B::between("1 N", "10 MN"),
                                force),
+                  "auto",
+                  0,
                   force));
       const auto approach = field(&S::halfspace_approach);
-      list.push_back(with_auto(
-        number_entry({"Half-space", "Approach", "auto", "For hertz and files, instead of the normal force."},
-                     D::length,
+      list.push_back(with_word(
+        length_entry({"Half-space", "Approach", "For hertz and files, instead of the normal force."},
                      "mm",
                      B::between("0.1 um", "5 mm"),
                      approach),
+        "auto",
+        0,
         approach));
       list.push_back(number_entry({"Half-space",
                                    "Contact angle",
-                                   "0 mrad",
                                    "For hertz and files: the spin is sin(Contact angle) / Radius along."},
                                   D::angle,
                                   "mrad",
@@ -73,17 +70,14 @@ namespace wheelrail
   halfspace_entries()
   {
     std::vector<Entry> list;
-    list.push_back(length_entry({"Half-space",
-                                 "Element size",
-                                 "0.4 mm",
-                                 "Edge of the contact elements of the commands halfspace and compare."},
-                                "mm",
-                                B::between("0.05 mm", "5 mm"),
-                                field(&S::halfspace_element_size)));
+    list.push_back(length_entry(
+      {"Half-space", "Element size", "Edge of the contact elements of the commands halfspace and compare."},
+      "mm",
+      B::between("0.05 mm", "5 mm"),
+      field(&S::halfspace_element_size)));
     list.push_back(choice_entry<HalfspaceSpin>(
       {"Half-space",
        "Spin",
-       "local radius",
        "Rigid slip of the wheel: local radius: from rolling radius and inclination of every slice; "
        "contact: "
        "one creepage and one spin, as the program CONTACT has it."},
@@ -92,7 +86,6 @@ namespace wheelrail
     list.push_back(length_entry(
       {"Half-space",
        "Lateral offset",
-       "0 mm",
        "Wheel section moved against the rail to the track centre after 2D-Geo, by the command halfspace."},
       "mm",
       B::between("-5 mm", "5 mm"),
@@ -100,7 +93,6 @@ namespace wheelrail
     list.push_back(number_entry(
       {"Half-space",
        "Extra inclination",
-       "0 mrad",
        "Rail head turned to the track centre about the contact point, by the command halfspace."},
       D::angle,
       "mrad",

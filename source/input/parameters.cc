@@ -2,14 +2,16 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>
+#include <wheelrail/input/parameter_handler.h>
 #include <wheelrail/input/parameters.h>
-#include <wheelrail/input/special_entries.h>
+
+#include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
-#include <cctype>
-#include <map>
-#include <sstream>
+#include <set>
+#include <utility>
 
 namespace wheelrail
 {
@@ -19,9 +21,6 @@ namespace wheelrail
 
     /// A file with more faults than this is none of ours, and not worth the search for similar names.
     constexpr std::size_t most_problems = 1000;
-
-    /// As many faults as a screen holds.
-    constexpr std::size_t shown_problems = 25;
 
     std::string
     join(const Sentences &parts, const std::string &between)
@@ -64,137 +63,94 @@ namespace wheelrail
              " has " + join(names, ", ");
     }
 
-    /// Turns assignments into a scene and keeps where each entry was set.
-    struct SceneReader
+    /// Whether name and value of an assignment are accepted; what is wrong is added to `problems`.
+    void
+    check(const Assignment &assignment, std::vector<Problem> &problems)
     {
-      Scene                              scene;
-      Sentences                          problems;
-      std::map<std::string, std::string> origin; ///< by path
+      const Place      &place = assignment.place;
+      const std::string where = place.text + ": " + shown_text(assignment.path());
+      if (!section_exists(assignment.section))
+        {
+          // in a file the line of the subsection has been reported
+          if (place.order == Place::last_line)
+            problems.push_back({where + ": " + unknown_section(assignment.section), place.order});
+          return;
+        }
+      const Entry *const entry = find_entry(assignment.section, assignment.name);
+      if (entry == nullptr)
+        {
+          problems.push_back(
+            {where + ": " + unknown_entry(assignment.section, assignment.name), place.order});
+          return;
+        }
+      if (!assignment.before.empty())
+        problems.push_back({where + ": set a second time" +
+                              (assignment.before == place.text ? "" : ", first at " + assignment.before) +
+                              "; keep one of them",
+                            place.order});
+      try
+        {
+          Scene trial;
+          entry->set(trial, assignment.value);
+        }
+      catch (const InputError &error)
+        {
+          problems.push_back(
+            {where + " = " + shown_text(assignment.value) + ": " + error.what(), place.order});
+        }
+    }
 
-      void
-      read(const Assignment &assignment)
-      {
-        const bool        on_command_line = assignment.origin == "--set";
-        const std::string path =
-          assignment.section.empty() ? assignment.name : assignment.section + "/" + assignment.name;
-        const std::string where = assignment.origin + ": " + shown_text(path);
-        if (!section_exists(assignment.section))
-          {
-            // in a file the line of the subsection has been reported
-            if (on_command_line)
-              problems.push_back(where + ": " + unknown_section(assignment.section));
-            return;
-          }
-        const Entry *const entry = find_entry(assignment.section, assignment.name);
-        if (entry == nullptr)
-          {
-            problems.push_back(where + ": " + unknown_entry(assignment.section, assignment.name));
-            return;
-          }
-        const auto before = origin.find(path);
-        // the command line overrides the file, but a second one on the same level is a mistake
-        if (before != origin.end() && (before->second == "--set") == on_command_line)
-          problems.push_back(where + ": set a second time" +
-                             (on_command_line ? "" : ", first at " + before->second) + "; keep one of them");
-        origin[path] = assignment.origin;
-        set(*entry, assignment.value, where);
-      }
-
-      void
-      set(const Entry &entry, const std::string &value, const std::string &where)
-      {
+    std::vector<Assignment>
+    parse_sets(const std::vector<std::string> &sets, std::vector<Problem> &problems)
+    {
+      std::vector<Assignment> assignments;
+      std::set<std::string>   paths;
+      for (const std::string &set : sets)
         try
           {
-            entry.set(scene, value);
+            assignments.push_back(parse_set(set));
+            if (!paths.insert(assignments.back().path()).second)
+              assignments.back().before = assignments.back().place.text;
           }
         catch (const InputError &error)
           {
-            problems.push_back(where + " = " + shown_text(value) + ": " + error.what());
+            problems.push_back({error.what()});
           }
-      }
-    };
-
-    /// Line number of "file:12: ...", so that problems of syntax and of meaning stand in the order
-    /// of the file; those without a line and those of the command line come last.
-    unsigned long
-    line_of(const std::string &problem, const std::string &file)
-    {
-      const std::string start    = file + ":";
-      const bool        has_line = problem.compare(0, start.size(), start) == 0 &&
-                            std::isdigit(static_cast<unsigned char>(problem[start.size()]));
-      return has_line ? std::stoul(problem.substr(start.size())) : ~0ul;
-    }
-
-    void
-    require_no_problems(Sentences problems, const std::string &name)
-    {
-      std::stable_sort(problems.begin(), problems.end(), [&](const auto &a, const auto &b) {
-        return line_of(a, name) < line_of(b, name);
-      });
-      if (problems.size() > shown_problems)
-        {
-          const std::size_t rest = problems.size() - shown_problems;
-          problems.resize(shown_problems);
-          problems.push_back(name + ": " + std::to_string(rest) + " more faults; correct these first");
-        }
-      if (!problems.empty())
-        throw InputError(join(problems, "\n"));
-    }
-
-    /// Breaks `text` at blanks into lines of at most `width` characters, each after `prefix`.
-    std::string
-    wrap(const std::string &text, const std::string &prefix, const std::size_t width)
-    {
-      std::istringstream words(text);
-      std::string        lines, line;
-      for (std::string word; words >> word;)
-        {
-          if (!line.empty() && prefix.size() + line.size() + 1 + word.size() > width)
-            {
-              lines += prefix + line + "\n";
-              line.clear();
-            }
-          line += (line.empty() ? "" : " ") + word;
-        }
-      return lines + (line.empty() ? "" : prefix + line + "\n");
-    }
-
-    std::string
-    print_entry(const Entry &entry, const Scene &scene)
-    {
-      const std::string indent = entry.section.empty() ? "" : "  ";
-      const std::string value  = entry.get(scene);
-      const std::string comment =
-        entry.meaning + " Accepted: " + entry.accepted + "." +
-        (entry.default_text.empty() || entry.default_text == value ? ""
-                                                                   : " Default: " + entry.default_text + ".");
-      return wrap(comment, indent + "# ", 100) + indent + "set " + entry.name + " =" +
-             (value.empty() ? "" : " " + value) + "\n";
+      return assignments;
     }
   } // namespace
+
 
   SceneInput
   scene_from_text(const std::string &text, const std::string &name, const std::vector<std::string> &sets)
   {
-    InputText input = parse_input(text, name);
-    for (const std::string &set : sets)
-      parse_set(set, input);
-
-    SceneReader reader;
-    for (const Entry &entry : entries())
-      entry.set(reader.scene, entry.default_text);
-    reader.problems = input.problems;
+    FlatInput                     input           = flatten_input(text, name);
+    std::vector<Problem>         &problems        = input.problems;
+    const std::vector<Assignment> on_command_line = parse_sets(sets, problems);
     for (const SectionLine &section : input.sections)
-      if (reader.problems.size() < most_problems && !section_exists(section.name))
-        reader.problems.push_back(section.origin + ": subsection " + shown_text(section.name) + ": " +
-                                  unknown_section(section.name));
-    for (const Assignment &assignment : input.assignments)
-      if (reader.problems.size() < most_problems)
-        reader.read(assignment);
-    complete_scene(reader.scene);
-    require_no_problems(std::move(reader.problems), name);
-    return {reader.scene, name, reader.origin};
+      if (problems.size() < most_problems && !section_exists(section.name))
+        problems.push_back({section.place.text + ": subsection " + shown_text(section.name) + ": " +
+                              unknown_section(section.name),
+                            section.place.order});
+    std::vector<Assignment> all = input.assignments;
+    all.insert(all.end(), on_command_line.begin(), on_command_line.end());
+    for (const Assignment &assignment : all)
+      if (problems.size() < most_problems)
+        check(assignment, problems);
+    require_no_problems(std::move(problems), name);
+
+    SceneInput               result{{}, name, input.text, {}};
+    dealii::ParameterHandler handler;
+    declare_entries(handler, result.scene);
+    handler.parse_input_from_string(input.text);
+    for (const Assignment &set : on_command_line)
+      set_entry(handler, set.section, set.name, set.value);
+    for (const Assignment &assignment : all)
+      if (assignment.replaced_at.empty())
+        result.origin[assignment.path()] = assignment.place;
+    return result;
   }
+
 
   SceneInput
   read_scene(const std::string &prm_path, const std::vector<std::string> &sets)
@@ -202,36 +158,17 @@ namespace wheelrail
     return scene_from_text(read_input_file(prm_path), prm_path, sets);
   }
 
+
   void
   require_none(const std::vector<std::string> &errors, const SceneInput &input)
   {
-    Sentences problems;
+    std::vector<Problem> problems;
     for (const std::string &sentence : errors)
       {
-        const auto origin = input.origin.find(sentence.substr(0, sentence.find(" = ")));
-        problems.push_back((origin == input.origin.end() ? input.name : origin->second) + ": " + sentence);
+        const auto  origin = input.origin.find(sentence.substr(0, sentence.find(" = ")));
+        const Place place  = origin == input.origin.end() ? Place{input.name} : origin->second;
+        problems.push_back({place.text + ": " + sentence, place.order});
       }
     require_no_problems(std::move(problems), input.name);
-  }
-
-  std::string
-  print_parameters(const Scene &scene)
-  {
-    std::string text =
-      "# All entries of a scene. Entries that are not set take their default.\n"
-      "# A number that measures something carries its unit.\n\n";
-    std::string open;
-    for (const Entry &entry : entries())
-      {
-        if (entry.section != open)
-          {
-            text += (open.empty() ? "" : "end\n") + std::string("\nsubsection ") + entry.section + "\n";
-            open = entry.section;
-          }
-        else if (!open.empty())
-          text += "\n";
-        text += print_entry(entry, scene);
-      }
-    return text + "end\n";
   }
 } // namespace wheelrail

@@ -68,7 +68,7 @@ namespace wheelrail
     // profiles are parabolas, about 1.3 across on the flattening tread
     const double width  = std::ceil((1.3 * patch.width + 2 * scene.fine_margin) / coarse) * coarse;
     const double length = scene.mesh_distance() + 1.35 * patch.length + 2 * scene.fine_margin;
-    const double layers = std::ceil(scene.fine_depth / h);
+    const double layers = std::ceil(scene.depth_of_fine_cells() / h);
     const double fine   = coarse > h ? 2 * (length / h) * (width / h) * layers : 0;
     // halving from size to size takes about 0.4 of the finest cells more
     return 1.4 * fine + (scene.rail_length * rail_area + wheel_volume) / (coarse * coarse * coarse);

@@ -117,7 +117,7 @@ namespace wheelrail
     SweepSizes sizes;
     sizes.cell        = scene.cell_size;
     sizes.coarse      = scene.coarse_cell_size;
-    sizes.fine_depth  = scene.fine_depth;
+    sizes.fine_depth  = scene.depth_of_fine_cells();
     sizes.fine_margin = scene.fine_margin;
     sizes.approach    = expected_approach(scene, geometry.contact.rolling_radius);
     sizes.distance    = scene.mesh_distance();

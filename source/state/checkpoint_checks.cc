@@ -1,5 +1,5 @@
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/input/input_file.h>
+#include <wheelrail/input/flat_input.h>
 #include <wheelrail/state/checkpoint_checks.h>
 
 #include <map>
@@ -13,8 +13,8 @@ namespace wheelrail
     entries_of(const std::string &parameters)
     {
       std::map<std::string, std::string> values;
-      for (const Assignment &a : parse_input(parameters, "").assignments)
-        values[a.section.empty() ? a.name : a.section + "/" + a.name] = a.value;
+      for (const Assignment &a : flatten_input(parameters, "").assignments)
+        values[a.path()] = a.value;
       return values;
     }
 

@@ -15,11 +15,12 @@ namespace wheelrail
   /// scene and back.
   struct Entry
   {
-    std::string section; ///< empty for entries outside all subsections
-    std::string name;
-    std::string default_text;
-    std::string accepted; ///< in words: "a length from 0.1 mm to 4 mm", "torque or rate"
-    std::string meaning;
+    std::string              section; ///< empty for entries outside all subsections
+    std::string              name;
+    std::string              meaning;
+    std::string              accepted;     ///< in words: "a length from 0.1 mm to 4 mm", "torque or rate"
+    std::vector<std::string> choices;      ///< all texts that are accepted, when these are a few words
+    std::string              default_text; ///< what `get` makes of a scene of defaults; entries() fills it in
 
     /// Writes the value of a text into a scene. Throws InputError that tells what was found and
     /// what is accepted, without naming the entry.
@@ -73,10 +74,10 @@ namespace wheelrail
     }
   };
 
-  /// Head of an entry: section, name, default, meaning.
+  /// Head of an entry. The default of an entry is that of its place in a Scene.
   struct EntryHead
   {
-    std::string section, name, default_text, meaning;
+    std::string section, name, meaning;
   };
 
   /// A number with `unit` (printed in it, any unit of the dimension accepted), or a pure number
@@ -110,9 +111,20 @@ namespace wheelrail
                const std::vector<std::pair<std::string, T>> &choices,
                const Field<T>                               &place);
 
-  /// Free text; an empty one is accepted when the default is empty.
+  /// Free text of one line; an empty one is accepted when the default is empty.
   Entry
   text_entry(const EntryHead &head, const Field<std::string> &place);
+
+  /// A text that is one of `names` or means a file (is_file_name()); `file` says which files are accepted.
+  Entry
+  name_or_file_entry(const EntryHead                &head,
+                     const std::vector<std::string> &names,
+                     const std::string              &file,
+                     const Field<std::string>       &place);
+
+  /// `entry` with a word that is accepted, too, and stored as `value`: "auto", "none".
+  Entry
+  with_word(Entry entry, const std::string &word, double value, const Field<double> &place);
 
   // ---------------------------------------------------------------------------------------------
 
@@ -125,7 +137,7 @@ namespace wheelrail
     std::vector<std::string> words;
     for (const auto &choice : choices)
       words.push_back(choice.first);
-    Entry entry{head.section, head.name, head.default_text, join_choices(words), head.meaning, {}, {}};
+    Entry entry{head.section, head.name, head.meaning, join_choices(words), words, {}, {}, {}};
     entry.set = [choices, words, place](Scene &scene, const std::string &text) {
       require_choice(text, words);
       for (const auto &choice : choices)

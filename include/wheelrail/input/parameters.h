@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/input/problems.h>
 #include <wheelrail/scene/scene.h>
 
 #include <map>
@@ -8,21 +9,23 @@
 
 namespace wheelrail
 {
-  /// A scene as read, and where its entries were set.
+  /// A scene as read, and what it was read from.
   struct SceneInput
   {
-    Scene                              scene;
-    std::string                        name;   ///< of the file, for messages
-    std::map<std::string, std::string> origin; ///< "prm/x.prm:12" or "--set", by "Section/Name"
+    Scene                        scene;
+    std::string                  name;   ///< of the file, for messages
+    std::string                  text;   ///< the file with what it includes written out, without --set
+    std::map<std::string, Place> origin; ///< where each entry that is set was set, by "Section/Name"
   };
 
-  /// The scene of an input text with the changes of --set on top, entries not given at their
-  /// defaults. `name` is the file name for messages.
+  /// The scene of an input text (flatten_input()) with the changes of --set on top, entries not given at
+  /// their defaults. `name` is the file name for messages.
   ///
-  /// Throws InputError whose text has one line for each fault found, in the order of the file:
-  /// "prm/x.prm:12: Wheelset/Velocity = 140: a bare number; a velocity with its unit is needed,
-  /// such as 140 km/h". Every entry is then right by itself; whether they fit together tell cross_checks()
-  /// and scene_checks().
+  /// deal.II's ParameterHandler would stop at the first fault. So all lines, names and values are checked
+  /// before it gets the text. Throws InputError whose text has one line for each fault found, in the order of
+  /// the lines, those of included files at the place of the include: "prm/x.prm:12: Wheelset/Velocity = 140:
+  /// a bare number; a velocity with its unit is needed, such as 140 km/h". Every entry is then right by
+  /// itself; whether they fit together tell cross_checks() and scene_checks().
   SceneInput
   scene_from_text(const std::string &text, const std::string &name, const std::vector<std::string> &sets);
 
@@ -34,9 +37,4 @@ namespace wheelrail
   /// that it begins with.
   void
   require_none(const std::vector<std::string> &errors, const SceneInput &input);
-
-  /// All entries with the values of `scene`, as a parameter file that read_scene() accepts, each
-  /// with its meaning, what is accepted, and its default.
-  std::string
-  print_parameters(const Scene &scene);
 } // namespace wheelrail

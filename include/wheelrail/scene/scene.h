@@ -88,9 +88,9 @@ namespace wheelrail
     // Mesh
     double      cell_size        = 1e-3;  ///< Solution cell size [m]
     double      coarse_cell_size = 16e-3; ///< [m]
-    double      fine_depth  = 5e-3; ///< depth of the finest cells [m], default 5 cells ("Fine depth = auto")
-    double      fine_margin = 3e-3; ///< fine cells beyond the expected patch [m] ("Fine margin")
-    ElementForm element     = ElementForm::reduced;
+    double      fine_depth       = 0; ///< given depth of the finest cells [m], 0: see depth_of_fine_cells()
+    double      fine_margin      = 3e-3; ///< fine cells beyond the expected patch [m] ("Fine margin")
+    ElementForm element          = ElementForm::reduced;
     std::optional<ElementForm> rail_element, wheel_element; ///< none: as `element`
     double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 
@@ -120,6 +120,13 @@ namespace wheelrail
     double        halfspace_normal_force  = 0; ///< [N], 0: the static wheel load
     double        halfspace_approach      = 0; ///< [m], 0: found from the normal force
     double        halfspace_contact_angle = 0; ///< of the axle to the contact plane: the spin [rad]
+
+    /// Depth of the layer of solution cells below both running surfaces: as given, or five cells [m].
+    double
+    depth_of_fine_cells() const
+    {
+      return fine_depth > 0 ? fine_depth : 5 * cell_size;
+    }
 
     /// How far the mesh lets the wheel roll [m].
     double

@@ -1,9 +1,6 @@
-#include <wheelrail/base/errors.h>
-#include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/geometry/profiles.h>
-#include <wheelrail/input/profile_entries.h>
-
-#include <algorithm>
+#include <wheelrail/input/entry_kinds.h>
+#include <wheelrail/input/section_entries.h>
 
 namespace wheelrail
 {
@@ -13,7 +10,7 @@ namespace wheelrail
     mirror_entry(const std::string &name, const std::string &meaning, ProfileFileOptions Scene::*part)
     {
       return choice_entry<ProfileMirror>(
-        {"Profiles", name, "auto", meaning},
+        {"Profiles", name, meaning},
         {{"auto", ProfileMirror::automatic}, {"yes", ProfileMirror::yes}, {"no", ProfileMirror::no}},
         field(part, &ProfileFileOptions::mirror));
     }
@@ -21,7 +18,7 @@ namespace wheelrail
     Entry
     unit_entry(const std::string &name, const std::string &meaning, ProfileFileOptions Scene::*part)
     {
-      return choice_entry<ProfileUnit>({"Profiles", name, "auto", meaning},
+      return choice_entry<ProfileUnit>({"Profiles", name, meaning},
                                        {{"auto", ProfileUnit::automatic},
                                         {"mm", ProfileUnit::millimetre},
                                         {"m", ProfileUnit::metre},
@@ -38,69 +35,43 @@ namespace wheelrail
       return choice_entry<std::string>(
         {"Profiles",
          "Rail body",
-         "auto",
          "Standard rail below a head that is read from a file; auto: the one whose head "
          "is as wide."},
         choices,
         field(&Scene::rail_body));
     }
 
+    /// One value for both files.
     Entry
     smoothing_entry()
     {
-      Entry entry =
-        number_entry({"Profiles",
-                      "Smoothing",
-                      "auto",
-                      "Measurement noise (standard deviation) that is smoothed out of profile files; "
-                      "auto: as found in the points, some 10 um are usual; 0 mm: every point is kept."},
-                     Dimension::length,
+      const auto rail  = field(&Scene::rail_file, &ProfileFileOptions::noise);
+      Entry      entry = with_word(
+        length_entry({"Profiles",
+                           "Smoothing",
+                           "Measurement noise (standard deviation) that is smoothed out of profile files; "
+                                "auto: as found in the points, some 10 um are usual; 0 mm: every point is kept."},
                      "mm",
                      Bounds::between("0 mm", "1 mm"),
-                     field(&Scene::rail_file, &ProfileFileOptions::noise));
-      const auto set = entry.set;
-      const auto get = entry.get;
-      entry.accepted = "auto, or " + entry.accepted;
-      entry.set      = [set](Scene &scene, const std::string &text) {
-        if (text == "auto")
-          scene.rail_file.noise = -1;
-        else
-          set(scene, text);
+                     rail),
+        "auto",
+        -1,
+        rail);
+      entry.set = [set = entry.set](Scene &scene, const std::string &text) {
+        set(scene, text);
         scene.wheel_file.noise = scene.rail_file.noise;
       };
-      entry.get = [get](const Scene &scene) { return scene.rail_file.noise < 0 ? "auto" : get(scene); };
       return entry;
     }
   } // namespace
 
-  Entry
-  name_or_file_entry(const EntryHead                &head,
-                     const std::vector<std::string> &names,
-                     const std::string              &file,
-                     const Field<std::string>       &place)
-  {
-    std::vector<std::string> choices = names;
-    choices.push_back(file);
-    Entry      entry = text_entry(head, place);
-    const auto set   = entry.set;
-    entry.accepted   = join_choices(choices);
-    entry.set        = [set, names, accepted = entry.accepted](Scene &scene, const std::string &text) {
-      if (std::find(names.begin(), names.end(), text) == names.end() && !is_file_name(text))
-        throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");
-      set(scene, text);
-    };
-    return entry;
-  }
-
-
   std::vector<Entry>
-  profile_entries()
+  profiles_entries()
   {
     const std::string unit = "Unit of the profile file; auto: as the file states, else mm or m by its size.";
     return {
       name_or_file_entry({"Profiles",
                           "Wheel",
-                          "S1002",
                           "Wheel profile (S1002: EN 13715); a relative path of a file counts from where the "
                           "command is given."},
                          standard_wheels(),
@@ -115,7 +86,6 @@ namespace wheelrail
       name_or_file_entry(
         {"Profiles",
          "Rail",
-         "54E1",
          "Rail profile (54E1, 60E1: EN 13674-1); a relative path of a file counts from where the "
          "command is given."},
         standard_rails(),

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <wheelrail/input/problems.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// One `set Name = value` of a file or of the command line, not yet understood.
+  struct Assignment
+  {
+    std::string section; ///< empty outside all subsections
+    std::string name;
+    std::string value; ///< without comment and outer blanks
+    Place       place;
+    std::string before;      ///< where the same file sets the entry already; empty if it does not
+    std::string replaced_at; ///< where a file that goes before sets it; empty if this one is in force
+
+    /// "Section/Name".
+    std::string
+    path() const
+    {
+      return section.empty() ? name : section + "/" + name;
+    }
+  };
+
+  /// A subsection line.
+  struct SectionLine
+  {
+    std::string name;
+    Place       place;
+  };
+
+  /// An input text with the files that it includes written out: what is set where, and what could not be
+  /// read.
+  struct FlatInput
+  {
+    std::vector<Assignment>  assignments;
+    std::vector<SectionLine> sections;
+    std::vector<Problem>     problems;
+    /// The text without include and continued lines. What another file replaces has become a comment, so
+    /// that every entry is set once. ParameterHandler reads it if there are no problems.
+    std::string text;
+  };
+
+  /// Reads the lines `set Name = value`, `subsection Name`, `end`, `include FILE`, blank lines and `#`
+  /// comments; a line that ends with a backslash goes on in the next one. Keywords may be written in capital
+  /// letters; CRLF line ends and a UTF-8 byte order mark are accepted.
+  ///
+  /// `name` is the file name for messages; the path of an included file counts from the folder of the file
+  /// that includes it. What a file sets itself goes before what it includes, in whatever order they stand;
+  /// of two included files the later one goes before. Never throws for a fault in the text or for a file
+  /// that cannot be read: all faults are in `problems`.
+  FlatInput
+  flatten_input(const std::string &text, const std::string &name);
+
+  /// Reads "Section/Name = value" of the command line option --set. Throws InputError for another form.
+  Assignment
+  parse_set(const std::string &set);
+} // namespace wheelrail

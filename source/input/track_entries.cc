@@ -1,0 +1,53 @@
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/input/entry_kinds.h>
+#include <wheelrail/input/section_entries.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using B = Bounds;
+    using S = Scene;
+
+    Entry
+    inclination_entry()
+    {
+      Entry entry =
+        number_entry({"Track", "Rail inclination", "Slope of the rail's axis towards the track centre."},
+                     Dimension::none,
+                     "",
+                     Bounds::between("0", "1/10"),
+                     field(&Scene::track, &TrackDimensions::inclination));
+      entry.get = [](const Scene &scene) {
+        const double slope = scene.track.inclination, inverse = std::round(1 / slope);
+        return slope > 0 && 1 / inverse == slope ? "1/" + format_number(inverse) : format_number(slope);
+      };
+      return entry;
+    }
+  } // namespace
+
+
+  std::vector<Entry>
+  track_entries()
+  {
+    std::vector<Entry> list;
+    list.push_back(length_entry({"Track", "Gauge", "Distance between the two rails, at the gauge height."},
+                                "mm",
+                                B::between("500 mm", "2000 mm"),
+                                field(&S::track, &TrackDimensions::gauge)));
+    list.push_back(length_entry(
+      {"Track", "Gauge height", "Depth below the top of the rail at which the gauge is measured."},
+      "mm",
+      B::between("5 mm", "30 mm"),
+      field(&S::track, &TrackDimensions::gauge_height)));
+    list.push_back(inclination_entry());
+    list.push_back(
+      length_entry({"Track", "Rail length", "Length of the modelled piece of rail; its ends are clamped."},
+                   "m",
+                   B::between("200 mm", "10 m"),
+                   field(&S::rail_length)));
+    return list;
+  }
+} // namespace wheelrail

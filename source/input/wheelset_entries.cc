@@ -1,0 +1,160 @@
+#include <wheelrail/input/entry_kinds.h>
+#include <wheelrail/input/section_entries.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using D = Dimension;
+    using B = Bounds;
+    using S = Scene;
+
+    Entry
+    nominal_radius_entry()
+    {
+      Entry      entry = number_entry({"Wheelset",
+                                       "Nominal rolling radius",
+                                       "Radius of the wheel at the running circle, 70 mm from the flange back."},
+                                 Dimension::length,
+                                 "mm",
+                                 Bounds::between("150 mm", "800 mm"),
+                                 field(&Scene::track, &TrackDimensions::nominal_radius));
+      const auto set   = entry.set;
+      entry.set        = [set](Scene &scene, const std::string &text) {
+        set(scene, text);
+        scene.wheel.nominal_radius = scene.track.nominal_radius;
+      };
+      return entry;
+    }
+
+    void
+    add_wheel_section(std::vector<Entry> &list)
+    {
+      struct Row
+      {
+        const char *name, *low, *high, *meaning;
+        double WheelDimensions::*member;
+      };
+      using W                     = WheelDimensions;
+      const std::vector<Row> rows = {
+        {"Rim width", "100 mm", "200 mm", "Width of the rim from the flange back.", &W::rim_width},
+        {"Rim inner radius", "50 mm", "750 mm", "Inner radius of the rim.", &W::rim_inner_radius},
+        {"Disc thickness", "5 mm", "100 mm", "Thickness of the straight disc.", &W::disc_thickness},
+        {"Disc position",
+         "0 mm",
+         "200 mm",
+         "Middle of the disc, from the flange back towards the field side.",
+         &W::disc_position},
+        {"Hub length", "20 mm", "400 mm", "Length of the hub along the axle.", &W::hub_length},
+        {"Hub position",
+         "0 mm",
+         "200 mm",
+         "Middle of the hub, from the flange back towards the field side.",
+         &W::hub_position},
+        {"Hub outer radius", "30 mm", "500 mm", "Outer radius of the hub.", &W::hub_outer_radius},
+        {"Bore radius",
+         "10 mm",
+         "400 mm",
+         "Radius of the hub bore, tied to the rigid axle.",
+         &W::bore_radius},
+        {"Fillet radius", "1 mm", "100 mm", "Fillets of the disc at rim and hub.", &W::fillet_radius},
+      };
+      for (const Row &row : rows)
+        list.push_back(length_entry({"Wheelset", row.name, row.meaning},
+                                    "mm",
+                                    B::between(row.low, row.high),
+                                    field(&S::wheel, row.member)));
+    }
+
+    void
+    add_wheelset(std::vector<Entry> &list)
+    {
+      list.push_back(nominal_radius_entry());
+      list.push_back(length_entry(
+        {"Wheelset", "Flange back distance", "Distance between the backs of the flanges of the two wheels."},
+        "mm",
+        B::between("400 mm", "1950 mm"),
+        field(&S::track, &TrackDimensions::flange_back_distance)));
+      list.push_back(
+        length_entry({"Wheelset",
+                      "Lateral shift",
+                      "Lateral position of the wheelset; negative moves the flange root of the modelled "
+                      "(right-hand) wheel towards the gauge corner."},
+                     "mm",
+                     B::between("-12 mm", "12 mm"),
+                     field(&S::lateral_shift)));
+      list.push_back(choice_entry<RollMode>(
+        {"Wheelset", "Roll", "Roll of the wheelset; from contact: the one at which both wheels touch."},
+        {{"none", RollMode::none}, {"from contact", RollMode::from_contact}},
+        field(&S::roll)));
+      add_wheel_section(list);
+      list.push_back(number_entry({"Wheelset", "Sprung mass", "Mass that the suspension carries, per wheel."},
+                                  D::mass,
+                                  "t",
+                                  B::between("0 t", "50 t"),
+                                  field(&S::sprung_mass)));
+      list.push_back(number_entry({"Wheelset", "Axle mass", "Mass of half the axle, rigid."},
+                                  D::mass,
+                                  "kg",
+                                  B::between("0 kg", "5 t"),
+                                  field(&S::axle_mass)));
+      list.push_back(number_entry(
+        {"Wheelset", "Axle pitch inertia", "Moment of inertia of half the axle about its own axis."},
+        D::mass_moment,
+        "kg m2",
+        B::between("0 kg m2", "1000 kg m2"),
+        field(&S::axle_pitch_inertia)));
+      list.push_back(number_entry({"Wheelset", "Suspension stiffness", "Primary suspension, per wheel."},
+                                  D::stiffness,
+                                  "MN/m",
+                                  B::between("0 MN/m", "1000 MN/m"),
+                                  field(&S::suspension_stiffness)));
+      list.push_back(number_entry({"Wheelset", "Suspension damping", "Primary suspension, per wheel."},
+                                  D::damping,
+                                  "N s/m",
+                                  B::between("0 N s/m", "1000 kN s/m"),
+                                  field(&S::suspension_damping)));
+    }
+
+    void
+    add_drive(std::vector<Entry> &list)
+    {
+      list.push_back(number_entry({"Wheelset", "Velocity", "Speed of the wheelset along the track."},
+                                  D::velocity,
+                                  "km/h",
+                                  B::between("5 km/h", "500 km/h"),
+                                  field(&S::velocity)));
+      list.push_back(choice_entry<Drive>({"Wheelset",
+                                          "Drive",
+                                          "What turns the wheel; torque: a constant torque from the traction "
+                                          "coefficient; rate: the pitch rate is "
+                                          "held at the creepage."},
+                                         {{"torque", Drive::torque}, {"rate", Drive::rate}},
+                                         field(&S::drive)));
+      list.push_back(
+        pure_entry({"Wheelset",
+                    "Traction coefficient",
+                    "Longitudinal force over static wheel load, used with Drive = torque; positive drives, "
+                    "negative brakes."},
+                   B::between("-1", "1"),
+                   field(&S::traction_coefficient)));
+      list.push_back(
+        pure_entry({"Wheelset",
+                    "Creepage",
+                    "(rolling speed of the tread - velocity) / velocity, used with Drive = rate; positive "
+                    "drives."},
+                   B::between("-0.1", "0.1"),
+                   field(&S::creepage)));
+    }
+  } // namespace
+
+
+  std::vector<Entry>
+  wheelset_entries()
+  {
+    std::vector<Entry> list;
+    add_wheelset(list);
+    add_drive(list);
+    return list;
+  }
+} // namespace wheelrail

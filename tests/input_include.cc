@@ -1,0 +1,208 @@
+// Parameter files that include others: whose value is in force, from where paths count, what is kept of the
+// text, and what the program answers to faults, word by word.
+
+#include "messages.h"
+
+#include <wheelrail/application/commands.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/run/simulation.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_text;
+using test::message_of;
+
+namespace
+{
+  namespace fs = std::filesystem;
+
+  /// Writes a file below the test's own folder.
+  void
+  write(const std::string &name, const std::string &text)
+  {
+    fs::create_directories((fs::path("include") / name).parent_path());
+    std::ofstream(fs::path("include") / name) << text;
+  }
+
+  Scene
+  read(const std::string &name, const std::vector<std::string> &sets = {})
+  {
+    return read_scene("include/" + name, sets).scene;
+  }
+
+  void
+  check_message(const std::string &name, const std::string &expected)
+  {
+    check_text(message_of([&]() { read(name); }), expected, name);
+  }
+
+  // The value of the including file is in force wherever it stands, of two included files that of the later.
+  void
+  test_order()
+  {
+    write(
+      "base.prm",
+      "set Title = base\nsubsection Run\n  set Rolling distance = 30 mm\n  set Energy limit = 0.01\nend\n");
+    write("other.prm", "subsection Run\n  set Energy limit = 0.02\nend\n");
+    write("after.prm", "include base.prm\nset Title = after");
+    write("before.prm", "set Title = before\ninclude base.prm");
+    write("two.prm", "include base.prm\ninclude other.prm\n");
+    write("turned.prm", "include other.prm\ninclude base.prm\n");
+    write("deep.prm", "set Title = deep\ninclude two.prm\n");
+    check_text(read("after.prm").title, "after", "set after the include");
+    check_text(read("before.prm").title, "before", "set before the include");
+    check_near(read("before.prm").rolling_distance, 0.03, 0, "set in the included file alone");
+    check_near(read("two.prm").energy_limit, 0.02, 0, "the later of two included files");
+    check_near(read("turned.prm").energy_limit, 0.01, 0, "the other way round");
+    check_text(read("deep.prm").title, "deep", "two levels down");
+    check_near(read("deep.prm").energy_limit, 0.02, 0, "two levels down, not set above");
+    check_text(read("deep.prm", {"Title = line"}).title, "line", "--set goes before all of them");
+  }
+
+  void
+  test_paths()
+  {
+    write("steels/mild.prm", "include common/density.prm\nset Young's modulus = 205 GPa\n");
+    write("steels/common/density.prm", "set Density = 7800 kg/m3\n");
+    write("scenes/a.prm", "subsection Rail material\n  include ../steels/mild.prm\nend\n");
+    const Scene scene = read("scenes/a.prm");
+    check_near(scene.rail_material.youngs_modulus, 205e9, 0, "a path counts from the including file");
+    check_near(scene.rail_material.density, 7800, 0, "so does that in the included one");
+    check_near(scene.wheel_material.density, 7900, 0, "an include in a subsection belongs to it");
+    write("scenes/b.prm", "include " + fs::absolute("include/base.prm").string() + " # a whole path\n");
+    check_text(read("scenes/b.prm").title, "base", "a path from the root");
+    write("scenes/c.prm", "include ../two words.prm\nINCLUDE ../other.prm");
+    write("two words.prm", "set Title = blanks\n");
+    check_text(read("scenes/c.prm").title, "blanks", "a name with a blank");
+    check_near(read("scenes/c.prm").energy_limit, 0.02, 0, "the keyword in capital letters");
+  }
+
+  // input.prm of the output folder: one file, each entry set once, remarks kept.
+  void
+  test_text()
+  {
+    write("kept.prm",
+          "# mine\nset Title = a # remark\ninclude base.prm\n\nsubsection Run\n  set Energy limit \\\n= "
+          "0.05\nend");
+    const std::string flat = read_scene("include/kept.prm", {"Title = b"}).text;
+    check_text(
+      flat,
+      "# mine\nset Title = a # remark\n# include base.prm\n# set Title = base (replaced at "
+      "include/kept.prm:2)\nsubsection Run\n  set Rolling distance = 30 mm\n# set Energy limit = 0.01 "
+      "(replaced at include/kept.prm:6)\nend\n# end of include/base.prm\n\nsubsection Run\n  set Energy "
+      "limit = 0.05\nend\n",
+      "the text with the included files");
+    check_text(print_parameters(scene_from_text(flat, "flat", {}).scene),
+               print_parameters(read("kept.prm")),
+               "it reads back to the same scene");
+    RunOptions        options;
+    const RunFunction run = [&](const Scene &, const RunOptions &o) {
+      options = o;
+      return 0;
+    };
+    std::ostringstream out;
+    execute({"run", "include/kept.prm", "--set", "Title = b"}, run, out);
+    check_text(options.prm_text, flat + "# --set \"Title = b\"\n", "a run keeps it, with --set as remarks");
+  }
+
+  void
+  test_faults()
+  {
+    write("bad.prm", "set Titel = x\nsubsection Run\n  set Rolling distance = 30\nend\nend\n");
+    write("user.prm",
+          "set Title =\ninclude bad.prm\nset Colour = red\nsubsection Run\n  set Rolling distance = "
+          "20 mm\n");
+    check_message("user.prm",
+                  "include/bad.prm:1: Titel: no such entry; the nearest is Title\n"
+                  "include/bad.prm:3: Run/Rolling distance = 30: a bare number; a length with its unit is "
+                  "needed, such as 1.5 mm\n"
+                  "include/bad.prm:5: \"end\" without a subsection before it; remove it\n"
+                  "include/user.prm:3: Colour: no such entry; outside the subsections has Title\n"
+                  "include/user.prm:4: subsection Run is not closed: an \"end\" is missing");
+    write("missing.prm", "\ninclude bose.prm\n");
+    check_message("missing.prm",
+                  "include/missing.prm:2: include bose.prm: include/bose.prm: no such file; the nearest is "
+                  "include/base.prm");
+    write("empty.prm", "include\ninclude scenes\n");
+    check_message("empty.prm",
+                  "include/empty.prm:1: include without a file; write \"include FILE.prm\"\n"
+                  "include/empty.prm:2: include scenes: include/scenes: a folder; a parameter file (.prm) is "
+                  "needed");
+    write("twice.prm", "include base.prm\nset Title = a\nset Title = b\n");
+    check_message(
+      "twice.prm",
+      "include/twice.prm:3: Title: set a second time, first at include/twice.prm:2; keep one of them");
+    write("base_twice.prm", "set Title = a\nset Title = b\n");
+    write("hides.prm", "include base_twice.prm\nset Title = c\n");
+    check_message(
+      "hides.prm",
+      "include/base_twice.prm:2: Title: set a second time, first at include/base_twice.prm:1; keep "
+      "one of them");
+    write("section.prm", "subsection Run\n  include base.prm\nend\n");
+    check_message(
+      "section.prm",
+      "include/base.prm:1: Run/Title: no such entry; the nearest is Title\n"
+      "include/base.prm:2: subsection Run inside subsection Run (include/section.prm:1): an \"end\" "
+      "is missing before it");
+    // what an included file says is also compared with the rest, and named by its place
+    write("long.prm", "include base.prm\nsubsection Run\n  set Averaging distance = 40 mm\nend\n");
+    check_text(
+      message_of([]() { require_computable(read_scene("include/long.prm", {})); }),
+      "include/long.prm:3: Run/Averaging distance = 40 mm: longer than Run/Rolling distance = 30 mm; "
+      "the mean is taken over the last part of the run, so at most that is possible",
+      "long.prm");
+    write("ticks.prm", "subsection Output\n  set Ticks = 3000\nend\n");
+    write("many.prm", "include ticks.prm\n");
+    check(message_of([]() {
+            require_computable(read_scene("include/many.prm", {}));
+          }).rfind("include/ticks.prm:2: Output/Ticks = 3000: one output every 0.02 mm", 0) == 0,
+          "a fault between entries names the line of the included file");
+  }
+
+  void
+  test_circles()
+  {
+    write("self.prm", "include self.prm\n");
+    check_message(
+      "self.prm",
+      "include/self.prm:1: include self.prm: files include each other in a circle (include/self.prm, "
+      "include/self.prm); remove one of the includes");
+    write("sub/one.prm", "include ../two.circle\n");
+    write("two.circle", "set Title = x\ninclude sub/../sub/one.prm\n");
+    check_message(
+      "sub/one.prm",
+      "include/two.circle:2: include sub/../sub/one.prm: files include each other in a circle "
+      "(include/sub/one.prm, include/two.circle, include/sub/one.prm); remove one of the includes");
+    // not a circle, but two to the power of the number of files
+    for (int n = 0; n < 9; ++n)
+      {
+        const std::string next = "include double_" + std::to_string(n + 1) + ".prm\n";
+        write("double_" + std::to_string(n) + ".prm", n < 8 ? next + next : "set Title = x\n");
+      }
+    const std::string message = message_of([]() { read("double_0.prm"); });
+    check_text(
+      message.substr(0, message.find('\n')),
+      "include/double_6.prm:1: include double_7.prm: more than 100 files are included in all; put some of "
+      "them together",
+      "more than a hundred files");
+    check_text(read("double_4.prm").title, "x", "thirty files");
+  }
+} // namespace
+
+int
+main()
+{
+  fs::remove_all("include");
+  test_order();
+  test_paths();
+  test_text();
+  test_faults();
+  test_circles();
+  fs::remove_all("include");
+  return test::report();
+}
