@@ -20,6 +20,14 @@ namespace
     all_yield
   };
 
+  MaterialLaw
+  law_of(const Case kind)
+  {
+    if (kind == Case::elastic)
+      return ElasticLaw();
+    return BilinearLaw(Elasticity(), {kind == Case::no_yield ? 1e12 : 1e3, 21e9, 1});
+  }
+
   /// CPU time of this process [s].
   double
   cpu_seconds()
@@ -79,9 +87,7 @@ namespace
     std::array<Run, widths.size()> runs;
     for (std::size_t w = 0; w < widths.size(); ++w)
       {
-        runs[w].blocks = pack_elements(block.geometry, block.cells, Elasticity(), widths[w], form);
-        if (kind != Case::elastic)
-          set_plasticity(runs[w].blocks, {kind == Case::no_yield ? 1e12 : 1e3, 21e9, 1});
+        runs[w].blocks = pack_elements(block.geometry, block.cells, law_of(kind), widths[w], form);
       }
     AlignedVector<double> u[2], f(4 * block.n_nodes, 0.);
     u[0].assign(4 * block.n_nodes, 0.);
@@ -134,7 +140,7 @@ namespace
     for (std::size_t w = 0; w < widths.size(); ++w)
       {
         const ElementBlocks one =
-          pack_elements({block.geometry[0]}, {block.cells[0]}, Elasticity(), widths[w], form);
+          pack_elements({block.geometry[0]}, {block.cells[0]}, law_of(kind), widths[w], form);
         std::printf("%10zu %6d %9s %20s %13.2f %11.1f %14zu\n",
                     block.cells.size(),
                     widths[w],

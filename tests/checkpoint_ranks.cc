@@ -33,11 +33,9 @@ namespace
     static Model
     plastic_model(MPI_Comm communicator)
     {
-      Model      model = test::small_model(communicator, 4e-3);
-      Plasticity law;
-      law.yield_stress    = 300e6;
-      law.tangent_modulus = 21e9;
-      set_plasticity(model.solid.blocks[0], law); // the rail alone
+      Model model = test::small_model(communicator, 4e-3);
+      // the rail alone
+      set_law(model.solid.blocks[0], BilinearLaw(model.solid.blocks[0].elasticity(), {300e6, 21e9, 0}));
       return model;
     }
   };

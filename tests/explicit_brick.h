@@ -75,11 +75,10 @@ namespace test
           const Plasticity &plasticity,
           const int         width = native_width)
       : mesh(m)
-      , blocks(pack_elements(m.geometry, m.cells, material, width))
+      , blocks(pack_elements(m.geometry, m.cells, material_law(material, plasticity), width))
       , u(4 * m.vertices.size(), 0.)
       , f(u)
     {
-      set_plasticity(blocks, plasticity);
     }
 
     void

@@ -273,8 +273,7 @@ namespace
     for (const int width : {1, native_width})
       {
         ElementBlocks blocks =
-          pack_elements(cell_geometry(mesh), mesh.cells, steel, width, ElementForm::full);
-        set_plasticity(blocks, law);
+          pack_elements(cell_geometry(mesh), mesh.cells, BilinearLaw(steel, law), width, ElementForm::full);
         for (const Stage &stage : {Stage{200e6, 0, 0},
                                    Stage{first, strain, pulled},
                                    Stage{0, strain, pulled},

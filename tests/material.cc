@@ -1,4 +1,5 @@
-// The bilinear elastic-plastic law against closed forms: uniaxial curves, cycles, energy, widths.
+// The material laws against closed forms: Hooke; uniaxial curves, cycles, energy and widths of the bilinear
+// law.
 
 #include <wheelrail/material/bilinear.h>
 
@@ -11,13 +12,16 @@ namespace stdx = std::experimental;
 
 namespace
 {
+  template <int W>
+  using History = BilinearLaw::History<Simd<W>>;
+
   /// One point pulled along x with free lateral strain.
   struct Bar
   {
-    BilinearLaw       law;
-    double            poissons_ratio;
-    PlasticHistory<1> history{};
-    double            stress = 0, work = 0, elastic = 0;
+    BilinearLaw law;
+    double      poissons_ratio;
+    History<1>  history{};
+    double      stress = 0, work = 0, elastic = 0;
 
     /// Goes to an axial strain; the lateral strain follows from zero lateral stress, found by secants.
     void
@@ -27,17 +31,16 @@ namespace
       double       lateral = -poissons_ratio * strain;
       for (int iteration = 0; iteration < 200; ++iteration)
         {
-          PlasticHistory<1> trial = history;
-          Simd<1>           S[6], w = 0.;
-          const Simd<1>     E[6] = {strain, lateral, lateral, 0., 0., 0.};
-          const bool        done = radial_return<1>(law, E, trial, S, w);
-          (void)done;
+          History<1>    trial = history;
+          Simd<1>       S[6], w = 0.;
+          const Simd<1> E[6] = {strain, lateral, lateral, 0., 0., 0.};
+          point_response(law, E, trial, S, w);
           if (std::abs(S[1][0]) < 1e-4)
             {
               history = trial;
               stress  = S[0][0];
               work += w[0];
-              elastic = elastic_energy<1>(E, trial, S)[0];
+              elastic = law.stored_energy(E, trial, S)[0];
               return;
             }
           // the elastic slope is never too flat, so this goes down monotonically
@@ -60,6 +63,27 @@ namespace
       return external;
     }
   };
+
+  /// Uniaxial strain and shear of the elastic law.
+  void
+  hooke()
+  {
+    const Elasticity             steel;
+    const ElasticLaw             law(steel);
+    ElasticLaw::History<Simd<1>> nothing;
+    const Simd<1>                strain[6] = {0.01, 0., 0., 0., 0., 0.02};
+    Simd<1>                      S[6], work = 0.;
+    const double                 nu = steel.poissons_ratio, G = steel.youngs_modulus / (2 + 2 * nu);
+    const double                 confined = 2 * G * (1 - nu) / (1 - 2 * nu);
+    test::check(!point_response(law, strain, nothing, S, work) && work[0] == 0, "an elastic law never flows");
+    test::check_near(S[0][0], confined * 0.01, 1, "elastic stress along a confined strain");
+    test::check_near(S[1][0], confined * 0.01 * nu / (1 - nu), 1, "elastic stress across it");
+    test::check_near(S[5][0], 2 * G * 0.02, 1, "elastic shear stress");
+    test::check_near(law.stored_energy(strain, nothing, S)[0],
+                     0.5 * confined * 1e-4 + 2 * G * 4e-4,
+                     1e-3,
+                     "elastic energy density");
+  }
 
   Bar
   bar(const double tangent, const double kinematic)
@@ -129,10 +153,10 @@ namespace
     // pure shear: yields at yield / sqrt(3), whatever the step
     const Elasticity  steel;
     const BilinearLaw law(steel, {yield, 0, 0});
-    PlasticHistory<1> history;
+    History<1>        history;
     Simd<1>           S[6], work = 0.;
     const Simd<1>     strain[6] = {0., 0., 0., 0., 0., 0.01};
-    radial_return<1>(law, strain, history, S, work);
+    point_response(law, strain, history, S, work);
     test::check_near(S[5][0], yield / std::sqrt(3.), 1, "shear yield stress");
     test::check_near(
       work[0], S[5][0] * 2 * (0.01 - S[5][0] / (2 * law.shear)), 1e-6, "plastic work of one large step");
@@ -144,12 +168,12 @@ namespace
   {
     const Elasticity  steel;
     const BilinearLaw law(steel, {yield, Et, 0.3});
-    PlasticHistory<1> history;
+    History<1>        history;
     Simd<1>           S0[6], S1[6], work = 0.;
     Simd<1>           strain[6] = {0.001, 0.001, 0.001, 0., 0., 0.005};
-    radial_return<1>(law, strain, history, S0, work);
+    point_response(law, strain, history, S0, work);
     strain[5] = 0.006;
-    radial_return<1>(law, strain, history, S1, work);
+    point_response(law, strain, history, S1, work);
     test::check_near(
       (S1[5][0] - S0[5][0]) / (2 * law.shear * 0.001), law.tangent_ratio, 1e-9, "shear slope in flow");
     test::check_near(S1[0][0], 3 * steel.bulk_modulus() * 0.001, 10, "volume changes stay elastic");
@@ -163,8 +187,8 @@ namespace
     const BilinearLaw                      law(steel, {yield, Et, 0.4});
     std::mt19937                           random(3);
     std::uniform_real_distribution<double> value(-0.004, 0.004);
-    PlasticHistory<W>                      many;
-    PlasticHistory<1>                      one[W];
+    History<W>                             many;
+    History<1>                             one[W];
     double                                 worst = 0;
     bool                                   any   = false;
     for (int step = 0; step < 20; ++step)
@@ -173,13 +197,13 @@ namespace
         for (auto &e : E)
           for (int l = 0; l < W; ++l)
             e[l] = value(random) * (l % 3); // lane 0 never yields
-        any = radial_return<W>(law, E, many, S, work) || any;
+        any = point_response(law, E, many, S, work) || any;
         for (int l = 0; l < W; ++l)
           {
             Simd<1> e[6], s[6], w = 0.;
             for (int k = 0; k < 6; ++k)
               e[k] = E[k][l];
-            radial_return<1>(law, e, one[l], s, w);
+            point_response(law, e, one[l], s, w);
             for (int k = 0; k < 6; ++k)
               worst = std::max(std::abs(s[k][0] - S[k][l]), worst); // lets a NaN through
             worst = std::max(std::abs(w[0] - double(work[l])), worst);
@@ -194,6 +218,7 @@ namespace
 int
 main()
 {
+  hooke();
   for (const double kinematic : {0., 0.5, 1.})
     {
       uniaxial(kinematic);

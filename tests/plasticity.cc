@@ -3,6 +3,7 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/solid/elastic_meanwhile.h>
+#include <wheelrail/solid/point_state.h>
 
 #include "check.h"
 #include "explicit_brick.h"

@@ -1,6 +1,8 @@
 // Hard cases of plastic flow: cells that yield within one step, flat cells,
 // nearly incompressible steel.
 
+#include <wheelrail/solid/point_state.h>
+
 #include "check.h"
 #include "scenes/dynamics.h"
 

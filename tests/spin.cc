@@ -147,10 +147,10 @@ namespace
       {
         const double *R   = &solid.mesh.reference[4 * n];
         const double  r   = std::hypot(R[1], R[2]),
-                     grow = exact_disc(r, solid.blocks[1].material).displacement / r;
-        const Exact  here = exact_disc(r, solid.blocks[1].material);
-        const double nu   = solid.blocks[1].material.poissons_ratio,
-                     E    = solid.blocks[1].material.youngs_modulus;
+                     grow = exact_disc(r, solid.blocks[1].elasticity()).displacement / r;
+        const Exact  here = exact_disc(r, solid.blocks[1].elasticity());
+        const double nu   = solid.blocks[1].elasticity().poissons_ratio,
+                     E    = solid.blocks[1].elasticity().youngs_modulus;
         const Vector3 u   = {-nu / E * (here.radial + here.hoop) * R[0], grow * R[1], grow * R[2]};
         const Vector3 x   = {0, R[1] + u[1], R[2] + u[2]};
         const Vector3 v   = rate * cross({1, 0, 0}, x);
@@ -280,7 +280,7 @@ namespace
     check_near(drift / balance.strain, 0, 1e-6, "energy drift over the strain energy");
     check_near(
       (*range.second - *range.first) / last.kinetic, 0, 1e-6, "energy, range over the kinetic energy");
-    means.check_against_exact(solid.blocks[1].material);
+    means.check_against_exact(solid.blocks[1].elasticity());
   }
 } // namespace
 

@@ -27,8 +27,8 @@ namespace wheelrail
     StartTractions
     wanted_tractions(const Solid &solid, const Contact &contact, const StaticLoads &loads, const double load)
     {
-      const StartBodies bodies = {solid.blocks[index(Body::rail)].material,
-                                  solid.blocks[index(Body::wheel)].material};
+      const StartBodies bodies = {solid.blocks[index(Body::rail)].elasticity(),
+                                  solid.blocks[index(Body::wheel)].elasticity()};
       const double      force = loads.traction_coefficient * load, velocity = loads.axle.velocity;
       return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, velocity)
                              : start_tractions(contact, force, bodies, velocity);

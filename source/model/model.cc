@@ -15,11 +15,10 @@ namespace wheelrail
     {
       Solid solid =
         make_solid(forest.local_mesh(),
-                   elasticity(scene.rail_material),
-                   elasticity(scene.wheel_material),
+                   material_law(scene.rail_material),
+                   material_law(scene.wheel_material),
                    scene.bulk_viscosity,
                    communicator,
-                   {plasticity(scene.rail_material), plasticity(scene.wheel_material)},
                    {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)});
       lower_stable_step(solid, scene.bulk_viscosity, communicator);
       return solid;
@@ -28,7 +27,7 @@ namespace wheelrail
     ContactLaw
     make_law(const Scene &scene, const Solid &solid)
     {
-      const auto body = [](const ElementBlocks &blocks) { return ContactBody{blocks.material, blocks.form}; };
+      const auto body = [](const ElementBlocks &blocks) { return ContactBody{blocks.elasticity(), blocks.form}; };
       return make_contact_law({body(solid.blocks[index(Body::rail)]), body(solid.blocks[index(Body::wheel)])},
                               {scene.penalty_scale,
                                scene.cell_size,
@@ -95,10 +94,11 @@ namespace wheelrail
   }
 
 
-  Plasticity
-  plasticity(const MaterialData &material)
+  MaterialLaw
+  material_law(const MaterialData &material)
   {
-    return {material.yield_stress, material.tangent_modulus, material.kinematic_hardening};
+    return material_law(elasticity(material),
+                        {material.yield_stress, material.tangent_modulus, material.kinematic_hardening});
   }
 
 

@@ -1,6 +1,7 @@
 #include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/sampling/fields.h>
 #include <wheelrail/solid/cauchy.h>
+#include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>

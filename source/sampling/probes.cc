@@ -1,4 +1,5 @@
 #include <wheelrail/sampling/probes.h>
+#include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>

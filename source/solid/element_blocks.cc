@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/solid/full_element.h>
+#include <wheelrail/solid/reduced_element.h>
 
 #include <algorithm>
 #include <cmath>
@@ -172,15 +173,15 @@ namespace wheelrail
   ElementBlocks
   pack_elements(const std::vector<ElementGeometry>             &geometry,
                 const std::vector<std::array<unsigned int, 8>> &cells,
-                const Elasticity                               &material,
+                const MaterialLaw                              &law,
                 const int                                       width,
                 const ElementForm                               form)
   {
     if (form == ElementForm::full)
-      return pack_full_elements(geometry, cells, material, width);
-    ElementBlocks blocks;
+      return pack_full_elements(geometry, cells, law, width);
+    const Elasticity &material = elasticity(law);
+    ElementBlocks     blocks;
     blocks.width                = width;
-    blocks.material             = material;
     blocks.n_elements           = cells.size();
     const std::size_t n_batches = (cells.size() + width - 1) / width;
     blocks.data.assign(n_batches * ElementBlocks::fields * width, 0.);
@@ -212,22 +213,20 @@ namespace wheelrail
         for (const auto &axis : g.frame)
           for (const double component : axis)
             put(component);
-        // (1/8 h.u / half)^2 V/3 integrates a linear strain over the cell: see doc/theory/element.md
         for (const double half : g.half)
-          put(std::sqrt(g.volume / 3) / (8 * half));
+          put(reduced::scaled_inverse_half(g.volume, half));
         put(2 * material.wave_speed() / std::sqrt(element_frequency_bound(g, material)));
       }
+    set_law(blocks, law);
     return blocks;
   }
 
 
   void
-  set_plasticity(ElementBlocks &blocks, const Plasticity &plasticity)
+  set_law(ElementBlocks &blocks, const MaterialLaw &law)
   {
-    blocks.plasticity = plasticity;
-    if (plasticity.elastic())
-      return;
-    const std::size_t n_batches = blocks.n_batches();
+    blocks.law                  = law;
+    const std::size_t n_batches = blocks.plastic() ? blocks.n_batches() : 0;
     blocks.history.assign(n_batches * blocks.history_rows() * blocks.width, 0.);
     blocks.plastic_work.assign(n_batches * blocks.width, 0.);
     blocks.flowed.assign(n_batches, 0);
@@ -255,21 +254,5 @@ namespace wheelrail
     std::fill(blocks.history.begin(), blocks.history.end(), 0.);
     std::fill(blocks.plastic_work.begin(), blocks.plastic_work.end(), 0.);
     std::fill(blocks.flowed.begin(), blocks.flowed.end(), 0);
-  }
-
-
-  std::vector<double>
-  element_plastic_strain(const ElementBlocks &blocks)
-  {
-    std::vector<double> strain(blocks.n_elements, 0.);
-    if (blocks.plastic())
-      for (std::size_t e = 0; e < blocks.n_elements; ++e)
-        for (int point = 0; point < blocks.n_points(); ++point)
-          {
-            const std::size_t row =
-              e / blocks.width * blocks.history_rows() + plastic_history_rows * (point + 1) - 1;
-            strain[e] = std::max(strain[e], blocks.history[row * blocks.width + e % blocks.width]);
-          }
-    return strain;
   }
 } // namespace wheelrail

@@ -1,4 +1,5 @@
 #include <wheelrail/solid/full_element.h>
+#include <wheelrail/solid/reduced_element.h>
 
 namespace wheelrail
 {
@@ -16,27 +17,23 @@ namespace wheelrail
                                    {1, -1, -1, -1},
                                    {1, 1, 1, 1}};
 
-    /// Hourglass stresses of the amplitudes p in the cell's axes: the law of the kernel, for one element.
+    /// Hourglass stresses of the amplitudes p in the cell's axes, by the law of the kernel.
     std::array<Vector, 4>
     hourglass_law(const ElementGeometry &g, const Elasticity &material, const std::array<Vector, 4> &p)
     {
-      const double          E = material.youngs_modulus, nu = material.poissons_ratio;
-      const double          plate = E / (1 - nu * nu), mu = material.shear_modulus();
-      std::array<Vector, 4> Q{};
-      Vector                c;
+      double rows[ElementBlocks::fields] = {};
       for (int k = 0; k < 3; ++k)
-        c[k] = 1 / (8 * g.half[k]);
-      for (int k = 0; k < 3; ++k)
-        {
-          const int    i = (k + 1) % 3, j = (k + 2) % 3;
-          const double ei = p[j][i] * c[i], ej = p[i][j] * c[j];
-          Q[j][i] += g.volume / 3 * plate * (ei + nu * ej) * c[i];
-          Q[i][j] += g.volume / 3 * plate * (ej + nu * ei) * c[j];
-          const double shear = g.volume / 3 * mu * (p[i][i] * c[j] + p[j][j] * c[i]);
-          Q[i][i] += shear * c[j];
-          Q[j][j] += shear * c[i];
-          Q[3][k] += g.volume / 9 * E * p[3][k] * c[k] * c[k];
-        }
+        rows[reduced::inverse_half_row + k] = reduced::scaled_inverse_half(g.volume, g.half[k]);
+      V3<1>   amplitudes[4], stresses[4];
+      Simd<1> square;
+      for (int m = 0; m < 4; ++m)
+        for (int k = 0; k < 3; ++k)
+          amplitudes[m][k] = p[m][k];
+      reduced::hourglass_stress<1>({rows}, amplitudes, material, stresses, square);
+      std::array<Vector, 4> Q;
+      for (int m = 0; m < 4; ++m)
+        for (int k = 0; k < 3; ++k)
+          Q[m][k] = stresses[m][k][0];
       return Q;
     }
 

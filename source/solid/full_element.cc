@@ -1,6 +1,9 @@
 #include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/full_element.h>
 #include <wheelrail/solid/full_points.h>
+#include <wheelrail/solid/point_state.h>
+
+#include <cmath>
 
 namespace wheelrail
 {
@@ -81,14 +84,14 @@ namespace wheelrail
   ElementBlocks
   pack_full_elements(const std::vector<ElementGeometry>             &geometry,
                      const std::vector<std::array<unsigned int, 8>> &cells,
-                     const Elasticity                               &material,
+                     const MaterialLaw                              &law,
                      const int                                       width)
   {
-    ElementBlocks blocks;
+    const Elasticity &material = elasticity(law);
+    ElementBlocks     blocks;
     blocks.form                 = ElementForm::full;
     blocks.rows                 = full::fields;
     blocks.width                = width;
-    blocks.material             = material;
     blocks.n_elements           = cells.size();
     const std::size_t n_batches = (cells.size() + width - 1) / width;
     blocks.data.resize(n_batches * full::fields * width);
@@ -109,6 +112,7 @@ namespace wheelrail
         for (int a = 0; a < 8; ++a)
           blocks.nodes[(batch * 8 + a) * width + lane] = cells[e][filler ? 0 : a];
       }
+    set_law(blocks, law);
     return blocks;
   }
 
@@ -116,19 +120,12 @@ namespace wheelrail
   std::array<std::array<double, 6>, 8>
   full_point_stress(const ElementBlocks &blocks, const std::size_t element, const double *displacement)
   {
-    const ElementPoints points = element_points(blocks, element, displacement);
-    const BilinearLaw   law(blocks.material, blocks.plasticity);
-    const std::size_t   W = blocks.width, batch = element / W, lane = element % W;
-
+    const ElementPoints                  points = element_points(blocks, element, displacement);
     std::array<std::array<double, 6>, 8> stress;
     for (int g = 0; g < 8; ++g)
       {
-        PlasticHistory<1> history;
-        if (blocks.plastic())
-          for (int k = 0; k < 5; ++k)
-            history.strain[k] = blocks.history[((batch * 8 + g) * plastic_history_rows + k) * W + lane];
         Simd<1> S[6];
-        plastic_stress<1>(law, points.point[g].E, history, S);
+        point_stress(blocks, element, g, points.point[g].E, S);
         stress[g] = cauchy_stress(gradient(points.point[g]), S);
       }
     return stress;

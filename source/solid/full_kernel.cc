@@ -17,9 +17,9 @@ namespace wheelrail
       Simd<W>  volume = 0., dilatation = 0.;
     };
 
-    template <int W>
+    template <int W, typename Law>
     inline void
-    evaluate_points(const KernelCall &call, const std::size_t batch, Points<W> &points)
+    evaluate_points(const KernelCall<Law> &call, const std::size_t batch, Points<W> &points)
     {
       Simd<W>              u[8][3];
       const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
@@ -41,59 +41,57 @@ namespace wheelrail
     }
 
     /// Stress of the bulk viscosity; records it and the dilatation.
-    template <int W>
+    template <int W, typename Law>
     inline Simd<W>
-    viscous_stress(const KernelCall &call,
-                   const std::size_t batch,
-                   const Points<W>  &points,
-                   LaneEnergy<W>    &energy)
+    viscous_stress(const KernelCall<Law> &call,
+                   const std::size_t      batch,
+                   const Points<W>       &points,
+                   LaneEnergy<W>         &energy)
     {
-      const Elasticity &material = call.blocks.material;
-      double           *old      = call.blocks.viscous.data() + batch * 2 * W;
-      const Simd<W>     rate =
+      double       *old = call.blocks.viscous.data() + batch * 2 * W;
+      const Simd<W> rate =
         (points.dilatation - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
       points.dilatation.copy_to(old, stdx::vector_aligned);
-      const double  factor = call.viscosity.coefficient * material.density * material.wave_speed();
       const double *length = call.blocks.data.data() + (batch * fields + length_row) * W;
-      const Simd<W> extra  = factor * Simd<W>(length, stdx::vector_aligned) * rate;
+      const Simd<W> extra  = call.viscous_impedance * Simd<W>(length, stdx::vector_aligned) * rate;
       energy.viscous_power += 0.5 * points.volume * (extra + Simd<W>(old + W, stdx::vector_aligned)) * rate;
       extra.copy_to(old + W, stdx::vector_aligned);
       return extra;
     }
 
-    /// Stress of one point that may flow, with its history brought up to date. `work`: the plastic work
-    /// of the element in this step.
-    template <int W, bool with_energy>
-    inline void
-    plastic_response(const KernelCall &call,
-                     const std::size_t batch,
-                     const int         g,
-                     const Point<W>   &point,
-                     const bool        flowed,
-                     bool             &flows,
-                     Simd<W> (&S)[6],
-                     Simd<W>       &work,
-                     LaneEnergy<W> &energy)
+    /// Stress of one point, with its history brought up to date; whether it flowed. `flowed`: whether the
+    /// batch did before; `work`: the plastic work of the element in this step [J].
+    template <int W, bool with_energy, typename Law>
+    inline bool
+    respond(const KernelCall<Law> &call,
+            const std::size_t      batch,
+            const int              g,
+            const Point<W>        &point,
+            const bool             flowed,
+            Simd<W> (&S)[6],
+            Simd<W>       &work,
+            LaneEnergy<W> &energy)
     {
-      double           *rows = call.blocks.history.data() + (batch * 8 + g) * plastic_history_rows * W;
-      PlasticHistory<W> history;
-      Simd<W>           density(0.);
+      double *rows = call.blocks.history.data() + (batch * 8 + g) * Law::history_rows * W;
+      typename Law::template History<Simd<W>> history;
+      Simd<W>                                 density(0.);
       if (flowed)
         history.load(rows);
-      if (radial_return<W>(call.law, point.E, history, S, density))
+      const bool flows = point_response(call.law, point.E, history, S, density);
+      if (flows)
         {
-          flows = true;
           history.store(rows);
           work += point.weight * density;
         }
       if constexpr (with_energy)
-        energy.strain += point.weight * elastic_energy<W>(point.E, history, S);
+        energy.strain += point.weight * call.law.stored_energy(point.E, history, S);
+      return flows;
     }
 
     /// The work of one batch.
-    template <int W, bool plastic, bool with_energy>
+    template <int W, bool with_energy, typename Law>
     inline void
-    batch_force(const KernelCall &call, const std::size_t batch, LaneEnergy<W> &energy)
+    batch_force(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
     {
       Points<W> points;
       evaluate_points<W>(call, batch, points);
@@ -108,26 +106,17 @@ namespace wheelrail
             component = 0.;
       Simd<W>    work(0.);
       bool       flows  = false;
-      const bool flowed = plastic && call.blocks.flowed[batch];
+      const bool flowed = has_history<Law> && call.blocks.flowed[batch];
       for (int g = 0; g < 8; ++g)
         {
           const auto &p = points.point[g];
           Simd<W>     S[6];
-          if constexpr (plastic)
-            plastic_response<W, with_energy>(call, batch, g, p, flowed, flows, S, work, energy);
-          else
-            {
-              const Simd<W> pressure = call.law.lambda * points.dilatation;
-              for (int k = 0; k < 6; ++k)
-                S[k] = 2 * call.law.shear * p.E[k] + (k < 3 ? pressure : Simd<W>(0.));
-              if constexpr (with_energy)
-                energy.strain += 0.5 * p.weight * contract<W>(S, p.E);
-            }
+          flows = respond<W, with_energy>(call, batch, g, p, flowed, S, work, energy) || flows;
           for (int k = 0; k < 3; ++k)
             S[k] += viscous;
           add_point_stress<W>(p, S, g, N);
         }
-      if constexpr (plastic)
+      if constexpr (has_history<Law>)
         {
           double *total = call.blocks.plastic_work.data() + batch * W;
           if (flows)
@@ -148,11 +137,11 @@ namespace wheelrail
 
     struct FullKernel
     {
-      template <int W, bool plastic, bool with_energy>
+      template <int W, bool with_energy, typename Law>
       static void
-      batch(const KernelCall &call, const std::size_t batch, LaneEnergy<W> &energy)
+      batch(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
       {
-        batch_force<W, plastic, with_energy>(call, batch, energy);
+        batch_force<W, with_energy>(call, batch, energy);
       }
     };
   } // namespace
@@ -166,9 +155,6 @@ namespace wheelrail
                       const bool           with_energy,
                       ElementEnergy       &energy)
   {
-    all_batches<FullKernel>(
-      {blocks, displacement, force, viscosity, BilinearLaw(blocks.material, blocks.plasticity)},
-      with_energy,
-      energy);
+    all_batches<FullKernel>(blocks, displacement, force, viscosity, with_energy, energy);
   }
 } // namespace wheelrail

@@ -1,5 +1,6 @@
 #include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/full_element.h>
+#include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/reduced_kernel.h>
 
 namespace wheelrail
@@ -39,7 +40,6 @@ namespace wheelrail
   element_stress(const ElementBlocks &blocks, const double *displacement)
   {
     std::vector<std::array<double, 6>> result(blocks.n_elements);
-    const BilinearLaw                  law(blocks.material, blocks.plasticity);
     constexpr int                      row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
     for (std::size_t e = 0; e < blocks.n_elements; ++e)
       {
@@ -58,12 +58,7 @@ namespace wheelrail
               value += Hij[3 * l + i] * Hij[3 * l + j];
             E[k] = 0.5 * value;
           }
-        PlasticHistory<1> history;
-        const std::size_t W = blocks.width, batch = e / W, lane = e % W;
-        if (blocks.plastic())
-          for (int k = 0; k < 5; ++k)
-            history.strain[k] = blocks.history[(batch * blocks.history_rows() + k) * W + lane];
-        plastic_stress<1>(law, E, history, S);
+        point_stress(blocks, e, 0, E, S);
         result[e] = cauchy_stress(Hij, S);
       }
     return result;

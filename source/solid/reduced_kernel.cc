@@ -9,96 +9,87 @@ namespace wheelrail
     using namespace reduced;
     namespace stdx = std::experimental;
 
-    /// Stress S at the centre and hourglass stresses Q of an elastic batch.
-    template <int W, bool with_energy>
-    inline void
-    elastic_response(const KernelCall &call,
-                     const Packed<W>  &g,
-                     const Simd<W> (&E)[6],
-                     const V3<W> (&p)[4],
-                     Simd<W> (&S)[6],
-                     V3<W> (&Q)[4],
-                     LaneEnergy<W> &energy)
+    /// Brings the history of a batch up to date, by the trial state; returns whether it has flowed, now
+    /// or before. If not, the history stays zero, and Q are the hourglass stresses of the state.
+    template <int W, typename Law>
+    inline bool
+    advance_history(const KernelCall<Law> &call,
+                    const std::size_t      batch,
+                    const Packed<W>       &g,
+                    const Simd<W> (&E)[6],
+                    const V3<W> (&p)[4],
+                    CellHistory<Law, W> &history,
+                    V3<W> (&Q)[4])
     {
-      const Elasticity &material = call.blocks.material;
-      elastic_stress<W>(E, call.law.lambda, call.law.shear, S);
-      Simd<W>       square;
-      const Simd<W> stabilisation =
-        hourglass_stress<W>(g, p, material.youngs_modulus, material.poissons_ratio, Q, square);
-      if constexpr (with_energy)
-        {
-          energy.strain += 0.5 * g.volume() * contract<W>(S, E);
-          energy.stabilisation += stabilisation;
-        }
-    }
-
-    /// The same for a batch that may flow, with its history brought up to date.
-    template <int W, bool with_energy>
-    inline void
-    plastic_response(const KernelCall &call,
-                     const std::size_t batch,
-                     const Packed<W>  &g,
-                     const Simd<W> (&E)[6],
-                     const V3<W> (&p)[4],
-                     Simd<W> (&S)[6],
-                     V3<W> (&Q)[4],
-                     LaneEnergy<W> &energy)
-    {
-      ElementBlocks    &blocks   = call.blocks;
-      const Elasticity &material = blocks.material;
-      double           *rows     = blocks.history.data() + batch * (plastic_history_rows + 12) * W;
-      double           *work     = blocks.plastic_work.data() + batch * W;
-      unsigned char    &flowed   = blocks.flowed[batch];
-      CellHistory<W>    history;
-      Simd<W>           done(0.);
+      constexpr int  n_rows = Law::history_rows + ElementBlocks::amplitude_rows;
+      double        *rows   = call.blocks.history.data() + batch * n_rows * W;
+      double        *work   = call.blocks.plastic_work.data() + batch * W;
+      unsigned char &flowed = call.blocks.flowed[batch];
+      Simd<W>        done(0.);
       if (flowed)
         history.load(rows);
-      if (return_to_yield<W>(call.law, material, g, E, p, history, Q, done))
+      if (return_to_yield<W>(call.law, g, E, p, history, Q, done))
         {
           flowed = 1;
           history.store(rows);
           done += Simd<W>(work, stdx::vector_aligned);
           done.copy_to(work, stdx::vector_aligned);
         }
-      if (!flowed && !with_energy)
-        {
-          // nothing to take off: the trial state is the state
-          elastic_stress<W>(E, call.law.lambda, call.law.shear, S);
-          return;
-        }
-      plastic_stress<W>(call.law, E, history.point, S);
-      V3<W>   elastic[4];
-      Simd<W> square;
+      return flowed;
+    }
+
+    /// Stress S at the centre and hourglass stresses Q of a batch after a step to the strain E and the
+    /// amplitudes p.
+    template <int W, bool with_energy, typename Law>
+    inline void
+    cell_response(const KernelCall<Law> &call,
+                  const std::size_t      batch,
+                  const Packed<W>       &g,
+                  const Simd<W> (&E)[6],
+                  const V3<W> (&p)[4],
+                  Simd<W> (&S)[6],
+                  V3<W> (&Q)[4],
+                  LaneEnergy<W> &energy)
+    {
+      CellHistory<Law, W> history;
+      if constexpr (has_history<Law>)
+        if (!advance_history<W>(call, batch, g, E, p, history, Q) && !with_energy)
+          {
+            // nothing to take off: the trial state is the state
+            call.law.elastic_stress(E, S);
+            return;
+          }
+      call.law.stress(E, history.point, S);
+      V3<W> elastic[4];
       for (int m = 0; m < 4; ++m)
         for (int k = 0; k < 3; ++k)
-          elastic[m][k] = p[m][k] - history.p[m][k];
-      const Simd<W> stabilisation =
-        hourglass_stress<W>(g, elastic, material.youngs_modulus, material.poissons_ratio, Q, square);
+          elastic[m][k] = has_history<Law> ? p[m][k] - history.p[m][k] : p[m][k];
+      Simd<W>       square;
+      const Simd<W> stabilisation = hourglass_stress<W>(g, elastic, call.law.elasticity, Q, square);
       if constexpr (with_energy)
         {
-          energy.strain += g.volume() * elastic_energy<W>(E, history.point, S);
+          energy.strain += g.volume() * call.law.stored_energy(E, history.point, S);
           energy.stabilisation += stabilisation;
-          energy.plastic_work += Simd<W>(work, stdx::vector_aligned);
+          if constexpr (has_history<Law>)
+            energy.plastic_work += Simd<W>(call.blocks.plastic_work.data() + batch * W, stdx::vector_aligned);
         }
     }
 
     /// Adds the stress of the bulk viscosity; records dilatation and stress.
-    template <int W>
+    template <int W, typename Law>
     inline void
-    add_viscosity(const KernelCall &call,
-                  const std::size_t batch,
-                  const Packed<W>  &g,
+    add_viscosity(const KernelCall<Law> &call,
+                  const std::size_t      batch,
+                  const Packed<W>       &g,
                   const Simd<W> (&E)[6],
                   Simd<W> (&S)[6],
                   LaneEnergy<W> &energy)
     {
-      const Elasticity &material = call.blocks.material;
-      double           *old      = call.blocks.viscous.data() + batch * 2 * W;
-      const Simd<W>     now      = E[0] + E[1] + E[2];
-      const Simd<W>     rate     = (now - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
+      double       *old  = call.blocks.viscous.data() + batch * 2 * W;
+      const Simd<W> now  = E[0] + E[1] + E[2];
+      const Simd<W> rate = (now - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
       now.copy_to(old, stdx::vector_aligned);
-      const double  factor = call.viscosity.coefficient * material.density * material.wave_speed();
-      const Simd<W> extra  = factor * g.length() * rate;
+      const Simd<W> extra = call.viscous_impedance * g.length() * rate;
       for (int k = 0; k < 3; ++k)
         S[k] += extra;
       energy.viscous_power += 0.5 * g.volume() * (extra + Simd<W>(old + W, stdx::vector_aligned)) * rate;
@@ -119,9 +110,9 @@ namespace wheelrail
     }
 
     /// The work of one batch.
-    template <int W, bool plastic, bool with_energy>
+    template <int W, bool with_energy, typename Law>
     inline void
-    batch_force(const KernelCall &call, const std::size_t batch, LaneEnergy<W> &energy)
+    batch_force(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
     {
       const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
       const Packed<W>      g{call.blocks.data.data() + batch * ElementBlocks::fields * W};
@@ -139,14 +130,11 @@ namespace wheelrail
       hourglass_amplitudes<W>(g, F, q, FA, p);
 
       V3<W> P[3], Q[4], G[4];
-      if constexpr (plastic)
-        plastic_response<W, with_energy>(call, batch, g, E, p, S, Q, energy);
-      else
-        elastic_response<W, with_energy>(call, g, E, p, S, Q, energy);
+      cell_response<W, with_energy>(call, batch, g, E, p, S, Q, energy);
       if (call.viscosity.time_step > 0)
         add_viscosity<W>(call, batch, g, E, S, energy);
       force_of_stress<W>(g, F, S, P);
-      if constexpr (!plastic)
+      if constexpr (!has_history<Law>)
         fetch_next<W>(g.data, nodes);
       hourglass_forces<W>(g, FA, q, Q, P, G);
       apply_forces<W>(g, nodes, P, G, call.force);
@@ -154,11 +142,11 @@ namespace wheelrail
 
     struct ReducedKernel
     {
-      template <int W, bool plastic, bool with_energy>
+      template <int W, bool with_energy, typename Law>
       static void
-      batch(const KernelCall &call, const std::size_t batch, LaneEnergy<W> &energy)
+      batch(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
       {
-        batch_force<W, plastic, with_energy>(call, batch, energy);
+        batch_force<W, with_energy>(call, batch, energy);
       }
     };
   } // namespace
@@ -172,9 +160,6 @@ namespace wheelrail
                          const bool           with_energy,
                          ElementEnergy       &energy)
   {
-    all_batches<ReducedKernel>(
-      {blocks, displacement, force, viscosity, BilinearLaw(blocks.material, blocks.plasticity)},
-      with_energy,
-      energy);
+    all_batches<ReducedKernel>(blocks, displacement, force, viscosity, with_energy, energy);
   }
 } // namespace wheelrail

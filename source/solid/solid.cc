@@ -95,7 +95,7 @@ namespace wheelrail
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           for (int a = 0; a < 8; ++a)
             mass[4 * elements.cells[body][e][a]] +=
-              solid.blocks[body].material.density * elements.geometry[body][e].node_volume[a];
+              solid.blocks[body].elasticity().density * elements.geometry[body][e].node_volume[a];
       condense(solid.mesh, mass.data());
       SharedSum sum(solid.mesh, communicator);
       sum(mass.data(), 1);
@@ -120,7 +120,7 @@ namespace wheelrail
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           {
             const double bound =
-              element_frequency_bound(elements.geometry[body][e], solid.blocks[body].material);
+              element_frequency_bound(elements.geometry[body][e], solid.blocks[body].elasticity());
             if (bound > largest)
               {
                 largest       = bound;
@@ -153,22 +153,18 @@ namespace wheelrail
 
   Solid
   make_solid(LocalMesh                         mesh,
-             const Elasticity                 &rail,
-             const Elasticity                 &wheel,
+             const MaterialLaw                &rail,
+             const MaterialLaw                &wheel,
              const double                      bulk_viscosity,
              MPI_Comm                          communicator,
-             const std::array<Plasticity, 2>  &plasticity,
              const std::array<ElementForm, 2> &forms)
   {
     Solid solid;
     solid.mesh              = std::move(mesh);
     const Elements elements = build_elements(solid, communicator);
     for (int body = 0; body < 2; ++body)
-      {
-        solid.blocks[body] = pack_elements(
-          elements.geometry[body], elements.cells[body], body == 0 ? rail : wheel, kernel_width, forms[body]);
-        set_plasticity(solid.blocks[body], plasticity[body]);
-      }
+      solid.blocks[body] = pack_elements(
+        elements.geometry[body], elements.cells[body], body == 0 ? rail : wheel, kernel_width, forms[body]);
     const std::size_t n_nodes = solid.mesh.n_nodes();
     solid.added_mass.assign(n_nodes, 0.);
     solid.displacement.assign(4 * n_nodes, 0.);

@@ -1,3 +1,4 @@
+#include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>

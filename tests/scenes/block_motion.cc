@@ -236,11 +236,10 @@ namespace scenes
       MPI_Comm_rank(communicator, &rank);
       MPI_Comm_size(communicator, &size);
       return make_solid(rank_part(scene.mesh, rank, size),
-                        scene.material,
-                        scene.material,
+                        material_law(scene.material, scene.plasticity),
+                        material_law(scene.material, scene.plasticity),
                         bulk_viscosity,
                         communicator,
-                        {scene.plasticity, scene.plasticity},
                         {form, form});
     }())
     , boundary(scene, communicator)

@@ -191,7 +191,7 @@ namespace scenes
     law_of(const Dynamics &scene, const ContactSetup &setup)
     {
       const auto body = [](const ElementBlocks &blocks) {
-        return ContactBody{blocks.material, blocks.form, blocks.n_elements == 0};
+        return ContactBody{blocks.elasticity(), blocks.form, blocks.n_elements == 0};
       };
       return make_contact_law(
         {body(scene.solid.blocks[index(Body::rail)]), body(scene.solid.blocks[index(Body::wheel)])},

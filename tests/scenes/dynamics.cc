@@ -36,11 +36,10 @@ namespace scenes
 
   Dynamics::Dynamics(LocalMesh mesh, const Setup &setup)
     : solid(make_solid(std::move(mesh),
-                       setup.material,
-                       setup.wheel_material.value_or(setup.material),
+                       material_law(setup.material, setup.plasticity),
+                       material_law(setup.wheel_material.value_or(setup.material), setup.plasticity),
                        setup.bulk_viscosity,
                        MPI_COMM_SELF,
-                       {setup.plasticity, setup.plasticity},
                        {setup.form, setup.form}))
     , time_step(setup.step_factor * solid.stable.step)
     , mass_damping(setup.mass_damping)

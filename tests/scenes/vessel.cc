@@ -1,3 +1,5 @@
+#include <wheelrail/solid/point_state.h>
+
 #include "vessel.h"
 
 #include <algorithm>

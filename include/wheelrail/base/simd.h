@@ -21,9 +21,9 @@ namespace wheelrail
   // GCC 12 takes the undefined operand inside its own AVX-512 square root for a mistake (bug 105593).
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-  template <int W>
-  inline Simd<W>
-  square_root(const Simd<W> &x)
+  template <typename T>
+  inline T
+  square_root(const T &x)
   {
     return std::experimental::sqrt(x);
   }

@@ -30,8 +30,9 @@ namespace wheelrail
   Elasticity
   elasticity(const MaterialData &material);
 
-  Plasticity
-  plasticity(const MaterialData &material);
+  /// Its material law.
+  MaterialLaw
+  material_law(const MaterialData &material);
 
   TimeScheme
   time_scheme(const Scene &scene, const Model &model);

@@ -4,7 +4,7 @@
 
 namespace wheelrail
 {
-  /// Makes elements elastic as long as it lives, whatever their yield stress; their history is neither
+  /// Makes elements elastic as long as it lives, whatever their law; their history is neither
   /// read nor written. For solvers that ask for forces in states that are no steps in time, whose
   /// flow would stay in the history.
   class ElasticMeanwhile
@@ -12,20 +12,20 @@ namespace wheelrail
   public:
     explicit ElasticMeanwhile(ElementBlocks &blocks)
       : blocks_(blocks)
-      , plasticity_(blocks.plasticity)
+      , law_(blocks.law)
     {
-      blocks_.plasticity = Plasticity();
+      blocks_.law = ElasticLaw(blocks.elasticity());
     }
     ~ElasticMeanwhile()
     {
-      blocks_.plasticity = plasticity_;
+      blocks_.law = law_;
     }
     ElasticMeanwhile(const ElasticMeanwhile &) = delete;
     ElasticMeanwhile &
     operator=(const ElasticMeanwhile &) = delete;
 
   private:
-    ElementBlocks   &blocks_;
-    const Plasticity plasticity_;
+    ElementBlocks    &blocks_;
+    const MaterialLaw law_;
   };
 } // namespace wheelrail

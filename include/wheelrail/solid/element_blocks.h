@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/base/simd.h>
-#include <wheelrail/material/bilinear.h>
+#include <wheelrail/material/material_law.h>
 #include <wheelrail/solid/element_form.h>
 
 #include <array>
@@ -51,12 +51,13 @@ namespace wheelrail
     /// Rows of the form `reduced`: B (24), volume, hX (12), frame (9), scaled inverse half lengths
     /// (3), length of the bulk viscosity (1).
     static constexpr int fields = 24 + 1 + 12 + 9 + 3 + 1;
+    /// Rows of the history of the hourglass amplitudes in that form.
+    static constexpr int amplitude_rows = 12;
 
     ElementForm                  form  = ElementForm::reduced;
     int                          width = kernel_width;
     int                          rows  = fields;
-    Elasticity                   material;
-    Plasticity                   plasticity;
+    MaterialLaw                  law;
     std::size_t                  n_elements = 0;
     AlignedVector<double>        data;
     AlignedVector<std::uint32_t> nodes;
@@ -67,7 +68,7 @@ namespace wheelrail
 
     // What plastic flow leaves behind; all empty in elastic bodies.
 
-    /// Per batch `history_rows()` x `width` numbers: plastic_history_rows for each integration point,
+    /// Per batch `history_rows()` x `width` numbers: those of the law for each integration point,
     /// then, in the form `reduced`, the 12 plastic parts of the hourglass amplitudes [m].
     AlignedVector<double>      history;
     AlignedVector<double>      plastic_work; ///< of each element so far, in the order of the lanes [J]
@@ -83,15 +84,24 @@ namespace wheelrail
     {
       return form == ElementForm::full ? 8 : 1;
     }
+    /// Zero when the law is elastic.
     int
     history_rows() const
     {
-      return plastic_history_rows * n_points() + (form == ElementForm::full ? 0 : 12);
+      const int of_point = wheelrail::history_rows(law);
+      return of_point * n_points() + (of_point > 0 && form == ElementForm::reduced ? amplitude_rows : 0);
     }
+    /// Whether the material may flow.
     bool
     plastic() const
     {
-      return !plasticity.elastic();
+      return history_rows() > 0;
+    }
+    /// Constants of the elastic part of the law.
+    const Elasticity &
+    elasticity() const
+    {
+      return wheelrail::elasticity(law);
     }
   };
 
@@ -114,27 +124,22 @@ namespace wheelrail
   void
   mark_flowed(ElementBlocks &blocks);
 
-  /// Packs elements given by their geometry and local nodes.
+  /// Packs elements given by their geometry and local nodes, with a history of zeros.
   ElementBlocks
   pack_elements(const std::vector<ElementGeometry>             &geometry,
                 const std::vector<std::array<unsigned int, 8>> &cells,
-                const Elasticity                               &material,
+                const MaterialLaw                              &law,
                 int                                             width = kernel_width,
                 ElementForm                                     form  = ElementForm::reduced);
 
-  /// Gives packed elements of any form a yield stress and a history of zeros; nothing happens when
-  /// the material is elastic.
+  /// Gives packed elements of any form another law of the same elastic constants, and a history of
+  /// zeros.
   void
-  set_plasticity(ElementBlocks &blocks, const Plasticity &plasticity);
+  set_law(ElementBlocks &blocks, const MaterialLaw &law);
 
   /// Sets what plastic flow has left behind to zeros; nothing happens when the elements are elastic.
   void
   forget_flow(ElementBlocks &blocks);
-
-  /// Accumulated plastic strain of each element [1], the largest of its integration points; zeros in
-  /// elastic bodies.
-  std::vector<double>
-  element_plastic_strain(const ElementBlocks &blocks);
 
   /// 24 x 24 stiffness of the element at rest [N/m], row-major, row = 3 node + component: the exact
   /// linearisation of the kernel, used by the static start.

@@ -12,7 +12,7 @@ namespace wheelrail
   ElementBlocks
   pack_full_elements(const std::vector<ElementGeometry>             &geometry,
                      const std::vector<std::array<unsigned int, 8>> &cells,
-                     const Elasticity                               &material,
+                     const MaterialLaw                              &law,
                      int                                             width = kernel_width);
 
   /// As subtract_internal_force, for elements packed by pack_full_elements. The strain energy is that

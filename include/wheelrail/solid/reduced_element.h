@@ -1,12 +1,26 @@
 #pragma once
 
+#include <wheelrail/material/elasticity.h>
 #include <wheelrail/solid/lanes.h>
+
+#include <cmath>
 
 // The parts of the `reduced` hexahedron for W elements at once, as inline functions for its kernels;
 // see doc/theory/element.md.
 
 namespace wheelrail::reduced
 {
+  constexpr int inverse_half_row = 46; ///< first of the three rows of scaled_inverse_half
+
+  /// The factor from hourglass amplitudes [m] to strains at the faces, times sqrt(V / 3) [m^1/2]: the square
+  /// of (1/8 h.u / half) V/3 integrates a linear strain over the cell, see doc/theory/element.md. `half`:
+  /// half edge length [m].
+  inline double
+  scaled_inverse_half(const double volume, const double half)
+  {
+    return std::sqrt(volume / 3) / (8 * half);
+  }
+
   /// Packed geometry of one batch, loaded row by row.
   template <int W>
   struct Packed
@@ -41,7 +55,7 @@ namespace wheelrail::reduced
     Simd<W>
     inverse_half(const int k) const
     {
-      return row(46 + k);
+      return row(inverse_half_row + k);
     }
     Simd<W>
     length() const
@@ -91,7 +105,7 @@ namespace wheelrail::reduced
       }
   }
 
-  // ---- phase 2: stress of the one-point field ----
+  // ---- phase 2: strain and stress of the one-point field ----
 
   /// Green's strain, xx, yy, zz, yz, xz, xy.
   template <int W>
@@ -104,16 +118,6 @@ namespace wheelrail::reduced
         const int i = row[k], j = column[k];
         E[k] = 0.5 * (H[i][j] + H[j][i] + H[0][i] * H[0][j] + H[1][i] * H[1][j] + H[2][i] * H[2][j]);
       }
-  }
-
-  /// Second Piola-Kirchhoff stress of an elastic body.
-  template <int W>
-  inline void
-  elastic_stress(const Simd<W> (&E)[6], const double lambda, const double mu, Simd<W> (&S)[6])
-  {
-    const Simd<W> pressure = lambda * (E[0] + E[1] + E[2]);
-    for (int k = 0; k < 6; ++k)
-      S[k] = 2 * mu * E[k] + (k < 3 ? pressure : Simd<W>(0.));
   }
 
   /// V F S: the nodal force is this times the mean gradient, without the stabilisation.
@@ -162,12 +166,12 @@ namespace wheelrail::reduced
   inline Simd<W>
   hourglass_stress(const Packed<W> &g,
                    const V3<W> (&p)[4],
-                   const double youngs_modulus,
-                   const double nu,
+                   const Elasticity &material,
                    V3<W> (&Q)[4],
                    Simd<W> &square)
   {
-    const double  mu    = youngs_modulus / (2 * (1 + nu));
+    const double  youngs_modulus = material.youngs_modulus, nu = material.poissons_ratio;
+    const double  mu    = material.shear_modulus();
     const double  plate = youngs_modulus / (1 - nu * nu);
     const Simd<W> c[3]  = {g.inverse_half(0), g.inverse_half(1), g.inverse_half(2)};
     Simd<W>       energy(0.);

@@ -1,32 +1,32 @@
 #pragma once
 
-#include <wheelrail/material/bilinear.h>
+#include <wheelrail/material/law.h>
 #include <wheelrail/solid/reduced_element.h>
 
 // Plastic flow of the `reduced` hexahedron; see doc/theory/element.md.
 
 namespace wheelrail::reduced
 {
-  /// What W elements remember.
-  template <int W>
+  /// What W elements remember of a law with a history.
+  template <typename Law, int W>
   struct CellHistory
   {
-    PlasticHistory<W> point;                                                           ///< at the centre
-    V3<W>             p[4] = {{0., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}}; ///< plastic amplitudes
+    typename Law::template History<Simd<W>> point;                         ///< at the centre
+    V3<W> p[4] = {{0., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}}; ///< plastic amplitudes
 
     void
     load(const double *rows)
     {
       point.load(rows);
       for (int k = 0; k < 12; ++k)
-        p[k / 3][k % 3].copy_from(rows + (plastic_history_rows + k) * W, std::experimental::vector_aligned);
+        p[k / 3][k % 3].copy_from(rows + (Law::history_rows + k) * W, std::experimental::vector_aligned);
     }
     void
     store(double *rows) const
     {
       point.store(rows);
       for (int k = 0; k < 12; ++k)
-        p[k / 3][k % 3].copy_to(rows + (plastic_history_rows + k) * W, std::experimental::vector_aligned);
+        p[k / 3][k % 3].copy_to(rows + (Law::history_rows + k) * W, std::experimental::vector_aligned);
     }
   };
 
@@ -42,36 +42,35 @@ namespace wheelrail::reduced
   /// fully plastic moment. Returns whether any lane flowed; only then was anything changed: the
   /// history, and `work`, to which the plastic work is added [J]. Q becomes the hourglass stresses of
   /// the trial state.
-  template <int W>
+  template <int W, typename Law>
   inline bool
-  return_to_yield(const BilinearLaw &law,
-                  const Elasticity  &material,
-                  const Packed<W>   &g,
+  return_to_yield(const Law       &law,
+                  const Packed<W> &g,
                   const Simd<W> (&E)[6],
                   const V3<W> (&p)[4],
-                  CellHistory<W> &history,
+                  CellHistory<Law, W> &history,
                   V3<W> (&Q)[4],
                   Simd<W> &work)
   {
     namespace stdx = std::experimental;
     Simd<W>       deviator[6], hourglass;
-    const Simd<W> n2     = trial_state<W>(law, E, history.point, deviator);
-    const double  factor = 1 + law.kinematic_ratio;
+    const Simd<W> n2     = law.trial(E, history.point, deviator);
+    const double  factor = 1 + law.back_ratio;
     V3<W>         trial[4];
     for (int m = 0; m < 4; ++m)
       for (int k = 0; k < 3; ++k)
         trial[m][k] = p[m][k] - factor * history.p[m][k];
-    hourglass_stress<W>(g, trial, material.youngs_modulus, material.poissons_ratio, Q, hourglass);
+    hourglass_stress<W>(g, trial, law.elasticity, Q, hourglass);
     // 4/9 = 1/1.5^2: a plate is fully plastic at 1.5 times the moment of first yield at its faces
     const Simd<W> m2    = (4. / 3) * hourglass / stdx::max(g.volume(), Simd<W>(1e-300));
-    const Simd<W> limit = law.yield_stress + law.isotropic_hardening * history.point.accumulated;
+    const Simd<W> limit = law.limit(history.point);
     if (!stdx::any_of((1 + 0.5 * yield_coupling) * (n2 + m2) > limit * limit))
       return false; // since 2 n m <= n^2 + m^2
-    const Simd<W> equivalent = square_root<W>(n2 + m2 + yield_coupling * square_root<W>(n2 * m2));
+    const Simd<W> equivalent = square_root(n2 + m2 + yield_coupling * square_root(n2 * m2));
     if (!stdx::any_of(equivalent > limit))
       return false;
 
-    const PlasticFlow<W> flow = radial_flow<W>(law, equivalent, history.point.accumulated);
+    const PlasticFlow<Simd<W>> flow = law.flow(equivalent, deviator, history.point);
     Simd<W> relative(0.), back(0.); // works of Q by stress relative to back stress and by the latter
     for (int m = 0; m < 4; ++m)
       for (int k = 0; k < 3; ++k)
@@ -80,8 +79,8 @@ namespace wheelrail::reduced
           back += Q[m][k] * (history.p[m][k] + 0.5 * flow.part * trial[m][k]);
           history.p[m][k] += flow.part * trial[m][k];
         }
-    work += g.volume() * apply_flow<W>(law, deviator, flow, history.point) +
-            flow.part * (flow.middle * relative + law.kinematic_ratio * back);
+    work += g.volume() * law.apply(deviator, flow, history.point) +
+            flow.part * (flow.middle * relative + law.back_ratio * back);
     return true;
   }
 } // namespace wheelrail::reduced

@@ -66,16 +66,15 @@ namespace wheelrail
   };
 
   /// Packs the elements, lumps the mass (row sums of the condensed consistent mass), and finds the
-  /// stable step for the linear bulk viscosity coefficient given. `plasticity`, `forms`: of rail and
-  /// wheel. Collective.
+  /// stable step for the linear bulk viscosity coefficient given. `rail`, `wheel`: their materials;
+  /// `forms`: their elements. Collective.
   Solid
   make_solid(LocalMesh                         mesh,
-             const Elasticity                 &rail,
-             const Elasticity                 &wheel,
+             const MaterialLaw                &rail,
+             const MaterialLaw                &wheel,
              double                            bulk_viscosity,
              MPI_Comm                          communicator,
-             const std::array<Plasticity, 2>  &plasticity = {},
-             const std::array<ElementForm, 2> &forms      = {});
+             const std::array<ElementForm, 2> &forms = {});
 
   /// Collective.
   MassProperties

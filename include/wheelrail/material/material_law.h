@@ -1,0 +1,34 @@
+#pragma once
+
+#include <wheelrail/material/bilinear.h>
+
+#include <variant>
+
+namespace wheelrail
+{
+  /// All laws that a body may be made of: the one list of them. std::visit picks.
+  using MaterialLaw = std::variant<ElasticLaw, BilinearLaw>;
+
+  /// A bilinear steel; elastic where the yield stress is infinite.
+  inline MaterialLaw
+  material_law(const Elasticity &elasticity, const Plasticity &plasticity)
+  {
+    if (plasticity.elastic())
+      return ElasticLaw(elasticity);
+    return BilinearLaw(elasticity, plasticity);
+  }
+
+  /// Constants of the elastic part, which every law has.
+  inline const Elasticity &
+  elasticity(const MaterialLaw &law)
+  {
+    return std::visit([](const auto &of) -> const Elasticity & { return of.elasticity; }, law);
+  }
+
+  /// Numbers that an integration point remembers.
+  inline int
+  history_rows(const MaterialLaw &law)
+  {
+    return std::visit([](const auto &of) { return of.history_rows; }, law);
+  }
+} // namespace wheelrail

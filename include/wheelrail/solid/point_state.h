@@ -1,0 +1,20 @@
+#pragma once
+
+#include <wheelrail/solid/element_blocks.h>
+
+namespace wheelrail
+{
+  /// Second Piola-Kirchhoff stress S [Pa] of an integration point (0 in the form `reduced`) of a packed
+  /// element at Green's strain E, both xx, yy, zz, yz, xz, xy, with the history of the last step.
+  void
+  point_stress(const ElementBlocks &blocks,
+               std::size_t          element,
+               int                  point,
+               const Simd<1> (&E)[6],
+               Simd<1> (&S)[6]);
+
+  /// Accumulated plastic strain of each element [1], the largest of its integration points; zeros in
+  /// elastic bodies.
+  std::vector<double>
+  element_plastic_strain(const ElementBlocks &blocks);
+} // namespace wheelrail

@@ -1,0 +1,60 @@
+#include <wheelrail/solid/point_state.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// What one point remembers, out of the lanes of its batch.
+    template <typename Law>
+    typename Law::template History<Simd<1>>
+    point_history(const ElementBlocks &blocks, const std::size_t element, const int point)
+    {
+      typename Law::template History<Simd<1>> history;
+      if constexpr (has_history<Law>)
+        {
+          const std::size_t W = blocks.width, batch = element / W, lane = element % W;
+          const std::size_t first = batch * blocks.history_rows() + Law::history_rows * point;
+          double            rows[Law::history_rows];
+          for (int row = 0; row < Law::history_rows; ++row)
+            rows[row] = blocks.history[(first + row) * W + lane];
+          history.load(rows);
+        }
+      return history;
+    }
+  } // namespace
+
+
+  void
+  point_stress(const ElementBlocks &blocks,
+               const std::size_t    element,
+               const int            point,
+               const Simd<1> (&E)[6],
+               Simd<1> (&S)[6])
+  {
+    const auto of_law = [&](const auto &law) {
+      law.stress(E, point_history<std::decay_t<decltype(law)>>(blocks, element, point), S);
+    };
+    std::visit(of_law, blocks.law);
+  }
+
+
+  std::vector<double>
+  element_plastic_strain(const ElementBlocks &blocks)
+  {
+    std::vector<double> strain(blocks.n_elements, 0.);
+    const auto          of_law = [&](const auto &law) {
+      using Law = std::decay_t<decltype(law)>;
+      if constexpr (has_history<Law>)
+        for (std::size_t e = 0; e < blocks.n_elements; ++e)
+          for (int point = 0; point < blocks.n_points(); ++point)
+            {
+              const auto history = point_history<Law>(blocks, e, point);
+              strain[e]          = std::max<double>(strain[e], history.accumulated[0]);
+            }
+    };
+    std::visit(of_law, blocks.law);
+    return strain;
+  }
+} // namespace wheelrail
