@@ -4,6 +4,7 @@
 // output folder. The files are read back with VTK and h5py by read_output.py.
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
@@ -270,6 +271,9 @@ namespace
     check(table.str().find("peak pressure                             1234.5 MPa") != std::string::npos,
           "the table shows the peak pressure");
     check(table.str().find("nan") == std::string::npos, "the table shows no missing figures");
+    for (const Figure &figure : all_figures())
+      check(figure_with_key(figure.key()) == &figure && &figure_named(figure.name) == &figure,
+            std::string(figure.name) + " stands once in the table of figures");
   }
 
   void

@@ -93,6 +93,13 @@ def check_summary(folder):
     check(not missing, f"summary.json has all keys {missing or ''}")
     check(not any(isinstance(v, (dict, list)) for v in summary.values()), "summary.json is flat")
     check(summary["creepage"] is None and summary["finished"] is True, "missing figures are null")
+    with open(os.path.join(folder, "figures.json")) as file:
+        figures = json.load(file)
+    described = [figure[key] for figure in figures for key in ("key", "std_key")]
+    check(len(set(described)) == len(described), "figures.json describes no key twice")
+    texts = ("title", "program_version", "finished", "stopped_because")
+    missing = [key for key in summary if key not in described and key not in texts]
+    check(not missing, f"figures.json describes the figures of summary.json {missing or ''}")
     check(summary["elements"] == 123456 and isinstance(summary["elements"], int), "counts are whole numbers")
 
 

@@ -33,6 +33,7 @@ for name in names:
     check(os.path.exists(path) and os.path.getsize(path) > 5000, f"pictures/{name}.png")
 check(page.count("data:image/png;base64,") == len(names), "the page holds all pictures")
 check(not re.search(r"(src|href)=.?https?:", page), "the page needs no network")
+check("Further figures" not in page, "all figures have a label and a unit")
 check("1234.5" in page and "Peak pressure" in page, "the page shows the peak pressure")
 check("friction coefficient is neither" in out, "a missing friction coefficient is told")
 

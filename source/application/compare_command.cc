@@ -3,6 +3,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 
@@ -17,31 +18,24 @@ namespace wheelrail
 {
   namespace
   {
-    /// A line of the table; the key in summary.json is base_si.
-    struct Line
-    {
-      const char *base, *si, *label, *unit;
-      double      factor;
-      int         decimals;
-    };
-    const Line lines[] = {
-      {"vertical_force", "N", "vertical force (given)", "kN", 1e-3, 2},
-      {"longitudinal_force", "N", "longitudinal force on the wheel (given)", "kN", 1e-3, 2},
-      {"normal_force", "N", "normal force", "kN", 1e-3, 2},
-      {"lateral_force", "N", "lateral force on the wheel", "kN", 1e-3, 3},
-      {"max_pressure", "Pa", "peak pressure", "MPa", 1e-6, 1},
-      {"max_pressure_fitted", "Pa", "peak pressure, fitted", "MPa", 1e-6, 1},
-      {"contact_area", "m2", "contact area", "mm2", 1e6, 1},
-      {"patch_lateral", "m", "width across the rail", "mm", 1e3, 2},
-      {"patch_longitudinal", "m", "length along the rail", "mm", 1e3, 2},
-      {"max_shear_traction", "Pa", "peak shear traction", "MPa", 1e-6, 1},
-      {"creepage", "", "creepage", "1e-3", 1e3, 3},
-      {"stick_fraction", "", "sticking part of the patch", "%", 1e2, 1}};
+    /// The figures of the table; the first two are given to the half-spaces.
+    const char *const compared[] = {"vertical_force",
+                                    "longitudinal_force",
+                                    "normal_force",
+                                    "lateral_force",
+                                    "max_pressure",
+                                    "max_pressure_fitted",
+                                    "contact_area",
+                                    "patch_lateral",
+                                    "patch_longitudinal",
+                                    "max_shear_traction",
+                                    "creepage",
+                                    "stick_fraction"};
 
-    std::string
-    key_of(const Line &line, const std::string &tail = "")
+    bool
+    is_given(const std::string &name)
     {
-      return line.base + tail + (*line.si ? std::string("_") + line.si : "");
+      return name == "vertical_force" || name == "longitudinal_force";
     }
 
     std::string
@@ -67,33 +61,30 @@ namespace wheelrail
       std::snprintf(
         row, sizeof(row), "  %-40s %12s %12s %11s\n", "", "finite el.", "half-space", "difference");
       out << row;
-      for (const Line &line : lines)
+      for (const char *name : compared)
         {
-          const double fe = get_figure(run, key_of(line)), hs = get_figure(halfspace, key_of(line));
-          const double difference = hs == 0 ? Summary::none : (fe - hs) / std::abs(hs);
-          const auto   shown      = [&](const double value) {
-            char number[40];
-            std::snprintf(number, sizeof(number), "%.*f", line.decimals, value * line.factor);
-            return std::isfinite(value) ? std::string(number) : std::string("-");
-          };
+          const Figure     &figure = figure_named(name);
+          const std::string label  = std::string(figure.label) + (is_given(name) ? " (given)" : "");
+          const double      fe = get_figure(run, figure.key()), hs = get_figure(halfspace, figure.key());
+          const double      difference = hs == 0 ? Summary::none : (fe - hs) / std::abs(hs);
           std::snprintf(row,
                         sizeof(row),
                         "  %-40s %12s %12s %10s%% %s\n",
-                        line.label,
-                        shown(fe).c_str(),
-                        shown(hs).c_str(),
+                        label.c_str(),
+                        figure.shown(fe).c_str(),
+                        figure.shown(hs).c_str(),
                         std::isfinite(difference) ? text("%+.2f", 100 * difference).c_str() : "-",
-                        line.unit);
+                        figure.unit);
           out << row;
-          set_figure(run, "halfspace_" + key_of(line), hs);
-          set_figure(run, std::string("relative_difference_") + line.base, difference);
-          table.push_back({{"key", key_of(line)},
-                           {"label", line.label},
-                           {"unit", line.unit},
-                           {"factor", line.factor},
-                           {"decimals", line.decimals},
+          set_figure(run, "halfspace_" + figure.key(), hs);
+          set_figure(run, std::string("relative_difference_") + name, difference);
+          table.push_back({{"key", figure.key()},
+                           {"label", label},
+                           {"unit", figure.unit},
+                           {"factor", figure.factor},
+                           {"decimals", figure.decimals},
                            {"fe", number(fe)},
-                           {"fe_std", number(get_figure(run, key_of(line, "_std")))},
+                           {"fe_std", number(get_figure(run, figure.key("_std")))},
                            {"halfspace", number(hs)},
                            {"relative_difference", number(difference)}});
         }

@@ -27,6 +27,7 @@ namespace wheelrail
       const fs::path    whole = path.extension() == ".part" ? path.stem() : path.filename();
       const std::string name = whole.string(), ending = whole.extension().string();
       for (const char *own : {"summary.json",
+                              "figures.json",
                               "log.txt",
                               "history.h5",
                               "patch_history.h5",

@@ -104,7 +104,7 @@ def table(figures):
         percent = page.number(difference, 100, 2) + " %" if page.is_number(difference) else ""
         rows.append(f"<tr><td>{html.escape(figure['label'])}</td><td class=number>{shown(figure['fe'])}</td>"
                     f"<td class=number>{shown(figure['fe_std'])}</td><td class=number>{shown(figure['halfspace'])}</td>"
-                    f"<td class=number>{percent}</td><td>{html.escape(figure['unit'])}</td></tr>")
+                    f"<td class=number>{percent}</td><td>{page.unit_text(figure)}</td></tr>")
     return "\n".join(rows + ["</table>"])
 
 

@@ -3,6 +3,8 @@
 import matplotlib.pyplot as plt
 import numpy as np
 
+import page
+import run_data
 import style
 
 
@@ -40,11 +42,16 @@ def draw_forces(run, x, label):
     return [("Forces on the wheel", style.save(run, figure, "forces"))]
 
 
-def draw_single(run, x, label, name, title, unit, factor):
+def draw_single(run, x, label, name):
+    """The history of a figure of the summary in its own unit, or in SI units where that is not known."""
     if name not in run.history or not np.isfinite(run.history[name][1]).any():
         return []
+    unit, values = run.history[name]
+    known = run_data.figure_of(run, name)
+    title = page.label_text(known) if known else plain(name)
+    unit, factor = (page.unit_text(known), known["factor"]) if known else (unit, 1)
     figure, axes = plt.subplots(figsize=(7.6, 2.9))
-    axes.plot(x, factor * run.history[name][1], color=style.BLUE, linewidth=1.2)
+    axes.plot(x, factor * values, color=style.BLUE, linewidth=1.2)
     axes.axhline(0, color=style.GREY, linewidth=0.7)
     axes.grid(True)
     axes.margins(x=0)
@@ -62,7 +69,5 @@ def draw_all(run):
         run.remarks.append("The history has fewer than two rows; its pictures are left out.")
         return []
     x, label = abscissa(run.history)
-    return (draw_forces(run, x, label) +
-            draw_single(run, x, label, "energy_error",
-                        "Energy error, relative to strain plus dissipated energy", "%", 1e2) +
-            draw_single(run, x, label, "creepage", "Creepage, positive when driving", r"$10^{-3}$", 1e3))
+    return (draw_forces(run, x, label) + draw_single(run, x, label, "energy_error") +
+            draw_single(run, x, label, "creepage"))

@@ -4,36 +4,6 @@ import base64
 import html
 import os
 
-# key in summary.json, label, unit shown, factor from SI, decimals
-FIGURES = [
-    ("normal_force_N", "Normal force", "kN", 1e-3, 2),
-    ("vertical_force_N", "Vertical force", "kN", 1e-3, 2),
-    ("longitudinal_force_N", "Longitudinal force on the wheel (positive forward)", "kN", 1e-3, 2),
-    ("lateral_force_N", "Lateral force on the wheel (positive to the track centre)", "kN", 1e-3, 2),
-    ("max_pressure_Pa", "Peak pressure", "MPa", 1e-6, 1),
-    ("max_pressure_fitted_Pa", "Peak pressure, fitted", "MPa", 1e-6, 1),
-    ("contact_area_m2", "Contact area", "mm\u00b2", 1e6, 1),
-    ("patch_lateral_m", "Patch across the rail", "mm", 1e3, 2),
-    ("patch_longitudinal_m", "Patch along the rail", "mm", 1e3, 2),
-    ("max_shear_traction_Pa", "Peak shear traction", "MPa", 1e-6, 1),
-    ("stick_fraction", "Sticking part of the patch", "%", 1e2, 1),
-    ("creepage", "Creepage", "10\u207b\u00b3", 1e3, 3),
-    ("friction_coefficient", "Friction coefficient", "", 1, 3),
-    ("max_von_mises_Pa", "Largest von Mises stress", "MPa", 1e-6, 1),
-    ("max_plastic_strain", "Largest plastic strain", "10\u207b\u00b3", 1e3, 3),
-    ("max_residual_von_mises_Pa", "Largest residual von Mises stress", "MPa", 1e-6, 1),
-    ("rolled_distance_m", "Rolled distance", "mm", 1e3, 1),
-    ("velocity_m_per_s", "Velocity", "km/h", 3.6, 1),
-    ("elements", "Elements", "", 1, 0),
-    ("time_steps", "Time steps", "", 1, 0),
-    ("time_step_s", "Time step", "ns", 1e9, 2),
-    ("element_updates_per_second", "Element updates per second", "million", 1e-6, 2),
-    ("energy_error", "Energy error", "%", 1e2, 3),
-    ("wall_time_s", "Wall time", "s", 1, 1),
-    ("peak_memory_bytes", "Peak memory, all ranks", "MB", 1e-6, 0),
-    ("ranks", "Ranks", "", 1, 0),
-]
-
 STYLE = """
 body { font-family: sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; line-height: 1.45; }
 h1 { font-size: 1.6rem; margin-bottom: 0.2rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
@@ -54,24 +24,33 @@ def is_number(value):
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def figure_rows(summary):
+def unit_text(figure):
+    """The unit of a figure as it is printed in a page."""
+    return {"mm2": "mm\u00b2", "1e-3": "10\u207b\u00b3"}.get(figure["unit"], figure["unit"])
+
+
+def label_text(figure):
+    remark = f" ({figure['remark']})" if figure["remark"] else ""
+    return figure["label"][0].upper() + figure["label"][1:] + remark
+
+
+def figure_rows(summary, figures):
     """Rows of name, value, standard deviation, unit."""
     rows = []
-    for key, label, unit, factor, decimals in FIGURES:
-        value = summary.get(key)
+    for figure in figures:
+        value, deviation = summary.get(figure["key"]), summary.get(figure["std_key"])
         if not is_number(value):
             continue
-        base, _, si = key.rpartition("_")
-        deviation = summary.get(f"{base}_std_{si}", summary.get(f"{key}_std"))
-        spread = "\u00b1 " + number(deviation, factor, decimals) if is_number(deviation) else ""
-        rows.append((label, number(value, factor, decimals), spread, unit))
+        spread = ""
+        if is_number(deviation):
+            spread = "\u00b1 " + number(deviation, figure["factor"], figure["decimals"])
+        rows.append((label_text(figure), number(value, figure["factor"], figure["decimals"]), spread, unit_text(figure)))
     return rows
 
 
-def further_rows(summary):
-    known = {key for key, *_ in FIGURES}
-    return [(key, f"{value:.6g}", "", "") for key, value in summary.items()
-            if is_number(value) and key not in known and "_std" not in key]
+def further_rows(summary, figures):
+    known = {figure[key] for figure in figures for key in ("key", "std_key")}
+    return [(key, f"{value:.6g}", "", "") for key, value in summary.items() if is_number(value) and key not in known]
 
 
 def table(rows):
@@ -106,8 +85,9 @@ def write(run, pictures):
         parts.append(state_sentence(run.summary))
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
     if run.summary is not None:
-        parts += ["<h2>Figures</h2>", table(figure_rows(run.summary))]
-        further = further_rows(run.summary)
+        if run.figures:
+            parts += ["<h2>Figures</h2>", table(figure_rows(run.summary, run.figures))]
+        further = further_rows(run.summary, run.figures)
         if further:
             parts += ["<h2>Further figures (SI)</h2>", table(further)]
     if run.patch is not None:

@@ -24,6 +24,7 @@ class Run:
         self.pictures_folder = os.path.join(folder, "pictures")
         self.remarks = []
         self.summary = None  # dictionary of summary.json
+        self.figures = []    # how its figures are shown: the entries of figures.json
         self.patch = None    # dictionary of 2-D arrays [along, lateral] and the attributes of the tick
         self.history = None  # dictionary: name -> (unit, values)
         self.friction = None  # friction coefficient
@@ -48,19 +49,34 @@ def open_hdf5(run, name, use):
         raise ReportError(f"The file {path} cannot be read as HDF5: {error}.") from error
 
 
-def load_summary(run):
-    path = os.path.join(run.folder, "summary.json")
+def read_json(run, name, kind, without):
+    """The content of a JSON file of the run; None, with a remark, when there is none."""
+    path = os.path.join(run.folder, name)
     if not os.path.exists(path):
-        run.remarks.append(f"There is no summary.json in {run.folder} (the run has not finished?); "
-                           "the table of figures is left out.")
-        return
+        run.remarks.append(f"There is no {name} in {run.folder} {without}.")
+        return None
     try:
         with open(path, encoding="utf-8") as file:
-            run.summary = json.load(file)
+            content = json.load(file)
     except ValueError as error:
         raise ReportError(f"The file {path} is no readable JSON: {error}.") from error
-    if not isinstance(run.summary, dict):
-        raise ReportError(f"The file {path} is no summary: a JSON object was expected.")
+    if not isinstance(content, kind):
+        raise ReportError(f"The file {path} is not what the program writes: "
+                          f"a JSON {'object' if kind is dict else 'array'} was expected.")
+    return content
+
+
+def load_summary(run):
+    run.summary = read_json(run, "summary.json", dict,
+                            "(the run has not finished?); the table of figures is left out")
+    if run.summary is not None:
+        run.figures = read_json(run, "figures.json", list,
+                                "(a run of an earlier version?); figures are shown by their keys, in SI units") or []
+
+
+def figure_of(run, key):
+    """How the figure with this key is shown; None when that is not known."""
+    return next((figure for figure in run.figures if figure["key"] == key), None)
 
 
 def choose_tick(file, wanted, path):

@@ -1,3 +1,4 @@
+#include <wheelrail/output/figures.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/sampling/recorder.h>
 #include <wheelrail/sampling/settling.h>
@@ -17,6 +18,14 @@ namespace wheelrail
       explicit Row(History &table)
         : table_(table)
       {
+      }
+
+      /// A quantity that is a figure of the summary too; pure numbers have the unit 1.
+      void
+      put(const std::string &figure, const double value)
+      {
+        const std::string si = figure_named(figure).si;
+        put(figure, si.empty() ? "1" : si, value);
       }
 
       void
@@ -61,24 +70,24 @@ namespace wheelrail
     const Point2       t = model_.geometry.frame.tangent(), n = model_.geometry.frame.normal();
     Row                row(state_.history);
     row.put("time", "s", rolling.time());
-    row.put("rolled_distance", "m", axle.travelled());
-    row.put("normal_force", "N", c.force[0] * n.x + c.force[1] * n.y);
-    row.put("vertical_force", "N", c.force[1]);
-    row.put("longitudinal_force", "N", c.force[2]);
-    row.put("lateral_force", "N", c.force[0]);
+    row.put("rolled_distance", axle.travelled());
+    row.put("normal_force", c.force[0] * n.x + c.force[1] * n.y);
+    row.put("vertical_force", c.force[1]);
+    row.put("longitudinal_force", c.force[2]);
+    row.put("lateral_force", c.force[0]);
     row.put("tangential_lateral_force", "N", c.force[0] * t.x + c.force[1] * t.y);
     row.put("axle_lateral_force", "N", axle.reaction()[0]);
     row.put("axle_vertical_force", "N", axle.reaction()[1]);
-    row.put("max_pressure", "Pa", c.largest_pressure);
+    row.put("max_pressure", c.largest_pressure);
     const double radius = model_.geometry.rolling_radius, V = axle.data().velocity;
-    row.put("creepage", "1", (axle.pitch_rate() * radius - V) / V);
+    row.put("creepage", (axle.pitch_rate() * radius - V) / V);
     row.put("pitch_rate", "rad/s", axle.pitch_rate());
     row.put("drive_torque", "N m", axle.applied_torque());
     row.put("axle_height", "m", axle.height());
     for (const EnergyTerm &term : e.terms())
       row.put(term.name, "J", term.value);
     row.put("energy_residual", "J", e.residual());
-    row.put("energy_error", "1", e.error());
+    row.put("energy_error", e.error());
   }
 
 
@@ -87,16 +96,16 @@ namespace wheelrail
   {
     const PatchMeasures m = measure_patch(patch);
     Row                 row(state_.patches);
-    row.put("rolled_distance", "m", patch.rolled_distance);
-    row.put("max_pressure", "Pa", m.peak_pressure);
-    row.put("max_pressure_fitted", "Pa", m.peak_pressure_fitted);
-    row.put("contact_area", "m2", m.area);
-    row.put("patch_lateral", "m", m.width);
-    row.put("patch_longitudinal", "m", m.length);
-    row.put("patch_centre_lateral", "m", m.centre_lateral);
-    row.put("patch_centre_longitudinal", "m", m.centre_along);
-    row.put("max_shear_traction", "Pa", m.max_traction);
-    row.put("stick_fraction", "", m.stick_fraction);
+    row.put("rolled_distance", patch.rolled_distance);
+    row.put("max_pressure", m.peak_pressure);
+    row.put("max_pressure_fitted", m.peak_pressure_fitted);
+    row.put("contact_area", m.area);
+    row.put("patch_lateral", m.width);
+    row.put("patch_longitudinal", m.length);
+    row.put("patch_centre_lateral", m.centre_lateral);
+    row.put("patch_centre_longitudinal", m.centre_along);
+    row.put("max_shear_traction", m.max_traction);
+    row.put("stick_fraction", m.stick_fraction);
     n_patches_ = m.n_patches;
   }
 
@@ -109,17 +118,18 @@ namespace wheelrail
       return;
     const auto  &rolled   = column(history, "rolled_distance");
     const double from     = rolled.back() - distance;
-    const auto   put_mean = [&](const std::string &key, const std::string &unit, const Mean &mean) {
-      set_figure(summary, key + (unit.empty() ? "" : "_" + unit), mean.mean);
-      set_figure(summary, key + "_std" + (unit.empty() ? "" : "_" + unit), mean.deviation);
+    const auto   put_mean = [&](const std::string &name, const Mean &mean) {
+      const Figure &figure = figure_named(name);
+      set_figure(summary, figure.key(), mean.mean);
+      set_figure(summary, figure.key("_std"), mean.deviation);
     };
-    for (const char *name : {"normal_force", "vertical_force", "longitudinal_force", "lateral_force"})
-      put_mean(name, "N", mean_from(rolled, column(history, name), from));
-    put_mean("creepage", "", mean_from(rolled, column(history, "creepage"), from));
+    for (const char *name :
+         {"normal_force", "vertical_force", "longitudinal_force", "lateral_force", "creepage"})
+      put_mean(name, mean_from(rolled, column(history, name), from));
     set_figure(summary, "energy_error", column(history, "energy_error").back());
     const auto &patch_rolled = column(patches, "rolled_distance");
     for (std::size_t c = 1; c < patches.names.size(); ++c)
-      put_mean(patches.names[c], patches.units[c], mean_from(patch_rolled, patches.columns[c], from));
+      put_mean(patches.names[c], mean_from(patch_rolled, patches.columns[c], from));
 
     if (n_patches_ > 0)
       set_figure(summary, "patches", n_patches_);

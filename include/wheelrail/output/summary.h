@@ -64,8 +64,9 @@ namespace wheelrail
   get_figure(const Summary &summary, const std::string &key);
 
   /// Writes the flat summary.json: keys with their SI unit, in the order above; counts as whole
-  /// numbers; NaN and infinite values as null. The file is replaced as a whole. To be called on one
-  /// rank; throws RunError when it cannot be written.
+  /// numbers; NaN and infinite values as null; and beside it figures.json, which says how they are shown
+  /// (figures_as_json()). The files are replaced as a whole. To be called on one rank; throws RunError
+  /// when they cannot be written.
   void
   write_summary(const Summary &summary, const std::string &path);
 
@@ -74,8 +75,8 @@ namespace wheelrail
   Summary
   read_summary(const std::string &path);
 
-  /// Prints the main figures as a table of name, value and unit (MPa, mm, kN: for reading), leaving out
-  /// those that are NaN.
+  /// Prints the figures as a table of label, value and unit (MPa, mm, kN: for reading; see
+  /// output/figures.h), then the others by their keys, leaving out those that are NaN.
   void
   print_summary(const Summary &summary, std::ostream &stream);
 } // namespace wheelrail

@@ -1,0 +1,133 @@
+#include <wheelrail/output/figures.h>
+#include <wheelrail/output/summary.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using S = Summary;
+
+    // clang-format off
+    // name, SI, label, remark, unit shown, factor, decimals, count, member
+    const std::vector<Figure> figures = {
+      {"normal_force", "N", "normal force", "", "kN", 1e-3, 2, false, &S::normal_force},
+      {"vertical_force", "N", "vertical force", "", "kN", 1e-3, 2, false, &S::vertical_force},
+      {"longitudinal_force", "N", "longitudinal force on the wheel", "positive forward", "kN", 1e-3, 2, false, &S::longitudinal_force},
+      {"lateral_force", "N", "lateral force on the wheel", "positive to the track centre", "kN", 1e-3, 3, false, &S::lateral_force},
+      {"max_pressure", "Pa", "peak pressure", "", "MPa", 1e-6, 1, false, &S::max_pressure},
+      {"max_pressure_fitted", "Pa", "peak pressure, fitted", "", "MPa", 1e-6, 1, false, &S::max_pressure_fitted},
+      {"contact_area", "m2", "contact area", "", "mm2", 1e6, 1, false, &S::contact_area},
+      {"patch_lateral", "m", "patch across the rail", "", "mm", 1e3, 2, false, &S::patch_lateral},
+      {"patch_longitudinal", "m", "patch along the rail", "", "mm", 1e3, 2, false, &S::patch_longitudinal},
+      {"patch_centre_lateral", "m", "patch centre, lateral", "positive to the track centre", "mm", 1e3, 2, false, &S::patch_centre_lateral},
+      {"patch_centre_longitudinal", "m", "patch centre, along the rail", "positive ahead of the axle", "mm", 1e3, 2, false, &S::patch_centre_longitudinal},
+      {"max_shear_traction", "Pa", "peak shear traction", "", "MPa", 1e-6, 1, false, &S::max_shear_traction},
+      {"stick_fraction", "", "sticking part of the patch", "", "%", 1e2, 1, false, &S::stick_fraction},
+      {"creepage", "", "creepage", "positive when driving", "1e-3", 1e3, 3, false, &S::creepage},
+      {"friction_coefficient", "", "friction coefficient", "", "", 1, 3, false, &S::friction_coefficient},
+      {"max_von_mises", "Pa", "largest von Mises stress", "", "MPa", 1e-6, 1, false, &S::max_von_mises},
+      {"max_plastic_strain", "", "largest plastic strain", "", "1e-3", 1e3, 3, false, &S::max_plastic_strain},
+      {"max_residual_von_mises", "Pa", "largest residual von Mises stress", "", "MPa", 1e-6, 1, false, &S::max_residual_von_mises},
+      {"rolled_distance", "m", "rolled distance", "", "mm", 1e3, 1, false, &S::rolled_distance},
+      {"velocity", "m_per_s", "velocity", "", "km/h", 3.6, 1, false, &S::velocity},
+      {"elements", "", "elements", "", "", 1, 0, true, &S::elements},
+      {"time_steps", "", "time steps", "", "", 1, 0, true, &S::time_steps},
+      {"time_step", "s", "time step", "", "ns", 1e9, 2, false, &S::time_step},
+      {"element_updates_per_second", "", "element updates per second", "", "million", 1e-6, 2, false, &S::element_updates_per_second},
+      {"energy_error", "", "energy error", "relative to strain plus dissipated energy", "%", 1e2, 3, false, &S::energy_error},
+      {"wall_time", "s", "wall time", "", "s", 1, 1, false, &S::wall_time},
+      {"peak_memory", "bytes", "peak memory, all ranks", "", "MB", 1e-6, 0, true, &S::peak_memory},
+      {"ranks", "", "ranks", "", "", 1, 0, true, &S::ranks},
+
+      {"patches", "", "separate patches", "", "", 1, 0, true, nullptr},
+      {"settled_after", "m", "settled after", "", "mm", 1e3, 1, false, nullptr},
+      {"plastic_work_rail", "J", "plastic work in the rail", "", "J", 1, 3, false, nullptr},
+      {"plastic_work_wheel", "J", "plastic work in the wheel", "", "J", 1, 3, false, nullptr},
+      {"wheel_load", "N", "wheel load", "", "kN", 1e-3, 2, false, nullptr},
+      {"rolling_radius", "m", "rolling radius", "", "mm", 1e3, 2, false, nullptr},
+      {"contact_angle", "rad", "contact angle", "positive when the tangent falls to the gauge side", "mrad", 1e3, 2, false, nullptr},
+      {"rail_head_lateral", "m", "rail head moved", "positive to the track centre", "mm", 1e3, 3, false, nullptr},
+      {"rail_head_roll", "rad", "rail head turned", "positive from X to Y", "mrad", 1e3, 3, false, nullptr},
+      {"wheel_rim_lateral", "m", "wheel rim moved", "positive to the track centre", "mm", 1e3, 3, false, nullptr},
+      {"wheel_rim_roll", "rad", "wheel rim turned", "positive from X to Y", "mrad", 1e3, 3, false, nullptr},
+      {"relative_lateral", "m", "wheel moved against the rail", "positive to the track centre", "mm", 1e3, 3, false, nullptr},
+      {"relative_roll", "rad", "rail turned against the wheel", "positive when its top leans to the track centre", "mrad", 1e3, 3, false, nullptr},
+      {"approach", "m", "approach of the half-spaces", "", "mm", 1e3, 4, false, nullptr},
+      {"spin", "per_m", "spin", "", "1/m", 1, 4, false, nullptr},
+      {"area_of_whole_elements", "m2", "area of whole elements", "", "mm2", 1e6, 1, false, nullptr},
+      {"surface_von_mises", "Pa", "largest von Mises at the surface", "", "MPa", 1e-6, 1, false, nullptr},
+      {"subsurface_von_mises", "Pa", "largest von Mises below the surface", "", "MPa", 1e-6, 1, false, nullptr},
+      {"subsurface_von_mises_depth", "m", "depth of that stress", "", "mm", 1e3, 2, false, nullptr},
+      {"grid_spacing", "m", "grid spacing", "", "mm", 1e3, 3, false, nullptr},
+      {"grid_elements_along", "", "grid elements along the rail", "", "", 1, 0, true, nullptr},
+      {"grid_elements_lateral", "", "grid elements across the rail", "", "", 1, 0, true, nullptr}};
+    // clang-format on
+  } // namespace
+
+
+  std::string
+  Figure::key(const std::string &tail) const
+  {
+    return name + tail + (*si ? std::string("_") + si : "");
+  }
+
+
+  std::string
+  Figure::shown(const double given) const
+  {
+    if (!std::isfinite(given))
+      return "-";
+    char text[64];
+    std::snprintf(text, sizeof(text), "%.*f", decimals, given * factor);
+    return text;
+  }
+
+
+  const std::vector<Figure> &
+  all_figures()
+  {
+    return figures;
+  }
+
+
+  const Figure &
+  figure_named(const std::string &name)
+  {
+    for (const Figure &figure : figures)
+      if (name == figure.name)
+        return figure;
+    throw std::logic_error("no figure " + name);
+  }
+
+
+  const Figure *
+  figure_with_key(const std::string &key)
+  {
+    for (const Figure &figure : figures)
+      if (key == figure.key())
+        return &figure;
+    return nullptr;
+  }
+
+
+  std::string
+  figures_as_json()
+  {
+    auto table = nlohmann::ordered_json::array();
+    for (const Figure &figure : figures)
+      table.push_back({{"key", figure.key()},
+                       {"std_key", figure.key("_std")},
+                       {"label", figure.label},
+                       {"remark", figure.remark},
+                       {"unit", figure.unit},
+                       {"factor", figure.factor},
+                       {"decimals", figure.decimals}});
+    return table.dump(1) + "\n";
+  }
+} // namespace wheelrail
