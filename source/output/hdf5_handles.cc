@@ -45,8 +45,9 @@ namespace wheelrail
     hid_t
     open_in_memory(const std::string &image)
     {
-      const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "prepare a file in memory");
-      require(H5Pset_fapl_core(access, 1 << 20, false), "prepare a file in memory");
+      const Handle          access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "prepare a file in memory");
+      constexpr std::size_t growth = 1 << 20; // bytes at a time: about one tick of a patch
+      require(H5Pset_fapl_core(access, growth, false), "prepare a file in memory");
 
       // HDF5 refuses to open two files of one name, also when neither is on the disk
       static std::atomic<unsigned long> counter{0};

@@ -51,7 +51,7 @@ def shear(axes, fields, scale, title):
     step = max(1, round(1.0 / spacing))
     pick = np.zeros_like(fields.loaded)
     pick[::step, ::step] = True
-    pick &= fields.loaded & (fields.shear > 0.03 * scale.shear)
+    pick &= fields.loaded & (fields.shear > patch_pictures.FAINT * scale.shear)
     axes.quiver(fields.lateral[pick], fields.along[pick], fields.shear_lateral[pick], fields.shear_along[pick],
                 angles="xy", scale_units="xy", scale=scale.shear / (1.6 * step * spacing), width=0.0035, color="#1a1a1a")
     dress(axes, fields, scale, f"{title}, nodes up to {fields.shear.max():.0f} MPa")

@@ -14,12 +14,15 @@ from matplotlib.ticker import MaxNLocator
 
 import style
 
+LOADED = 1e-3  # a node counts as loaded above this part of the peak, as in sampling/patch_edge.cc
+FAINT = 0.03   # arrows shorter than this part of the longest would be dots
+
 
 class Fields:
     """The patch in mm and MPa, cut to the loaded nodes and a margin; arrays [along, lateral]."""
 
     def __init__(self, patch, margin=2):
-        loaded = patch["pressure"] > 1e-3 * patch["pressure"].max()
+        loaded = patch["pressure"] > LOADED * patch["pressure"].max()
         rows, columns = np.nonzero(loaded.any(axis=1))[0], np.nonzero(loaded.any(axis=0))[0]
         cut = (slice(max(rows[0] - margin, 0), rows[-1] + margin + 1),
                slice(max(columns[0] - margin, 0), columns[-1] + margin + 1))
@@ -36,12 +39,12 @@ class Fields:
         scaled so that they have the same slope there."""
         square = (self.pressure / self.pressure.max()) ** 2
         if "gap" not in patch:
-            return 1e-3 - square
+            return LOADED - square
         opening = np.cbrt(np.clip(patch["gap"][cut], 0, None)) ** 2
         rim_in = self.loaded & touches(~self.loaded)
         rim_out = ~self.loaded & touches(self.loaded)
         if not rim_in.any() or not opening[rim_out].any():
-            return 1e-3 - square
+            return LOADED - square
         scale = np.mean(square[rim_in]) / np.mean(opening[rim_out])
         return np.where(self.loaded, -square, np.minimum(scale * opening, 1))
 
@@ -145,7 +148,7 @@ def draw_shear(run, fields):
     step = max(1, max(fields.shear.shape) // 24)
     pick = np.zeros_like(fields.loaded)
     pick[::step, ::step] = True
-    pick &= fields.loaded & (fields.shear > 0.03 * top)
+    pick &= fields.loaded & (fields.shear > FAINT * top)
     spacing = step * np.ptp(fields.along) / (fields.along.shape[0] - 1)
     axes.quiver(fields.lateral[pick], fields.along[pick], fields.shear_lateral[pick], fields.shear_along[pick],
                 angles="xy", scale_units="xy", scale=top / (1.6 * spacing), width=0.0035, color="#1a1a1a")

@@ -12,6 +12,8 @@ import numpy as np
 import style
 
 RESIDUAL, STRAIN = "residual_von_mises_stress", "plastic_strain"
+DEPTH = 8    # of the section [mm]: steel of 280 MPa yields down to 6.5 mm (doc/theory/material.md)
+BEFORE = 10  # of the part that has flowed [mm]: the rail that nothing has rolled over, for comparison
 
 
 class Triangles:
@@ -100,10 +102,10 @@ def draw_all(run):
     flowed = section.z[np.unique(section.corners[(section.strain[section.corners] > 0).any(axis=1)])]
     if len(flowed) == 0:
         return pictures
-    upper = section.y[section.corners].mean(axis=1) > section.y[section.corners].max() - 8
-    section.begin = flowed.min() - 10
+    upper = section.y[section.corners].mean(axis=1) > section.y[section.corners].max() - DEPTH
+    section.begin = flowed.min() - BEFORE
     near = section.z[section.corners].max(axis=1) > section.begin
     section.corners = section.corners[upper & near]
-    pictures.append((f"Plane AA below the band at X = {middle:.1f} mm, upper 8 mm of the rail",
+    pictures.append((f"Plane AA below the band at X = {middle:.1f} mm, upper {DEPTH} mm of the rail",
                      draw(run, "residual_section", section, section.y, "height Y [mm]")))
     return pictures

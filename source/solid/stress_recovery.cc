@@ -128,7 +128,8 @@ namespace wheelrail
     std::array<Stress, 3>
     slope(const Moments &m)
     {
-      // spread of the centres about their mean, with a trifle that keeps a single layer regular
+      // spread of the centres about their mean, of the size V^(5/3), with a trifle that keeps a single layer
+      // regular: half way between round-off and what would change a slope in the sixth digit
       double C[3][3];
       for (int k = 0; k < 6; ++k)
         C[first_of[k]][second_of[k]] = C[second_of[k]][first_of[k]] =

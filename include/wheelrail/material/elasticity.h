@@ -2,7 +2,8 @@
 
 namespace wheelrail
 {
-  /// Linear elastic constants [SI].
+  /// Linear elastic constants [SI]; without further word those of the steel that the checks of this program
+  /// are made with (doc/theory/verification.md).
   struct Elasticity
   {
     double youngs_modulus = 210e9;

@@ -14,11 +14,11 @@ namespace wheelrail
   };
 
   /// Linear bulk viscosity: an extra isotropic stress b1 rho c L times the rate of dilatation, with
-  /// L the cube root of the element's volume (von Neumann and Richtmyer's linear term, as in
-  /// Hallquist's manual). The rate is the change of the trace of Green's strain since the last call
-  /// over `time_step`. The power of a step is that of the mean of the extra stresses at both its ends:
-  /// central differences let forces work along the means of two steps, and sums of it times the step are
-  /// exact.
+  /// L = 2 c / omega of the element, the edge of a cube and about the shortest edge of a flat cell (von
+  /// Neumann and Richtmyer's linear term, as in Hallquist's manual; see doc/theory/element.md). The rate is
+  /// the change of the trace of Green's strain since the last call over `time_step`. The power of a step is
+  /// that of the mean of the extra stresses at both its ends: central differences let forces work along the
+  /// means of two steps, and sums of it times the step are exact.
   struct BulkViscosity
   {
     double coefficient = 0;

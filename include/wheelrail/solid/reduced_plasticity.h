@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/material/law.h>
+#include <wheelrail/solid/element_blocks.h>
 #include <wheelrail/solid/reduced_element.h>
 
 // Plastic flow of the `reduced` hexahedron; see doc/theory/element.md.
@@ -18,20 +19,22 @@ namespace wheelrail::reduced
     load(const double *rows)
     {
       point.load(rows);
-      for (int k = 0; k < 12; ++k)
+      for (int k = 0; k < ElementBlocks::amplitude_rows; ++k)
         p[k / 3][k % 3].copy_from(rows + (Law::history_rows + k) * W, std::experimental::vector_aligned);
     }
     void
     store(double *rows) const
     {
       point.store(rows);
-      for (int k = 0; k < 12; ++k)
+      for (int k = 0; k < ElementBlocks::amplitude_rows; ++k)
         p[k / 3][k % 3].copy_to(rows + (Law::history_rows + k) * W, std::experimental::vector_aligned);
     }
   };
 
   /// Shape of the yield surface between a stress that is uniform over the cell and one that varies
-  /// linearly: n^2 + m^2 + coupling n m = 1, both relative to the fully plastic state.
+  /// linearly: n^2 + m^2 + coupling n m = 1, both relative to the fully plastic state. Between the exact
+  /// surface of a plate, m = 1 - n^2, and a circle, so that beams of few layers bear their plastic moment;
+  /// see doc/theory/element.md.
   constexpr double yield_coupling = 0.25;
 
   /// Returns the state of strain E and amplitudes p to the yield surface of the cell.
@@ -62,6 +65,7 @@ namespace wheelrail::reduced
         trial[m][k] = p[m][k] - factor * history.p[m][k];
     hourglass_stress<W>(g, trial, law.elasticity, Q, hourglass);
     // 4/9 = 1/1.5^2: a plate is fully plastic at 1.5 times the moment of first yield at its faces
+    // and `hourglass` has the factor V / 3; lanes that fill up a batch have no volume and no stress
     const Simd<W> m2    = (4. / 3) * hourglass / stdx::max(g.volume(), Simd<W>(1e-300));
     const Simd<W> limit = law.limit(history.point);
     if (!stdx::any_of((1 + 0.5 * yield_coupling) * (n2 + m2) > limit * limit))
