@@ -160,6 +160,17 @@ namespace wheelrail
   }
 
 
+  double
+  Contact::power(const std::function<Vector3(unsigned int)> &velocity) const
+  {
+    double sum = 0;
+    for (const auto &[body, k] : window_.own())
+      sum += dot(states_[body].normal_force[k] + states_[body].traction_force[k],
+                 velocity(surface(body).local[k]));
+    return sum;
+  }
+
+
   void
   Contact::set_traction(const std::size_t node, const Vector3 &traction)
   {

@@ -5,14 +5,13 @@ namespace wheelrail
   void
   RollingContact::enter(EnergyBook &book)
   {
-    // all ranks evaluate the contact alike: one of them enters it
     int rank;
     MPI_Comm_rank(communicator_, &rank);
+    tells_    = rank == 0;
     stored_   = &book.term("contact_energy", EnergyKind::stored);
     friction_ = &book.term("friction_dissipation", EnergyKind::dissipated);
     damping_  = &book.term("contact_damping_dissipation", EnergyKind::dissipated);
-    if (rank > 0)
-      stored_ = friction_ = damping_ = nullptr;
+    gain_     = &book.term("contact_scheme_energy", EnergyKind::noted);
   }
 
 
@@ -24,11 +23,26 @@ namespace wheelrail
     contact_.gather(solid.displacement.data(), solid.velocity.data());
     sums_ = contact_.evaluate(now.step);
     contact_.add_forces(solid.force.data());
-    if (stored_ == nullptr)
+  }
+
+
+  void
+  RollingContact::account(const Instant &now, const Solid &solid, const std::vector<NodeInertia> &inertia)
+  {
+    gain_->add_work(now.kick.duration * contact_.power([&](const unsigned int node) {
+      return mean_velocity(solid, inertia, node, now.kick);
+    }));
+    if (!tells_)
       return;
+    const double friction = now.kick.duration * sums_.friction_power,
+                 damping  = now.kick.duration * sums_.damping_power;
     stored_->here += sums_.stored_energy;
-    friction_->add_work(now.kick.duration * sums_.friction_power);
-    damping_->add_work(now.kick.duration * sums_.damping_power);
+    friction_->add_work(friction);
+    damping_->add_work(damping);
+    gain_->here += sums_.stored_energy;
+    gain_->add_work(friction + damping);
+    if (now.first)
+      gain_->add_done(-sums_.stored_energy); // counted from the start on
   }
 
 

@@ -6,6 +6,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <vector>
 
 namespace wheelrail
@@ -46,6 +47,11 @@ namespace wheelrail
     /// Adds the nodal forces of the last evaluation: force has 4 numbers a node.
     void
     add_forces(double *force) const;
+
+    /// Power of the nodal forces of the last evaluation on both bodies [W]: the part of the nodes that this
+    /// rank owns. `velocity` gives that of a node of the rank [m/s].
+    double
+    power(const std::function<Vector3(unsigned int)> &velocity) const;
 
     /// A loaded rail node as a tangent spring along the normal, for the static start: it is stretched by
     /// the sum of weight x displacement of its nodes (filtered node and facet, numbered globally).

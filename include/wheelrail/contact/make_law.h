@@ -30,8 +30,9 @@ namespace wheelrail
   /// added ("bipenalty") mass that keeps the contact springs from shortening the step (Askes,
   /// Caramés-Saddler and Rodríguez-Ferran 2010). A spring eps between two masses m per area swings at
   /// sqrt(2 eps/m). With the damping ratio z, the damper taken at the half step behind, central differences
-  /// are stable up to omega dt = 2 (sqrt(1 + z^2) - z), so m = 2 eps (dt/that)^2; see doc/theory/contact.md.
-  /// `step` is the stable step of the elements [s]. Filters as surface_filter() says.
+  /// are stable up to omega dt = 2 (sqrt(1 + z^2) - z), so m = 2 eps (dt/that)^2, but omega dt is 1.5 at
+  /// most: nodes that open and close gain energy near the limit of linear stability; see
+  /// doc/theory/contact.md. `step` is the stable step of the elements [s]. Filters as surface_filter() says.
   ContactLaw
   make_contact_law(const PerBody<ContactBody> &bodies, const ContactChoice &choice, double step);
 

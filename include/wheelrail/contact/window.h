@@ -64,6 +64,12 @@ namespace wheelrail
     {
       return nodes_;
     }
+    /// Those that this rank owns.
+    const std::vector<Node> &
+    own() const
+    {
+      return own_;
+    }
     double
     wheel_ahead() const
     {

@@ -6,6 +6,10 @@
 namespace wheelrail
 {
   /// The contact of the two running surfaces as a part of the time loop: its window follows the axle.
+  ///
+  /// The noted term `contact_scheme_energy` is what discrete contact has brought in since the start: spring
+  /// energy, friction and damping less the work that the bodies did on the contact. In exact contact it is
+  /// zero; nodes that open and close between two steps, and stick-slip changes, make it grow.
   class RollingContact : public Part
   {
   public:
@@ -20,6 +24,8 @@ namespace wheelrail
     enter(EnergyBook &book) override;
     void
     add_forces(const Instant &now, Solid &solid) override;
+    void
+    account(const Instant &now, const Solid &solid, const std::vector<NodeInertia> &inertia) override;
 
     /// Of the last step.
     const ContactSums &
@@ -33,7 +39,9 @@ namespace wheelrail
     const Axle &axle_;
     MPI_Comm    communicator_;
     ContactSums sums_;
+    bool        tells_  = false; ///< this rank tells what all ranks know alike
     EnergyTerm *stored_ = nullptr, *friction_ = nullptr, *damping_ = nullptr;
+    EnergyTerm *gain_ = nullptr; ///< of the scheme
   };
 
   /// Turns the added mass of the wheel's running surface with the wheel: mass that moves on a circle needs a
