@@ -10,24 +10,20 @@ namespace wheelrail
 {
   namespace
   {
-    Solid
-    make_bodies(const Scene &scene, const Forest &forest, MPI_Comm communicator)
+    SolidChoice
+    bodies_of(const Scene &scene)
     {
-      Solid solid =
-        make_solid(forest.local_mesh(),
-                   material_law(scene.rail_material),
-                   material_law(scene.wheel_material),
-                   scene.bulk_viscosity,
-                   communicator,
-                   {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)});
-      lower_stable_step(solid, scene.bulk_viscosity, communicator);
-      return solid;
+      return {{material_law(scene.rail_material), material_law(scene.wheel_material)},
+              {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)},
+              scene.bulk_viscosity};
     }
 
     ContactLaw
     make_law(const Scene &scene, const Solid &solid)
     {
-      const auto body = [](const ElementBlocks &blocks) { return ContactBody{blocks.elasticity(), blocks.form}; };
+      const auto body = [](const ElementBlocks &blocks) {
+        return ContactBody{blocks.elasticity(), blocks.form};
+      };
       return make_contact_law({body(solid.blocks[index(Body::rail)]), body(solid.blocks[index(Body::wheel)])},
                               {scene.penalty_scale,
                                scene.cell_size,
@@ -37,25 +33,15 @@ namespace wheelrail
                               solid.stable.step);
     }
 
-    /// The contact of the bodies on the lattice of the plan. Its window holds the longest patch and two cells
-    /// on either side of it; the surface nodes get the added mass of its law.
+    /// Between the running surfaces of the plan, with a window that holds the longest patch and two cells on
+    /// either side of it; to be prepared.
     std::unique_ptr<Contact>
-    make_contact(const Scene &scene, Model &model, MPI_Comm communicator)
+    make_contact(const Scene &scene, const Model &model, MPI_Comm communicator)
     {
-      const SweepPlan       &plan     = model.forest->plan();
-      const RunningSurfaces &surfaces = plan.surfaces;
-      const Lattice          lattice  = make_lattice(plan);
-      const auto             collect  = [&](const Body body) {
-        return make_surface(model.solid.mesh, body, surfaces, lattice, communicator);
-      };
-      const ContactLaw law = make_law(scene, model.solid);
-      const double     half_window =
+      const RunningSurfaces &surfaces = model.forest->plan().surfaces;
+      const double           half_window =
         half_length_bound(model.expected_approach, surfaces.rolling_radius) + 2 * scene.cell_size;
-      auto contact = std::make_unique<Contact>(surfaces, law, half_window, communicator);
-      contact->prepare(collect(Body::rail), collect(Body::wheel));
-      for (const Body body : both_bodies)
-        add_surface_mass(contact->surface(body), law.added_mass, model.solid.added_mass.data());
-      return contact;
+      return std::make_unique<Contact>(surfaces, make_law(scene, model.solid), half_window, communicator);
     }
 
     /// The axle without its torque, which follows from the load.
@@ -126,6 +112,25 @@ namespace wheelrail
   }
 
 
+  void
+  prepare(const Scene &scene, Model &model, MPI_Comm communicator)
+  {
+    prepare(model.solid, model.forest->local_mesh(), communicator);
+    lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
+    if (!model.contact)
+      model.contact = make_contact(scene, model, communicator);
+    const SweepPlan &plan    = model.forest->plan();
+    const Lattice    lattice = make_lattice(plan);
+    const auto       collect = [&](const Body body) {
+      return make_surface(model.solid.mesh, body, plan.surfaces, lattice, communicator);
+    };
+    model.contact->prepare(collect(Body::rail), collect(Body::wheel));
+    for (const Body body : both_bodies)
+      add_surface_mass(
+        model.contact->surface(body), model.contact->law().added_mass, model.solid.added_mass.data());
+  }
+
+
   Model
   make_model(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator)
   {
@@ -133,10 +138,10 @@ namespace wheelrail
     model.geometry          = geometry.contact;
     model.expected_approach = expected_approach(scene, geometry.contact.rolling_radius);
     model.forest            = std::make_unique<Forest>(communicator, sweep_plan(scene, geometry));
-    model.solid             = make_bodies(scene, *model.forest, communicator);
-    model.contact           = make_contact(scene, model, communicator);
-    model.axle              = make_axle(scene, geometry.contact);
-    model.wheel_load        = (scene.sprung_mass + scene.axle_mass +
+    model.solid.choice      = bodies_of(scene);
+    prepare(scene, model, communicator);
+    model.axle       = make_axle(scene, geometry.contact);
+    model.wheel_load = (scene.sprung_mass + scene.axle_mass +
                         mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass) *
                        scene.gravity;
     model.axle.torque = scene.traction_coefficient * model.wheel_load * geometry.contact.rolling_radius;

@@ -151,6 +151,31 @@ namespace wheelrail
   } // namespace
 
 
+  void
+  prepare(Solid &solid, LocalMesh mesh, MPI_Comm communicator)
+  {
+    const SolidChoice choice = solid.choice;
+    solid                    = Solid();
+    solid.choice             = choice;
+    solid.mesh               = std::move(mesh);
+    const Elements elements  = build_elements(solid, communicator);
+    for (const Body body : both_bodies)
+      solid.blocks[index(body)] = pack_elements(elements.geometry[index(body)],
+                                                elements.cells[index(body)],
+                                                choice.material[body],
+                                                kernel_width,
+                                                choice.form[body]);
+    const std::size_t n_nodes = solid.mesh.n_nodes();
+    solid.added_mass.assign(n_nodes, 0.);
+    solid.displacement.assign(4 * n_nodes, 0.);
+    solid.velocity.assign(4 * n_nodes, 0.);
+    solid.force.assign(4 * n_nodes, 0.);
+    lump_mass(solid, elements, communicator);
+    solid.stable = find_stable_step(solid, elements, choice.bulk_viscosity, communicator);
+    reduce_quality(solid.quality, communicator);
+  }
+
+
   Solid
   make_solid(LocalMesh                         mesh,
              const MaterialLaw                &rail,
@@ -160,19 +185,8 @@ namespace wheelrail
              const std::array<ElementForm, 2> &forms)
   {
     Solid solid;
-    solid.mesh              = std::move(mesh);
-    const Elements elements = build_elements(solid, communicator);
-    for (int body = 0; body < 2; ++body)
-      solid.blocks[body] = pack_elements(
-        elements.geometry[body], elements.cells[body], body == 0 ? rail : wheel, kernel_width, forms[body]);
-    const std::size_t n_nodes = solid.mesh.n_nodes();
-    solid.added_mass.assign(n_nodes, 0.);
-    solid.displacement.assign(4 * n_nodes, 0.);
-    solid.velocity.assign(4 * n_nodes, 0.);
-    solid.force.assign(4 * n_nodes, 0.);
-    lump_mass(solid, elements, communicator);
-    solid.stable = find_stable_step(solid, elements, bulk_viscosity, communicator);
-    reduce_quality(solid.quality, communicator);
+    solid.choice = {{rail, wheel}, {forms[0], forms[1]}, bulk_viscosity};
+    prepare(solid, std::move(mesh), communicator);
     return solid;
   }
 

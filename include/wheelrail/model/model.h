@@ -42,6 +42,11 @@ namespace wheelrail
   SweepPlan
   sweep_plan(const Scene &scene, const SceneGeometry &geometry);
 
+  /// Prepares the bodies and the contact for the mesh that the forest has now, at rest: masses, stable step,
+  /// surfaces, added mass. The law of the contact stays that of the first mesh. Collective.
+  void
+  prepare(const Scene &scene, Model &model, MPI_Comm communicator);
+
   /// Builds the model. Throws InputError when the scene cannot be built. Collective.
   Model
   make_model(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator);

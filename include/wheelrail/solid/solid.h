@@ -35,6 +35,14 @@ namespace wheelrail
     double  inertia = 0; ///< about the axis through `about` along X [kg m2]
   };
 
+  /// What the bodies are made of, whatever their mesh.
+  struct SolidChoice
+  {
+    PerBody<MaterialLaw> material;
+    PerBody<ElementForm> form{};
+    double               bulk_viscosity = 0; ///< coefficient of the linear bulk viscosity
+  };
+
   /// The deformable bodies of one rank: packed elements, lumped mass, and the nodal state.
   ///
   /// What a step leaves to the next, and a checkpoint must hold: displacement, velocity, and of each
@@ -52,6 +60,7 @@ namespace wheelrail
     AlignedVector<double> velocity;     ///< 4 x n_nodes, at the half step behind [m/s]
     AlignedVector<double> force;        ///< 4 x n_nodes [N]
 
+    SolidChoice   choice;
     unsigned char finest_level = 0; ///< over all ranks
     StableStep    stable;
     MeshQuality   quality;
@@ -65,9 +74,13 @@ namespace wheelrail
     }
   };
 
-  /// Packs the elements, lumps the mass (row sums of the condensed consistent mass), and finds the
-  /// stable step for the linear bulk viscosity coefficient given. `rail`, `wheel`: their materials;
-  /// `forms`: their elements. Collective.
+  /// Takes a mesh and fills all that follows from it, at rest: packs the elements, lumps the mass (row sums
+  /// of the condensed consistent mass), and finds the stable step. solid.choice stays. Collective.
+  void
+  prepare(Solid &solid, LocalMesh mesh, MPI_Comm communicator);
+
+  /// Bodies of the materials `rail` and `wheel` and of elements of the `forms`, prepared for a mesh.
+  /// Collective.
   Solid
   make_solid(LocalMesh                         mesh,
              const MaterialLaw                &rail,
