@@ -3,6 +3,7 @@
 #include "check.h"
 
 #include <wheelrail/application/commands.h>
+#include <wheelrail/base/errors.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/patch_measures.h>
@@ -64,6 +65,35 @@ namespace
     for (const char *file : {"parameters.prm", "pictures/sheet.png", "pictures/cut_along.png"})
       check(fs::exists(folder / "scene-halfspace" / file), std::string(file) + " is written");
   }
+  /// Friction that falls with the slip to a tenth cannot carry a traction of 0.25.
+  void
+  too_much_force()
+  {
+    std::ostringstream out;
+    std::string        message;
+    try
+      {
+        execute({"halfspace",
+                 (folder / "scene.prm").string(),
+                 "--set",
+                 "Half-space/Element size = 1 mm",
+                 "--set",
+                 "Contact/Friction law = rational",
+                 "--set",
+                 "Contact/Dynamic friction coefficient = 0.05",
+                 "--set",
+                 "Contact/Friction half velocity = 0.01 m/s"},
+                {},
+                out);
+      }
+    catch (const InputError &error)
+      {
+        message = error.what();
+      }
+    const std::string head = "Half-space problem: ";
+    check(message.compare(0, head.size(), head) == 0 && message.find("does not carry") != std::string::npos,
+          "more force than falling friction carries is refused [" + message + "]");
+  }
 } // namespace
 
 int
@@ -90,5 +120,6 @@ main()
   const Summary b = solve("local radius", "-0.25");
   check_near(b.longitudinal_force / s.longitudinal_force, -1, 0.002, "braking force");
   check(b.creepage < 0, "braking creepage");
+  too_much_force();
   return test::report();
 }

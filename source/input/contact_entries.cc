@@ -70,8 +70,11 @@ namespace wheelrail
                           "in the cell size out of the surface response of the mesh; none: bare nodes."},
                          {{"consistent", true}, {"none", false}},
                          field(&S::surface_filter)));
-    list.push_back(pure_entry({"Contact", "Damping", "Contact damping as a fraction of critical."},
-                              B::between("0", "1"),
+    list.push_back(pure_entry({"Contact",
+                               "Damping",
+                               "Contact damping as a fraction of critical; without any, nodes that open "
+                               "and close gain energy."},
+                              B::between("0.05", "1"),
                               field(&S::contact_damping)));
     return list;
   }

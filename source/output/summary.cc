@@ -81,6 +81,8 @@ namespace wheelrail
       json[figure.first] = to_json(figure.second, false);
     json["finished"]        = summary.finished;
     json["stopped_because"] = summary.stop_reason;
+    json["trusted"]         = summary.finished && summary.doubts.empty();
+    json["doubts"]          = summary.doubts;
 
     // a title may hold bytes that are no UTF-8; they must not stop a run at its end
     replace_file(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -105,6 +107,8 @@ namespace wheelrail
         summary.program_version = item.value().get<std::string>();
       else if (item.value().is_string() && item.key() == "stopped_because")
         summary.stop_reason = item.value().get<std::string>();
+      else if (item.value().is_string() && item.key() == "doubts")
+        summary.doubts = item.value().get<std::string>();
       else if (item.value().is_boolean() && item.key() == "finished")
         summary.finished = item.value().get<bool>();
       else if (item.value().is_null())
@@ -133,5 +137,7 @@ namespace wheelrail
     print_line(stream, "finished", summary.finished ? "yes" : "no", "");
     if (!summary.stop_reason.empty())
       stream << "  " << summary.stop_reason << '\n';
+    if (summary.finished && !summary.doubts.empty())
+      stream << "  not to be trusted: " << summary.doubts << '\n';
   }
 } // namespace wheelrail

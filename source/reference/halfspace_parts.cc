@@ -49,7 +49,8 @@ namespace wheelrail
   {
     HalfspaceSolution solution = solve_rolling(problem);
     if (!solution.within_friction)
-      throw InputError("Half-space problem: " + solution.not_reached);
+      throw InputError("Half-space problem: " +
+                       solution.not_reached.substr(0, solution.not_reached.find_last_not_of(' ') + 1));
     return solution;
   }
 

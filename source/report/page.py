@@ -63,6 +63,9 @@ def table(rows):
 
 def state_sentence(summary):
     if summary.get("finished"):
+        doubts = html.escape(str(summary.get("doubts") or ""))
+        if doubts:
+            return f"<p class=bad>The run finished, but should not be trusted: {doubts}</p>"
         return "<p class=good>The run finished.</p>"
     reason = html.escape(str(summary.get("stopped_because") or "No reason is recorded."))
     return f"<p class=bad>The run did not finish. {reason}</p>"

@@ -48,6 +48,37 @@ namespace wheelrail
   }
 
 
+  std::string
+  doubts_about(const Summary &summary, const double from)
+  {
+    // main scene: 0.03 % and 0.08 %; coarse cells of 4 mm stay below half of these
+    constexpr double force_noise = 0.02, pressure_noise = 0.05, energy_error = 0.005;
+    std::string      doubts;
+    const auto       noise = [&](const char *what, const char *key, const char *std_key, const double limit) {
+      const double share = get_figure(summary, std_key) / get_figure(summary, key);
+      if (!(share <= limit))
+        doubts += text("%s swings by %.1f %% of its mean (standard deviation; %.0f %% are usual at most). ",
+                       what,
+                       100 * share,
+                       100 * limit);
+    };
+    noise("the normal force", "normal_force_N", "normal_force_std_N", force_noise);
+    noise("the peak pressure", "max_pressure_fitted_Pa", "max_pressure_fitted_std_Pa", pressure_noise);
+    if (!(summary.energy_error <= energy_error))
+      doubts += text("the energy balance is off by %.1f %% of strain plus dissipated energy. ",
+                     100 * summary.energy_error);
+    const double settled = get_figure(summary, "settled_after_m");
+    if (from > 0 && settled > from)
+      doubts += text(
+        "longitudinal force or peak shear have not come within 1 %% of their means before %.1f mm "
+        "rolled, where the means begin; roll farther (Run/Rolling distance). ",
+        1e3 * from);
+    if (!doubts.empty())
+      doubts.pop_back();
+    return doubts;
+  }
+
+
   Summary
   summary_of(const RunParts &run, const RunTally &tally, const double averaging_distance)
   {

@@ -334,12 +334,9 @@ namespace wheelrail
                       t.parts,
                       t.update));
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
-      const double settled = get_figure(summary, "settled_after_m"), from = averaging_start();
-      if (summary.finished && from > 0 && settled > from)
-        log_.warning(
-          text("longitudinal force or peak shear have not come within 1 %% of their means before %.1f mm "
-               "rolled, where the means begin; roll farther (Run/Rolling distance)",
-               1e3 * from));
+      summary.doubts = summary.finished ? doubts_about(summary, averaging_start()) : "";
+      if (!summary.doubts.empty())
+        log_.warning("the figures should not be trusted: " + summary.doubts);
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
         print_summary(summary, std::cout);

@@ -50,8 +50,9 @@ namespace wheelrail
     /// "halfspace_max_pressure_Pa", "relative_difference_max_pressure", ...
     std::vector<std::pair<std::string, double>> further;
 
-    bool        finished = false; ///< the run reached its end and may be trusted
+    bool        finished = false; ///< the run reached its end
     std::string stop_reason;      ///< why it did not, a sentence; empty when finished
+    std::string doubts; ///< why the figures should not be trusted, sentences; empty when they may be
   };
 
   /// Sets a figure by its key in the file ("max_pressure_Pa"); a key that is none of the members

@@ -21,6 +21,13 @@ namespace wheelrail
   };
 
   /// The figures of a run at its end or where it stopped, without `finished` and the reason. Collective.
+  /// Why the figures of a finished run should not be trusted, in sentences; empty when they may be. Judged
+  /// are the noise of normal force and peak pressure over the last stretch, the energy error, and whether
+  /// forces had settled before the means began at `from` [m]: a balanced energy alone does not protect, since
+  /// contact that chatters keeps it.
+  std::string
+  doubts_about(const Summary &summary, double from);
+
   Summary
   summary_of(const RunParts &run, const RunTally &tally, double averaging_distance);
 } // namespace wheelrail

@@ -101,7 +101,7 @@ namespace wheelrail
     double     time_step_factor   = 0.95; ///< fraction of the stable step
     double     bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
     double     gravity            = 9.81; ///< [m/s2]
-    double     energy_limit       = 0.05; ///< energy error at which the run stops
+    double     energy_limit       = 0.005; ///< energy error at which the run stops
 
     // Output
     std::string  folder              = "output/scene";

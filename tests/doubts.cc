@@ -1,0 +1,60 @@
+// When the figures of a finished run are not to be trusted: noise, energy, settling.
+
+#include <wheelrail/run/run_end.h>
+
+#include "check.h"
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  /// A quiet run of 100 kN and 1200 MPa, settled after 5 mm.
+  Summary
+  quiet()
+  {
+    Summary summary;
+    summary.energy_error = 4e-4;
+    for (const auto &[key, value] : {std::pair<const char *, double>{"normal_force_N", 1e5},
+                                     {"normal_force_std_N", 30.},
+                                     {"max_pressure_fitted_Pa", 1.2e9},
+                                     {"max_pressure_fitted_std_Pa", 1e6},
+                                     {"settled_after_m", 5e-3}})
+      set_figure(summary, key, value);
+    return summary;
+  }
+
+  std::string
+  doubts(const char *key, const double value, const double from = 40e-3)
+  {
+    Summary summary = quiet();
+    set_figure(summary, key, value);
+    return doubts_about(summary, from);
+  }
+
+  void
+  holds(const std::string &text, const std::string &part, const std::string &name)
+  {
+    check(text.find(part) != std::string::npos, name + " [" + text + "]");
+  }
+} // namespace
+
+int
+main()
+{
+  check(doubts_about(quiet(), 40e-3).empty(), "a quiet run is trusted");
+  check(doubts("normal_force_std_N", 1900).empty(), "so is one whose force swings by 1.9 %");
+  holds(doubts("normal_force_std_N", 8500),
+        "the normal force swings by 8.5 % of its mean",
+        "contact that chatters is doubted, though its energy is in balance");
+  holds(
+    doubts("max_pressure_fitted_std_Pa", 9e7), "the peak pressure swings by 7.5 %", "noise of the pressure");
+  holds(doubts("energy_error", 0.015), "the energy balance is off by 1.5 %", "energy");
+  holds(doubts("settled_after_m", 50e-3),
+        "have not come within 1 %",
+        "means that begin before the run is steady");
+  check(doubts("settled_after_m", 50e-3, 0).empty(), "not where the means are those of the whole run");
+  holds(
+    doubts("normal_force_std_N", std::nan("")), "the normal force", "a value that is no number is doubted");
+  return report();
+}
