@@ -46,7 +46,7 @@ namespace
     options.stop_after_steps = stop_after_steps;
     options.prm_text         = "# a test\n";
     options.parameters_text  = print_parameters(scene);
-    const int code           = run_simulation(scene, options);
+    const int code           = run_simulation(scene, make_geometry(scene), options);
     MPI_Barrier(MPI_COMM_WORLD); // rank 0 has written
     return code;
   }

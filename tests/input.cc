@@ -367,7 +367,7 @@ namespace
     const std::string file = std::string(WHEELRAIL_SOURCE_DIR) + "/prm/quickstart.prm";
     Scene             scene;
     RunOptions        options;
-    const RunFunction run = [&](const Scene &s, const RunOptions &o) {
+    const RunFunction run = [&](const Scene &s, const SceneGeometry &, const RunOptions &o) {
       scene   = s;
       options = o;
       return 3;

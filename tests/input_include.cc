@@ -101,7 +101,7 @@ namespace
                print_parameters(read("kept.prm")),
                "it reads back to the same scene");
     RunOptions        options;
-    const RunFunction run = [&](const Scene &, const RunOptions &o) {
+    const RunFunction run = [&](const Scene &, const SceneGeometry &, const RunOptions &o) {
       options = o;
       return 0;
     };

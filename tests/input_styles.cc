@@ -42,7 +42,7 @@ namespace
   printed(const std::string &style)
   {
     std::ostringstream out;
-    const RunFunction  run = [](const Scene &, const RunOptions &) { return 0; };
+    const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
     execute({"parameters", style, "--set", "Run/Rolling distance = 30 mm"}, run, out);
     return out.str();
   }

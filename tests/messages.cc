@@ -203,7 +203,7 @@ namespace
       std::string line;
       for (const std::string &argument : arguments)
         line += " " + argument;
-      const RunFunction run = [](const Scene &, const RunOptions &) { return 0; };
+      const RunFunction run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
       check_text(message_of([&]() { execute(arguments, run, std::cout); }), expected, "wheelrail" + line);
     };
     check_line({"simulate"},

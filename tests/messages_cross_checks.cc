@@ -78,7 +78,7 @@ namespace
                 const std::string              &expected,
                 const Machine                  &machine = {})
   {
-    const Findings found = scene_checks(scene_with(sets), machine);
+    const Findings found = check_scene(scene_with(sets), machine).found;
     std::string    all;
     for (const std::string &warning : found.warnings)
       all += (all.empty() ? "" : "\n") + warning;
@@ -89,7 +89,7 @@ namespace
   void
   check_error(const std::vector<std::string> &sets, const std::string &expected, const Machine &machine = {})
   {
-    const Findings found = scene_checks(scene_with(sets), machine);
+    const Findings found = check_scene(scene_with(sets), machine).found;
     check_text(found.errors.empty() ? "no error" : found.errors.front(),
                expected,
                "error: " + expected.substr(0, expected.find(": ")));
@@ -98,7 +98,7 @@ namespace
   void
   test_warnings()
   {
-    const Findings none = scene_checks(Scene(), {2, 2, 16e9, 12e9});
+    const Findings none = check_scene(Scene(), {2, 2, 16e9, 12e9}).found;
     check(none.errors.empty() && none.warnings.empty(), "the defaults raise no question");
     check_warning({"Contact/Friction coefficient = 0.2"},
                   "Wheelset/Traction coefficient = 0.25: friction carries at most Contact/Friction "

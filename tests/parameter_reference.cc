@@ -68,7 +68,7 @@ main()
     }
 
   std::ostringstream out;
-  const RunFunction  run = [](const Scene &, const RunOptions &) { return 0; };
+  const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
   check(execute({"parameters", "--markdown"}, run, out) == 0, "parameters --markdown");
   check_text(out.str(), expected, "parameters --markdown prints the reference");
   return test::report();

@@ -56,15 +56,6 @@ namespace wheelrail
                           : read_scene(file, sets_of(options));
     }
 
-    /// The scene of input_of() if it can be computed.
-    Scene
-    scene_of(const po::variables_map &options)
-    {
-      const SceneInput input = input_of(options);
-      require_computable(input);
-      return input.scene;
-    }
-
     /// The processes that the launcher would start a run on, which it tells by an environment variable; 0
     /// when it does not.
     unsigned int
@@ -77,10 +68,11 @@ namespace wheelrail
     int
     validate(const po::variables_map &options, std::ostream &out)
     {
-      const SceneInput input = input_of(options);
-      const Findings   found = scene_checks(input.scene, this_machine(ranks_of_launcher()));
+      const SceneInput   input   = input_of(options);
+      const CheckedScene checked = check_scene(input.scene, this_machine(ranks_of_launcher()));
+      const Findings    &found   = checked.found;
       require_none(found.errors, input);
-      for (const std::string &note : read_profiles(input.scene).notes)
+      for (const std::string &note : checked.geometry->notes)
         out << "note: " << note << "\n";
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
@@ -108,14 +100,14 @@ namespace wheelrail
       run_options.resume    = options.count("resume") > 0;
       if (run_options.overwrite && run_options.resume)
         throw InputError("--overwrite starts anew and --resume goes on: give one of them");
-      const SceneInput input = input_of(options);
-      require_computable(input);
-      run_options.prm_text = input.text;
+      const SceneInput    input    = input_of(options);
+      const SceneGeometry geometry = require_computable(input);
+      run_options.prm_text         = input.text;
       for (const std::string &set : sets_of(options))
         run_options.prm_text += "# --set \"" + set + "\"\n";
       run_options.parameters_text = print_parameters(input.scene);
       run_options.program_version = WHEELRAIL_VERSION;
-      return run(input.scene, run_options);
+      return run(input.scene, geometry, run_options);
     }
 
     int
@@ -143,9 +135,11 @@ namespace wheelrail
       const auto file = [&](const char *option) {
         return options.count(option) ? options[option].as<std::string>() : std::string();
       };
-      const Scene scene = scene_of(options);
-      return run_halfspace_command(
-        scene, make_geometry(scene), {file("contact-input"), file("contact-wheel-rail-input")}, out);
+      const SceneInput input = input_of(options);
+      return run_halfspace_command(input.scene,
+                                   require_computable(input),
+                                   {file("contact-input"), file("contact-wheel-rail-input")},
+                                   out);
     }
 
     int
@@ -162,12 +156,16 @@ namespace wheelrail
         throw InputError(
           "parameters --markdown prints the defaults of all entries: leave file and --set out");
       if (options.count("markdown"))
-        out << parameter_reference();
-      else
-        out << print_parameters(scene_of(options),
-                                options.count("json")  ? ParameterStyle::json
-                                : options.count("xml") ? ParameterStyle::xml
-                                                       : ParameterStyle::prm);
+        {
+          out << parameter_reference();
+          return 0;
+        }
+      const SceneInput input = input_of(options);
+      require_computable(input);
+      out << print_parameters(input.scene,
+                              options.count("json")  ? ParameterStyle::json
+                              : options.count("xml") ? ParameterStyle::xml
+                                                     : ParameterStyle::prm);
       return 0;
     }
 

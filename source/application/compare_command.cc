@@ -192,11 +192,11 @@ namespace wheelrail
   int
   run_compare_command(const std::string &folder, const std::vector<std::string> &sets, std::ostream &out)
   {
-    const std::filesystem::path path  = folder;
-    Summary                     run   = read_summary((path / "summary.json").string());
-    const SceneInput            input = read_scene((path / "parameters.prm").string(), sets);
-    require_computable(input);
-    const Scene &scene = input.scene;
+    const std::filesystem::path path     = folder;
+    Summary                     run      = read_summary((path / "summary.json").string());
+    const SceneInput            input    = read_scene((path / "parameters.prm").string(), sets);
+    const SceneGeometry         geometry = require_computable(input);
+    const Scene                &scene    = input.scene;
     if (!std::isfinite(run.vertical_force) || !std::isfinite(run.longitudinal_force))
       throw RunError(
         "The file \"" + (path / "summary.json").string() +
@@ -204,7 +204,6 @@ namespace wheelrail
         "patch could be compared.");
     const WheelRailLoad     load         = load_of_run(run);
     const SectionOffsets    offsets      = offsets_of_run(run);
-    const SceneGeometry     geometry     = make_geometry(scene);
     const WheelRailSolution result       = solve_wheel_rail(scene, geometry, load, offsets);
     const double            peak_at_rest = solve_wheel_rail(scene, geometry, load, {}).solution.peak_pressure;
     const Summary           halfspace    = halfspace_summary(scene, result);

@@ -135,31 +135,53 @@ namespace wheelrail
   } // namespace
 
 
+  namespace
+  {
+    /// The checks that need the patch that is expected, where there is one, and the rest.
+    void
+    check_with(const Scene &scene, const SceneGeometry *geometry, const Machine &machine, Findings &found)
+    {
+      std::optional<ExpectedPatch> patch;
+      if (geometry)
+        {
+          patch = expected_patch(scene, *geometry);
+          check_patch(scene, *patch, found);
+          check_size(scene, *patch, machine, found);
+        }
+      check_rail_length(scene, patch, found.errors);
+      check_distances(scene, found);
+      if (geometry && found.errors.empty())
+        check_sections(scene, *geometry, found.errors);
+    }
+  } // namespace
+
+
+  CheckedScene
+  check_scene(const Scene &scene, const Machine &machine)
+  {
+    CheckedScene checked{cross_checks(scene), {}};
+    // what follows from a wrong track or wheel would only be said twice
+    if (checked.found.errors.empty())
+      checked.geometry = find_geometry(scene, checked.found.errors);
+    check_with(scene, checked.geometry ? &*checked.geometry : nullptr, machine, checked.found);
+    return checked;
+  }
+
+
   Findings
-  scene_checks(const Scene &scene, const Machine &machine)
+  check_scene(const Scene &scene, const SceneGeometry &geometry, const Machine &machine)
   {
     Findings found = cross_checks(scene);
-    // what follows from a wrong track or wheel would only be said twice
-    const std::optional<SceneGeometry> geometry =
-      found.errors.empty() ? find_geometry(scene, found.errors) : std::optional<SceneGeometry>();
-    std::optional<ExpectedPatch> patch;
-    if (geometry)
-      {
-        patch = expected_patch(scene, *geometry);
-        check_patch(scene, *patch, found);
-        check_size(scene, *patch, machine, found);
-      }
-    check_rail_length(scene, patch, found.errors);
-    check_distances(scene, found);
-    if (geometry && found.errors.empty())
-      check_sections(scene, *geometry, found.errors);
+    check_with(scene, &geometry, machine, found);
     return found;
   }
 
 
-  void
+  SceneGeometry
   require_computable(const SceneInput &input)
   {
-    require_none(scene_checks(input.scene).errors, input);
+    CheckedScene checked = check_scene(input.scene);
+    require_none(checked.found.errors, input);
+    return std::move(*checked.geometry);
   }
 } // namespace wheelrail

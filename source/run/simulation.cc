@@ -32,7 +32,7 @@ namespace wheelrail
 
     /// The warnings of the cross-checks. Throws InputError for a scene that this machine cannot hold.
     std::vector<std::string>
-    check_machine(const Scene &scene, MPI_Comm communicator)
+    check_machine(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator)
     {
       MPI_Comm node;
       int      ranks = 1;
@@ -41,7 +41,7 @@ namespace wheelrail
       MPI_Comm_free(&node);
       Findings found;
       on_root(communicator, [&]() {
-        found = scene_checks(scene, this_machine(ranks));
+        found = check_scene(scene, geometry, this_machine(ranks));
         if (!found.errors.empty())
           throw InputError(found.errors.front());
       });
@@ -52,8 +52,9 @@ namespace wheelrail
     class Simulation
     {
     public:
-      Simulation(const Scene &scene, const RunOptions &options)
+      Simulation(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options)
         : scene_(scene)
+        , geometry_(geometry)
         , options_(options)
         , start_(seconds())
         , states_(scene, options.parameters_text, scene.checkpoint_interval, communicator_)
@@ -65,7 +66,7 @@ namespace wheelrail
       int
       run()
       {
-        warnings_ = check_machine(scene_, communicator_);
+        warnings_ = check_machine(scene_, geometry_, communicator_);
         if (options_.resume)
           resume_point_ = read_checkpoint(scene_, options_.parameters_text, communicator_);
         if (resume_point_)
@@ -73,8 +74,7 @@ namespace wheelrail
             scene_.prepared_distance = resume_point_->whole.prepared_distance;
             scene_.fine_margin       = resume_point_->whole.fine_margin;
           }
-        geometry_       = make_geometry(scene_);
-        model_          = make_model(scene_, *geometry_, communicator_);
+        model_          = make_model(scene_, geometry_, communicator_);
         const auto mode = resume_point_        ? FolderMode::resume
                           : options_.overwrite ? FolderMode::overwrite
                                                : FolderMode::fresh;
@@ -124,26 +124,26 @@ namespace wheelrail
       void
       leave_word(const std::string &error) const;
 
-      Scene                        scene_;
-      const RunOptions            &options_;
-      double                       start_;
-      MPI_Comm                     communicator_ = MPI_COMM_WORLD;
-      int                          rank_ = 0, size_ = 1;
-      std::vector<std::string>     warnings_; ///< what the machine may lack
-      Log                          log_;
-      std::optional<SceneGeometry> geometry_;
-      Model                        model_;
-      std::optional<ResumePoint>   resume_point_;
-      SavedStates                  states_;
-      std::unique_ptr<Axle>        axle_;
-      std::unique_ptr<Rolling>     rolling_;
-      std::unique_ptr<Recorder>    recorder_;
-      std::unique_ptr<RunParts>    parts_;
-      std::unique_ptr<RunOutput>   output_;
-      unsigned int                 tick_           = 0;
-      double                       loop_start_     = 0;                   ///< of this part of the run [s]
-      unsigned long                first_step_     = 0;                   ///< steps before this part
-      double                       first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
+      Scene                      scene_;
+      const RunOptions          &options_;
+      double                     start_;
+      MPI_Comm                   communicator_ = MPI_COMM_WORLD;
+      int                        rank_ = 0, size_ = 1;
+      std::vector<std::string>   warnings_; ///< what the machine may lack
+      Log                        log_;
+      SceneGeometry              geometry_;
+      Model                      model_;
+      std::optional<ResumePoint> resume_point_;
+      SavedStates                states_;
+      std::unique_ptr<Axle>      axle_;
+      std::unique_ptr<Rolling>   rolling_;
+      std::unique_ptr<Recorder>  recorder_;
+      std::unique_ptr<RunParts>  parts_;
+      std::unique_ptr<RunOutput> output_;
+      unsigned int               tick_           = 0;
+      double                     loop_start_     = 0;                   ///< of this part of the run [s]
+      unsigned long              first_step_     = 0;                   ///< steps before this part
+      double                     first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
     };
 
 
@@ -152,7 +152,7 @@ namespace wheelrail
     Simulation::set_out()
     {
       on_root(communicator_, [&]() { log_ = Log(scene_.folder + "/log.txt", resume_point_.has_value()); });
-      write_header(log_, scene_, model_, size_, geometry_->notes, warnings_);
+      write_header(log_, scene_, model_, size_, geometry_.notes, warnings_);
       log_.value("set-up", format_duration(seconds() - start_));
       if (options_.resume && !resume_point_)
         log_.warning("the run in this folder had not saved a state yet; it starts anew");
@@ -166,7 +166,7 @@ namespace wheelrail
     void
     Simulation::start_rolling()
     {
-      const RunStart start = start_on_wide_mesh(scene_, *geometry_, model_, log_, communicator_);
+      const RunStart start = start_on_wide_mesh(scene_, geometry_, model_, log_, communicator_);
       make_rolling(start.lift, start.rate);
       if (scene_.volume_fields)
         output_->volume("volume_start");
@@ -371,9 +371,9 @@ namespace wheelrail
 
 
   int
-  run_simulation(const Scene &scene, const RunOptions &options)
+  run_simulation(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options)
   {
-    Simulation simulation(scene, options);
+    Simulation simulation(scene, geometry, options);
     return simulation.run();
   }
 } // namespace wheelrail

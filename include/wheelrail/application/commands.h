@@ -9,12 +9,13 @@ namespace wheelrail
 {
   struct RunOptions;
   struct Scene;
+  struct SceneGeometry;
 
   /// The command line after the program's name.
   using Arguments = std::vector<std::string>;
 
   /// Runs a simulation; a parameter so that tests of the command line need none.
-  using RunFunction = std::function<int(const Scene &, const RunOptions &)>;
+  using RunFunction = std::function<int(const Scene &, const SceneGeometry &, const RunOptions &)>;
 
   /// Whether these arguments start a simulation and so need MPI; `run --validate` and `run --help`
   /// do not.

@@ -17,7 +17,7 @@ namespace wheelrail
 
   /// The checks of wheel, materials, cells, drive and friction that need nothing but the entries. Ranges
   /// of single values are the business of the entries, the contact of the profiles and the machine that
-  /// of scene_checks(). Throws nothing for a scene whose entries are each within their range.
+  /// of check_scene(). Throws nothing for a scene whose entries are each within their range.
   Findings
   cross_checks(const Scene &scene);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
 #include <string>
@@ -17,11 +18,11 @@ namespace wheelrail
     std::string   program_version;
   };
 
-  /// Computes a scene from static start to summary and writes its output folder. Collective over
-  /// MPI_COMM_WORLD; catch_interrupts() has been called.
+  /// Computes a scene with the `geometry` of its profiles (require_computable()) from static start to summary
+  /// and writes its output folder. Collective over MPI_COMM_WORLD; catch_interrupts() has been called.
   ///
   /// Returns the exit code: 0 finished, 3 interrupted and saved. Throws InputError for what cannot
   /// be computed or must not be overwritten, RunError when the run stopped, on all ranks alike.
   int
-  run_simulation(const Scene &scene, const RunOptions &options);
+  run_simulation(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options);
 } // namespace wheelrail
