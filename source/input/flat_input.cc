@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/line_ends.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>
@@ -47,7 +48,7 @@ namespace wheelrail
     lines_of(const std::string &text)
     {
       const bool         has_mark = text.compare(0, 3, "\xEF\xBB\xBF") == 0;
-      std::istringstream in(has_mark ? text.substr(3) : text);
+      std::istringstream in(with_line_feeds(has_mark ? text.substr(3) : text));
       std::vector<Line>  lines;
       bool               goes_on = false;
       unsigned int       number  = 0;

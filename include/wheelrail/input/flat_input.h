@@ -46,7 +46,7 @@ namespace wheelrail
 
   /// Reads the lines `set Name = value`, `subsection Name`, `end`, `include FILE`, blank lines and `#`
   /// comments; a line that ends with a backslash goes on in the next one. Keywords may be written in capital
-  /// letters; CRLF line ends and a UTF-8 byte order mark are accepted.
+  /// letters; line ends of LF, CRLF or CR and a UTF-8 byte order mark are accepted.
   ///
   /// `name` is the file name for messages; the path of an included file counts from the folder of the file
   /// that includes it. What a file sets itself goes before what it includes, in whatever order they stand;
