@@ -6,6 +6,7 @@
 #include <wheelrail/reference/contact_input.h>
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/reference/wheel_rail_input.h>
 
@@ -115,6 +116,8 @@ namespace wheelrail
                   grid.mx,
                   grid.my);
     out << text;
+    if (const std::string note = resolution_note(scene, result.solution); !note.empty())
+      out << "note: " << note << '\n';
     print_summary(figures, out);
     print_stresses(stresses, out);
 

@@ -105,15 +105,16 @@ namespace wheelrail
       const double approach = problem.force_given
                                 ? std::cbrt(9 * std::pow(problem.normal_force / E, 2) / (16 * R))
                                 : problem.approach;
-      const auto   lay_grid = [&](const double reached) {
-        problem.grid = grid_below(surfaces, reached, scene.halfspace_element_size);
+      const auto   lay_grid = [&](const double reached, const double element) {
+        problem.grid = grid_below(surfaces, reached, element);
         problem.undeformed_distance.clear();
         for (int j = 0; j < problem.grid.my; ++j)
           for (int i = 0; i < problem.grid.mx; ++i)
             problem.undeformed_distance.push_back(surfaces.distance(problem.grid.x(i), problem.grid.y(j)) -
                                                   surfaces.lowest);
       };
-      return solve_on_growing_grid(problem, approach, 8, lay_grid, enlargements);
+      return solve_on_growing_grid(
+        problem, approach, scene.halfspace_element_size, 8, lay_grid, enlargements);
     }
   } // namespace
 

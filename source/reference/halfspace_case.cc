@@ -182,11 +182,12 @@ namespace wheelrail
       // Piotrowski, 1996), the rest is room for it to grow
       const double approach = 0.75 * expected_approach(scene, sections.geometry.rolling_radius) *
                               std::pow(std::max(1., problem.normal_force / expected_load(scene)), 2. / 3);
-      const auto lay_grid = [&](const double reached) {
-        problem.grid = grid_for(sections, reached, scene.halfspace_element_size);
+      const auto lay_grid = [&](const double reached, const double element) {
+        problem.grid = grid_for(sections, reached, element);
         set_distance(scene, sections, problem);
       };
-      return solve_on_growing_grid(problem, approach, 6, lay_grid, enlargements);
+      return solve_on_growing_grid(
+        problem, approach, scene.halfspace_element_size, 6, lay_grid, enlargements);
     }
   } // namespace
 

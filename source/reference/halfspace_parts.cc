@@ -1,5 +1,8 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/reference/halfspace_parts.h>
+
+#include <algorithm>
 
 namespace wheelrail
 {
@@ -9,6 +12,15 @@ namespace wheelrail
     halfspace_body(const MaterialData &material)
     {
       return {material.youngs_modulus / (2 * (1 + material.poissons_ratio)), material.poissons_ratio};
+    }
+
+    /// Fewest elements across a contact.
+    constexpr int least_across = 8;
+
+    std::string
+    counted_elements(const int n)
+    {
+      return std::to_string(n) + (n == 1 ? " element lies" : " elements lie");
     }
   } // namespace
 
@@ -25,20 +37,62 @@ namespace wheelrail
   }
 
 
-  HalfspaceSolution
-  solve_on_growing_grid(HalfspaceProblem                  &problem,
-                        double                             approach,
-                        const int                          most,
-                        const std::function<void(double)> &lay_grid,
-                        int                               &enlargements)
+  int
+  elements_across(const HalfspaceSolution &solution)
   {
-    problem.motion = HalfspaceMotion::none;
-    // extents go with the root of the approach: each grid is a fifth longer and wider than the last
-    for (enlargements = 0;; ++enlargements, approach *= 1.5)
+    const HalfspaceGrid &grid = solution.grid;
+    const auto          &p    = solution.pressure;
+    const auto           top  = std::max_element(p.begin(), p.end()) - p.begin();
+    const int            i = static_cast<int>(top) % grid.mx, j = static_cast<int>(top) / grid.mx;
+    const auto           count = [&](const int di, const int dj) {
+      int n = 0;
+      for (int a = i, b = j;
+           a >= 0 && b >= 0 && a < grid.mx && b < grid.my && p[a + std::size_t(grid.mx) * b] > 0;
+           a += di, b += dj)
+        ++n;
+      return n;
+    };
+    // the highest one is counted from both sides
+    return std::max(0, std::min(count(1, 0) + count(-1, 0), count(0, 1) + count(0, -1)) - 1);
+  }
+
+
+  HalfspaceSolution
+  solve_on_growing_grid(HalfspaceProblem                          &problem,
+                        double                                     approach,
+                        double                                     element,
+                        const int                                  most,
+                        const std::function<void(double, double)> &lay_grid,
+                        int                                       &enlargements)
+  {
+    constexpr double most_elements    = 50000;
+    constexpr int    most_refinements = 5; // by up to twelve each; no contact at all would never end
+    int              refinements      = 0;
+    problem.motion                    = HalfspaceMotion::none;
+    enlargements                      = 0;
+    while (true)
       {
-        lay_grid(approach);
+        lay_grid(approach, element);
         const HalfspaceSolution solution = solve_rolling(problem);
-        if (!solution.touches_grid_edge || enlargements == most)
+        const int               n        = elements_across(solution);
+        // half as many again as are needed, since so few tell the size of the contact only roughly; the first
+        // guess of the approach is that of another load, and the grid over it larger than the contact by far
+        const double factor = std::max(n, 1) / (1.5 * least_across),
+                     nearer = std::clamp(1.5 * solution.approach, 1e-3 * approach, approach),
+                     size   = static_cast<double>(problem.grid.size()) * nearer / approach;
+        if (solution.touches_grid_edge && enlargements < most)
+          {
+            // extents go with the root of the approach: each grid is a fifth longer and wider than the last
+            ++enlargements;
+            approach *= 1.5;
+          }
+        else if (n < least_across && size < most_elements * factor * factor && refinements < most_refinements)
+          {
+            ++refinements;
+            element *= factor;
+            approach = nearer;
+          }
+        else
           return solution;
       }
   }
@@ -52,6 +106,22 @@ namespace wheelrail
       throw InputError("Half-space problem: " +
                        solution.not_reached.substr(0, solution.not_reached.find_last_not_of(' ') + 1));
     return solution;
+  }
+
+
+  std::string
+  resolution_note(const Scene &scene, const HalfspaceSolution &solution)
+  {
+    const int    n      = elements_across(solution);
+    const double wanted = scene.halfspace_element_size, used = solution.grid.dx;
+    if (used > 0.999 * wanted && n >= least_across)
+      return "";
+    return "Half-space/Element size = " + in_mm(wanted) + ": " +
+           (used > 0.999 * wanted
+              ? ""
+              : "too coarse for this contact, elements of " + in_mm(used, 1e5) + " were taken; ") +
+           counted_elements(n) + " across the contact" +
+           (n < least_across ? ", too few for figures: the peak pressure may be off by 5 % and more" : "");
   }
 
 
