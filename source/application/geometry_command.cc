@@ -105,7 +105,7 @@ namespace wheelrail
     }
 
     std::vector<std::string>
-    row_of(const ContactGeometry &c, const double other_radius)
+    row_of(const ContactGeometry &c)
     {
       return {fixed(1e3 * c.lateral_shift, 2),
               fixed(1e3 * c.roll, 4),
@@ -113,7 +113,7 @@ namespace wheelrail
               fixed(1e3 * c.rail_x, 3),
               fixed(c.angle / degree, 3),
               fixed(1e3 * c.rolling_radius, 4),
-              fixed(1e3 * (c.rolling_radius - other_radius), 4),
+              fixed(1e3 * (c.rolling_radius - c.other_radius), 4),
               radius_text(c.rail_curvature),
               radius_text(c.wheel_curvature),
               c.second_gap < 0 ? "none" : fixed(1e3 * c.second_gap, 4),
@@ -153,9 +153,7 @@ namespace wheelrail
               before.reset();
               continue;
             }
-          // Its absence would mean that the shift is refused for one of the wheels only.
-          const auto other = contact_at(pair, -shift, reason);
-          auto       row   = row_of(*here, other ? other->rolling_radius : std::nan(""));
+          auto row = row_of(*here);
           if (before && std::abs(here->wheel_x - before->wheel_x) > 0.5e-3)
             {
               ContactGeometry a = *before, b = *here;

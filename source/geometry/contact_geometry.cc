@@ -257,6 +257,7 @@ namespace wheelrail
         return "no roll of the wheelset lets both wheels touch their rails";
       ContactGeometry   other;
       const std::string here = touch(pair, shift, *roll, contact), there = touch(pair, -shift, -*roll, other);
+      contact.other_radius = other.rolling_radius;
       if (!here.empty() || there.empty())
         return here;
       return "at the other wheel of the wheelset (shift of opposite sign) " + there;

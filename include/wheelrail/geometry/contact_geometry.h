@@ -34,6 +34,7 @@ namespace wheelrail
     double       wheel_y = 0;
     double       angle   = 0; ///< contact angle, positive when the tangent falls to the gauge side [rad]
     double       rolling_radius  = 0; ///< [m]
+    double       other_radius    = 0; ///< rolling radius of the other wheel of the wheelset [m]
     double       rail_curvature  = 0; ///< lateral, at the point, positive convex [1/m]
     double       wheel_curvature = 0; ///< lateral, positive convex, negative concave [1/m]
     std::string  rail_segment, wheel_segment;
