@@ -113,21 +113,24 @@ namespace
                "no gauge side");
     points.clear();
     for (const Point2 &p : head())
-      points.push_back({0.7 * p.x, p.y});
-    check_text(message_of([&]() { joined_rail(points); }),
-               "p.txt: the gauge-side end of the head, 29.9 mm below the top of 54E1, lies 13.4 mm off the "
-               "side of that rail, to which it is joined (up to 12 mm, and above its lower corner); check "
-               "the orientation of the file, or set Profiles/Rail body to another one",
-               "a head that is too narrow");
+      points.push_back({0.6 * p.x, p.y});
+    check_text(
+      message_of([&]() { joined_rail(points); }),
+      "p.txt: the gauge-side end of the head, 19.8 mm below the top of 54E1, lies 28.1 mm off the "
+      "side of that rail, to which it is joined (up to 20 mm); check the orientation of the file, or "
+      "set Profiles/Rail body to another one",
+      "a head that is too narrow");
     points.clear();
     for (const Point2 &p : tread)
       if (p.x > -60e-3)
         points.push_back(p + Point2{20e-3, 0});
-    check_text(message_of([&]() { joined_wheel(points); }),
-               "p.txt: the running circle cannot be found: the flange tip lies at x = -35 mm, where -63 mm "
-               "to -47 mm is expected with the origin on the running circle, and the flange back was not "
-               "measured; shift the lateral coordinates so that the running circle has 0",
-               "no running circle");
+    check_text(
+      message_of([&]() { joined_wheel(points); }),
+      "p.txt: the running circle cannot be found: the flange tip lies at x = -35 mm, where -63 mm "
+      "to -47 mm is expected with the origin on the running circle, 14 mm to 22 mm with the origin on "
+      "the flange back, and the flange back was not measured; shift the lateral coordinates so that "
+      "the running circle has 0, or set Profiles/Wheel origin",
+      "no running circle");
     points.clear();
     for (const Point2 &p : tread)
       if (p.x < -1e-3)
@@ -139,11 +142,13 @@ namespace
     points.clear();
     for (const Point2 &p : tread)
       if (p.x > -48e-3)
-        points.push_back(p);
-    check_text(message_of([&]() { joined_wheel(points); }),
-               "p.txt: the profile ends at x = -47.6 mm, y = -25.6 mm before the top of the flange; the "
-               "whole flange front and its tip are needed",
-               "half a flange");
+        points.push_back({p.x, 1.5 * p.y});
+    check_text(
+      message_of([&]() { joined_wheel(points); }),
+      "p.txt: the profile ends at x = -47.6 mm, y = -38.4 mm before the top of the flange, and an arc "
+      "from there to the flange back makes no flange 20 mm to 40 mm high; more of the flange front is "
+      "needed",
+      "half a flange");
   }
 } // namespace
 

@@ -109,8 +109,8 @@ namespace
     const std::string profiles = std::string(WHEELRAIL_TEST_DIR) + "/profiles/";
     check_file(profiles + "broken_gap.prr",
                profiles +
-                 "broken_gap.prr: a gap of 20.96 mm between lines 93 and 94; up to 10 mm is bridged: "
-                 "measure again or add points");
+                 "broken_gap.prr: a gap of 20.96 mm between lines 93 and 94; up to 10 mm is bridged, "
+                 "on a straight face up to 30 mm: measure again or add points");
     check_file(profiles + "broken_loop.txt",
                profiles +
                  "broken_loop.txt: the line of points crosses itself between line 101 and line 110; a "
@@ -135,14 +135,19 @@ namespace
       "1 2\n3\n",
       "r.txt:2: \"3\" holds 1 number; a line of points holds two: lateral and vertical coordinate");
     check_profile("12,5;3,7\n",
-                  "r.txt:1: \"12,5;3,7\" holds 4 columns; two are accepted, lateral and vertical "
-                  "coordinate, with a point as decimal mark (a third one is left out)");
+                  "r.txt:1: \"12,5;3,7\" has commas and other separators; write a point as decimal mark, and "
+                  "blanks, tabs, commas or semicolons between the columns");
     check_profile(
       std::string(largest_profile_file + 1, ' '),
       "r.txt: larger than 10 MB; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
-    check_profile("1 2 3 4\n",
-                  "r.txt:1: \"1 2 3 4\" holds 4 columns; two are accepted, lateral and vertical coordinate, "
-                  "with a point as decimal mark (a third one is left out)");
+    check_profile(
+      "1 2 3 4 5 6\n",
+      "r.txt:1: \"1 2 3 4 5 6\" holds 6 columns; two to five are accepted, the first ones are the "
+      "lateral and the vertical coordinate");
+    check_profile(
+      "\"1 2\"\n\"3 4\"\n",
+      "r.txt: 2 lines switched off by a leading quotation mark, and no points found; a SIMPACK (.prr, "
+      ".prw), MiniProf (.ban, .whl) or two-column file with lateral and vertical coordinates is needed");
     check_profile("1 2\n1 2 3\n",
                   "r.txt:2: \"1 2 3\" holds 3 columns, the lines before 2; write two in every line");
     check_profile("1 2e9\n", "r.txt:1: a coordinate above 1e9; a profile is some 0.1 m wide");
@@ -191,8 +196,8 @@ namespace
                   "unit or Profiles/Rail unit",
                   inches);
     check_profile(head_points(0, 0.45) + head_points(0.7, 1),
-                  "r.txt: a gap of 40.72 mm between lines 201 and 202; up to 10 mm is bridged: measure again "
-                  "or add points");
+                  "r.txt: a gap of 40.72 mm between lines 201 and 202; up to 10 mm is bridged, on a straight "
+                  "face up to 30 mm: measure again or add points");
     const auto none = [](int) { return 0; };
     check_profile(changed_head(none, 0, 150) + changed_head(none, 40, 200),
                   "r.txt: between lines 151 and 152 the line of points turns back by 38.515 mm; pieces that "
@@ -211,7 +216,7 @@ namespace
                   "points in their order along the outline, without loops");
     check_profile(
       changed_head([](const int i) { return i % 14 == 7 ? 1 : 0; }),
-      "r.txt: more than 10 points lie off the line of their neighbours, the worst by 1 mm in line 78; single "
+      "r.txt: more than 10 points lie off the line of their neighbours, the worst by 1 mm in line 92; single "
       "outliers are dropped, a profile of them cannot be mended: measure again or smooth the file");
     std::mt19937 random(1);
     std::string  rough; // even steps of 1.4 mm

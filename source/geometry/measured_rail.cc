@@ -74,10 +74,49 @@ namespace wheelrail
                          "Profiles/Rail mirror)");
     }
 
+    /// From the frame of the file to that of the body; nothing where the head lies there already.
+    Point2
+    move_onto(const HeadMarks &marks, const RailProfile &body)
+    {
+      const double half = half_width(body);
+      if (lies_on(marks, half))
+        return {0, 0};
+      return {marks.field ? half - *marks.field : -half - *marks.gauge, -marks.top};
+    }
+
+    Point2
+    find_move(const HeadMarks &marks, const RailProfile &body, std::vector<std::string> &notes)
+    {
+      const Point2 move = move_onto(marks, body);
+      if (lies_on(marks, half_width(body)))
+        notes.push_back("origin of the file kept: top at y = " + in_mm(marks.top) + " of " + body.name);
+      else
+        notes.push_back("moved by " + in_mm(move.x) + " and " + in_mm(move.y) + ": top to y = 0, " +
+                        (marks.field ? "field" : "gauge") + " side of the head to that of " + body.name);
+      return move;
+    }
+
+    /// Mean distance of the measured points from the outline of a body on which the head is put [m].
+    double
+    mean_distance(const MeasuredProfile &profile, const HeadMarks &marks, const RailProfile &body)
+    {
+      const Point2 move = move_onto(marks, body);
+      double       sum  = 0;
+      for (const FilePoint &p : profile.points)
+        {
+          const Point2 q = p.position + move;
+          sum += norm(body.outline.at(body.outline.closest(q)).position - q);
+        }
+      return sum / static_cast<double>(profile.points.size());
+    }
+
     /// The standard rail whose head is as wide; where both sides were measured by the width, which wear of
-    /// the gauge side makes smaller.
+    /// the gauge side makes smaller, and without a field side the one whose outline lies nearest.
     RailProfile
-    choose_body(const HeadMarks &marks, const std::string &name, std::vector<std::string> &notes)
+    choose_body(const MeasuredProfile    &profile,
+                const HeadMarks          &marks,
+                const std::string        &name,
+                std::vector<std::string> &notes)
     {
       if (name != "auto")
         return rail_profile(name);
@@ -85,12 +124,12 @@ namespace wheelrail
       double      least = 1;
       for (const std::string &candidate : standard_rails())
         {
-          const double half       = half_width(rail_profile(candidate));
-          double       difference = least;
+          const RailProfile body       = rail_profile(candidate);
+          const double      half       = half_width(body);
+          double            difference = marks.field ? std::abs(*marks.field - *marks.gauge - 2 * half)
+                                                     : mean_distance(profile, marks, body);
           if (lies_on(marks, half) && marks.field)
             difference = std::abs(*marks.field - half);
-          else if (marks.field && marks.gauge)
-            difference = std::abs(*marks.field - *marks.gauge - 2 * half);
           if (best.empty() || difference < least)
             {
               best  = candidate;
@@ -98,63 +137,74 @@ namespace wheelrail
             }
         }
       notes.push_back("body of the rail: " + best +
-                      (marks.field ? ", whose head is as wide" : ", the first of the standard ones") +
+                      (marks.field ? ", whose head is as wide"
+                                   : ", whose outline lies " + in_mm(least, 100) +
+                                       " off the points on average, the nearest one") +
                       "; Profiles/Rail body changes it");
       return rail_profile(best);
     }
 
-    Point2
-    find_move(const HeadMarks &marks, const RailProfile &body, std::vector<std::string> &notes)
+    /// How far from the side of the body a head may end [m].
+    constexpr double most_apart = 20e-3;
+
+    /// The side of the body's head, down to its lower corner.
+    Curve
+    side_of(const RailProfile &body)
     {
-      const double half = half_width(body);
-      if (lies_on(marks, half))
-        {
-          notes.push_back("origin of the file kept: top at y = " + in_mm(marks.top) + " of " + body.name);
-          return {0, 0};
-        }
-      const Point2 move{marks.field ? half - *marks.field : -half - *marks.gauge, -marks.top};
-      notes.push_back("moved by " + in_mm(move.x) + " and " + in_mm(move.y) + ": top to y = 0, " +
-                      (marks.field ? "field" : "gauge") + " side of the head to that of " + body.name);
-      return move;
+      const auto &all = body.outline.segments();
+      return Curve({all.begin(), all.begin() + (body.head.segments().size() / 2 - 1)});
     }
 
     /// From the end p of a measured head (mirrored to x > 0) to the end of the body's lower corner: a
     /// line to the side of the standard head and what follows there.
     std::vector<Segment>
-    lower_part(const RailProfile &body, const Point2 &p, const std::string &file, const char *side)
+    lower_part(const RailProfile        &body,
+               const Point2             &p,
+               const std::string        &file,
+               const std::string        &side,
+               std::vector<std::string> &notes)
     {
-      const std::size_t corner = body.head.segments().size() / 2 - 1;
-      const double      near   = body.outline.closest(p);
-      const double      apart  = norm(body.outline.at(near).position - p);
-      if (apart > 12e-3 || near > static_cast<double>(corner))
+      const Curve       along  = side_of(body);
+      const std::size_t corner = along.segments().size();
+      // a side is joined to the side, not to the crown above it
+      const auto   level = along.roots([&](const Point2 &q) { return q.y - p.y; }, 0, along.parameter_end());
+      const double near  = p.y < -5e-3 && !level.empty() ? level.front() : along.closest(p);
+      const double apart = norm(along.at(near).position - p);
+      if (apart > most_apart)
         throw InputError(file + ": the " + side + "-side end of the head, " + in_mm(-p.y, 10) +
                          " below the top of " + body.name + ", lies " + in_mm(apart, 10) +
-                         " off the side of that rail, to which it is joined (up to 12 mm, and above its "
-                         "lower corner); check the orientation "
-                         "of the file, or set Profiles/Rail body to another one");
-      const double target =
-        std::min(body.outline.advance(near, std::max(5e-3, 4 * apart)), static_cast<double>(corner));
-      const std::size_t    first = static_cast<std::size_t>(target);
-      std::vector<Segment> part{line_segment("joined side", p, body.outline.at(target).position)};
-      part.push_back(part_of(body.outline.segments()[first], target - static_cast<double>(first), 1));
-      for (std::size_t i = first + 1; i <= corner; ++i)
-        part.push_back(body.outline.segments()[i]);
+                         " off the side of that rail, to which it is joined (up to " + in_mm(most_apart) +
+                         "); check the orientation of the file, or set Profiles/Rail body to another one");
+      // short where the end lies on the body: a chord of 5 mm would flatten its crown
+      const double target = along.advance(near, std::max(std::min(5e-3, 1e-3 + 40 * apart), 4 * apart));
+      if (apart > 1e-3)
+        notes.push_back("the " + side + " side ends " + in_mm(apart, 10) + " off the side of " + body.name +
+                        ": joined to it by a straight line of " +
+                        in_mm(norm(along.at(target).position - p), 10) + ", which was not measured");
+      std::vector<Segment> part{line_segment("joined side", p, along.at(target).position)};
+      for (auto i = static_cast<std::size_t>(target); i < corner; ++i)
+        part.push_back(part_of(along.segments()[i], std::clamp(target - static_cast<double>(i), 0., 1.), 1));
+      part.push_back(body.outline.segments()[corner]);
       return part;
     }
 
     /// The measured pieces above the lower corners of the body. There are some: find_move() leaves the top
-    /// at most 15 mm below that of the body, and the corners lie deeper.
+    /// at most 15 mm below that of the body, and the corners lie deeper. Ends that lie off the side end so
+    /// much higher that the line to the corner is no flatter than 45 degrees; the gauge height stays.
     std::vector<Segment>
     running_part(const Curve &curve, const Point2 &move, const RailProfile &body)
     {
-      const std::size_t    corner = body.head.segments().size() / 2 - 1;
-      const double         lowest = body.outline.segments()[corner].start.y + 2e-3;
+      const Point2         corner = body.outline.segments()[body.head.segments().size() / 2 - 1].start;
       std::vector<Segment> pieces;
       for (const Segment &g : curve.segments())
         pieces.push_back(moved(g, move));
-      while (!pieces.empty() && pieces.front().start.y < lowest)
+      const auto too_low = [&](const Point2 &p) {
+        const double off = std::abs(std::abs(p.x) - corner.x);
+        return p.y < corner.y + std::max(2e-3, off > 1e-3 && p.y < -20e-3 ? off : 0);
+      };
+      while (!pieces.empty() && too_low(pieces.front().start))
         pieces.erase(pieces.begin());
-      while (!pieces.empty() && pieces.back().end.y < lowest)
+      while (!pieces.empty() && too_low(pieces.back().end))
         pieces.pop_back();
       return pieces;
     }
@@ -190,12 +240,13 @@ namespace wheelrail
   {
     const HeadMarks marks = marks_of(profile.curve);
     check_gauge_side(marks, profile);
-    const RailProfile body      = choose_body(marks, body_name, notes);
+    const RailProfile body      = choose_body(profile, marks, body_name, notes);
     const Point2      move      = find_move(marks, body, notes);
     const auto        head      = running_part(profile.curve, move, body);
     const Point2      field_end = head.front().start, gauge_end = head.back().end;
-    const auto        field = lower_part(body, field_end, profile.file, "field");
-    const auto gauge = on_gauge_side(lower_part(body, {-gauge_end.x, gauge_end.y}, profile.file, "gauge"));
+    const auto        field = lower_part(body, field_end, profile.file, "field", notes);
+    const auto        gauge =
+      on_gauge_side(lower_part(body, {-gauge_end.x, gauge_end.y}, profile.file, "gauge", notes));
     notes.push_back("joined to the sides of " + body.name + " " + in_mm(-field_end.y, 10) +
                     " (field side) and " + in_mm(-gauge_end.y, 10) +
                     " (gauge side) below its top; below that it is the body");

@@ -1,11 +1,13 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/profile_cleaning.h>
+#include <wheelrail/geometry/profile_outliers.h>
 #include <wheelrail/geometry/profile_text.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace wheelrail
@@ -30,22 +32,15 @@ namespace wheelrail
     }
 
     double
-    median(std::vector<double> values)
-    {
-      if (values.empty())
-        return 0;
-      const auto middle = values.begin() + values.size() / 2;
-      std::nth_element(values.begin(), middle, values.end());
-      return *middle;
-    }
-
-    double
     median_step(const Points &points)
     {
       std::vector<double> steps;
       for (std::size_t i = 1; i < points.size(); ++i)
         steps.push_back(norm(points[i].position - points[i - 1].position));
-      return median(steps);
+      if (steps.empty())
+        return 0;
+      std::nth_element(steps.begin(), steps.begin() + steps.size() / 2, steps.end());
+      return steps[steps.size() / 2];
     }
 
     Points
@@ -137,77 +132,6 @@ namespace wheelrail
                        " times; write the points in their order along the outline");
     }
 
-    /// Distance of each point from the chord of its neighbours, positive to the left.
-    std::vector<double>
-    sagittas(const Points &points)
-    {
-      std::vector<double> result(points.size(), 0.);
-      for (std::size_t i = 1; i + 1 < points.size(); ++i)
-        {
-          const Point2 chord  = points[i + 1].position - points[i - 1].position;
-          const double length = norm(chord);
-          result[i] = length > 0 ? cross(points[i].position - points[i - 1].position, chord) / length
-                                 : norm(points[i].position - points[i - 1].position);
-        }
-      return result;
-    }
-
-    std::vector<Point2>
-    positions(const Points &points)
-    {
-      std::vector<Point2> result;
-      for (const FilePoint &p : points)
-        result.push_back(p.position);
-      return result;
-    }
-
-    /// A single point off the line moves its own sagitta by d and those of its neighbours by -d / 2,
-    /// which no smooth curve and no kink does.
-    void
-    drop_outliers(Points &points, const std::string &file, std::vector<std::string> &notes)
-    {
-      const std::size_t most  = std::max<std::size_t>(1, points.size() / 20);
-      std::size_t       count = 0;
-      double            worst = 0;
-      unsigned int      line  = 0;
-      for (bool again = true; again;)
-        {
-          again                           = false;
-          const double              limit = std::max(8 * estimated_noise(positions(points)), 5e-5);
-          const std::vector<double> d     = sagittas(points);
-          Points                    kept;
-          for (std::size_t i = 0; i < points.size(); ++i)
-            {
-              const bool spike = i > 0 && i + 1 < points.size() && std::abs(d[i]) > limit &&
-                                 (i == 1 || d[i] * d[i - 1] < -0.2 * d[i] * d[i]) &&
-                                 (i + 2 == points.size() || d[i] * d[i + 1] < -0.2 * d[i] * d[i]) &&
-                                 (kept.empty() || kept.back().line == points[i - 1].line);
-              if (!spike)
-                {
-                  kept.push_back(points[i]);
-                  continue;
-                }
-              ++count;
-              again = true;
-              if (std::abs(d[i]) > worst)
-                {
-                  worst = std::abs(d[i]);
-                  line  = points[i].line;
-                }
-            }
-          points = kept;
-          if (count > most)
-            throw InputError(file + ": more than " + std::to_string(most) +
-                             " points lie off the line of their neighbours, the worst by " + in_mm(worst) +
-                             " in line " + std::to_string(line) +
-                             "; single outliers are dropped, a profile of them cannot be mended: "
-                             "measure again or smooth the file");
-        }
-      if (count > 0)
-        notes.push_back(counted(count, "outlier") + " dropped, the largest " + in_mm(worst) +
-                        " off in line " + std::to_string(line));
-    }
-
     /// Points much closer than the smoothing can use are averaged over 0.1 mm.
     void
     average_close(Points &points, std::vector<std::string> &notes)
@@ -259,31 +183,93 @@ namespace wheelrail
                        ". Set Profiles/Wheel unit or Profiles/Rail unit");
     }
 
-    void
-    check_gaps(const Points &points, const std::string &file, std::vector<std::string> &notes)
+    /// Direction of the outline at point i against its order (`way` = -1) or along it (+1), taken over 2 mm
+    /// or more; nothing beyond the ends.
+    std::optional<Point2>
+    direction_from(const Points &points, const std::size_t i, const int way)
     {
-      const double usual = median_step(points);
-      std::size_t  gaps  = 0;
-      double       worst = 0;
-      std::string  where;
+      std::size_t k = i;
+      while ((way > 0 ? k + 1 < points.size() : k > 0) &&
+             norm(points[k].position - points[i].position) < 2e-3)
+        k += way;
+      const Point2 d = way * (points[k].position - points[i].position);
+      if (k == i)
+        return {};
+      return (1 / norm(d)) * d;
+    }
+
+    /// Whether a long step from point i - 1 to point i is a straight face: the outline on both sides goes on
+    /// in its direction, within 3 degrees where it is steep and half a degree where wheels and rails touch
+    /// (an arc of R300 turns by 1.1 degrees against a chord of 12 mm); or, on a wheel, it is the back of the
+    /// flange or the face of the rim, steep and at the lateral end of the profile.
+    bool
+    is_straight_face(const Points &points, const std::size_t i, const ProfileKind kind)
+    {
+      const double degree = std::acos(-1.) / 180;
+      const Point2 d      = points[i].position - points[i - 1].position;
+      const double most   = std::abs(d.y) > std::abs(d.x) ? 3 * degree : 0.5 * degree;
+      const auto   agrees = [&](const std::optional<Point2> &other) {
+        return !other || std::atan2(std::abs(cross(d, *other)), dot(d, *other)) < most;
+      };
+      if (agrees(direction_from(points, i - 1, -1)) && agrees(direction_from(points, i, 1)))
+        return true;
+      if (kind != ProfileKind::wheel || std::abs(d.y) < 4 * std::abs(d.x))
+        return false;
+      double low = points[i].position.x, high = low;
+      for (const FilePoint &p : points)
+        {
+          low  = std::min(low, p.position.x);
+          high = std::max(high, p.position.x);
+        }
+      const double a = points[i - 1].position.x, b = points[i].position.x;
+      return std::max(a, b) < low + 2e-3 || std::min(a, b) > high - 2e-3;
+    }
+
+    /// Tells gaps that the smoothing bridges, fills longer steps on straight faces by points on the line, and
+    /// refuses other ones.
+    Points
+    bridge_gaps(const Points             &points,
+                const ProfileKind         kind,
+                const std::string        &file,
+                std::vector<std::string> &notes)
+    {
+      constexpr double longest = 30e-3;
+      const double     usual = median_step(points), fill = std::clamp(usual, 0.25e-3, 2e-3);
+      std::size_t      gaps  = 0;
+      double           worst = 0;
+      std::string      where;
+      Points           result{points[0]};
       for (std::size_t i = 1; i < points.size(); ++i)
         {
-          const double step = norm(points[i].position - points[i - 1].position);
+          const Point2 a = points[i - 1].position, d = points[i].position - a;
+          const double step = norm(d);
           if (step > 10e-3 * (1 + 1e-9))
-            throw InputError(file + ": a gap of " + in_mm(step) + " between " +
-                             lines(points[i - 1], points[i]) +
-                             "; up to 10 mm is bridged: measure again or add points");
-          if (step < 2e-3 || step < 4 * usual)
-            continue;
-          ++gaps;
-          if (step > worst)
             {
-              worst = step;
-              where = lines(points[i - 1], points[i]);
+              if (step > longest || !is_straight_face(points, i, kind))
+                throw InputError(file + ": a gap of " + in_mm(step) + " between " +
+                                 lines(points[i - 1], points[i]) +
+                                 "; up to 10 mm is bridged, on a straight face up to " + in_mm(longest) +
+                                 ": measure again or add points");
+              notes.push_back("step of " + in_mm(step) + " between " + lines(points[i - 1], points[i]) +
+                              " taken as a straight face");
+              const int n = static_cast<int>(std::ceil(step / fill));
+              for (int k = 1; k < n; ++k)
+                result.push_back({a + (static_cast<double>(k) / n) * d, points[i - 1].line});
             }
+          else if (step >= 2e-3 && step >= 4 * usual)
+            {
+              ++gaps;
+              if (step > worst)
+                {
+                  worst = step;
+                  where = lines(points[i - 1], points[i]);
+                }
+            }
+          result.push_back(points[i]);
         }
       if (gaps > 0)
         notes.push_back(counted(gaps, "gap") + " bridged, the largest " + in_mm(worst) + " between " + where);
+      return result;
     }
 
     bool
@@ -320,7 +306,10 @@ namespace wheelrail
 
 
   std::vector<FilePoint>
-  cleaned_points(std::vector<FilePoint> points, const std::string &file, std::vector<std::string> &notes)
+  cleaned_points(std::vector<FilePoint>    points,
+                 const ProfileKind         kind,
+                 const std::string        &file,
+                 std::vector<std::string> &notes)
   {
     points              = without_repeated(points, notes);
     const double extent = check_size(points, file);
@@ -331,47 +320,16 @@ namespace wheelrail
                        in_mm(extent, 10) +
                        " across; write the points in their order along the outline, without loops");
     average_close(points, notes);
+    // a point that is off along the outline looks like an overlap, and pieces that were merged may hold
+    // others
+    points = without_outliers(points, file, notes);
     merge_overlaps(points, file, notes);
     points = without_repeated(points, notes);
-    drop_outliers(points, file, notes);
+    points = without_outliers(points, file, notes);
     check_size(points, file);
-    check_gaps(points, file, notes);
+    points = bridge_gaps(points, kind, file, notes);
     check_loops(points, file);
     return points;
   }
 
-
-  double
-  estimated_noise(const std::vector<Point2> &points)
-  {
-    std::vector<double> distances;
-    for (std::size_t i = 2; i + 2 < points.size(); ++i)
-      {
-        const Point2 chord = points[i + 1] - points[i - 1];
-        const double width = norm(chord);
-        if (!(width > 0))
-          continue;
-        // coordinates along the chord and to its left; the weights of Lagrange's cubic at the point
-        double t[5], n[5];
-        for (int k = 0; k < 5; ++k)
-          {
-            const Point2 q = points[i + k - 2] - points[i];
-            t[k]           = dot(q, chord) / width;
-            n[k]           = cross(chord, q) / width;
-          }
-        double value = 0, variance = 1;
-        for (const int k : {0, 1, 3, 4})
-          {
-            double weight = 1;
-            for (const int j : {0, 1, 3, 4})
-              if (j != k)
-                weight *= t[j] / (t[j] - t[k]);
-            value += weight * n[k];
-            variance += weight * weight;
-          }
-        if (std::isfinite(value) && std::isfinite(variance))
-          distances.push_back(std::abs(value) / std::sqrt(variance));
-      }
-    return 1.4826 * median(distances);
-  }
 } // namespace wheelrail

@@ -3,6 +3,7 @@
 #include <wheelrail/geometry/profile_cleaning.h>
 #include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/geometry/profile_orientation.h>
+#include <wheelrail/geometry/profile_outliers.h>
 #include <wheelrail/geometry/profile_text.h>
 #include <wheelrail/geometry/smoothing_spline.h>
 
@@ -190,7 +191,7 @@ namespace wheelrail
     for (FilePoint &p : content.points)
       p.position = unit * p.position;
 
-    std::vector<FilePoint> points = cleaned_points(content.points, file, profile.notes);
+    std::vector<FilePoint> points = cleaned_points(content.points, options.kind, file, profile.notes);
     profile.points                = options.kind == ProfileKind::wheel
                                       ? oriented_wheel(points, file, options.mirror, profile.notes)
                                       : oriented_rail(points, file, options.mirror, content.gauge_right, profile.notes);

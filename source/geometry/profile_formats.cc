@@ -8,57 +8,6 @@ namespace wheelrail
 {
   namespace
   {
-    // --- MiniProf --------------------------------------------------------------------------------
-
-    /// Columns of X and Y by "ColumnDef=X,Y" or "X,Y,A,C,N".
-    std::pair<std::size_t, std::size_t>
-    miniprof_columns(const HeaderValues &values)
-    {
-      const auto found = values.texts.find("columndef");
-      if (found == values.texts.end())
-        return {0, 1};
-      const std::vector<std::string> names = fields_of(lower(found->second.text));
-      const auto                     x     = std::find(names.begin(), names.end(), "x"),
-                 y                         = std::find(names.begin(), names.end(), "y");
-      if (x == names.end() || y == names.end())
-        throw InputError(place(values.file, found->second.number) + "ColumnDef=" + shown(found->second.text) +
-                         ": columns X and Y are needed, such as ColumnDef=X,Y");
-      return {x - names.begin(), y - names.begin()};
-    }
-
-    FileContent
-    parse_miniprof(const std::vector<Line> &lines, const std::string &file)
-    {
-      FileContent  content;
-      HeaderValues values{file, {}};
-      content.format          = "MiniProf";
-      content.metres_per_unit = 1e-3;
-      content.gauge_right     = true;
-      std::pair<std::size_t, std::size_t> columns;
-      for (const Line &line : lines)
-        {
-          if (!content.points.empty() || !values.take(line))
-            {
-              if (content.points.empty())
-                columns = miniprof_columns(values);
-              const std::vector<double> numbers =
-                numbers_of(line, std::max(columns.first, columns.second) + 1, file);
-              add_point(content, {numbers[columns.first], numbers[columns.second]}, line.number, file);
-            }
-        }
-      const double stated = values.number("xypoints", 0);
-      if (stated > 0 && stated != static_cast<double>(content.points.size()))
-        throw InputError(place(file, values.texts["xypoints"].number) +
-                         "XYPoints=" + shown(values.texts["xypoints"].text) + ", but the file holds " +
-                         counted(content.points.size(), "point") + "; it may be cut off, export it again");
-      for (const char *name : {"XOffset", "YOffset", "Tilt"})
-        if (values.number(lower(name), 0) != 0)
-          content.notes.push_back(std::string(name) + " of the file is taken as applied already");
-      return content;
-    }
-
-    // --- two columns -----------------------------------------------------------------------------
-
     /// Unit named in a heading as "[mm]", "(m)" or "unit: mm"; 0 when none is. A length in a remark
     /// ("worn by 2 mm") states nothing.
     double
@@ -84,39 +33,95 @@ namespace wheelrail
       return 0;
     }
 
+    /// Throws InputError when a line of points has more columns than profiles have, or another number of them
+    /// than the lines before.
+    void
+    check_columns(const Line        &line,
+                  const std::size_t  found,
+                  const std::size_t  before,
+                  const std::string &file)
+    {
+      if (found > 5)
+        throw InputError(
+          place(file, line.number) + shown(line.text) + " holds " + std::to_string(found) +
+          " columns; two to five are accepted, the first ones are the lateral and the vertical "
+          "coordinate");
+      if (before != 0 && before != found)
+        throw InputError(place(file, line.number) + shown(line.text) + " holds " + std::to_string(found) +
+                         " columns, the lines before " + std::to_string(before) +
+                         "; write two in every line");
+    }
+
     FileContent
-    parse_columns(const std::vector<Line> &lines, const std::string &file)
+    parse_columns(const std::vector<Line> &lines, const std::size_t begin, const std::string &file)
     {
       FileContent content;
-      content.format       = "two columns";
-      unsigned int columns = 0, headings = 0;
-      for (const Line &whole : lines)
+      LeftOut     left_out;
+      content.format      = "two columns";
+      std::size_t columns = 0;
+      for (std::size_t i = 0; i < lines.size(); ++i)
         {
-          const Line line{without_comment(whole.text, "!#%"), whole.number};
-          if (content.points.empty())
-            if (const double unit = unit_in(whole.text); unit > 0 && content.metres_per_unit == 0)
-              content.metres_per_unit = unit;
-          if (line.text.empty())
+          if (const double unit = unit_in(lines[i].text);
+              i <= begin && unit > 0 && content.metres_per_unit == 0)
+            content.metres_per_unit = unit;
+          const Line line{without_comment(lines[i].text, "!#%"), lines[i].number};
+          if (i < begin || line.text.empty() || is_switched_off(line, left_out))
             continue;
-          const std::vector<std::string> fields = fields_of(line.text);
-          if (content.points.empty() && !fields.empty() && !number_of(fields[0]) && ++headings <= 20)
-            continue;
-          const std::vector<double> numbers = numbers_of(line, 2, file);
-          if (fields.size() > 3)
-            throw InputError(
-              place(file, line.number) + shown(line.text) + " holds " + std::to_string(fields.size()) +
-              " columns; two are accepted, lateral and vertical coordinate, with a point as decimal "
-              "mark (a third one is left out)");
-          if (columns != 0 && columns != fields.size())
-            throw InputError(place(file, line.number) + shown(line.text) + " holds " +
-                             std::to_string(fields.size()) + " columns, the lines before " +
-                             std::to_string(columns) + "; write two in every line");
-          columns = static_cast<unsigned int>(fields.size());
+          const std::size_t         words   = left_out.words;
+          const std::vector<double> numbers = numbers_of(line, 2, file, left_out);
           add_point(content, {numbers[0], numbers[1]}, line.number, file);
+          if (left_out.words > words) // a number among the words is no column
+            continue;
+          check_columns(line, numbers.size(), columns, file);
+          columns = numbers.size();
         }
-      if (columns == 3)
-        content.notes.push_back("third column of the file left out");
+      left_out.tell(content.notes);
+      if (columns > 2)
+        content.notes.push_back(columns == 3
+                                  ? "third column of the file left out"
+                                  : "columns 3 to " + std::to_string(columns) + " of the file left out");
       return content;
+    }
+
+    /// Lines of numbers before the points would be points where the heading was not understood: they are
+    /// told.
+    void
+    tell_headings(FileContent &content, const std::vector<Line> &lines, const std::size_t begin)
+    {
+      std::size_t count = 0;
+      for (std::size_t i = 0; i < begin; ++i)
+        {
+          const auto fields = fields_of(without_comment(lines[i].text, "!#%"));
+          count += !fields.empty() && number_of(fields[0]).has_value();
+        }
+      if (count > 0)
+        content.notes.push_back(counted(count, "line") + " of numbers among the words before line " +
+                                std::to_string(lines[begin].number) + " taken as heading");
+    }
+
+    enum class Format
+    {
+      simpack,
+      miniprof,
+      columns
+    };
+
+    Format
+    format_of(const std::vector<Line> &lines, const std::size_t begin)
+    {
+      bool is_miniprof = false;
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        {
+          const std::string &text = lines[i].text;
+          const std::string  word = lower(without_comment(text, "!"));
+          if (word == "header.begin" || word == "spline.begin" || word == "point.begin")
+            return Format::simpack;
+          const auto equal = text.find('=');
+          is_miniprof = is_miniprof || lower(text) == "#minirailprof" || lower(text) == "#miniwheelprof" ||
+                        (i < begin && equal != std::string::npos && equal > 0 &&
+                         text.find_first_of("!#%") == std::string::npos);
+        }
+      return is_miniprof ? Format::miniprof : Format::columns;
     }
   } // namespace
 
@@ -132,24 +137,21 @@ namespace wheelrail
                        ": not a text file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
     const std::vector<Line> lines = lines_of(text);
 
-    bool is_simpack = false, is_miniprof = false, number_seen = false;
-    for (const Line &line : lines)
-      {
-        const std::string word = lower(without_comment(line.text, "!"));
-        is_simpack = is_simpack || word == "header.begin" || word == "spline.begin" || word == "point.begin";
-        const auto fields = fields_of(without_comment(line.text, "!#%"));
-        number_seen       = number_seen || (!fields.empty() && number_of(fields[0]));
-        const auto equal  = line.text.find('=');
-        is_miniprof       = is_miniprof || (!number_seen && equal != std::string::npos && equal > 0 &&
-                                      line.text.find_first_of("!#%") == std::string::npos);
-      }
-    FileContent content = is_simpack    ? parse_simpack(lines, file)
-                          : is_miniprof ? parse_miniprof(lines, file)
-                                        : parse_columns(lines, file);
+    const std::size_t begin   = begin_of_points(lines);
+    const Format      format  = format_of(lines, begin);
+    FileContent       content = format == Format::simpack    ? parse_simpack(lines, file)
+                                : format == Format::miniprof ? parse_miniprof(lines, begin, file)
+                                                             : parse_columns(lines, begin, file);
+    if (format != Format::simpack && begin < lines.size())
+      tell_headings(content, lines, begin);
+    const auto off =
+      std::count_if(lines.begin(), lines.end(), [](const Line &line) { return line.text[0] == '"'; });
     if (content.points.empty())
-      throw InputError(file +
-                       ": no points found; a SIMPACK (.prr, .prw), MiniProf (.ban, .whl) or two-column "
-                       "file with lateral and vertical coordinates is needed");
+      throw InputError(
+        file +
+        (off > 0 ? ": " + counted(off, "line") + " switched off by a leading quotation mark, and" : ":") +
+        " no points found; a SIMPACK (.prr, .prw), MiniProf (.ban, .whl) or two-column "
+        "file with lateral and vertical coordinates is needed");
     return content;
   }
 } // namespace wheelrail

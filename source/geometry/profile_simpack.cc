@@ -86,9 +86,15 @@ namespace wheelrail
 
     /// A line of the point block; weight 0 drops the point, all other weights count as 1.
     void
-    read_simpack_point(FileContent &content, const Line &line, const std::string &file, Weights &weights)
+    read_simpack_point(FileContent       &content,
+                       const Line        &line,
+                       const std::string &file,
+                       Weights           &weights,
+                       LeftOut           &left_out)
     {
-      const std::vector<double> numbers = numbers_of(line, 2, file);
+      if (is_switched_off(line, left_out))
+        return;
+      const std::vector<double> numbers = numbers_of(line, 2, file, left_out);
       const double              weight  = numbers.size() > 2 ? numbers[2] : 1;
       if (weight == 0)
         {
@@ -108,6 +114,41 @@ namespace wheelrail
       if (weights.other > 0)
         content.notes.push_back(counted(weights.other, "weight") + " other than 0 and 1 taken as 1");
     }
+
+    /// The kind of profile that the header states. A "type" in the block of the spline is another thing: the
+    /// kind of the file from which the spline was made.
+    void
+    read_kind(FileContent &content, const HeaderValues &values, const HeaderValues &spline)
+    {
+      if (values.has("type") && spline.has("type") &&
+          values.texts.at("type").text != spline.texts.at("type").text)
+        content.notes.push_back("type = " + spline.texts.at("type").text + " in line " +
+                                std::to_string(spline.texts.at("type").number) +
+                                " left out: in the spline block it is the kind of the original data");
+      if (!values.has("type"))
+        return;
+      const Line  &line  = values.texts.at("type");
+      const double value = values.number("type", 0);
+      if (value != 0 && value != 1)
+        throw InputError(place(values.file, line.number) + "type = " + shown(line.text) +
+                         ": 0 (rail) or 1 (wheel) is accepted");
+      content.kind_stated = true;
+      content.kind        = value == 1 ? ProfileKind::wheel : ProfileKind::rail;
+      content.kind_line   = line.number;
+    }
+
+    void
+    read_unit(FileContent &content, const HeaderValues &values)
+    {
+      if (!values.has("units.len.f"))
+        return;
+      const Line  &line   = values.texts.at("units.len.f");
+      const double factor = values.number("units.len.f", 0);
+      if (!(factor >= 1e-6 && factor <= 1e9))
+        throw InputError(place(values.file, line.number) + "units.len.f = " + shown(line.text) +
+                         ": file units per metre are needed, 1000 for mm");
+      content.metres_per_unit = 1 / factor;
+    }
   } // namespace
 
 
@@ -115,10 +156,11 @@ namespace wheelrail
   parse_simpack(const std::vector<Line> &lines, const std::string &file)
   {
     FileContent  content;
-    HeaderValues values{file, {}};
+    HeaderValues values{file, {}}, spline{file, {}};
     unsigned int begin = 0;
     Weights      weights;
-    bool         inside = false, ended = false;
+    LeftOut      left_out;
+    bool         in_spline = false, inside = false, ended = false;
     content.format = "SIMPACK";
     for (const Line &whole : lines)
       {
@@ -140,9 +182,11 @@ namespace wheelrail
             ended  = begin > 0;
           }
         else if (inside)
-          read_simpack_point(content, line, file, weights);
+          read_simpack_point(content, line, file, weights, left_out);
+        else if (word == "spline.begin" || word == "spline.end")
+          in_spline = word == "spline.begin";
         else
-          values.take(line);
+          (in_spline ? spline : values).take(line);
       }
     if (begin == 0)
       throw InputError(file +
@@ -150,27 +194,12 @@ namespace wheelrail
                        "point.begin and point.end");
     if (inside)
       throw InputError(place(file, begin) + "point.begin without \"point.end\"; the file may be cut off");
+    left_out.tell(content.notes);
     note_weights(content, weights);
+    read_kind(content, values, spline);
+    values.texts.merge(spline.texts);
     apply_orders(content, values);
-
-    if (const auto type = values.texts.find("type"); type != values.texts.end())
-      {
-        const double value = values.number("type", 0);
-        if (value != 0 && value != 1)
-          throw InputError(place(file, type->second.number) + "type = " + shown(type->second.text) +
-                           ": 0 (rail) or 1 (wheel) is accepted");
-        content.kind_stated = true;
-        content.kind        = value == 1 ? ProfileKind::wheel : ProfileKind::rail;
-        content.kind_line   = type->second.number;
-      }
-    if (const auto unit = values.texts.find("units.len.f"); unit != values.texts.end())
-      {
-        const double factor = values.number("units.len.f", 0);
-        if (!(factor >= 1e-6 && factor <= 1e9))
-          throw InputError(place(file, unit->second.number) + "units.len.f = " + shown(unit->second.text) +
-                           ": file units per metre are needed, 1000 for mm");
-        content.metres_per_unit = 1 / factor;
-      }
+    read_unit(content, values);
     return content;
   }
 } // namespace wheelrail

@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/quantity.h>
+#include <wheelrail/base/line_ends.h>
 #include <wheelrail/geometry/profile_text.h>
 
 #include <algorithm>
@@ -41,8 +41,10 @@ namespace wheelrail
   }
 
   std::vector<Line>
-  lines_of(const std::string &text)
+  lines_of(const std::string &whole)
   {
+    const std::string mark = "\xEF\xBB\xBF"; // byte order mark of UTF-8
+    const std::string text = with_line_feeds(whole.compare(0, 3, mark) == 0 ? whole.substr(3) : whole);
     std::vector<Line> lines;
     unsigned int      number = 0;
     for (std::size_t begin = 0; begin <= text.size();)
@@ -107,11 +109,72 @@ namespace wheelrail
     ++content.listed;
   }
 
-  std::vector<double>
-  numbers_of(const Line &line, const std::size_t needed, const std::string &file)
+  namespace
   {
-    const std::vector<std::string> fields = fields_of(line.text);
+    bool
+    starts_with_number(const std::string &text)
+    {
+      const std::vector<std::string> fields = fields_of(without_comment(text, "!#%"));
+      return !fields.empty() && number_of(fields[0]);
+    }
+
+    /// Whether commas stand between digits although blanks or semicolons already separate the numbers.
+    bool
+    has_decimal_commas(const std::string &text)
+    {
+      const auto  digit = [](const char c) { return c >= '0' && c <= '9'; };
+      std::string part;
+      std::size_t numbers = 0;
+      bool        comma   = false;
+      for (const char c : text + " ")
+        {
+          if (c != ' ' && c != '\t' && c != ';')
+            {
+              part += c;
+              continue;
+            }
+          numbers += !part.empty() && (digit(part[0]) || part[0] == '-' || part[0] == '+');
+          for (std::size_t i = 1; i + 1 < part.size(); ++i)
+            comma = comma || (part[i] == ',' && digit(part[i - 1]) && digit(part[i + 1]));
+          part.clear();
+        }
+      return comma && numbers > 1;
+    }
+  } // namespace
+
+  void
+  LeftOut::tell(std::vector<std::string> &notes) const
+  {
+    if (switched_off > 0)
+      notes.push_back(counted(switched_off, "line") +
+                      " switched off by a leading quotation mark left out, the first is line " +
+                      std::to_string(first_off));
+    if (words > 0)
+      notes.push_back("words behind the numbers of " + counted(words, "line") +
+                      " left out, the first is line " + std::to_string(first_words));
+  }
+
+  bool
+  is_switched_off(const Line &line, LeftOut &left_out)
+  {
+    if (line.text[0] != '"')
+      return false;
+    if (left_out.switched_off++ == 0)
+      left_out.first_off = line.number;
+    return true;
+  }
+
+  std::vector<double>
+  numbers_of(const Line &line, const std::size_t needed, const std::string &file, LeftOut &left_out)
+  {
+    const std::string              text   = without_comment(line.text, "!#%");
+    const std::vector<std::string> fields = fields_of(text);
     std::vector<double>            numbers;
+    if (has_decimal_commas(text))
+      throw InputError(
+        place(file, line.number) + shown(text) +
+        " has commas and other separators; write a point as decimal mark, and blanks, tabs, commas or "
+        "semicolons between the columns");
     for (const std::string &field : fields)
       {
         const auto number = number_of(field);
@@ -124,9 +187,33 @@ namespace wheelrail
       }
     if (numbers.size() < needed)
       throw InputError(place(file, line.number) + shown(line.text) + " holds " +
-                       std::to_string(numbers.size()) + " number" + (numbers.size() == 1 ? "" : "s") +
+                       counted(numbers.size(), "number") +
                        "; a line of points holds two: lateral and vertical coordinate");
+    if (numbers.size() < fields.size() && left_out.words++ == 0)
+      left_out.first_words = line.number;
     return numbers;
+  }
+
+  std::size_t
+  begin_of_points(const std::vector<Line> &lines)
+  {
+    constexpr unsigned int enough = 5;
+    std::size_t            begin = lines.size(), first = lines.size();
+    unsigned int           run = 0;
+    for (std::size_t i = 0; i < lines.size() && run < enough; ++i)
+      {
+        if (lines[i].text[0] == '"' || without_comment(lines[i].text, "!#%").empty())
+          continue;
+        if (!starts_with_number(lines[i].text))
+          {
+            run = 0;
+            continue;
+          }
+        if (run++ == 0)
+          begin = i;
+        first = std::min(first, i);
+      }
+    return run < enough ? first : begin;
   }
 
   std::string
@@ -149,13 +236,21 @@ namespace wheelrail
   double
   HeaderValues::number(const std::string &name, const double otherwise) const
   {
-    const auto found = texts.find(name);
-    if (found == texts.end())
+    if (!has(name))
       return otherwise;
-    const auto value = number_of(found->second.text);
+    const auto found = texts.find(name);
+    const auto words = fields_of(found->second.text);
+    const auto value = words.empty() ? std::nullopt : number_of(words[0]);
     if (!value || std::abs(*value) > 1e12)
       throw InputError(place(file, found->second.number) + name + " = " + shown(found->second.text) +
                        ": a number is needed");
     return *value;
+  }
+
+  bool
+  HeaderValues::has(const std::string &name) const
+  {
+    const auto found = texts.find(name);
+    return found != texts.end() && !found->second.text.empty();
   }
 } // namespace wheelrail

@@ -83,6 +83,15 @@ namespace wheelrail
         "side of the flange.",
         &Scene::wheel_file),
       unit_entry("Wheel unit", unit, &Scene::wheel_file),
+      choice_entry<WheelOrigin>(
+        {"Profiles",
+         "Wheel origin",
+         "Lateral origin of the wheel file; auto: found from the flange back, or from the "
+         "flange tip where the back was not measured."},
+        {{"auto", WheelOrigin::automatic},
+         {"running circle", WheelOrigin::running_circle},
+         {"flange back", WheelOrigin::flange_back}},
+        field(&Scene::wheel_origin)),
       name_or_file_entry(
         {"Profiles",
          "Rail",

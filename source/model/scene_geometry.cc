@@ -41,7 +41,7 @@ namespace wheelrail
         scene.wheel_profile,
         scene.wheel_file,
         [&](const MeasuredProfile &measured, std::vector<std::string> &more) {
-          return measured_wheel(measured, scene.wheel.rim_width, more);
+          return measured_wheel(measured, scene.wheel.rim_width, more, scene.wheel_origin);
         },
         notes);
     }

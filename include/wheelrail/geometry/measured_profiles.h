@@ -21,13 +21,19 @@ namespace wheelrail
   measured_rail(const MeasuredProfile &profile, const std::string &body, std::vector<std::string> &notes);
 
   /// A tread from flange back to rim face with a measured running surface, in the frame of the
-  /// running circle 70 mm from the flange back: moved there by its flange back when the file has another
-  /// origin, and in height so that the running circle has y = 0. A part that was not measured is
-  /// added: the tread goes on straight up to 5 mm before the face of a rim `rim_width` wide [m], the top
-  /// of the flange by an arc into the flange back.
+  /// running circle 70 mm from the flange back: moved there as `origin` says, and in height so that the
+  /// running circle has y = 0. Automatic is: by the flange back where it was measured, otherwise by the
+  /// flange tip, which lies 47 mm to 63 mm off the running circle or 14 mm to 22 mm off the back. A part that
+  /// was not measured is added: the tread goes on straight up to 5 mm before the face of a rim `rim_width`
+  /// wide [m], the flange, also one cut off before its tip, by an arc into the flange back. The face of the
+  /// rim is left out.
   ///
-  /// What was done is added to `notes`. Throws InputError when neither origin nor flange back tells
-  /// where the running circle is, or the profile does not reach over it.
+  /// What was done is added to `notes`. Throws InputError when neither flange back nor tip tells
+  /// where the running circle is, `origin` puts the tip where none can be, the profile does not reach over
+  /// the running circle, or its flange is cut so short that no flange follows.
   WheelProfile
-  measured_wheel(const MeasuredProfile &profile, double rim_width, std::vector<std::string> &notes);
+  measured_wheel(const MeasuredProfile    &profile,
+                 double                    rim_width,
+                 std::vector<std::string> &notes,
+                 WheelOrigin               origin = WheelOrigin::automatic);
 } // namespace wheelrail

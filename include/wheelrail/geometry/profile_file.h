@@ -25,6 +25,14 @@ namespace wheelrail
     no
   };
 
+  /// Where the lateral origin of a wheel file lies.
+  enum class WheelOrigin
+  {
+    automatic, ///< by the flange back or the flange tip
+    running_circle,
+    flange_back
+  };
+
   /// How a profile file is read.
   struct ProfileFileOptions
   {

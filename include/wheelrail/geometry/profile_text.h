@@ -18,7 +18,7 @@ namespace wheelrail
     unsigned int number = 0; ///< counted from 1
   };
 
-  /// The lines of a text that hold more than blanks.
+  /// The lines of a text that hold more than blanks, ended by LF, CR LF or CR; a byte order mark is left out.
   std::vector<Line>
   lines_of(const std::string &text);
 
@@ -50,10 +50,32 @@ namespace wheelrail
   std::vector<std::string>
   fields_of(const std::string &line);
 
-  /// The numbers of a line of columns up to the first field that is none. Throws InputError when one
-  /// of the first `needed` fields is none.
+  /// What stands among the numbers of the points and is left out.
+  struct LeftOut
+  {
+    std::size_t  switched_off = 0;               ///< lines that begin with a quotation mark
+    std::size_t  words        = 0;               ///< lines with words behind their numbers
+    unsigned int first_off = 0, first_words = 0; ///< the first line of each kind
+
+    /// Adds a sentence for each kind that there is.
+    void
+    tell(std::vector<std::string> &notes) const;
+  };
+
+  /// Whether a line begins with a quotation mark, by which MiniProf switches lines off; counts it.
+  bool
+  is_switched_off(const Line &line, LeftOut &left_out);
+
+  /// The numbers of a line of columns up to a comment (!, #, %) or the first field that is none; words there
+  /// are counted. Throws InputError when one of the first `needed` fields is none, and for decimal commas.
   std::vector<double>
-  numbers_of(const Line &line, std::size_t needed, const std::string &file);
+  numbers_of(const Line &line, std::size_t needed, const std::string &file, LeftOut &left_out);
+
+  /// Index of the line with which the points begin: the first of five or more lines (comments and lines that
+  /// are switched off aside) that begin with a number, or of those that there are. Headings of words,
+  /// "Key=value" and a few numbers stand before it.
+  std::size_t
+  begin_of_points(const std::vector<Line> &lines);
 
   /// Adds a point; throws InputError when there are too many or a coordinate is beyond 1e9.
   void
@@ -69,12 +91,20 @@ namespace wheelrail
     bool
     take(const Line &line);
 
-    /// The number of that name, or `otherwise`; throws InputError when it is no number.
+    /// The number of that name, or `otherwise` when it is not there or has no value; words behind it are left
+    /// out. Throws InputError when it is no number.
     double
     number(const std::string &name, double otherwise) const;
+
+    /// Whether a value stands behind that name.
+    bool
+    has(const std::string &name) const;
   };
 
-  /// Reader of SIMPACK files, see parse_profile_text().
+  /// Readers of SIMPACK and MiniProf files, see parse_profile_text(); the points of the latter begin with the
+  /// line of index `begin`.
   FileContent
   parse_simpack(const std::vector<Line> &lines, const std::string &file);
+  FileContent
+  parse_miniprof(const std::vector<Line> &lines, std::size_t begin, const std::string &file);
 } // namespace wheelrail

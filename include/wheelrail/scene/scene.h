@@ -56,6 +56,7 @@ namespace wheelrail
     std::string        wheel_profile = "S1002"; ///< standard profile or file
     std::string        rail_profile  = "54E1";
     ProfileFileOptions wheel_file{ProfileKind::wheel}; ///< how files are read
+    WheelOrigin        wheel_origin = WheelOrigin::automatic;
     ProfileFileOptions rail_file{ProfileKind::rail};
     std::string        rail_body = "auto"; ///< standard rail below a measured head
     TrackDimensions    track; ///< flange-back distance and nominal radius belong to Wheelset in the file

@@ -1,0 +1,347 @@
+// Profile files as measuring devices and multibody programs leave them: each kind of oddity is read, told,
+// and gives the profile that was measured.
+
+#include "check.h"
+#include "profile_samples.h"
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/measured_profiles.h>
+
+#include <algorithm>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::columns;
+using test::sampled;
+
+namespace
+{
+  using Points = std::vector<Point2>;
+
+  /// A file read as wheel or rail, with all that was told, or the error.
+  struct Read
+  {
+    Curve                    curve;
+    std::vector<std::string> notes;
+    std::string              error;
+
+    bool
+    tells(const std::string &part) const
+    {
+      return std::any_of(notes.begin(), notes.end(), [&](const std::string &note) {
+        return note.find(part) != std::string::npos;
+      });
+    }
+  };
+
+  Read
+  read(const ProfileKind kind, const std::string &text, const WheelOrigin origin = WheelOrigin::automatic)
+  {
+    Read               result;
+    ProfileFileOptions options;
+    options.kind = kind;
+    try
+      {
+        const MeasuredProfile profile = read_profile_text(text, "p.txt", options);
+        result.notes                  = profile.notes;
+        result.curve = kind == ProfileKind::wheel ? measured_wheel(profile, 0.135, result.notes, origin).tread
+                                                  : measured_rail(profile, "auto", result.notes).head;
+      }
+    catch (const InputError &error)
+      {
+        result.error = error.what();
+      }
+    return result;
+  }
+
+  void
+  check_tells(const Read &read, const std::string &part, const std::string &what)
+  {
+    if (check(read.error.empty() && read.tells(part), what + ": told"))
+      return;
+    std::cout << "  expected: " << part << "\n  error: " << read.error << "\n";
+    for (const std::string &note : read.notes)
+      std::cout << "  note: " << note << "\n";
+  }
+
+  /// The part of the curve between two lateral places lies on the exact one.
+  void
+  check_on(const Read        &read,
+           const Curve       &exact,
+           const double       low,
+           const double       high,
+           const double       most,
+           const std::string &what)
+  {
+    double       worst = read.error.empty() ? 0 : 1;
+    unsigned int count = 0;
+    for (double t = 0; t < read.curve.parameter_end(); t += 0.5)
+      if (const Point2 p = read.curve.at(t).position; p.x > low && p.x < high)
+        {
+          worst = std::max(worst, norm(exact.at(exact.closest(p)).position - p));
+          ++count;
+        }
+    check(count > 20, what + ": covers the profile");
+    check_near(worst, 0, most, what + ": distance from the profile that was measured [m]");
+  }
+
+  Curve
+  S1002()
+  {
+    return wheel_profile("S1002").tread;
+  }
+
+  /// Points of an S1002 tread as MiniProf writes them [m]: from the flange back to the field side, y down on
+  /// the flange, the lateral origin on the flange back.
+  Points
+  miniprof_tread()
+  {
+    Points points;
+    for (const Point2 &p : sampled(S1002(), 0.5e-3, 0, 1))
+      points.insert(points.begin(), {p.x + 70e-3, -p.y});
+    return points;
+  }
+
+  /// Without the back of the flange.
+  Points
+  without_back()
+  {
+    Points points = miniprof_tread();
+    points.erase(points.begin(),
+                 std::find_if(points.begin(), points.end(), [](const Point2 &p) { return p.x > 1.5e-3; }));
+    return points;
+  }
+
+  /// Points of the head of a standard rail down to a depth [m].
+  Points
+  head(const std::string &name, const double depth = 28e-3)
+  {
+    Points points;
+    for (const Point2 &p : sampled(rail_profile(name).head, 0.5e-3, 0, 1))
+      if (p.y > -depth)
+        points.push_back(p);
+    return points;
+  }
+
+  void
+  test_simpack()
+  {
+    const Read wheel = read(
+      ProfileKind::wheel,
+      "header.begin\n  version = 1\n  type = 1  ! wheel\nheader.end\nspline.begin\n  file = 'tread.txt'\n"
+      "  type = 0 ! Original data file type\n  rotate =\n  units.len.f = 1000\n  point.begin\n!999 999\n" +
+        columns(sampled(S1002(), 0.5e-3, 0, 1)) + "  point.end\nspline.end\n");
+    check_tells(wheel,
+                "type = 0 in line 7 left out: in the spline block it is the kind of the original data",
+                "a second type in the spline block");
+    check_on(wheel, S1002(), -69e-3, 59e-3, 1e-6, "a second type in the spline block");
+  }
+
+  void
+  test_miniprof_headers()
+  {
+    const Read free =
+      read(ProfileKind::wheel,
+           "#MINIWHEELPROF\nCar1_0001.whl\nMINIPROF 2020\nStock.......:\n28.00 32.50 10.79\n(Sh/Sd/qR)\n\n" +
+             columns(miniprof_tread()));
+    check_tells(free, "6 lines without \"=\" before the points left out", "free header lines");
+    check_tells(
+      free, "1 line of numbers among the words before line 8 taken as heading", "numbers in the header");
+    check_on(free, S1002(), -69e-3, 59e-3, 1e-6, "free header lines");
+
+    Points rail = head("60E1");
+    for (Point2 &p : rail) // the gauge side on the right
+      p.x = -p.x;
+    std::string four, count = std::to_string(rail.size());
+    for (const Point2 &p : rail)
+      four += columns({p}).substr(0, columns({p}).size() - 1) + " 0.0933 -0.034\n";
+    const auto with_count = [&](const std::string &n) {
+      return "Filename=x\nProgramName=\nXYPoints=" + n +
+             "\nTilt=\nAreaRef=\n\"RefPoint1=\"\n\"ColumnDef=X,Y,A\"\nUOF1=#title\nColumnDef=X,Y,A,C\n\n" +
+             four;
+    };
+    const Read empty = read(ProfileKind::rail, with_count(count));
+    check_tells(empty, "MiniProf, " + count + " points", "keys without a value, four columns");
+    check_on(empty, rail_profile("60E1").head, -35e-3, 35e-3, 1e-6, "keys without a value, four columns");
+    const std::string one_more = std::to_string(rail.size() + 1);
+    check_tells(read(ProfileKind::rail, with_count(one_more)),
+                "XYPoints=\"" + one_more + "\", but the file holds " + count +
+                  " points, one less: read as they are",
+                "a count that is one off");
+    check(
+      read(ProfileKind::rail, with_count(std::to_string(rail.size() + 9))).error.find("it may be cut off") !=
+        std::string::npos,
+      "a count that is nine off is refused");
+  }
+
+  void
+  test_columns()
+  {
+    std::string  text;
+    unsigned int line = 0;
+    for (const Point2 &p : head("60E1"))
+      {
+        std::string row = columns({p});
+        row.pop_back();
+        ++line;
+        text += line == 50 ? row + " worn here\n" : line == 60 ? row + " % remark 7\n" : row + "\n";
+        if (line == 70 || line == 80)
+          text += "\"" + std::to_string(9999) + " 12\n";
+      }
+    const Read odd = read(ProfileKind::rail, text);
+    check_tells(odd, "words behind the numbers of 1 line left out, the first is line 50", "words");
+    check_tells(odd,
+                "2 lines switched off by a leading quotation mark left out, the first is line 71",
+                "quotation marks");
+    check_on(odd, rail_profile("60E1").head, -35e-3, 35e-3, 1e-6, "words and switched-off lines");
+
+    std::string five;
+    for (const Point2 &p : head("60E1"))
+      five += columns({p}).substr(0, columns({p}).size() - 1) + " 0.1 0.2 0.3\n";
+    check_tells(read(ProfileKind::rail, five), "columns 3 to 5 of the file left out", "five columns");
+  }
+
+  /// Line ends of CR alone: a comment ends with its line, not with the file.
+  void
+  test_line_ends()
+  {
+    std::string text = "# measured on track 2\nx [mm]  y [mm]\n" + columns(head("60E1"));
+    const Read  unix = read(ProfileKind::rail, text);
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    const Read mac = read(ProfileKind::rail, text);
+    check(mac.error.empty() && unix.error.empty() && mac.notes == unix.notes,
+          "line ends of CR alone: told the same");
+    check_on(mac, rail_profile("60E1").head, -35e-3, 35e-3, 1e-6, "line ends of CR alone");
+  }
+
+  void
+  test_origins()
+  {
+    const std::string header = "ProgramName=x\n\n";
+    const Read        back   = read(ProfileKind::wheel, header + columns(miniprof_tread()));
+    check_tells(back,
+                "moved laterally by -70 mm: the origin of the file lies on the flange back, since the back "
+                "is at x = 0 mm",
+                "measured back");
+    const Read tip = read(ProfileKind::wheel, header + columns(without_back()));
+    check_tells(tip,
+                "the origin of the file lies on the flange back, since the tip is at x = 15",
+                "tip 15 mm off the origin");
+    check_on(tip, S1002(), -69e-3, 59e-3, 2e-6, "tip 15 mm off the origin");
+    check_on(read(ProfileKind::wheel, header + columns(without_back(), -1e3)),
+             S1002(),
+             -69e-3,
+             59e-3,
+             2e-6,
+             "origin on the flange back, flange on the right");
+
+    Points elsewhere = without_back();
+    for (Point2 &p : elsewhere)
+      p.x += 200e-3;
+    const Read lost = read(ProfileKind::wheel, header + columns(elsewhere));
+    check(lost.error.find("set Profiles/Wheel origin") != std::string::npos,
+          "an origin that cannot be found: refused");
+    const Read wrong = read(ProfileKind::wheel, header + columns(elsewhere), WheelOrigin::flange_back);
+    check(wrong.error.find("with Profiles/Wheel origin = flange back the flange tip lies at x = 145 mm, the "
+                           "running circle being 0; "
+                           "-70 mm to -35 mm is possible: write another origin, or auto") !=
+            std::string::npos,
+          "a given origin where no flange can be: refused");
+
+    // a flange back 2 mm off its place: as given, not as found
+    Points thin = miniprof_tread();
+    for (Point2 &p : thin)
+      p.x += 2e-3;
+    const Read given = read(ProfileKind::wheel, header + columns(thin), WheelOrigin::flange_back);
+    check_tells(given, "moved laterally by -70 mm: Profiles/Wheel origin = flange back", "an origin given");
+    const double x = given.error.empty() ? given.curve.at(given.curve.parameter_end()).position.x : 0;
+    check_near(x, -68e-3, 1e-5, "an origin given: place of the flange back [m]");
+    for (Point2 &p : thin)
+      p.x -= 70e-3;
+    check_tells(read(ProfileKind::wheel, header + columns(thin), WheelOrigin::running_circle),
+                "lateral origin of the file kept: Profiles/Wheel origin = running circle",
+                "the running circle given");
+  }
+
+  // Faces by their ends; a hole where wheel and rail touch is no face.
+  void
+  test_long_steps()
+  {
+    Points points = miniprof_tread(), faces = {{-0.02e-3, -12e-3}, {0, 0}};
+    for (const Point2 &p : points)
+      if (p.y > 12.5e-3 || p.x > 20e-3)
+        faces.push_back(p);
+    faces.push_back(faces.back() + Point2{0, -12e-3});
+    const Read wheel = read(ProfileKind::wheel, "ProgramName=x\n\n" + columns(faces));
+    check_tells(wheel, "taken as a straight face", "steps of 12 mm on the faces");
+    check_tells(
+      wheel, "face of the rim left out, more than 8 mm above the running circle", "the face of the rim");
+    check_on(wheel, S1002(), -60e-3, 55e-3, 1e-5, "steps of 12 mm on the faces");
+
+    Points hole;
+    for (const Point2 &p : head("60E1"))
+      if (std::abs(p.x) > 6e-3)
+        hole.push_back(p);
+    check(read(ProfileKind::rail, columns(hole)).error.find("a gap of 12") != std::string::npos,
+          "a gap of 12 mm on the crown is refused");
+  }
+
+  void
+  test_other_bodies()
+  {
+    Points narrow;
+    for (const Point2 &p : head("54E1"))
+      narrow.push_back({p.x - std::copysign(std::min(8e-3, 0.4 * std::abs(p.x)), p.x), p.y});
+    const Read other = read(ProfileKind::rail, columns(narrow));
+    check_tells(other, "joined to it by a straight line of", "a head 16 mm narrower");
+
+    Points part;
+    for (const Point2 &p : head("60E1"))
+      if (p.x < 20e-3)
+        part.push_back(p);
+    const Read one_side = read(ProfileKind::rail, columns(part));
+    check_tells(
+      one_side, "body of the rail: 60E1, whose outline lies 0 mm off the points", "one side of a 60E1");
+    check_on(one_side, rail_profile("60E1").head, -35e-3, 35e-3, 5e-6, "one side of a 60E1");
+  }
+
+  void
+  test_cut_flange()
+  {
+    Points points;
+    for (const Point2 &p : sampled(S1002(), 0.5e-3, 0, 1))
+      if (p.x > -50e-3 && p.y > -21e-3)
+        points.push_back(p);
+    const Read cut = read(ProfileKind::wheel, columns(points));
+    check_tells(cut,
+                " now), its tip and its back are made up, and contact beyond the cut cannot be trusted",
+                "a flange cut off");
+    check_on(cut, S1002(), -40e-3, 59e-3, 1e-6, "a flange cut off: what was measured");
+    double lowest = 0;
+    for (double t = 0; t < cut.curve.parameter_end(); t += 0.05)
+      lowest = std::min(lowest, cut.curve.at(t).position.y);
+    check_near(lowest, -28e-3, 3e-3, "a flange cut off: height of the continued one [m]");
+    check_near(cut.curve.at(cut.curve.parameter_end()).position.x, -70e-3, 1e-6, "its back [m]");
+
+    points.clear();
+    for (const Point2 &p : sampled(S1002(), 0.5e-3, 0, 1))
+      if (p.x > -50e-3 && p.y > -10e-3)
+        points.push_back(p);
+    check(!read(ProfileKind::wheel, columns(points)).error.empty(), "a tread without a flange is refused");
+  }
+} // namespace
+
+int
+main()
+{
+  test_simpack();
+  test_miniprof_headers();
+  test_columns();
+  test_line_ends();
+  test_origins();
+  test_long_steps();
+  test_other_bodies();
+  test_cut_flange();
+  return test::report();
+}

@@ -1,0 +1,147 @@
+// Outliers of measured profiles are judged against their neighbours, whatever their size; kinks of worn
+// profiles stay.
+
+#include "check.h"
+#include "profile_samples.h"
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/profile_file.h>
+
+#include <algorithm>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::columns;
+using test::sampled;
+
+namespace
+{
+  using Points = std::vector<Point2>;
+
+  MeasuredProfile
+  read(const ProfileKind kind, const Points &points)
+  {
+    ProfileFileOptions options;
+    options.kind = kind;
+    return read_profile_text(columns(points), "p.txt", options);
+  }
+
+  bool
+  tells(const MeasuredProfile &profile, const std::string &part)
+  {
+    return std::any_of(profile.notes.begin(), profile.notes.end(), [&](const std::string &note) {
+      return note.find(part) != std::string::npos;
+    });
+  }
+
+  double
+  distance(const Curve &curve, const Point2 &p)
+  {
+    return norm(curve.at(curve.closest(p)).position - p);
+  }
+
+  double
+  largest_distance(const Curve &curve, const Curve &from)
+  {
+    double worst = 0;
+    for (double t = 0; t < curve.parameter_end(); t += 0.25)
+      worst = std::max(worst, distance(from, curve.at(t).position));
+    return worst;
+  }
+
+  Points
+  tread(const double noise)
+  {
+    return sampled(wheel_profile("S1002").tread, 0.5e-3, noise, 5);
+  }
+
+  Points
+  head(const double noise)
+  {
+    Points points;
+    for (const Point2 &p : sampled(rail_profile("54E1").head, 0.5e-3, noise, 6))
+      if (p.y > -28e-3)
+        points.push_back(p);
+    return points;
+  }
+
+  /// One bad point, or two side by side, of every size, at many places.
+  void
+  test_bad_points()
+  {
+    for (const ProfileKind kind : {ProfileKind::rail, ProfileKind::wheel})
+      {
+        const Points      base  = kind == ProfileKind::rail ? head(5e-6) : tread(5e-6);
+        const std::string name  = kind == ProfileKind::rail ? "rail" : "wheel";
+        const Curve       clean = read(kind, base).curve;
+        for (const double size : {0.2e-3, 0.7e-3, 3e-3, -3e-3, 20e-3})
+          {
+            double       worst  = 0;
+            unsigned int missed = 0;
+            for (std::size_t i = 20; i + 20 < base.size(); i += 23)
+              {
+                Points points = base;
+                points[i].y += size;
+                if (i % 2 == 0 && std::abs(size) > 2.5e-3)
+                  points[i + 1].y += 1.1 * size;
+                const MeasuredProfile profile = read(kind, points);
+                missed +=
+                  !tells(profile, "outlier") && std::abs(size) > 0.5e-3; // less may lie along the outline
+                worst = std::max(worst, largest_distance(profile.curve, clean));
+              }
+            const std::string what = name + " with bad points of " + std::to_string(1e3 * size) + " mm";
+            check_near(missed, 0, 0, what + ": places where they are kept");
+            check_near(worst, 0, 20e-6, what + ": distance from the curve without them [m]");
+          }
+      }
+  }
+
+  /// The curve passes through the kink, and no point is dropped.
+  void
+  check_kink(const Points &points, const Point2 &kink, const double noise, const std::string &what)
+  {
+    const MeasuredProfile profile = read(ProfileKind::wheel, points);
+    check(!tells(profile, "outlier"), what + ": no point dropped");
+    check(tells(profile, "kept"), what + ": kept");
+    check_near(
+      distance(profile.curve, kink), 0, 0.03e-3 + 5 * noise, what + ": distance of the curve from it [m]");
+  }
+
+  void
+  test_kinks()
+  {
+    for (const double noise : {0., 5e-6})
+      {
+        const std::string with = noise > 0 ? " with noise" : "";
+        // a flange worn vertically: an edge of some 70 degrees where the worn face meets the tip
+        Points worn;
+        for (const Point2 &p : tread(noise))
+          worn.push_back(p.y < -8e-3 && p.x > -50e-3 ? Point2{std::min(p.x, -42e-3), p.y} : p);
+        const auto edge =
+          std::find_if(worn.begin(), worn.end(), [](const Point2 &p) { return p.x == -42e-3; });
+        check_kink(worn, *edge, noise, "worn flange" + with);
+        // a hollow tread, 2 mm deep up to its edge: the false flange stands on the field side with a wall of
+        // 60 degrees
+        Points hollow;
+        Point2 top;
+        for (const Point2 &p : tread(noise))
+          {
+            const double in = 30e-3 - p.x, deep = std::clamp(std::tan(std::acos(-1.) / 3) * in, 0., 2e-3);
+            hollow.push_back(
+              p.x < 30e-3 && p.x > -30e-3 ? p + Point2{0, deep * std::min(1., (p.x + 30e-3) / 20e-3)} : p);
+            if (in < 0)
+              top = p;
+          }
+        check_kink(hollow, top, noise, "false flange" + with);
+      }
+  }
+} // namespace
+
+int
+main()
+{
+  test_bad_points();
+  test_kinks();
+  return test::report();
+}
