@@ -1,6 +1,7 @@
 #include <wheelrail/application/commands.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
+#include <wheelrail/base/print.h>
 #include <wheelrail/run/simulation.h>
 
 #include <deal.II/base/exceptions.h>
@@ -12,6 +13,8 @@
 #include <new>
 #include <sstream>
 #include <thread>
+
+#include <unistd.h>
 
 namespace
 {
@@ -63,11 +66,11 @@ namespace
   }
 
   void
-  print(const Failure &failure)
+  print_failure(const Failure &failure)
   {
     std::istringstream lines(failure.text);
     for (std::string line; std::getline(lines, line);)
-      std::cerr << (line.empty() || line[0] == ' ' ? "" : "error: ") << line << std::endl;
+      print(STDERR_FILENO, (line.empty() || line[0] == ' ' ? "" : "error: ") + line + "\n");
   }
 
   /// Whether all ranks get here within a few seconds. One that failed alone would leave the others
@@ -95,11 +98,11 @@ namespace
     const Failure failure = guarded([&]() { return execute(arguments, run_simulation, std::cout); });
     if (!failure.text.empty() && !all_arrive(comm))
       {
-        print(failure);
+        print_failure(failure);
         MPI_Abort(comm, failure.code);
       }
     if (is_root)
-      print(failure);
+      print_failure(failure);
     MPI_Comm_free(&comm);
     return failure.code;
   }
@@ -115,6 +118,6 @@ main(int argc, char **argv)
       return run_in_parallel(argc, argv, arguments);
     }
   const Failure failure = guarded([&]() { return execute(arguments, run_simulation, std::cout); });
-  print(failure);
+  print_failure(failure);
   return failure.code;
 }

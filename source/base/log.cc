@@ -1,11 +1,12 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/log.h>
+#include <wheelrail/base/print.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <iostream>
 
 #include <unistd.h>
 
@@ -41,12 +42,10 @@ namespace wheelrail
   {
     if (!screen_)
       return;
-    if (status_shown_)
-      std::cout << "\r\033[K";
+    print(STDOUT_FILENO, (status_shown_ ? "\r\033[K" : "") + text + "\n");
     status_shown_ = false;
-    std::cout << text << std::endl;
     if (file_.is_open())
-      file_ << text << std::endl;
+      file_ << text + "\n" << std::flush;
   }
 
   void
@@ -96,7 +95,7 @@ namespace wheelrail
   {
     if (!screen_ || !terminal_)
       return;
-    std::cout << "\r\033[K" << text << std::flush;
+    print(STDOUT_FILENO, "\r\033[K" + text);
     status_shown_ = true;
   }
 
