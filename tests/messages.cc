@@ -156,6 +156,13 @@ namespace
     check_set("Wheelset/Velocity = " + std::string(300, '7') + " km/h",
               "--set: Wheelset/Velocity = " + std::string(100, '7') +
                 "...: too long for a number; a velocity with its unit is needed, such as 140 km/h");
+    check_set("Title = " + std::string(100000, 'x'),
+              "--set: Title = " + std::string(100, 'x') +
+                "...: too long, 100000 characters; at most 200 are accepted");
+    std::string accepted = "Title = ";
+    for (int letter = 0; letter < 200; ++letter)
+      accepted += "\xC3\xBC";
+    check_set(accepted, "no message");
     check_set("Wheelset/Drive = a\nb",
               "--set: Wheelset/Drive = a?b: not known here; torque or rate is accepted");
     check_text(shown_text("gr\xC3\xBC\xC3\x9F", 3), "gr...", "a letter of two bytes is not cut in two");

@@ -1,4 +1,5 @@
 #include <wheelrail/base/choices.h>
+#include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/section_entries.h>
 
@@ -6,12 +7,31 @@
 
 namespace wheelrail
 {
+  namespace
+  {
+    /// A text that fits on a line and into a page's head.
+    Entry
+    title_entry()
+    {
+      Entry      entry = text_entry({"", "Title", "Name of the scene in the output."}, field(&Scene::title));
+      const auto set   = entry.set;
+      entry.set        = [set](Scene &scene, const std::string &text) {
+        // bytes of UTF-8 that continue a character do not count
+        const auto n =
+          std::count_if(text.begin(), text.end(), [](const char c) { return (c & 0xc0) != 0x80; });
+        if (n > 200)
+          throw InputError("too long, " + std::to_string(n) + " characters; at most 200 are accepted");
+        set(scene, text);
+      };
+      return entry;
+    }
+  } // namespace
+
   const std::vector<Entry> &
   entries()
   {
     static const std::vector<Entry> table = [] {
-      std::vector<Entry> list{
-        text_entry({"", "Title", "Name of the scene in the output."}, field(&Scene::title))};
+      std::vector<Entry> list{title_entry()};
       for (const std::vector<Entry> &section : {profiles_entries(),
                                                 track_entries(),
                                                 wheelset_entries(),

@@ -154,6 +154,32 @@ namespace wheelrail
       write_attribute(set, "unit", unit);
     }
 
+    void
+    write_text(const hid_t group, const std::string &name, const std::string &text)
+    {
+      const std::string what = "write the text " + name;
+      const hsize_t     size = text.size();
+      const Handle      space(H5Screate_simple(1, &size, nullptr), H5Sclose, what);
+      const Handle      set(
+        H5Dcreate2(group, name.c_str(), H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Dclose,
+        what);
+      if (!text.empty())
+        require(H5Dwrite(set, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), what);
+    }
+
+    std::string
+    read_text(const hid_t group, const std::string &name)
+    {
+      const std::string what = "read the text " + name;
+      const Handle      set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, what);
+      const Handle      space(H5Dget_space(set), H5Sclose, what);
+      std::string       text(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)), '\0');
+      if (!text.empty())
+        require(H5Dread(set, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text[0]), what);
+      return text;
+    }
+
     std::vector<double>
     read_dataset(const hid_t group, const std::string &name)
     {

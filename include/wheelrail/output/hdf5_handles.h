@@ -62,6 +62,7 @@ namespace wheelrail
     std::vector<char>
     file_image(hid_t file);
 
+    /// At most some 64 000 characters, a limit of HDF5; longer texts: write_text().
     void
     write_attribute(hid_t object, const std::string &name, const std::string &value);
 
@@ -84,6 +85,13 @@ namespace wheelrail
                   const std::vector<hsize_t> &shape,
                   const std::vector<double>  &values,
                   const std::string          &unit);
+
+    /// A text of any length as a dataset of bytes.
+    void
+    write_text(hid_t group, const std::string &name, const std::string &text);
+
+    std::string
+    read_text(hid_t group, const std::string &name);
 
     /// All numbers of a dataset, in the order of the file.
     std::vector<double>
