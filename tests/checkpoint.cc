@@ -195,6 +195,8 @@ namespace
     gone_on.energy_limit = 1e-12;
     check(error_of<RunError>(gone_on, true).find("energy balance") != std::string::npos,
           "the energy limit stops a run");
+    check(error_of<InputError>(gone_on, true).find("would stop there again") != std::string::npos,
+          "the same limit again is refused");
     gone_on.energy_limit = one_go.energy_limit;
     check(run(gone_on, true) == 0, "it goes on with a larger limit from the last good state");
     compare(one_go.folder, gone_on.folder, "stopped by limit");
@@ -216,7 +218,7 @@ namespace
       std::string changed = text;
       on_disk([&]() { replace_file(marker, changed.replace(changed.find(old), old.size(), fresh)); });
     };
-    with("\"format\": 3", "\"format\": 99");
+    with("\"format\": 4", "\"format\": 99");
     check_refusal(saved, "of format 99", "another format");
     with("{", "");
     check_refusal(saved, "of format", "a marker that cannot be read");

@@ -132,6 +132,13 @@ namespace
                   "Mesh/Solution cell size = 4 mm: coarse; a patch of about 20 mm x 14 mm (width x length) "
                   "is expected, which is less than six cells in one direction, so the peak pressure will be "
                   "some 10 % or more off; take 1.4 mm for figures");
+    check_warning(
+      {"Mesh/Solution cell size = 4 mm", "Mesh/Fine margin = 4 mm", "Run/Rolling distance = 62 mm"},
+      "Mesh/Solution cell size = 4 mm: coarse; a patch of about 20 mm x 14 mm (width x length) "
+      "is expected, which is less than six cells in one direction, so the peak pressure will be "
+      "some 10 % or more off; take 1.4 mm for figures\nMesh/Fine margin = 4 mm: the patch is expected to "
+      "reach the edge of the fine cells after 60.7 mm of Run/Rolling distance = 62 mm, which would "
+      "stop the run there; take 8 mm");
     check_warning({"Wheelset/Sprung mass = 1.2 t", "Mesh/Solution cell size = 2 mm"},
                   "Mesh/Solution cell size = 2 mm: coarse; a patch of about 6.7 mm x 7.8 mm (width x length) "
                   "is expected, which is less than six cells in one direction, so the peak pressure will be "

@@ -11,6 +11,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
+
+#include <unistd.h>
 
 using namespace wheelrail;
 using test::check;
@@ -42,8 +45,8 @@ namespace
   check_folder(const std::string &folder, const std::string &expected)
   {
     check_text(message_of([&]() {
-                 prepare_folder(
-                   folder, FolderMode::fresh, "set Title = x\n", "set Title = x\n", MPI_COMM_WORLD);
+                 OutputFolder(folder, FolderMode::fresh, "set Title = x\n", MPI_COMM_WORLD)
+                   .begin("set Title = x\n", false);
                }),
                expected,
                expected);
@@ -77,8 +80,53 @@ namespace
     // a folder of the kernel, in which not even root can make files
     check_folder("/proc",
                  "Output/Folder = /proc: no files can be made there. The output file "
-                 "\"/proc/.wheelrail-write-test\" cannot be written: No such file or "
+                 "\"/proc/run.lock\" cannot be written: No such file or "
                  "directory. Check that the folder still exists and may be written to.");
+  }
+
+  /// The file of a run that is gone, or may be.
+  std::string
+  holder(const std::string &host, const std::string &boot, const long process)
+  {
+    return "{\"host\": \"" + host + "\", \"boot\": \"" + boot +
+           "\", \"process\": " + std::to_string(process) + "}";
+  }
+
+  void
+  test_locks()
+  {
+    const std::string lock = "runs/held/run.lock";
+    char              host[256];
+    gethostname(host, sizeof host);
+    std::string boot;
+    std::getline(std::ifstream("/proc/sys/kernel/random/boot_id") >> std::ws, boot);
+    for (const std::string &left : {std::string(),
+                                    std::string("no JSON"),
+                                    holder(host, boot, 1),
+                                    holder("another", boot, 1), // a container's name for this machine
+                                    holder(host, "before", 1)})
+      {
+        write(lock, left);
+        check_folder("runs/held", "no message");
+        check(!fs::exists(lock), "what a killed run left is taken over: " + left);
+        MPI_Barrier(MPI_COMM_WORLD);
+      }
+    write(lock, holder("another", "before", 17));
+    check_folder(
+      "runs/held",
+      "Output/Folder = runs/held: a run on another machine works in this folder, process 17 on "
+      "another, or was ended there without a word. Choose another Output/Folder, or, when it is gone, "
+      "remove \"runs/held/run.lock\".");
+    check(fs::exists(lock), "another machine's lock stays");
+    MPI_Barrier(MPI_COMM_WORLD);
+    write(lock, "");
+    const OutputFolder held("runs/held", FolderMode::overwrite, "", MPI_COMM_WORLD);
+    const std::string  found =
+      message_of([]() { OutputFolder("runs/held", FolderMode::overwrite, "", MPI_COMM_WORLD); });
+    check_text(std::regex_replace(found, std::regex("process [0-9]+ on"), "process N on"),
+               "Output/Folder = runs/held: another run works in this folder, process N on " +
+                 std::string(host) + ". Wait for its end, or choose another Output/Folder.",
+               "a folder that is held");
   }
 
   const std::string parameters =
@@ -134,6 +182,66 @@ namespace
                 "most 30 mm");
   }
 
+  void
+  test_stops()
+  {
+    const auto stop = [](const Stop &why) {
+      MPI_Barrier(MPI_COMM_WORLD);
+      if (rank() == 0)
+        write_stop(why, "runs/saved");
+      MPI_Barrier(MPI_COMM_WORLD);
+    };
+    stop({"interrupted", 0.01, "", 0});
+    check_text(answer(parameters), "no message", "an interrupted run goes on");
+    stop({"the patch reaches the edge of the fine cells at 20.040 mm rolled",
+          0.02004,
+          "raise Mesh/Fine margin above 3 mm",
+          0});
+    check_state(
+      answer(parameters),
+      "the run stopped since the patch reaches the edge of the fine cells at 20.040 mm rolled, and "
+      "would stop there again: raise Mesh/Fine margin above 3 mm, and start anew with --overwrite; or "
+      "end the run before that place with --set \"Run/Rolling distance = 20 mm\"");
+    check_text(answer(parameters, 0.02), "no message", "before that place it can end");
+    check_text(
+      message_of([]() { protect_saved_states("runs/saved"); }),
+      "Output/Folder = runs/saved: the folder holds a run that has not finished, saved at 10.000 mm "
+      "rolled (it stopped since the patch reaches the edge of the fine cells at 20.040 mm rolled). Give "
+      "--overwrite to start anew, or choose another Output/Folder.",
+      "a new start over a run that stopped");
+    stop({"the energy balance is off", 0.01, "take a smaller Run/Time step factor", 0.06234});
+    check_state(
+      answer(parameters),
+      "the run stopped since the energy balance is off, and would stop there again: take a smaller "
+      "Run/Time step factor, and start anew with --overwrite; or let it pass with --set \"Run/Energy "
+      "limit = 0.063\"");
+    write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD);
+    check_text(answer(parameters), "no message", "a run that has gone on since may go on again");
+    check_text(message_of([]() { protect_saved_states("runs/saved"); }),
+               "Output/Folder = runs/saved: the folder holds a run that has not finished, saved at 10.000 mm "
+               "rolled. Give --resume to go on with it, --overwrite to start anew, or choose another "
+               "Output/Folder.",
+               "a new start over an interrupted run");
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+
+  /// A run that stopped before its first state.
+  void
+  test_nothing_saved()
+  {
+    write("runs/saved/parameters.prm", parameters);
+    write("runs/saved/summary.json", "{\"finished\": false, \"stopped_because\": \"a value is not finite\"}");
+    check_state(
+      answer(parameters),
+      "the run in this folder stopped before it had saved a state, since a value is not finite; start "
+      "anew without --resume");
+    check_text(message_of([]() { protect_saved_states("runs/saved"); }), "no message", "which loses nothing");
+    MPI_Barrier(MPI_COMM_WORLD);
+    if (rank() == 0)
+      fs::remove("runs/saved/summary.json");
+    check_text(answer(parameters), "no message", "one that was killed before starts anew");
+  }
+
   /// With the newest state damaged, the one before it is read, and a note says so.
   void
   test_older_state(const std::string &damaged)
@@ -158,20 +266,30 @@ namespace
   {
     const std::string anew = "; start anew without --resume";
     check_state(answer(parameters), "there is no run to go on with; start without --resume");
+    test_nothing_saved();
     write("runs/saved/summary.json", "{\"finished\": true}");
     check_state(answer(parameters), "the run in this folder has finished; there is nothing to go on with");
     write("runs/saved/summary.json", "{\"finished\": false}");
     write("runs/saved/checkpoint.json", "{\"format\": 1}");
     check_state(answer(parameters),
-                "checkpoint.json is of format 1, this version of the program reads format 3" + anew);
+                "checkpoint.json is of format 1, this version of the program reads format 4" + anew);
     write("runs/saved/checkpoint.json", "no JSON");
     check_state(answer(parameters),
-                "checkpoint.json is of format \"none\", this version of the program reads format 3" + anew);
-    write("runs/saved/checkpoint.json", "{\"format\": 3}");
+                "checkpoint.json is of format \"none\", this version of the program reads format 4" + anew);
+    write("runs/saved/checkpoint.json", "{\"format\": 4}");
     check_state(answer(parameters), "checkpoint.json lists no saved state" + anew);
 
     write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD);
     test_differences();
+    test_stops();
+    Checkpoint long_text = small_state();
+    long_text.parameters = std::string(100000, '#') + "\n" + parameters;
+    write_checkpoint(long_text, "runs/saved", MPI_COMM_WORLD);
+    check_text(answer(parameters), "no message", "a state with 100 000 characters of entries");
+    if (rank() == 0)
+      remove_checkpoints("runs/saved");
+    MPI_Barrier(MPI_COMM_WORLD);
+    write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD); // checkpoint_0.h5
     const std::string damaged =
       "checkpoint_0.h5 is damaged or missing (its checksum is not the one in checkpoint.json)";
     write("runs/saved/checkpoint_0.h5", "damaged");
@@ -193,6 +311,7 @@ main(int argc, char **argv)
     fs::remove_all("runs");
   MPI_Barrier(MPI_COMM_WORLD);
   test_folders();
+  test_locks();
   test_saved_states();
   MPI_Barrier(MPI_COMM_WORLD);
   if (rank() == 0)

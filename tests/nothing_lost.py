@@ -12,6 +12,7 @@ import os
 import random
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -116,6 +117,15 @@ def copy(base, name):
     return folder
 
 
+def states_of(folder):
+    """The bytes of the saved states."""
+    found = {}
+    for path in glob.glob(os.path.join(folder, "checkpoint*")):
+        with open(path, "rb") as file:
+            found[os.path.basename(path)] = file.read()
+    return found
+
+
 # --- looking at what is there ---------------------------------------------------------------------
 
 def summary_of(folder):
@@ -213,14 +223,82 @@ def resume(base):
 
 
 def limit(base):
-    """A run that stops by itself leaves its last good state and says why."""
+    """A run that stops by itself leaves its last good state and says why; what cannot help is not offered."""
     folder = copy(base, "limit")
-    code, text = run(folder, "--resume", sets=["Run/Energy limit = 1e-9"])
+    sets = ["Run/Energy limit = 1e-9"]
+    code, text = run(folder, "--resume", sets=sets)
     check(code == 2 and "error: the run stopped: the energy balance is off by" in text, "exit code 2 and a sentence")
+    check("--resume\n" not in text and "would stop there again: take a smaller Run/Time step factor" in text,
+          "the command that would stop again is not offered")
     summary = summary_of(folder)
     check(summary["finished"] is False and "energy balance" in summary["stopped_because"], "the summary says why")
     check_files(folder, "stopped")
     check(os.path.exists(os.path.join(folder, "checkpoint.json")), "its last good state is there")
+    saved = states_of(folder)
+    code, text = run(folder, "--resume", sets=sets)
+    check(code == 1 and "would stop there again" in text and "start anew with --overwrite" in text,
+          "the same again is refused")
+    code, text = run(folder, sets=sets)
+    check(code == 1 and "(it stopped since the energy balance" in text and "Give --overwrite to start anew" in text,
+          "a new start is told of the saved state")
+    check(states_of(folder) == saved, "which is as it was")
+    check(run(folder, "--resume")[0] == 0, "with the larger limit it goes on to its end")
+
+
+def unfinished(base):
+    """A new start in the folder of an unfinished run does not cost its saved states."""
+    folder = copy(base, "unfinished")
+    saved = states_of(folder)
+    code, text = run(folder)
+    check(code == 1 and "the folder holds a run that has not finished, saved at" in text, "refused, with exit code 1")
+    check("Give --resume to go on with it, --overwrite to start anew, or choose another" in text, "it says what to do")
+    check(states_of(folder) == saved, "the saved states are as they were")
+    check("run.lock" not in os.listdir(folder), "and no lock is left behind")
+
+
+def together(base):
+    """Two runs in one folder: the second is refused, and a killed one holds nobody up."""
+    folder = copy(base, "together")
+    process = start(folder, "--resume")
+    lock = os.path.join(folder, "run.lock")
+    check(wait_for(lock, '"boot"', process), "a run at work holds its folder")
+    saved = states_of(folder)
+    holder = f"another run works in this folder, process {process.pid} on {socket.gethostname()}. Wait for its end"
+    for options in ([], ["--overwrite"], ["--resume"]):
+        code, text = run(folder, *options)
+        if process.poll() is not None:
+            break
+        check(code == 1 and holder in text, f"a second run is refused with {options or 'no option'}")
+    check(process.poll() is None, "the first one is still at work")
+    kill(process)
+    check(os.path.exists(lock), "a killed run leaves its lock behind")
+    code, text = run(folder, "--resume")
+    check(code == 0 and summary_of(folder)["finished"], "which the next one takes over")
+    check(not os.path.exists(lock), "and removes at its end")
+    check_files(folder, "taken over")
+
+
+def lines(base):
+    """Screen and errors in one pipe: every line is written whole, at once. The pipe keeps the calls of write() apart."""
+    folder = copy(base, "lines")
+    ends = os.pipe2(os.O_DIRECT)
+    process = subprocess.Popen(command(folder, "--resume", sets=["Run/Energy limit = 1e-9"]), stdout=ends[1],
+                               stderr=ends[1])
+    os.close(ends[1])
+    writes = []
+    while piece := os.read(ends[0], 1 << 16):
+        writes.append(piece.decode())
+    check(process.wait() == 2 and any(piece.startswith("error: ") for piece in writes), "a run with an error")
+    torn = [piece for piece in writes if piece.count("\n") != 1 or not piece.endswith("\n")]
+    check(len(writes) > 20 and not torn, f"{len(writes)} lines by as many calls of write() {torn[:3] or ''}")
+
+
+def title():
+    """Long texts are refused before anything is computed."""
+    folder = os.path.abspath("title")
+    code, text = run(folder, sets=["Title = " + "x" * 100000])
+    check(code == 1 and "too long, 100000 characters; at most 200 are accepted" in text, "a title of 100 000 characters")
+    check(len(text) < 1000 and not os.path.exists(folder), "is refused in a short sentence, and no folder is made")
 
 
 def disk(base):
@@ -340,7 +418,8 @@ def ranks():
 
 
 if __name__ == "__main__":
-    tests = dict(interrupt=interrupt, resume=resume, limit=limit, disk=disk, rights=rights, kills=kills, ranks=ranks)
+    tests = dict(interrupt=interrupt, resume=resume, limit=limit, unfinished=unfinished, together=together,
+                 lines=lines, title=title, disk=disk, rights=rights, kills=kills, ranks=ranks)
     arguments = [os.path.join(sys.argv[4], "base")] if len(sys.argv) > 4 else []
     tests[sys.argv[3]](*arguments)
     finish()

@@ -285,7 +285,13 @@ namespace
       summary.finished = finished;
       write_summary(summary, run + "/summary.json");
     };
-    prepare_folder(run, FolderMode::fresh, "set Title = a\n", "all = a\n", MPI_COMM_WORLD);
+    const auto begin = [&](const FolderMode mode, const std::string &input, const std::string &parameters) {
+      OutputFolder(run, mode, input, MPI_COMM_WORLD).begin(parameters, mode == FolderMode::resume);
+    };
+    const auto open = [](const std::string &name) {
+      OutputFolder(name, FolderMode::fresh, "d", MPI_COMM_WORLD);
+    };
+    begin(FolderMode::fresh, "set Title = a\n", "all = a\n");
     check(read_whole_file(run + "/input.prm") == "set Title = a\n" &&
             read_whole_file(run + "/parameters.prm") == "all = a\n",
           "a new folder holds input and parameters");
@@ -296,7 +302,7 @@ namespace
       replace_file(run + "/old.vtu", std::string("old"));
       replace_file(run + "/notes.txt", std::string("mine"));
     });
-    check_throws<InputError>([&]() { prepare_folder(run, FolderMode::fresh, "b", "b", MPI_COMM_WORLD); },
+    check_throws<InputError>([&]() { begin(FolderMode::fresh, "b", "b"); },
                              {"deep/run", "holds a finished run", "--overwrite"},
                              "the folder of a finished run is refused on all ranks");
     check(std::filesystem::exists(run + "/old.vtu") &&
@@ -304,25 +310,29 @@ namespace
           "the refused folder is unchanged");
     MPI_Barrier(MPI_COMM_WORLD);
 
-    prepare_folder(run, FolderMode::resume, "b", "b", MPI_COMM_WORLD);
+    begin(FolderMode::resume, "b", "b");
     check(std::filesystem::exists(run + "/old.vtu"), "resuming keeps all files");
     MPI_Barrier(MPI_COMM_WORLD);
-    prepare_folder(run, FolderMode::overwrite, "c", "c", MPI_COMM_WORLD);
+    begin(FolderMode::overwrite, "c", "c");
     check(!std::filesystem::exists(run + "/old.vtu") && !std::filesystem::exists(run + "/summary.json"),
           "overwriting removes the files of the earlier run");
     check(read_whole_file(run + "/notes.txt") == "mine", "overwriting leaves the user's files alone");
 
-    check_throws<InputError>(
-      [&]() { prepare_folder(run + "/notes.txt/sub", FolderMode::fresh, "d", "d", MPI_COMM_WORLD); },
-      {"notes.txt\" is a file"},
-      "a file in the place of a folder is named");
-    check_throws<InputError>(
-      [&]() { prepare_folder("/proc/wheelrail/run", FolderMode::fresh, "d", "d", MPI_COMM_WORLD); },
-      {"/proc/wheelrail/run", "cannot be made"},
-      "a place without rights is named");
-    check_throws<InputError>([&]() { prepare_folder("", FolderMode::fresh, "d", "d", MPI_COMM_WORLD); },
-                             {"empty"},
-                             "an empty name is refused");
+    {
+      const OutputFolder held(run, FolderMode::overwrite, "e", MPI_COMM_WORLD);
+      check_throws<InputError>([&]() { begin(FolderMode::overwrite, "f", "f"); },
+                               {"deep/run", "another run works in this folder, process "},
+                               "a folder in which a run works is refused on all ranks");
+    }
+    check(!std::filesystem::exists(run + "/run.lock") && read_whole_file(run + "/input.prm") == "c",
+          "afterwards the lock is gone, and nothing was changed");
+    check_throws<InputError>([&]() { open(run + "/notes.txt/sub"); },
+                             {"notes.txt\" is a file"},
+                             "a file in the place of a folder is named");
+    check_throws<InputError>([&]() { open("/proc/wheelrail/run"); },
+                             {"/proc/wheelrail/run", "cannot be made"},
+                             "a place without rights is named");
+    check_throws<InputError>([&]() { open(""); }, {"empty"}, "an empty name is refused");
   }
 
   void

@@ -211,7 +211,7 @@ namespace wheelrail
          "compute the scene of a parameter file",
          [](po::options_description &options) {
            add_set_option(options);
-           options.add_options()("overwrite", "replace a finished run in the output folder");
+           options.add_options()("overwrite", "replace the run in the output folder, finished or saved");
            options.add_options()("resume", "go on from the last checkpoint in the output folder");
            options.add_options()("validate", "check the file without running");
          },

@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_checks.h>
@@ -89,22 +90,44 @@ namespace wheelrail
           "slower than fewer ranks");
     }
 
+    /// Whether the patch stays two rows within the fine cells to the end of the way, as the contact asks for.
+    void
+    check_end_of_way(const Scene         &scene,
+                     const ExpectedPatch &patch,
+                     const SweepPlan     &plan,
+                     Sentences           &warnings)
+    {
+      const Lattice lattice = make_lattice(plan);
+      const double  last    = (lattice.first_station + int(lattice.n_along) - 2) * lattice.spacing_along;
+      const double  reached = last - 0.5 * patch.length, missing = scene.rolling_distance - reached;
+      if (missing > 0)
+        warnings.push_back(
+          entry_text(scene, "Mesh", "Fine margin") +
+          ": the patch is expected to reach the edge of the fine cells after " +
+          rounded_mm(std::max(0., std::floor(1e4 * reached) / 1e4)) + " of " +
+          entry_text(scene, "Run", "Rolling distance") + ", which would stop the run there; take " +
+          rounded_mm(scene.fine_margin + scene.cell_size * std::ceil(missing / lattice.spacing_along)));
+    }
+
     /// Whether blocks of the wanted size fit into both sections: lays them out, which takes 20 ms.
     void
-    check_sections(const Scene &scene, const SceneGeometry &geometry, Sentences &errors)
+    check_sections(const Scene         &scene,
+                   const SceneGeometry &geometry,
+                   const ExpectedPatch &patch,
+                   Findings            &found)
     {
       // with very many blocks that would take long; smaller ones fit better than large ones
       if (scene.coarse_cell_size < 4e-3)
         return;
       try
         {
-          sweep_plan(scene, geometry);
+          check_end_of_way(scene, patch, sweep_plan(scene, geometry), found.warnings);
         }
       catch (const std::exception &error)
         {
-          errors.push_back(entry_text(scene, "Mesh", "Coarse cell size") +
-                           ": rail and wheel cannot be divided into cells at " +
-                           entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
+          found.errors.push_back(entry_text(scene, "Mesh", "Coarse cell size") +
+                                 ": rail and wheel cannot be divided into cells at " +
+                                 entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
         }
     }
 
@@ -151,7 +174,7 @@ namespace wheelrail
       check_rail_length(scene, patch, found.errors);
       check_distances(scene, found);
       if (geometry && found.errors.empty())
-        check_sections(scene, *geometry, found.errors);
+        check_sections(scene, *geometry, *patch, found);
     }
   } // namespace
 

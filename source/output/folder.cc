@@ -1,11 +1,13 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/output/folder.h>
+#include <wheelrail/output/folder_lock.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/output/summary.h>
 
 #include <filesystem>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -71,6 +73,21 @@ namespace wheelrail
         fs::remove(path);
     }
 
+    /// Removes `folder` and those above it up to `topmost`, as far as they are empty; with an empty `topmost`
+    /// nothing. Another run may have made the same folder at the same moment and work in it.
+    void
+    remove_made(const std::string &folder, const fs::path &topmost)
+    {
+      std::error_code error;
+      for (fs::path path = fs::absolute(folder).lexically_normal(); !topmost.empty();
+           path          = path.parent_path())
+        {
+                   fs::remove(path, error);
+                   if (error || path == topmost || path == path.root_path())
+            return;
+        }
+    }
+
     /// Makes the folder and those above it that are missing; gives the topmost one made, or an empty path.
     fs::path
     make_folders(const std::string &folder)
@@ -92,9 +109,7 @@ namespace wheelrail
       if (error)
         {
           // nothing half made may stay behind
-          std::error_code ignored;
-          if (!topmost.empty())
-            fs::remove_all(topmost, ignored);
+          remove_made(folder, topmost);
           refuse(folder,
                  "the folder cannot be made: " + error.message() +
                    ". Choose a place in which you may write.");
@@ -111,22 +126,6 @@ namespace wheelrail
         refuse(folder,
                "the folder holds another input.prm, which the copy of this input would replace. Choose "
                "another Output/Folder, or rename that file.");
-    }
-
-    /// Finds out whether files can be made in the folder before anything in it is removed.
-    void
-    try_to_write(const std::string &folder)
-    {
-      const std::string path = folder + "/.wheelrail-write-test";
-      try
-        {
-          replace_file(path, std::string("test\n"));
-          fs::remove(path);
-        }
-      catch (const std::exception &error)
-        {
-          refuse(folder, "no files can be made there. " + std::string(error.what()));
-        }
     }
   } // namespace
 
@@ -147,42 +146,69 @@ namespace wheelrail
       }
   }
 
-  void
-  prepare_folder(const std::string &folder,
-                 const FolderMode   mode,
-                 const std::string &input,
-                 const std::string &parameters,
-                 MPI_Comm           comm)
-  {
-    on_root(comm, [&]() {
-      if (folder.empty())
-        throw InputError("Output/Folder is empty; give the name of a folder, such as output/rolling.");
-      if (mode == FolderMode::fresh && holds_finished_run(folder))
-        refuse(folder,
-               "the folder holds a finished run, which is kept. Choose another Output/Folder, or "
-               "give --overwrite to replace it.");
-      if (mode != FolderMode::resume)
-        protect_foreign_input(folder, input);
 
-      const fs::path made = make_folders(folder);
+  OutputFolder::OutputFolder(std::string      folder,
+                             const FolderMode mode,
+                             std::string      input,
+                             MPI_Comm         communicator)
+    : folder_(std::move(folder))
+    , input_(std::move(input))
+    , communicator_(communicator)
+  {
+    on_root(communicator_, [&]() {
+      if (folder_.empty())
+        throw InputError("Output/Folder is empty; give the name of a folder, such as output/rolling.");
+      made_ = make_folders(folder_);
       try
         {
-          try_to_write(folder);
-          if (mode != FolderMode::resume && fs::exists(folder + "/parameters.prm"))
-            remove_earlier_run(folder);
-          remove_unfinished_files(folder);
+          lock_ = std::make_unique<FolderLock>(folder_);
+          if (mode == FolderMode::fresh && holds_finished_run(folder_))
+            refuse(folder_,
+                   "the folder holds a finished run, which is kept. Choose another Output/Folder, or "
+                   "give --overwrite to replace it.");
+          if (mode != FolderMode::resume)
+            protect_foreign_input(folder_, input_);
+        }
+      catch (...)
+        {
+          lock_.reset();
+          remove_made(folder_, made_);
+          throw;
+        }
+    });
+  }
+
+
+  OutputFolder::~OutputFolder()
+  {
+    lock_.reset();
+    remove_made(folder_, made_);
+  }
+
+
+  void
+  OutputFolder::begin(const std::string &parameters, const bool keep)
+  {
+    on_root(communicator_, [&]() {
+      if (!keep && fs::exists(folder_ + "/parameters.prm"))
+        remove_earlier_run(folder_);
+      remove_unfinished_files(folder_);
+      const std::string parameters_file = folder_ + "/parameters.prm";
+      try
+        {
           // first the file by which the folder is known as the program's own, should it end between the two
-          replace_file(folder + "/parameters.prm", parameters);
-          if (mode != FolderMode::resume || !fs::exists(folder + "/input.prm"))
-            replace_file(folder + "/input.prm", input);
+          replace_file(parameters_file, parameters);
+          if (!keep || !fs::exists(folder_ + "/input.prm"))
+            replace_file(folder_ + "/input.prm", input_);
         }
       catch (...)
         {
           std::error_code ignored;
-          if (!made.empty())
-            fs::remove_all(made, ignored);
+          if (!made_.empty())
+            fs::remove(parameters_file, ignored);
           throw;
         }
+      made_.clear();
     });
   }
 } // namespace wheelrail

@@ -35,8 +35,7 @@ namespace wheelrail
     [[noreturn]] void
     fail(const std::string &path, const int reason)
     {
-      throw RunError("The output file \"" + path + "\" cannot be written: " + std::strerror(reason) + ". " +
-                     advice(reason));
+      throw RunError(cannot_write(path, reason));
     }
 
     /// Zero, or the error number of the first write that failed.
@@ -69,6 +68,13 @@ namespace wheelrail
       ::close(id);
     }
   } // namespace
+
+  std::string
+  cannot_write(const std::string &path, const int reason)
+  {
+    return "The output file \"" + path + "\" cannot be written: " + std::strerror(reason) + ". " +
+           advice(reason);
+  }
 
   void
   replace_file(const std::string &path, const void *bytes, const std::size_t size)

@@ -24,27 +24,35 @@ namespace wheelrail
   } // namespace
 
 
-  std::string
+  Stop
   reason_to_stop(const RunParts &run)
   {
     const double error = run.rolling.energy().error(), rolled = 1e3 * run.axle.travelled();
+    Stop         stop;
+    stop.rolled_distance = run.axle.travelled();
     if (!std::isfinite(error))
-      return text(
-        "a value is not finite after %lu steps, at %.3f mm rolled; take a smaller Run/Time step "
-        "factor",
-        run.rolling.steps(),
-        rolled);
-    if (error > run.scene.energy_limit)
-      return text(
-        "the energy balance is off by %.1f %% of strain plus dissipated energy at %.3f mm rolled "
-        "(Run/Energy limit is %.1f %%)",
-        100 * error,
-        rolled,
-        100 * run.scene.energy_limit);
-    if (run.rolling.contact_sums().at_border)
-      return text("the patch reaches the edge of the fine cells at %.3f mm rolled; raise Mesh/Fine margin",
-                  rolled);
-    return "";
+      {
+        stop.reason =
+          text("a value is not finite after %lu steps, at %.3f mm rolled", run.rolling.steps(), rolled);
+        stop.cure = "take a smaller Run/Time step factor";
+      }
+    else if (error > run.scene.energy_limit)
+      {
+        stop.reason = text(
+          "the energy balance is off by %.1f %% of strain plus dissipated energy at %.3f mm rolled "
+          "(Run/Energy limit is %.1f %%)",
+          100 * error,
+          rolled,
+          100 * run.scene.energy_limit);
+        stop.cure         = "take a smaller Run/Time step factor";
+        stop.energy_error = error;
+      }
+    else if (run.rolling.contact_sums().at_border)
+      {
+        stop.reason = text("the patch reaches the edge of the fine cells at %.3f mm rolled", rolled);
+        stop.cure   = text("raise Mesh/Fine margin above %g mm", 1e3 * run.scene.fine_margin);
+      }
+    return stop;
   }
 
 

@@ -4,6 +4,7 @@
 #include <wheelrail/run/run_texts.h>
 
 #include <chrono>
+#include <utility>
 
 namespace wheelrail
 {
@@ -14,6 +15,13 @@ namespace wheelrail
     without(const Scene &scene, const StartState part)
     {
       return scene.start == part || scene.start == StartState::normal_load;
+    }
+
+    bool
+    same_cells(const Model &one, const Model &other)
+    {
+      const MeshQuality &a = one.solid.quality, &b = other.solid.quality;
+      return a.elements == b.elements && a.finest_elements == b.finest_elements;
     }
   } // namespace
 
@@ -77,15 +85,24 @@ namespace wheelrail
     while (start.at_border && 2 * scene.fine_margin <= widest)
       {
         Scene wider = scene;
-        wider.fine_margin *= 2;
+        Model wide;
         try
           {
-            model = make_model(wider, geometry, communicator);
+            // whole blocks of cells are added, so that a step may add none
+            do
+              {
+                wider.fine_margin *= 2;
+                wide = make_model(wider, geometry, communicator);
+              }
+            while (same_cells(wide, model) && 2 * wider.fine_margin <= widest);
           }
         catch (const InputError &) // no room; the run tells what is wrong with the mesh that there is
           {
             return start;
           }
+        if (same_cells(wide, model))
+          return start;
+        model = std::move(wide);
         scene = wider;
         log.warning(
           text("the patch reaches the edge of the fine cells; the mesh is built again with "

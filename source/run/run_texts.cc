@@ -71,6 +71,30 @@ namespace wheelrail
 
 
   void
+  write_way_on(Log          &log,
+               const Scene  &scene,
+               const Stop   &stop,
+               const double *saved,
+               const double  bytes,
+               const int     ranks)
+  {
+    if (saved == nullptr)
+      {
+        log.value("saved", "no state: already the first one holds values that are not finite");
+        return;
+      }
+    log.value("saved", text("the state at %.3f mm rolled (%.1f MB)", 1e3 * *saved, 1e-6 * bytes));
+    const std::string obstacle = obstacle_of_stop(stop, *saved, scene);
+    if (obstacle.empty())
+      log.value("to go on",
+                "./wheelrail run " + scene.folder + "/parameters.prm --ranks " + std::to_string(ranks) +
+                  " --resume");
+    else
+      log.value("no resume", obstacle);
+  }
+
+
+  void
   add_pose(Summary &summary, const Scene &scene, const Model &model, const Axle &axle, MPI_Comm communicator)
   {
     PoseQuery query;

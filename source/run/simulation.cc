@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
+#include <wheelrail/base/print.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
@@ -15,7 +16,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iostream>
+#include <sstream>
+
+#include <unistd.h>
 
 namespace wheelrail
 {
@@ -67,19 +70,10 @@ namespace wheelrail
       run()
       {
         warnings_ = check_machine(scene_, geometry_, communicator_);
-        if (options_.resume)
-          resume_point_ = read_checkpoint(scene_, options_.parameters_text, communicator_);
-        if (resume_point_)
-          {
-            scene_.prepared_distance = resume_point_->whole.prepared_distance;
-            scene_.fine_margin       = resume_point_->whole.fine_margin;
-          }
-        model_          = make_model(scene_, geometry_, communicator_);
-        const auto mode = resume_point_        ? FolderMode::resume
-                          : options_.overwrite ? FolderMode::overwrite
-                                               : FolderMode::fresh;
-        prepare_folder(scene_.folder, mode, options_.prm_text, options_.parameters_text, communicator_);
-        std::string stop;
+        open_folder();
+        model_ = make_model(scene_, geometry_, communicator_);
+        folder_->begin(options_.parameters_text, resume_point_.has_value());
+        Stop stop;
         try
           {
             set_out();
@@ -91,12 +85,14 @@ namespace wheelrail
             leave_word(error.what());
             throw;
           }
-        if (!stop.empty() && stop != interrupted)
-          throw RunError("the run stopped: " + stop);
-        return stop.empty() ? 0 : 3;
+        if (!stop.reason.empty() && stop.reason != interrupted)
+          throw RunError("the run stopped: " + sentence(stop));
+        return stop.reason.empty() ? 0 : 3;
       }
 
     private:
+      void
+      open_folder();
       void
       set_out();
       void
@@ -105,10 +101,10 @@ namespace wheelrail
       resume_rolling();
       void
       make_rolling(double lift, double rate);
-      std::string
+      Stop
       roll();
       void
-      end(const std::string &stop);
+      end(const Stop &stop);
       void
       record();
       void
@@ -124,27 +120,48 @@ namespace wheelrail
       void
       leave_word(const std::string &error) const;
 
-      Scene                      scene_;
-      const RunOptions          &options_;
-      double                     start_;
-      MPI_Comm                   communicator_ = MPI_COMM_WORLD;
-      int                        rank_ = 0, size_ = 1;
-      std::vector<std::string>   warnings_; ///< what the machine may lack
-      Log                        log_;
-      SceneGeometry              geometry_;
-      Model                      model_;
-      std::optional<ResumePoint> resume_point_;
-      SavedStates                states_;
-      std::unique_ptr<Axle>      axle_;
-      std::unique_ptr<Rolling>   rolling_;
-      std::unique_ptr<Recorder>  recorder_;
-      std::unique_ptr<RunParts>  parts_;
-      std::unique_ptr<RunOutput> output_;
-      unsigned int               tick_           = 0;
-      double                     loop_start_     = 0;                   ///< of this part of the run [s]
-      unsigned long              first_step_     = 0;                   ///< steps before this part
-      double                     first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
+      Scene                         scene_;
+      const RunOptions             &options_;
+      double                        start_;
+      MPI_Comm                      communicator_ = MPI_COMM_WORLD;
+      int                           rank_ = 0, size_ = 1;
+      std::vector<std::string>      warnings_; ///< what the machine may lack
+      Log                           log_;
+      std::unique_ptr<OutputFolder> folder_;
+      SceneGeometry                 geometry_;
+      Model                         model_;
+      std::optional<ResumePoint>    resume_point_;
+      SavedStates                   states_;
+      std::unique_ptr<Axle>         axle_;
+      std::unique_ptr<Rolling>      rolling_;
+      std::unique_ptr<Recorder>     recorder_;
+      std::unique_ptr<RunParts>     parts_;
+      std::unique_ptr<RunOutput>    output_;
+      unsigned int                  tick_           = 0;
+      double                        loop_start_     = 0;                   ///< of this part of the run [s]
+      unsigned long                 first_step_     = 0;                   ///< steps before this part
+      double                        first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
     };
+
+
+    /// Holds the output folder, and reads the state to go on from.
+    void
+    Simulation::open_folder()
+    {
+      const auto mode = options_.resume      ? FolderMode::resume
+                        : options_.overwrite ? FolderMode::overwrite
+                                             : FolderMode::fresh;
+      folder_         = std::make_unique<OutputFolder>(scene_.folder, mode, options_.prm_text, communicator_);
+      if (mode == FolderMode::fresh)
+        on_root(communicator_, [&]() { protect_saved_states(scene_.folder); });
+      if (mode == FolderMode::resume)
+        resume_point_ = read_checkpoint(scene_, options_.parameters_text, communicator_);
+      if (resume_point_)
+        {
+          scene_.prepared_distance = resume_point_->whole.prepared_distance;
+          scene_.fine_margin       = resume_point_->whole.fine_margin;
+        }
+    }
 
 
     /// To the first step: the header, then the static start or the saved state.
@@ -216,15 +233,15 @@ namespace wheelrail
     }
 
 
-    /// Steps to the end; gives why it stopped before, or an empty text.
-    std::string
+    /// Steps to the end; gives why it stopped before, if it did.
+    Stop
     Simulation::roll()
     {
       const unsigned long n_steps = std::lround(scene_.rolling_distance / scene_.velocity / model_.time_step);
       const unsigned long every   = std::max<unsigned long>(1, n_steps / 1000);
-      std::string         stop;
+      Stop                stop;
       loop_start_ = seconds();
-      for (unsigned long n = first_step_ + 1; n <= n_steps && stop.empty(); ++n)
+      for (unsigned long n = first_step_ + 1; n <= n_steps && stop.reason.empty(); ++n)
         {
           const bool record_now = n % every == 0 || n == 1 || n == n_steps;
           rolling_->step(record_now);
@@ -233,16 +250,16 @@ namespace wheelrail
               record();
               stop = reason_to_stop(*parts_);
             }
-          const bool good = stop.empty();
+          const bool good = stop.reason.empty();
           if (good && (n == options_.stop_after_steps || (n % 20 == 0 && must_stop())))
-            stop = interrupted;
+            stop.reason = interrupted;
           const bool regular = n * scene_.ticks / n_steps > (n - 1) * scene_.ticks / n_steps;
-          if (regular || n == n_steps || !stop.empty())
+          if (regular || n == n_steps || !stop.reason.empty())
             tick();
           tick_ += regular; // a resumed run writes the tick of an interruption over
-          if (good && (regular || stop == interrupted))
+          if (good && (regular || stop.reason == interrupted))
             keep_state();
-          if (record_now && stop.empty() && n < n_steps && states_.due())
+          if (record_now && stop.reason.empty() && n < n_steps && states_.due())
             {
               keep_state();
               states_.save();
@@ -290,19 +307,16 @@ namespace wheelrail
 
     /// Writes the figures, and the last good state when the run stopped.
     void
-    Simulation::end(const std::string &stop)
+    Simulation::end(const Stop &stop)
     {
-      const double bytes = stop.empty() ? 0 : states_.save();
-      finish(stop);
-      if (stop.empty())
+      const bool   finished = stop.reason.empty();
+      const double bytes    = finished ? 0 : states_.save(stop);
+      finish(sentence(stop));
+      if (finished)
         on_root(communicator_, [&]() { remove_checkpoints(scene_.folder); });
       else
-        log_.value("saved",
-                   text("the state at %.3f mm rolled (%.1f MB); go on with ",
-                        1e3 * states_.kept().axle.travelled,
-                        1e-6 * bytes) +
-                     "./wheelrail run " + scene_.folder + "/parameters.prm --ranks " + std::to_string(size_) +
-                     " --resume");
+        write_way_on(
+          log_, scene_, stop, states_.any() ? &states_.kept().axle.travelled : nullptr, bytes, size_);
     }
 
 
@@ -339,7 +353,9 @@ namespace wheelrail
         log_.warning("the figures should not be trusted: " + summary.doubts);
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
-        print_summary(summary, std::cout);
+        std::ostringstream table;
+        print_summary(summary, table);
+        print(STDOUT_FILENO, table.str());
       });
     }
 

@@ -208,10 +208,24 @@ namespace wheelrail
   bool
   is_finite(const Checkpoint &part, MPI_Comm communicator)
   {
-    int finite = 1;
-    for (const auto &entry : part.node_values)
-      for (const double value : entry.second.values)
-        finite = finite && std::isfinite(value);
+    int        finite = 1;
+    const auto see    = [&](const double value) { finite = finite && std::isfinite(value); };
+    for (const auto *all : {&part.node_values, &part.cell_values})
+      for (const auto &entry : *all)
+        for (const double value : entry.second.values)
+          see(value);
+    for (const ContactNode &node : part.contact.nodes)
+      for (const double value :
+           {node.pressure, node.elastic[0], node.elastic[1], node.elastic[2], node.foot.xi, node.foot.eta})
+        see(value);
+    for (const double value : {part.axle.height,
+                               part.axle.vertical_speed,
+                               part.axle.angle,
+                               part.axle.pitch_rate,
+                               part.axle.sprung_height,
+                               part.axle.sprung_speed,
+                               part.rolling.energy.error})
+      see(value);
     MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, communicator);
     return finite == 1;
   }

@@ -173,7 +173,7 @@ namespace wheelrail
   {
     const Quiet  quiet;
     const Handle file(open_in_memory(), H5Fclose, "make a file in memory");
-    write_attribute(file, "parameters", checkpoint.parameters);
+    write_text(file, "parameters", checkpoint.parameters);
     visit_numbers(checkpoint, [&](const char *name, const auto value) {
       write_attribute(file, name, static_cast<double>(value));
     });
@@ -204,7 +204,7 @@ namespace wheelrail
     const Quiet  quiet;
     const Handle file(open_in_memory(bytes), H5Fclose, "read it");
     Checkpoint   checkpoint;
-    checkpoint.parameters = read_text_attribute(file, "parameters");
+    checkpoint.parameters = read_text(file, "parameters");
     visit_numbers(checkpoint, [&](const char *name, auto &value) {
       value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
     });

@@ -18,7 +18,7 @@ namespace wheelrail
     using Json = nlohmann::ordered_json;
 
     /// Counts up whenever a field of a checkpoint is added or changes its meaning.
-    constexpr int format = 3;
+    constexpr int format = 4;
 
     constexpr const char *file_names[2] = {"checkpoint_0.h5", "checkpoint_1.h5"};
 
@@ -79,20 +79,53 @@ namespace wheelrail
       return bytes;
     }
 
+    /// What write_stop() wrote; nothing when the run was interrupted, killed, or has gone on since.
+    Stop
+    stop_in(const Json &marker)
+    {
+      const Json json = marker.is_object() ? marker.value("stopped", Json()) : Json();
+      Stop       stop;
+      if (json.is_object())
+        {
+          stop.reason          = json.value("because", "");
+          stop.rolled_distance = 1e-3 * json.value("rolled_distance_mm", 0.);
+          stop.cure            = json.value("cure", "");
+          stop.energy_error    = json.value("energy_error", 0.);
+        }
+      return stop;
+    }
+
+    /// When the run in the folder has saved nothing, it can only start anew, if that can help.
+    void
+    require_killed(const std::string &folder)
+    {
+      const std::string path = folder + "/summary.json";
+      if (!std::filesystem::exists(path))
+        return;
+      const Json summary = Json::parse(read_whole_file(path), nullptr, false);
+      const Json reason  = summary.is_object() ? summary.value("stopped_because", Json()) : Json();
+      if (reason.is_string() && !reason.get<std::string>().empty())
+        refuse(folder,
+               "the run in this folder stopped before it had saved a state, since " +
+                 reason.get<std::string>() + "; start anew without --resume");
+    }
+
     /// The newest state that is whole; empty when the run was ended before it had saved one.
     std::string
-    read_newest(const std::string &folder, std::string &notes)
+    read_newest(const std::string &folder, const Json &marker, std::string &notes)
     {
       if (holds_finished_run(folder))
         refuse(folder, "the run in this folder has finished; there is nothing to go on with");
       if (!std::filesystem::exists(marker_path(folder)))
         {
           if (std::filesystem::exists(folder + "/parameters.prm"))
-            return "";
+            {
+              require_killed(folder);
+              return "";
+            }
           refuse(folder, "there is no run to go on with; start without --resume");
         }
-      const Json marker = read_marker(folder);
-      const Json found  = marker.is_object() ? marker.value("format", Json("none")) : Json("none");
+      const Json found = marker.is_object() ? marker.value("format", Json("none")) : Json("none");
       if (found != format)
         refuse(folder,
                "checkpoint.json is of format " + found.dump() +
@@ -177,6 +210,40 @@ namespace wheelrail
   }
 
 
+  void
+  write_stop(const Stop &stop, const std::string &folder)
+  {
+    Json marker = read_marker(folder);
+    if (!marker.is_object())
+      return;
+    Json json;
+    json["because"]            = stop.reason;
+    json["rolled_distance_mm"] = 1e3 * stop.rolled_distance;
+    json["cure"]               = stop.cure;
+    json["energy_error"]       = stop.energy_error;
+    marker["stopped"]          = json;
+    replace_file(marker_path(folder), marker.dump(2) + "\n");
+  }
+
+
+  void
+  protect_saved_states(const std::string &folder)
+  {
+    const Json marker = read_marker(folder);
+    const auto states = listed_states(marker);
+    if (states.empty())
+      return;
+    const Json rolled = states.front().value("rolled_distance_mm", Json());
+    const Stop stop   = stop_in(marker);
+    throw InputError(
+      "Output/Folder = " + folder + ": the folder holds a run that has not finished, saved at " +
+      (rolled.is_number() ? mm(1e-3 * rolled.get<double>()) : "?") + " mm rolled" +
+      (stop.cure.empty() ? ". Give --resume to go on with it, --overwrite to start anew"
+                         : " (it stopped since " + stop.reason + "). Give --overwrite to start anew") +
+      ", or choose another Output/Folder.");
+  }
+
+
   std::optional<ResumePoint>
   read_checkpoint(const Scene &scene, const std::string &parameters, MPI_Comm communicator)
   {
@@ -184,11 +251,15 @@ namespace wheelrail
     int         size;
     MPI_Comm_size(communicator, &size);
     on_root(communicator, [&]() {
-      bytes = read_newest(scene.folder, notes);
+      const Json marker = read_marker(scene.folder);
+      bytes             = read_newest(scene.folder, marker, notes);
       if (bytes.empty())
         return;
       const Checkpoint whole = checkpoint_from_bytes(bytes);
       if (const auto obstacle = obstacle_to_resume(whole, scene, parameters); !obstacle.empty())
+        refuse(scene.folder, obstacle);
+      if (const auto obstacle = obstacle_of_stop(stop_in(marker), whole.axle.travelled, scene);
+          !obstacle.empty())
         refuse(scene.folder, obstacle);
       if (whole.ranks != size)
         notes += "the state was saved by " + std::to_string(whole.ranks) +

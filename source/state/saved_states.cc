@@ -1,3 +1,4 @@
+#include <wheelrail/output/root.h>
 #include <wheelrail/state/checkpoint_files.h>
 #include <wheelrail/state/saved_states.h>
 
@@ -42,6 +43,7 @@ namespace wheelrail
     kept_.fine_margin       = run.scene.fine_margin;
     kept_.ticks             = ticks;
     kept_.wall_time         = wall_time;
+    any_                    = true;
     on_disk_                = false;
   }
 
@@ -60,7 +62,7 @@ namespace wheelrail
   double
   SavedStates::save()
   {
-    if (on_disk_)
+    if (!any_ || on_disk_)
       return bytes_;
     const double begin = seconds();
     bytes_             = write_checkpoint(kept_, folder_, communicator_);
@@ -68,6 +70,16 @@ namespace wheelrail
     last_end_          = seconds();
     last_seconds_      = last_end_ - begin;
     saving_ += last_seconds_;
+    return bytes_;
+  }
+
+
+  double
+  SavedStates::save(const Stop &stop)
+  {
+    save();
+    if (any_)
+      on_root(communicator_, [&]() { write_stop(stop, folder_); });
     return bytes_;
   }
 } // namespace wheelrail

@@ -2,32 +2,55 @@
 
 #include <mpi.h>
 
+#include <filesystem>
+#include <memory>
 #include <string>
 
 namespace wheelrail
 {
+  class FolderLock;
+
   /// What to do with a folder that holds an earlier run.
   enum class FolderMode
   {
-    fresh,     ///< refuse the folder of a finished run; start an unfinished one anew
+    fresh,     ///< refuse the folder of a finished run
     overwrite, ///< start anew, also where a run finished
-    resume     ///< keep all files: the run goes on
+    resume     ///< go on with the run
   };
 
-  /// Makes `folder` (and the folders above it) ready for a run and writes into it input.prm (`input`, the
-  /// text as the user gave it) and parameters.prm (`parameters`, all entries in force). When a run
-  /// starts anew in the folder of an earlier one (known by its parameters.prm), the program's own
-  /// files there are removed first; other files are never touched.
-  ///
-  /// Collective over `comm`, done by rank 0. Throws InputError on all ranks, with nothing made or
-  /// changed: when `folder` holds a finished run and the mode is fresh, when something on the path is
-  /// no folder, when there are no rights to write.
-  void
-  prepare_folder(const std::string &folder,
-                 FolderMode         mode,
-                 const std::string &input,
-                 const std::string &parameters,
-                 MPI_Comm           comm);
+  /// An output folder, held for one run from the constructor to the destructor, see FolderLock.
+  class OutputFolder
+  {
+  public:
+    /// Makes `folder` (and the folders above it) and holds it; nothing in it is changed yet. `input` is the
+    /// parameter file as the user gave it.
+    ///
+    /// Collective over `communicator`, done by rank 0. Throws InputError on all ranks, with nothing made or
+    /// changed: when `folder` holds a finished run and the mode is fresh, when another run works in it, when
+    /// it holds another input.prm, when something on the path is no folder, when there are no rights to
+    /// write.
+    OutputFolder(std::string folder, FolderMode mode, std::string input, MPI_Comm communicator);
+
+    /// Lets go; folders that were made are removed again when begin() has not been called.
+    ~OutputFolder();
+
+    OutputFolder(const OutputFolder &) = delete;
+    OutputFolder &
+    operator=(const OutputFolder &) = delete;
+
+    /// Writes input.prm and parameters.prm (`parameters`, all entries in force). Unless `keep`, with which a
+    /// run goes on, the program's own files of an earlier run (known by its parameters.prm) are removed
+    /// first, and input.prm is replaced; other files are never touched. Collective; throws RunError on all
+    /// ranks.
+    void
+    begin(const std::string &parameters, bool keep);
+
+  private:
+    std::string                 folder_, input_;
+    MPI_Comm                    communicator_;
+    std::unique_ptr<FolderLock> lock_; ///< on rank 0 only
+    std::filesystem::path       made_; ///< the topmost folder that was made, while begin() may still fail
+  };
 
   /// Whether `folder` holds a run that reached its end (summary.json says finished).
   bool

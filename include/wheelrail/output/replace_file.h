@@ -17,6 +17,10 @@ namespace wheelrail
   void
   replace_file(const std::string &path, const std::string &text);
 
+  /// "The output file "x" cannot be written: reason. What to do.", for an error number of the system.
+  std::string
+  cannot_write(const std::string &path, int reason);
+
   /// The whole file as a string; throws RunError naming the file and the reason.
   std::string
   read_whole_file(const std::string &path);

@@ -2,14 +2,15 @@
 
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/run_parts.h>
+#include <wheelrail/state/stop.h>
 
 #include <string>
 
 namespace wheelrail
 {
-  /// Why a run must not go on after a step with energy: a sentence, empty when it may. A value that is not
+  /// Why a run must not go on after a step with energy, without a reason when it may. A value that is not
   /// finite, an energy balance beyond Run/Energy limit, a patch at the edge of the fine cells.
-  std::string
+  Stop
   reason_to_stop(const RunParts &run);
 
   /// What only the simulation knows of a run.

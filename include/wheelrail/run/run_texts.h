@@ -3,6 +3,7 @@
 #include <wheelrail/base/log.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/state/stop.h>
 
 #include <cstdio>
 
@@ -31,6 +32,12 @@ namespace wheelrail
                int                             ranks,
                const std::vector<std::string> &profile_notes,
                const std::vector<std::string> &warnings);
+
+  /// Writes what a run that stopped has saved, the state at `saved` [m] rolled of `bytes` on the disk (or no
+  /// state, null), and the command that goes on from it on as many ranks; where that would only stop again at
+  /// the same place, what helps.
+  void
+  write_way_on(Log &log, const Scene &scene, const Stop &stop, const double *saved, double bytes, int ranks);
 
   /// Adds the rigid motions of rail head and wheel rim near the contact to the figures of a run, see
   /// fit_pose(). Collective.

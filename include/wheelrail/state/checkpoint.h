@@ -47,7 +47,7 @@ namespace wheelrail
   Checkpoint
   take_checkpoint(const Model &model, const Axle &axle, const Rolling &rolling, const Recorder &recorder);
 
-  /// Whether all numbers of the nodes of a part are finite on all ranks. Collective.
+  /// Whether all numbers of nodes, elements, contact and axle of a part are finite on all ranks. Collective.
   bool
   is_finite(const Checkpoint &part, MPI_Comm communicator);
 

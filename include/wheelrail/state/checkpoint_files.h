@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/state/checkpoint.h>
+#include <wheelrail/state/stop.h>
 
 #include <optional>
 
@@ -14,6 +15,16 @@ namespace wheelrail
   double
   write_checkpoint(const Checkpoint &part, const std::string &folder, MPI_Comm communicator);
 
+  /// Notes beside the saved states in `folder` why the run stopped; the next state that is written removes
+  /// the note. Without saved states nothing is written. To be called on one rank; throws RunError.
+  void
+  write_stop(const Stop &stop, const std::string &folder);
+
+  /// Throws InputError when `folder` holds saved states of a run that has not finished, which a new start
+  /// would remove. To be called on one rank.
+  void
+  protect_saved_states(const std::string &folder);
+
   /// The state a run goes on from, and what the user should know about it.
   struct ResumePoint
   {
@@ -26,9 +37,10 @@ namespace wheelrail
   ///
   /// A file that is missing or does not fit its checksum is passed over for the other one, with a note.
   /// Collective; throws InputError on all ranks when the run in the folder has finished, when there is no
-  /// run, when no state is whole, when it is of another format, and when entries differ that the state
-  /// depends on (all of them are named). Title, all entries of Output and Half-space, Run/Energy limit,
-  /// Run/Averaging distance may differ, and Run/Rolling distance as far as the mesh was made for it.
+  /// run, when it stopped before it had saved a state, when no state is whole, when it is of another format,
+  /// when entries differ that the state depends on (all of them are named), and when the run would only stop
+  /// again where it stopped (see obstacle_of_stop()). Title, all entries of Output and Half-space, Run/Energy
+  /// limit, Run/Averaging distance may differ, and Run/Rolling distance as far as the mesh was made for it.
   std::optional<ResumePoint>
   read_checkpoint(const Scene &scene, const std::string &parameters, MPI_Comm communicator);
 

@@ -2,6 +2,7 @@
 
 #include <wheelrail/sampling/run_parts.h>
 #include <wheelrail/state/checkpoint.h>
+#include <wheelrail/state/stop.h>
 
 namespace wheelrail
 {
@@ -22,10 +23,22 @@ namespace wheelrail
     bool
     due() const;
 
-    /// Writes the kept state, unless it is on the disk already; gives its size [bytes]. Collective; throws
-    /// RunError on all ranks.
+    /// Whether a state is kept: a run whose very first one is not finite has none.
+    bool
+    any() const
+    {
+      return any_;
+    }
+
+    /// Writes the kept state, unless there is none or it is on the disk already; gives its size [bytes].
+    /// Collective; throws RunError on all ranks.
     double
     save();
+
+    /// The same for a run that has stopped, with a note why, so that going on can be refused where it would
+    /// only stop again. Collective; throws RunError on all ranks.
+    double
+    save(const Stop &stop);
 
     /// The rank's part of the state kept last.
     const Checkpoint &
@@ -45,7 +58,7 @@ namespace wheelrail
     double      prepared_distance_, interval_;
     MPI_Comm    communicator_;
     Checkpoint  kept_;
-    bool        on_disk_ = false; ///< the kept state
+    bool        any_ = false, on_disk_ = false; ///< whether a state is kept, and on the disk
     double      bytes_ = 0, last_end_ = 0, last_seconds_ = 0, saving_ = 0;
   };
 } // namespace wheelrail
