@@ -97,11 +97,11 @@ namespace wheelrail
 
     // Run
     StartState start              = StartState::steady_rolling;
-    double     rolling_distance   = 0.06; ///< [m]
-    double     averaging_distance = 0.02; ///< last stretch over which the figures are means [m]
-    double     time_step_factor   = 0.95; ///< fraction of the stable step
-    double     bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
-    double     gravity            = 9.81; ///< [m/s2]
+    double     rolling_distance   = 0.06;  ///< [m]
+    double     averaging_distance = 0.02;  ///< last stretch over which the figures are means [m]
+    double     time_step_factor   = 0.95;  ///< fraction of the stable step
+    double     bulk_viscosity     = 0.06;  ///< linear bulk viscosity coefficient
+    double     gravity            = 9.81;  ///< [m/s2]
     double     energy_limit       = 0.005; ///< energy error at which the run stops
 
     // Output
