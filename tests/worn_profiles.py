@@ -56,6 +56,8 @@ DONE = {
         r"noise of 4\.\d* um found in the points smoothed; the curve lies at most \d*\.\d* um off the points",
         r"body of the rail: 54E1, whose head is as wide; Profiles/Rail body changes it",
         r"origin of the file kept: top at y = -0\.\d* mm of 54E1",
+        # side wear of the gauge corner: the body of the standard rail stands 2.5 mm farther out
+        r"the gauge side ends 2\.5 mm off the side of 54E1: joined to it by a straight line of 4\.9 mm, which was not measured",
         r"joined to the sides of 54E1 21\.8 mm \(field side\) and 30 mm \(gauge side\) below its top; below that it is "
         r"the body"]}
 
