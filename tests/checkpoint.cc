@@ -235,6 +235,7 @@ namespace
   {
     check_refusal(one_go, "has finished", "a finished run is not gone on with");
     check_refusal(scene("nowhere"), "there is no run to go on with", "no folder, nothing to go on from");
+    MPI_Barrier(MPI_COMM_WORLD); // the root removes what it made
     check(!fs::exists(scene("nowhere").folder), "and none is made");
 
     const Scene saved      = copy(base, "refused");

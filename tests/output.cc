@@ -324,6 +324,7 @@ namespace
                                {"deep/run", "another run works in this folder, process "},
                                "a folder in which a run works is refused on all ranks");
     }
+    MPI_Barrier(MPI_COMM_WORLD); // the root removes it
     check(!std::filesystem::exists(run + "/run.lock") && read_whole_file(run + "/input.prm") == "c",
           "afterwards the lock is gone, and nothing was changed");
     check_throws<InputError>([&]() { open(run + "/notes.txt/sub"); },
