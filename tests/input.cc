@@ -33,7 +33,7 @@ namespace
       {"Profiles/Wheel", std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_S1002.prw"},
       {"Profiles/Wheel mirror", "no"},
       {"Profiles/Wheel unit", "mm"},
-      {"Profiles/Wheel origin", "flange back"},
+      {"Profiles/Wheel origin", "running circle"},
       {"Profiles/Rail", "60E1"},
       {"Profiles/Rail mirror", "yes"},
       {"Profiles/Rail unit", "inch"},
@@ -179,7 +179,7 @@ namespace
       s.wheel_profile, std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_S1002.prw", "field wheel_profile");
     check(s.wheel_file.mirror == ProfileMirror::no && s.rail_file.mirror == ProfileMirror::yes,
           "fields mirror");
-    check(s.wheel_origin == WheelOrigin::flange_back, "field wheel_origin");
+    check(s.wheel_origin == WheelOrigin::running_circle, "field wheel_origin");
     check(s.wheel_file.unit == ProfileUnit::millimetre && s.rail_file.unit == ProfileUnit::inch,
           "fields unit");
     check_text(s.rail_body, "60E1", "field rail_body");
