@@ -57,9 +57,9 @@ namespace wheelrail
     public:
       Simulation(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options)
         : scene_(scene)
-        , geometry_(geometry)
         , options_(options)
         , start_(seconds())
+        , geometry_(geometry)
         , states_(scene, options.parameters_text, scene.checkpoint_interval, communicator_)
       {
         MPI_Comm_rank(communicator_, &rank_);
