@@ -170,8 +170,8 @@ namespace
   /// Messages that need a machine in a state that a test cannot make without harm, input that the entries do
   /// not accept, or minutes of computing; the tests of runs bring some of them about.
   const std::vector<std::string> hard_to_test = {
-    "/usr/bin/python3 cannot be started; install the Debian package python3",
-    " cannot be started; install the Debian packages python3 and python3-matplotlib",
+    "/usr/bin/python3 cannot be started; install the Debian packages python3, python3-h5py and "
+    "python3-matplotlib",
     "the run stopped: ",
     "--resume: the mesh is not that of the saved state, since a profile file or the program has changed: "
     "start anew without --resume",

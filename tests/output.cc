@@ -345,10 +345,10 @@ namespace
             (python + tests + "/read_output.py " + folder + " " + std::to_string(n_ranks)).c_str()) == 0,
           "read_output.py finds what belongs in the files");
     if (n_ranks == 1) // drawing takes seconds and does not depend on ranks
-      check(
-        std::system(
-          (python + tests + "/read_report.py " + WHEELRAIL_REPORT_DIR + "/report.py " + folder).c_str()) == 0,
-        "read_report.py finds pictures and page of the report");
+      check(std::system((python + tests + "/read_report.py " + WHEELRAIL_SOURCE_DIR +
+                         "/source/report/report.py " + folder)
+                          .c_str()) == 0,
+            "read_report.py finds pictures and page of the report");
   }
 
   std::string

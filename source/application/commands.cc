@@ -3,6 +3,7 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/report_script.h>
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/listing.h>

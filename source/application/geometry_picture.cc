@@ -1,14 +1,11 @@
 #include <wheelrail/application/geometry_picture.h>
+#include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iomanip>
-
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace wheelrail
 {
@@ -65,23 +62,6 @@ namespace wheelrail
             }
         }
     }
-
-    void
-    run_script(const std::string &csv, const std::string &png)
-    {
-      const std::string script  = std::string(WHEELRAIL_REPORT_DIR) + "/profile_picture.py";
-      std::string       python  = "/usr/bin/python3"; // Debian's own has the packages
-      std::string       words[] = {python, script, csv, png};
-      char *arguments[] = {words[0].data(), words[1].data(), words[2].data(), words[3].data(), nullptr};
-      pid_t child       = 0;
-      int   status      = 0;
-      if (posix_spawn(&child, python.c_str(), nullptr, nullptr, arguments, environ) != 0)
-        throw RunError(python +
-                       " cannot be started; install the Debian packages python3 and python3-matplotlib");
-      if (waitpid(child, &status, 0) != child || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        throw RunError(png + " could not be drawn from " + csv +
-                       "; install the Debian package python3-matplotlib");
-    }
   } // namespace
 
 
@@ -113,7 +93,9 @@ namespace wheelrail
         rows.add("distance", 1e3 * s, 1e6 * undeformed_distance(wheel_heights, rail_heights, s));
       }
     rows.close();
-    run_script(name + ".csv", name + ".png");
+    if (run_script("profile_picture.py", {name + ".csv", name + ".png"}) != 0)
+      throw RunError(name + ".png could not be drawn from " + name +
+                     ".csv; install the Debian package python3-matplotlib");
     out << "\nPicture of the profiles: " << name << ".png (numbers: " << name << ".csv)\n";
   }
 } // namespace wheelrail

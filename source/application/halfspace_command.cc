@@ -1,4 +1,5 @@
 #include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/hdf5_file.h>
@@ -14,32 +15,8 @@
 #include <cstdio>
 #include <filesystem>
 
-#include <spawn.h>
-#include <sys/wait.h>
-
-extern char **environ;
-
 namespace wheelrail
 {
-  int
-  run_script(const std::string &script, const std::vector<std::string> &arguments)
-  {
-    std::vector<std::string> words = {"python3", std::string(WHEELRAIL_REPORT_DIR) + "/" + script};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char *> pointers;
-    for (std::string &word : words)
-      pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    pid_t child  = 0;
-    int   status = 0;
-    // Debian's own interpreter has the packages; another python3 may come first in the path
-    if (posix_spawn(&child, "/usr/bin/python3", nullptr, nullptr, pointers.data(), environ) != 0 ||
-        waitpid(child, &status, 0) != child)
-      throw RunError("/usr/bin/python3 cannot be started; install the Debian package python3");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-  }
-
-
   namespace
   {
     /// The input and, beside it, the profile files: case.inp, case_rail.txt, case_wheel.txt.

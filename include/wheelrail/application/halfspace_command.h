@@ -5,7 +5,6 @@
 
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace wheelrail
 {
@@ -25,9 +24,4 @@ namespace wheelrail
                         const SceneGeometry     &geometry,
                         const ContactInputFiles &inputs,
                         std::ostream            &out);
-
-  /// Runs a script of source/report with Debian's Python and waits for it; returns its exit code.
-  /// Throws RunError when Python cannot be started.
-  int
-  run_script(const std::string &script, const std::vector<std::string> &arguments);
 } // namespace wheelrail
