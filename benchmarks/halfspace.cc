@@ -3,6 +3,7 @@
 
 #include "../tests/wheel_rail_contact.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 

@@ -8,10 +8,13 @@
 #include "scenes/vessel.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <vector>
 
 using namespace scenes;
 

@@ -5,6 +5,11 @@
 
 #include "parallel.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+
 using namespace wheelrail;
 using namespace test;
 

@@ -8,8 +8,10 @@
 
 #include <wheelrail/base/errors.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <vector>
 
 using namespace scenes;
 using wheelrail::ElementForm;

@@ -17,6 +17,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 
 using namespace wheelrail;
 using namespace test;

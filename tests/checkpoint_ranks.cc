@@ -9,6 +9,11 @@
 #include "parallel.h"
 #include "small_scene.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
 using namespace wheelrail;
 using namespace test;
 

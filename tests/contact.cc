@@ -6,6 +6,9 @@
 #include "small_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
 
 using namespace wheelrail;
 using namespace test;

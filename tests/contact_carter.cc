@@ -4,6 +4,11 @@
 #include "check.h"
 #include "scenes/rolling_pair.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+
 using namespace scenes;
 using namespace test;
 

@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <numeric>
+#include <string>
+#include <vector>
 
 using namespace scenes;
 using namespace wheelrail;

@@ -6,7 +6,10 @@
 #include "scenes/contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iostream>
+#include <vector>
 
 using namespace scenes;
 using namespace wheelrail;

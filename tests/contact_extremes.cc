@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <string>
 
 using namespace scenes;
 using namespace wheelrail;

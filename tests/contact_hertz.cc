@@ -4,6 +4,11 @@
 #include "check.h"
 #include "scenes/hertz_scene.h"
 
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
 using namespace scenes;
 using namespace test;
 

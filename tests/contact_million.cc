@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <vector>
 
 using namespace scenes;
 using namespace wheelrail;

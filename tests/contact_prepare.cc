@@ -6,6 +6,8 @@
 #include "small_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 using namespace wheelrail;
 using namespace test;

@@ -6,7 +6,11 @@
 #include "reference_table.h"
 #include "scenes/rolling_pair.h"
 
+#include <array>
 #include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <string>
 
 using namespace scenes;
 using namespace test;

@@ -4,8 +4,11 @@
 #include "check.h"
 #include "scenes/contact.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <vector>
 
 using namespace scenes;
 using namespace wheelrail;

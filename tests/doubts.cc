@@ -4,6 +4,10 @@
 
 #include "check.h"
 
+#include <cmath>
+#include <string>
+#include <utility>
+
 using namespace wheelrail;
 using namespace test;
 

@@ -4,7 +4,13 @@
 
 #include "check.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
 #include <random>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using Vector = std::array<double, 3>;

@@ -4,9 +4,12 @@
 
 #include <wheelrail/solid/kernel.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
+#include <vector>
 
 namespace test
 {

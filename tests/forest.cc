@@ -9,6 +9,11 @@
 #include "small_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using namespace test;

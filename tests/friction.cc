@@ -7,6 +7,9 @@
 #include "small_scene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using namespace test;

@@ -9,7 +9,11 @@
 #include "check.h"
 #include "scenes/dynamics.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <random>
+#include <string>
 
 using namespace wheelrail;
 using namespace test;

@@ -6,6 +6,13 @@
 #include "check.h"
 #include "scenes/shapes.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
 using namespace wheelrail;
 using namespace test;
 using Vector = std::array<double, 3>;

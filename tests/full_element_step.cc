@@ -4,7 +4,9 @@
 #include "check.h"
 #include "scenes/dynamics.h"
 
+#include <algorithm>
 #include <random>
+#include <string>
 
 using namespace wheelrail;
 using namespace test;

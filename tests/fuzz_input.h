@@ -10,6 +10,11 @@
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
 
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
 namespace test
 {
   inline std::vector<std::string>

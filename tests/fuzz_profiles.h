@@ -9,6 +9,10 @@
 #include <wheelrail/geometry/profile_file.h>
 
 #include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace test
 {

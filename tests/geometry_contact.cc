@@ -9,6 +9,7 @@
 #include <wheelrail/geometry/contact_geometry.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <sstream>
 

@@ -8,7 +8,9 @@
 #include <wheelrail/geometry/profiles.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
+#include <string>
 
 using namespace wheelrail;
 using namespace test;

@@ -6,6 +6,7 @@
 #include <wheelrail/reference/distance_file.h>
 #include <wheelrail/reference/given_distance.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>

@@ -8,6 +8,8 @@
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/patch_measures.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>

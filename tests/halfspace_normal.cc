@@ -7,7 +7,9 @@
 #include <wheelrail/halfspace/problem.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
 using namespace wheelrail;
 using test::check;

@@ -5,6 +5,9 @@
 
 #include <wheelrail/reference/halfspace_case.h>
 
+#include <string>
+#include <vector>
+
 using namespace wheelrail;
 using test::check;
 using test::check_near;

@@ -8,6 +8,7 @@
 #include <wheelrail/reference/halfspace_parts.h>
 
 #include <cmath>
+#include <string>
 
 using namespace wheelrail;
 using test::check;

@@ -8,7 +8,9 @@
 #include <wheelrail/halfspace/subsurface.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
 using namespace wheelrail;
 using test::check;

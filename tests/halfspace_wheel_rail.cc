@@ -5,6 +5,9 @@
 #include "wheel_rail_contact.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;

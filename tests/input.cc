@@ -11,11 +11,13 @@
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/run/simulation.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;

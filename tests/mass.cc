@@ -6,7 +6,9 @@
 #include "parallel.h"
 #include "small_scene.h"
 
+#include <array>
 #include <cmath>
+#include <string>
 
 using namespace wheelrail;
 using namespace test;

@@ -5,7 +5,10 @@
 
 #include "check.h"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <string>
 
 using namespace wheelrail;
 namespace stdx = std::experimental;

@@ -8,8 +8,14 @@
 #include "check.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
 #include <iomanip>
+#include <iostream>
+#include <map>
 #include <sstream>
+#include <vector>
 
 using namespace wheelrail;
 

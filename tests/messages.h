@@ -13,6 +13,8 @@
 
 #include <cstdlib>
 #include <functional>
+#include <iostream>
+#include <string>
 
 namespace test
 {

@@ -4,6 +4,9 @@
 
 #include <wheelrail/model/scene_checks.h>
 
+#include <string>
+#include <vector>
+
 using namespace wheelrail;
 using test::check;
 using test::check_set;

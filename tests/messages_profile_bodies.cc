@@ -6,6 +6,9 @@
 
 #include <wheelrail/geometry/measured_profiles.h>
 
+#include <string>
+#include <vector>
+
 using namespace wheelrail;
 using test::check_text;
 using test::columns;

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;

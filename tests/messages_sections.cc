@@ -7,6 +7,10 @@
 #include <wheelrail/mesh/wheel_section.h>
 #include <wheelrail/model/model.h>
 
+#include <functional>
+#include <string>
+#include <vector>
+
 using namespace wheelrail;
 using test::check_text;
 using test::message_of;

@@ -20,13 +20,17 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 using namespace wheelrail;
 using namespace test;

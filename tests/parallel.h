@@ -6,6 +6,7 @@
 
 #include "check.h"
 
+#include <iostream>
 #include <sstream>
 
 namespace test

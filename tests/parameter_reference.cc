@@ -8,6 +8,7 @@
 #include <wheelrail/run/simulation.h>
 
 #include <fstream>
+#include <iostream>
 #include <sstream>
 
 using namespace wheelrail;

@@ -9,6 +9,12 @@
 #include "explicit_brick.h"
 #include "scenes/dynamics.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
 using namespace test;
 
 namespace

@@ -6,6 +6,12 @@
 #include "check.h"
 #include "scenes/dynamics.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <string>
+
 using namespace wheelrail;
 using namespace scenes;
 

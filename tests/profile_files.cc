@@ -9,6 +9,10 @@
 #include <wheelrail/geometry/smoothing_spline.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;

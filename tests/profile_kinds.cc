@@ -8,6 +8,10 @@
 #include <wheelrail/geometry/measured_profiles.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;

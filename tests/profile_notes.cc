@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <random>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using test::check_text;

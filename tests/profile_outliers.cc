@@ -8,6 +8,9 @@
 #include <wheelrail/geometry/profile_file.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;

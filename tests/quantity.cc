@@ -4,6 +4,8 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 

@@ -11,7 +11,11 @@
 #include "parallel.h"
 #include "small_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
+#include <iostream>
+#include <string>
 
 using namespace wheelrail;
 using namespace test;

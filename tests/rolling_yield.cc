@@ -9,6 +9,9 @@
 #include "parallel.h"
 #include "small_scene.h"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace wheelrail;
 using namespace test;
 

@@ -5,6 +5,10 @@
 
 #include "check.h"
 
+#include <array>
+#include <cmath>
+#include <string>
+
 using namespace scenes;
 using namespace wheelrail;
 

@@ -3,6 +3,8 @@
 
 #include <wheelrail/sampling/settling.h>
 
+#include <cmath>
+
 using namespace wheelrail;
 using test::check;
 using test::check_near;

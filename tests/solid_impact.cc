@@ -4,6 +4,10 @@
 
 #include "check.h"
 
+#include <cmath>
+#include <iostream>
+#include <string>
+
 using namespace scenes;
 using namespace wheelrail;
 

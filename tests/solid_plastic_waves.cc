@@ -5,6 +5,12 @@
 
 #include "check.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
 using namespace scenes;
 using namespace wheelrail;
 

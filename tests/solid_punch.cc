@@ -5,6 +5,9 @@
 #include "check.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
 
 using namespace scenes;
 using namespace wheelrail;

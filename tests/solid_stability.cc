@@ -6,7 +6,12 @@
 
 #include <wheelrail/solid/highest_frequency.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iostream>
 #include <random>
+#include <string>
+#include <vector>
 
 using namespace scenes;
 using namespace wheelrail;

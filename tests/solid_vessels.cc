@@ -6,6 +6,10 @@
 
 #include "check.h"
 
+#include <cmath>
+#include <iostream>
+#include <string>
+
 using namespace scenes;
 using namespace wheelrail;
 

@@ -4,6 +4,12 @@
 
 #include "check.h"
 
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
 using namespace scenes;
 using namespace wheelrail;
 

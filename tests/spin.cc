@@ -8,8 +8,13 @@
 #include "parallel.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <iostream>
 #include <map>
 #include <numeric>
+#include <vector>
 
 using namespace wheelrail;
 using namespace test;

@@ -7,6 +7,7 @@
 
 #include "check.h"
 
+#include <cmath>
 #include <sstream>
 
 using namespace wheelrail;

@@ -6,7 +6,10 @@
 
 #include "parallel.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <string>
 
 using namespace wheelrail;
 using namespace test;

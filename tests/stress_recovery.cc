@@ -8,7 +8,10 @@
 #include "scenes/dynamics.h"
 #include "small_scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iostream>
 
 using namespace scenes;
 using namespace test;

@@ -5,7 +5,11 @@
 
 #include "check.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using namespace test;

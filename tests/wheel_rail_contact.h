@@ -5,6 +5,9 @@
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/halfspace/problem.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace test
 {
   /// Steady rolling at 100 kN vertical load on elements of dx x dx [m]: body 1 is the rail (x forwards, y to

@@ -7,7 +7,9 @@
 #include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/reference/wheel_rail_input.h>
 
+#include <algorithm>
 #include <sstream>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;

@@ -7,6 +7,9 @@
 #include <wheelrail/geometry/conicity.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
 
 using namespace wheelrail;
 using test::check;

@@ -1,7 +1,9 @@
 #include <wheelrail/contact/contact.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace wheelrail
 {

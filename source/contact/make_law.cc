@@ -3,6 +3,7 @@
 #include <wheelrail/solid/element_blocks.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wheelrail

@@ -1,8 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contact/surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
+#include <string>
 
 namespace wheelrail
 {

@@ -1,6 +1,8 @@
 #include <wheelrail/dynamics/rolling_velocities.h>
 #include <wheelrail/solid/boundary_nodes.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   void

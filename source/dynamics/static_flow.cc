@@ -1,7 +1,10 @@
 #include <wheelrail/dynamics/static_flow.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
+#include <utility>
+#include <vector>
 
 namespace wheelrail
 {

@@ -3,6 +3,9 @@
 #include <wheelrail/solid/elastic_meanwhile.h>
 
 #include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
 
 namespace wheelrail
 {

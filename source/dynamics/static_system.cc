@@ -9,7 +9,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/dynamics/static_system.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 namespace wheelrail
 {

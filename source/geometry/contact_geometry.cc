@@ -2,6 +2,7 @@
 #include <wheelrail/geometry/contact_geometry.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <sstream>

@@ -3,6 +3,7 @@
 #include <wheelrail/geometry/frame_profile.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace wheelrail

@@ -4,6 +4,7 @@
 #include <wheelrail/geometry/profile_text.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace wheelrail
 {

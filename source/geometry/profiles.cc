@@ -5,6 +5,7 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include <cmath>
 #include <map>
 
 namespace wheelrail

@@ -4,6 +4,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace wheelrail
 {

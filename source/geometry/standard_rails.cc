@@ -1,6 +1,9 @@
 #include <wheelrail/geometry/standard_rails.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {

@@ -1,6 +1,8 @@
 #include <wheelrail/geometry/standard_wheels.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace wheelrail
 {

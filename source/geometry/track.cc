@@ -3,6 +3,7 @@
 #include <wheelrail/geometry/track.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace wheelrail

@@ -1,6 +1,8 @@
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   namespace

@@ -2,6 +2,8 @@
 #include <wheelrail/input/section_entries.h>
 
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {

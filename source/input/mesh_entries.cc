@@ -2,6 +2,7 @@
 #include <wheelrail/input/section_entries.h>
 
 #include <optional>
+#include <vector>
 
 namespace wheelrail
 {

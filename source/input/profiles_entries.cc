@@ -2,6 +2,10 @@
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace wheelrail
 {
   namespace

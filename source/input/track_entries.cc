@@ -3,6 +3,7 @@
 #include <wheelrail/input/section_entries.h>
 
 #include <cmath>
+#include <vector>
 
 namespace wheelrail
 {

@@ -1,6 +1,9 @@
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <string>
+#include <vector>
+
 namespace wheelrail
 {
   namespace

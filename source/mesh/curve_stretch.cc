@@ -3,6 +3,8 @@
 #include <wheelrail/mesh/curve_stretch.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace wheelrail
 {

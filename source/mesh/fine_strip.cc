@@ -3,6 +3,8 @@
 #include <wheelrail/mesh/fine_strip.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace wheelrail
 {

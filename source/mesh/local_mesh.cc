@@ -6,7 +6,11 @@
 #include <wheelrail/mesh/numbering.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <stdexcept>
 #include <unordered_map>
+#include <vector>
 
 namespace wheelrail
 {

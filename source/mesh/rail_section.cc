@@ -4,6 +4,8 @@
 #include <wheelrail/mesh/running_layer.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 namespace wheelrail
 {

@@ -3,6 +3,9 @@
 #include <wheelrail/mesh/running_layer.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
 
 namespace wheelrail
 {

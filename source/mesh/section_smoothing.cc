@@ -1,6 +1,7 @@
 #include <wheelrail/mesh/section_smoothing.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wheelrail

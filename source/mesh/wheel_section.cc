@@ -4,6 +4,10 @@
 #include <wheelrail/mesh/wheel_section.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {

@@ -4,6 +4,8 @@
 #include <wheelrail/output/replace_file.h>
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
 namespace wheelrail
 {

@@ -4,6 +4,7 @@
 #include <wheelrail/run/run_texts.h>
 
 #include <chrono>
+#include <string>
 #include <utility>
 
 namespace wheelrail

@@ -16,7 +16,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <sstream>
+#include <vector>
 
 #include <unistd.h>
 

@@ -3,7 +3,10 @@
 #include <wheelrail/solid/reduced_element.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {

@@ -1,6 +1,8 @@
 #include <wheelrail/solid/full_element.h>
 #include <wheelrail/solid/reduced_element.h>
 
+#include <array>
+
 namespace wheelrail
 {
   namespace

@@ -2,6 +2,8 @@
 #include <wheelrail/solid/full_element.h>
 #include <wheelrail/solid/full_points.h>
 
+#include <cstdint>
+
 namespace wheelrail
 {
   namespace

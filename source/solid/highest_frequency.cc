@@ -4,6 +4,7 @@
 #include <wheelrail/solid/highest_frequency.h>
 
 #include <cmath>
+#include <vector>
 
 namespace wheelrail
 {

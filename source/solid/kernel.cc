@@ -3,6 +3,9 @@
 #include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/reduced_kernel.h>
 
+#include <array>
+#include <vector>
+
 namespace wheelrail
 {
   void

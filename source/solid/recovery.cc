@@ -2,6 +2,8 @@
 #include <wheelrail/solid/solid.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 namespace wheelrail
 {

@@ -2,6 +2,8 @@
 #include <wheelrail/solid/reduced_kernel.h>
 #include <wheelrail/solid/reduced_plasticity.h>
 
+#include <cstdint>
+
 namespace wheelrail
 {
   namespace

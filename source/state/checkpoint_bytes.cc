@@ -1,9 +1,12 @@
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/state/checkpoint.h>
 
+#include <cstdint>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <type_traits>
+#include <vector>
 
 namespace wheelrail
 {

@@ -7,6 +7,9 @@
 
 #include <wheelrail/dynamics/time_loop.h>
 
+#include <string>
+#include <vector>
+
 namespace scenes
 {
   /// One scene: x = 0 is pressed from t = 0 on, the rollers are at the other five sides.

@@ -4,7 +4,10 @@
 #include <wheelrail/geometry/frame_profile.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace scenes
 {

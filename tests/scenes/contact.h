@@ -10,6 +10,8 @@
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/output/fields.h>
 
+#include <array>
+
 namespace scenes
 {
   using wheelrail::Contact;

@@ -1,7 +1,12 @@
 #include "dynamics.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace scenes
 {

@@ -6,9 +6,13 @@
 #include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace scenes
 {

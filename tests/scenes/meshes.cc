@@ -1,10 +1,12 @@
 #include "meshes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <random>
+#include <vector>
 
 namespace scenes
 {

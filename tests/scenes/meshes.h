@@ -5,7 +5,9 @@
 #include <wheelrail/base/vector3.h>
 #include <wheelrail/mesh/local_mesh.h>
 
+#include <array>
 #include <functional>
+#include <vector>
 
 namespace scenes
 {

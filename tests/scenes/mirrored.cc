@@ -1,5 +1,6 @@
 #include "mirrored.h"
 
+#include <cmath>
 #include <cstdlib>
 
 namespace scenes

@@ -4,6 +4,8 @@
 
 #include <wheelrail/contact/surface.h>
 
+#include <vector>
+
 namespace scenes
 {
   /// Planes of symmetry: the mesh is x >= 0 (across), z >= 0 (along) or both.

@@ -2,7 +2,9 @@
 
 #include <wheelrail/solid/exchange.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace scenes
 {

@@ -7,6 +7,9 @@
 
 #include <wheelrail/solid/part.h>
 
+#include <functional>
+#include <vector>
+
 namespace scenes
 {
   using wheelrail::EnergyBook;

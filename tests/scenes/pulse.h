@@ -4,6 +4,8 @@
 
 #include "dynamics.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace scenes

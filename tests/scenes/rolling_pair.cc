@@ -1,8 +1,10 @@
 #include "rolling_pair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
+#include <vector>
 
 namespace scenes
 {

@@ -4,6 +4,8 @@
 
 #include "meshes.h"
 
+#include <vector>
+
 namespace scenes
 {
   /// Quarter x, y >= 0 of a tube around z between 0 and `height` [m]; cells: radial, hoop, axial.

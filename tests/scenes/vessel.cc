@@ -3,6 +3,8 @@
 #include "vessel.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace scenes
 {

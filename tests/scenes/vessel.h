@@ -4,6 +4,7 @@
 
 #include "dynamics.h"
 
+#include <array>
 #include <cmath>
 
 namespace scenes

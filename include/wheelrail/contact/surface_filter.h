@@ -2,6 +2,9 @@
 
 #include <wheelrail/contact/surface.h>
 
+#include <array>
+#include <vector>
+
 namespace wheelrail
 {
   /// Filter of the surface lattice that makes its discrete response the exact one to second order in

@@ -3,6 +3,8 @@
 #include <wheelrail/contact/surface_filter.h>
 #include <wheelrail/solid/element_blocks.h>
 
+#include <array>
+
 namespace wheelrail
 {
   /// Ratios of the discrete to the exact response of a half-space surface, minus one.

@@ -3,6 +3,8 @@
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/wheelset/axle.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// The contact of the two running surfaces as a part of the time loop: its window follows the axle.

@@ -3,6 +3,8 @@
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/solid/element_blocks.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// Shear tractions and creepage that a run starts from.

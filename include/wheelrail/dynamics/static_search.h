@@ -4,6 +4,8 @@
 #include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/dynamics/static_system.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// What is out of balance in one position.

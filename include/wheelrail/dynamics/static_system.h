@@ -10,6 +10,8 @@
 #include <wheelrail/mesh/forest.h>
 #include <wheelrail/solid/solid.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// The linear system of one static start: stiffness of both bodies at rest plus contact springs,

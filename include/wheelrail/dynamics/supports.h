@@ -2,6 +2,9 @@
 
 #include <wheelrail/solid/part.h>
 
+#include <utility>
+#include <vector>
+
 namespace wheelrail
 {
   /// Boundaries that do not move, such as the rail's foot and ends: their nodes stay where they are.

@@ -5,6 +5,7 @@
 #include <wheelrail/solid/part.h>
 
 #include <memory>
+#include <vector>
 
 namespace wheelrail
 {

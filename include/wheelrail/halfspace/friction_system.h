@@ -2,6 +2,9 @@
 
 #include <wheelrail/halfspace/tangential.h>
 
+#include <array>
+#include <vector>
+
 namespace wheelrail
 {
   /// The equations t = P(t - s / b) of one tangential task and their linearisation, b the influence of an

@@ -2,7 +2,9 @@
 
 #include <wheelrail/halfspace/problem.h>
 
+#include <array>
 #include <complex>
+#include <functional>
 #include <memory>
 #include <vector>
 

@@ -2,6 +2,8 @@
 
 #include <wheelrail/halfspace/influence.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// The pressure that keeps two half-spaces apart where they would overlap.

@@ -2,6 +2,9 @@
 
 #include <wheelrail/halfspace/slip_kernels.h>
 
+#include <array>
+#include <vector>
+
 namespace wheelrail
 {
   /// (x, y) parts of a vector field on the grid.

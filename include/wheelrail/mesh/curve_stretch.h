@@ -3,6 +3,7 @@
 #include <wheelrail/geometry/curve.h>
 
 #include <memory>
+#include <vector>
 
 namespace wheelrail
 {

@@ -2,6 +2,9 @@
 
 #include <wheelrail/mesh/local_mesh.h>
 
+#include <cstdint>
+#include <vector>
+
 #include <mpi.h>
 
 namespace wheelrail

@@ -3,6 +3,9 @@
 #include <wheelrail/mesh/fine_strip.h>
 #include <wheelrail/mesh/section_builder.h>
 
+#include <functional>
+#include <vector>
+
 namespace wheelrail
 {
   /// Depth of the layer in block sizes. A little more than 1: where the profile slopes, cells are skewed

@@ -3,6 +3,11 @@
 #include <wheelrail/mesh/curve_stretch.h>
 #include <wheelrail/mesh/section.h>
 
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
 namespace wheelrail
 {
   /// A chain of corners of a section that forms one side of a patch.

@@ -6,6 +6,7 @@
 #include <wheelrail/sampling/run_parts.h>
 
 #include <memory>
+#include <string>
 
 namespace wheelrail
 {

@@ -6,6 +6,8 @@
 #include <wheelrail/state/stop.h>
 
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {

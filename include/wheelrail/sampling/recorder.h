@@ -5,6 +5,8 @@
 #include <wheelrail/output/fields.h>
 #include <wheelrail/output/summary.h>
 
+#include <utility>
+
 namespace wheelrail
 {
   /// Collects the history of a run and forms the means over its last stretch.

@@ -2,6 +2,8 @@
 
 #include <wheelrail/mesh/local_mesh.h>
 
+#include <vector>
+
 #include <mpi.h>
 
 namespace wheelrail

@@ -2,6 +2,9 @@
 
 #include <wheelrail/solid/kernel.h>
 
+#include <array>
+#include <vector>
+
 namespace wheelrail
 {
   /// The `full` hexahedron: 2 x 2 x 2 Gauss points with the mean dilatation of the cell at all of them,

@@ -2,6 +2,9 @@
 
 #include <wheelrail/solid/element_blocks.h>
 
+#include <array>
+#include <vector>
+
 namespace wheelrail
 {
   /// Energies of the elements of one body [J, W].

@@ -2,6 +2,8 @@
 
 #include <wheelrail/solid/solid.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   // Central differences: displacements at full steps, velocities at half steps.

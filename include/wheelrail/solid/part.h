@@ -3,6 +3,8 @@
 #include <wheelrail/solid/energy_book.h>
 #include <wheelrail/solid/motion.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// The full step of which a scene's parts are asked, and how its forces change velocities.

@@ -2,6 +2,8 @@
 
 #include <wheelrail/solid/element_blocks.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// Second Piola-Kirchhoff stress S [Pa] of an integration point (0 in the form `reduced`) of a packed

@@ -4,6 +4,7 @@
 #include <wheelrail/solid/lanes.h>
 
 #include <cmath>
+#include <cstdint>
 
 // The parts of the `reduced` hexahedron for W elements at once, as inline functions for its kernels;
 // see doc/theory/element.md.

@@ -4,7 +4,9 @@
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/kernel.h>
 
+#include <array>
 #include <string>
+#include <vector>
 
 namespace wheelrail
 {

@@ -2,6 +2,9 @@
 
 #include <wheelrail/solid/solid.h>
 
+#include <array>
+#include <vector>
+
 namespace wheelrail
 {
   /// Nodal stresses from those of the elements' centres, `stress` of rail and wheel in the order of their

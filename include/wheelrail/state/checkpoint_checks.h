@@ -2,6 +2,8 @@
 
 #include <wheelrail/state/checkpoint.h>
 
+#include <string>
+
 namespace wheelrail
 {
   /// Why a run with the entries `parameters` (and the scene they give) cannot go on from a saved state, a

@@ -4,6 +4,8 @@
 #include <wheelrail/state/stop.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {

@@ -4,6 +4,8 @@
 #include <wheelrail/state/checkpoint.h>
 #include <wheelrail/state/stop.h>
 
+#include <string>
+
 namespace wheelrail
 {
   /// Keeps the last good state of a run in memory and writes it to the disk from time to time.
