@@ -39,7 +39,7 @@ namespace
   double
   flowing(BlockMotion &block)
   {
-    auto &blocks = block.solid.blocks[0];
+    auto &blocks = block.solid.blocks.rail;
     if (!blocks.plastic())
       return 0;
     const auto before = blocks.plastic_work;
@@ -56,7 +56,7 @@ namespace
   double
   bytes(const BlockMotion &block, const Case kind)
   {
-    const auto  &blocks  = block.solid.blocks[0];
+    const auto  &blocks  = block.solid.blocks.rail;
     const double nodes   = double(block.solid.mesh.n_nodes()) / blocks.n_elements;
     double       element = 8 * blocks.rows + 32 + 32 + nodes * 3 * 32;
     if (kind == Case::all_yield)

@@ -40,7 +40,7 @@ namespace
     {
       Model model = test::small_model(communicator, 4e-3);
       // the rail alone
-      set_law(model.solid.blocks[0], BilinearLaw(model.solid.blocks[0].elasticity(), {300e6, 21e9, 0}));
+      set_law(model.solid.blocks.rail, BilinearLaw(model.solid.blocks.rail.elasticity(), {300e6, 21e9, 0}));
       return model;
     }
   };
@@ -76,7 +76,7 @@ namespace
           work(solid.displacement[4 * n + d], mark(X, d));
           work(solid.velocity[4 * n + d], mark(X, 3 + d));
         }
-    for (int body = 0; body < 2; ++body)
+    for (const Body body : both_bodies)
       {
         ElementBlocks &blocks = solid.blocks[body];
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
@@ -123,13 +123,13 @@ namespace
     check_near(largest, 0, 1e-9, what + ": every number is at its place, largest difference");
     check(parts.axle.height() == -2e-4 && parts.axle.pitch_rate() == 81, what + ": the axle");
 
-    const ElementBlocks &rail = parts.model.solid.blocks[0];
+    const ElementBlocks &rail = parts.model.solid.blocks.rail;
     bool                 same = true;
     for (std::size_t batch = 0; batch < rail.flowed.size(); ++batch)
       {
         bool flowed = false;
         for (std::size_t e = batch * rail.width; e < std::min((batch + 1) * rail.width, rail.n_elements); ++e)
-          flowed = flowed || centre(parts.model.solid.mesh, parts.model.solid.block_cells[0][e])[2] > 0;
+          flowed = flowed || centre(parts.model.solid.mesh, parts.model.solid.block_cells.rail[e])[2] > 0;
         same = same && flowed == (rail.flowed[batch] == 1);
       }
     check(same, what + ": the batches that have flowed are known");

@@ -121,9 +121,8 @@ namespace
         }
     std::fill(solid.force.begin(), solid.force.end(), 0.);
     ElementEnergy energy;
-    for (auto &blocks : solid.blocks)
-      subtract_internal_force(
-        blocks, solid.displacement.data(), solid.force.data(), BulkViscosity(), false, energy);
+    subtract_internal_force(
+      solid.blocks, solid.displacement.data(), solid.force.data(), BulkViscosity(), false, energy);
     condense(mesh, solid.force.data());
     SharedSum sum(mesh, MPI_COMM_WORLD);
     sum(solid.force.data());
@@ -153,15 +152,14 @@ namespace
           solid.displacement[4 * n + i] = x[i] - X[i] + (i == 2 ? 29. : 0.);
       }
     double worst[2] = {0, 0};
-    for (const auto &blocks : solid.blocks)
-      for (const auto &s : element_stress(blocks, solid.displacement.data()))
+    for (const Body body : both_bodies)
+      for (const auto &s : element_stress(solid.blocks[body], solid.displacement.data()))
         for (const double x : s)
           worst[0] = std::max(worst[0], std::abs(x));
     std::fill(solid.force.begin(), solid.force.end(), 0.);
     ElementEnergy energy;
-    for (auto &blocks : solid.blocks)
-      subtract_internal_force(
-        blocks, solid.displacement.data(), solid.force.data(), BulkViscosity(), true, energy);
+    subtract_internal_force(
+      solid.blocks, solid.displacement.data(), solid.force.data(), BulkViscosity(), true, energy);
     condense(mesh, solid.force.data());
     for (const double f : solid.force)
       worst[1] = std::max(worst[1], std::abs(f));

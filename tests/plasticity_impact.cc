@@ -74,7 +74,7 @@ namespace
           std::max(std::abs(scene.energy().residual()) / start, result.energy_error); // lets a NaN through
       }
     result.plastic = scene.energy()["plastic_work"] / start;
-    for (const double strain : element_plastic_strain(scene.solid.blocks[1]))
+    for (const double strain : element_plastic_strain(scene.solid.blocks.wheel))
       result.strain = std::max(result.strain, strain);
     return result;
   }

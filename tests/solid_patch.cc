@@ -55,7 +55,7 @@ namespace
     while (scene.steps() < 4000)
       scene.step();
     scene.step(true);
-    const auto stress = element_stress(scene.solid.blocks[1], scene.solid.displacement.data());
+    const auto stress = element_stress(scene.solid.blocks.wheel, scene.solid.displacement.data());
     double     spread = 0, place = 0;
     for (const auto &s : stress)
       for (int k = 0; k < 6; ++k)
@@ -95,7 +95,7 @@ namespace
       }
     scene.step();
     double stress = 0, force = 0;
-    for (const auto &s : element_stress(solid.blocks[1], solid.displacement.data()))
+    for (const auto &s : element_stress(solid.blocks.wheel, solid.displacement.data()))
       for (const double x : s)
         stress = std::max(stress, std::abs(x));
     for (const double f : solid.force)

@@ -73,7 +73,7 @@ namespace
           force += scene.reaction(wall) / (h * h), ++count;
       }
     scene.step(true);
-    const auto   stress  = element_stress(scene.solid.blocks[1], scene.solid.displacement.data());
+    const auto   stress  = element_stress(scene.solid.blocks.wheel, scene.solid.displacement.data());
     const double middle  = 0.5 * (exact.elastic_stress + exact.plastic_stress);
     double       mean[2] = {0, 0}, front[2] = {0, 0};
     unsigned int number[2] = {0, 0};
@@ -151,11 +151,11 @@ namespace
         scene.step(true);
         const auto &solid = scene.solid;
         double      S     = 0;
-        const auto  all   = element_stress(solid.blocks[1], solid.displacement.data());
+        const auto  all   = element_stress(solid.blocks.wheel, solid.displacement.data());
         for (std::size_t e = 0; e < all.size(); ++e)
           {
             // Cauchy stress back to the second Piola-Kirchhoff stress: J / F_xx^2
-            const auto   H = element_gradient(solid.blocks[1], e, solid.displacement.data());
+            const auto   H = element_gradient(solid.blocks.wheel, e, solid.displacement.data());
             const double J = (1 + H[0]) * (1 + H[4]) * (1 + H[8]);
             S += all[e][0] * J / std::pow(1 + H[0], 2) / all.size();
           }

@@ -84,9 +84,9 @@ namespace
             sum[k] += v, moment[k] += v * t;
         peak         = std::max(peak, scene.solid.velocity[4 * node[0]]);
         end_velocity = std::max(end_velocity, scene.solid.velocity[4 * node[2]]);
-        end_stress   = std::max(
-          end_stress,
-          std::abs(element_stress(scene.solid.blocks[1], scene.solid.displacement.data())[bar.cells - 1][0]));
+        end_stress   = std::max(end_stress,
+                              std::abs(element_stress(scene.solid.blocks.wheel,
+                                                      scene.solid.displacement.data())[bar.cells - 1][0]));
       }
     const double speed = (place[1] - place[0]) / (moment[1] / sum[1] - moment[0] / sum[0]);
     test::check_near(
@@ -108,7 +108,7 @@ namespace
     BarScene scene(bar, [=](const double t) { return velocity * t; });
     while (scene.time() < 0.8 * bar_length / c)
       scene.step();
-    const auto   stress = element_stress(scene.solid.blocks[1], scene.solid.displacement.data());
+    const auto   stress = element_stress(scene.solid.blocks.wheel, scene.solid.displacement.data());
     double       mean = 0, largest = 0, front = 0;
     unsigned     count = 0;
     const double exact = bar.setup.material.density * c * velocity;

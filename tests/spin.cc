@@ -152,10 +152,10 @@ namespace
       {
         const double *R   = &solid.mesh.reference[4 * n];
         const double  r   = std::hypot(R[1], R[2]),
-                     grow = exact_disc(r, solid.blocks[1].elasticity()).displacement / r;
-        const Exact  here = exact_disc(r, solid.blocks[1].elasticity());
-        const double nu   = solid.blocks[1].elasticity().poissons_ratio,
-                     E    = solid.blocks[1].elasticity().youngs_modulus;
+                     grow = exact_disc(r, solid.blocks.wheel.elasticity()).displacement / r;
+        const Exact  here = exact_disc(r, solid.blocks.wheel.elasticity());
+        const double nu   = solid.blocks.wheel.elasticity().poissons_ratio,
+                     E    = solid.blocks.wheel.elasticity().youngs_modulus;
         const Vector3 u   = {-nu / E * (here.radial + here.hoop) * R[0], grow * R[1], grow * R[2]};
         const Vector3 x   = {0, R[1] + u[1], R[2] + u[2]};
         const Vector3 v   = rate * cross({1, 0, 0}, x);
@@ -174,12 +174,12 @@ namespace
     void
     sample(const Solid &solid)
     {
-      const auto stress = element_stress(solid.blocks[1], solid.displacement.data());
+      const auto stress = element_stress(solid.blocks.wheel, solid.displacement.data());
       for (std::size_t e = 0; e < stress.size(); ++e)
         {
           Vector3 x{};
           double  R = 0;
-          for (const unsigned int n : solid.mesh.cells[solid.block_cells[1][e]])
+          for (const unsigned int n : solid.mesh.cells[solid.block_cells.wheel[e]])
             {
               add(x, 1. / 8, solid.position(n));
               R += std::hypot(solid.mesh.reference[4 * n + 1], solid.mesh.reference[4 * n + 2]) / 8;
@@ -285,7 +285,7 @@ namespace
     check_near(drift / balance.strain, 0, 1e-6, "energy drift over the strain energy");
     check_near(
       (*range.second - *range.first) / last.kinetic, 0, 1e-6, "energy, range over the kinetic energy");
-    means.check_against_exact(solid.blocks[1].elasticity());
+    means.check_against_exact(solid.blocks.wheel.elasticity());
   }
 } // namespace
 

@@ -26,8 +26,8 @@ namespace
   double
   largest_error(const Solid &solid, const Law &law, const Predicate &which, MPI_Comm communicator)
   {
-    std::vector<Stress> stress[2];
-    for (int body = 0; body < 2; ++body)
+    PerBody<std::vector<Stress>> stress;
+    for (const Body body : both_bodies)
       for (const unsigned int cell : solid.block_cells[body])
         {
           Vector3 centre{};

@@ -17,9 +17,8 @@ namespace wheelrail
   {
     const BulkViscosity viscosity{now.first ? 0. : bulk_viscosity, bulk_viscosity > 0 ? now.step : 0.};
     ElementEnergy       energy;
-    for (auto &blocks : solid.blocks)
-      subtract_internal_force(
-        blocks, solid.displacement.data(), solid.force.data(), viscosity, now.with_energy, energy);
+    subtract_internal_force(
+      solid.blocks, solid.displacement.data(), solid.force.data(), viscosity, now.with_energy, energy);
     viscous_->add_done(now.step * energy.viscous_power); // of the step behind
     if (!now.with_energy)
       return;

@@ -27,8 +27,7 @@ namespace wheelrail
     StartTractions
     wanted_tractions(const Solid &solid, const Contact &contact, const StaticLoads &loads, const double load)
     {
-      const StartBodies bodies = {solid.blocks[index(Body::rail)].elasticity(),
-                                  solid.blocks[index(Body::wheel)].elasticity()};
+      const StartBodies bodies = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
       const double      force = loads.traction_coefficient * load, velocity = loads.axle.velocity;
       return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, velocity)
                              : start_tractions(contact, force, bodies, velocity);
@@ -67,12 +66,10 @@ namespace wheelrail
   {
     AlignedVector<double> force(solid_.force.size(), 0.);
     ElementEnergy         ignored;
-    for (auto &blocks : solid_.blocks)
-      {
-        forget_flow(blocks);
-        subtract_internal_force(
-          blocks, solid_.displacement.data(), force.data(), BulkViscosity(), false, ignored);
-      }
+    for (const Body body : both_bodies)
+      forget_flow(solid_.blocks[body]);
+    subtract_internal_force(
+      solid_.blocks, solid_.displacement.data(), force.data(), BulkViscosity(), false, ignored);
     condense(solid_.mesh, force.data());
     sum_(force.data());
     add_wheel_loads(solid_, loads_.axle, rate_, force);

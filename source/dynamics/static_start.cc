@@ -92,15 +92,14 @@ namespace wheelrail
     StaticBalance balance;
     result.wheel_load = search.wheel_load();
     {
-      const ElasticMeanwhile rail(solid.blocks[index(Body::rail)]), wheel(solid.blocks[index(Body::wheel)]);
+      const ElasticMeanwhile rail(solid.blocks.rail), wheel(solid.blocks.wheel);
       balance = elastic_equilibrium(search, without_friction, 2e-6, result);
     }
     // flow raises the creepage, though the tractions of its lower pressures would need less
     result.creepage = search.tractions.creepage;
     if (without_friction)
       result.creepage = loads.rate_held ? loads.creepage : 0;
-    if (!result.at_border &&
-        (solid.blocks[index(Body::rail)].plastic() || solid.blocks[index(Body::wheel)].plastic()))
+    if (!result.at_border && (solid.blocks.rail.plastic() || solid.blocks.wheel.plastic()))
       {
         report("static start: plastic flow from the elastic equilibrium");
         balance = plastic_equilibrium(search, without_friction, result);

@@ -293,7 +293,7 @@ namespace wheelrail
           for (int a = 0; a < 8; ++a)
             for (int i = 0; i < 3; ++i)
               X[a][i] = solid.mesh.reference[4 * solid.mesh.cells[c][a] + i];
-          const auto &blocks = solid.blocks[index(solid.mesh.cell_body[c])];
+          const auto &blocks = solid.blocks[solid.mesh.cell_body[c]];
           const auto  k      = element_stiffness(element_geometry(X), blocks.elasticity(), blocks.form);
           K.fill(k.data());
           cell->get_dof_indices(dofs);

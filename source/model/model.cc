@@ -24,7 +24,7 @@ namespace wheelrail
       const auto body = [](const ElementBlocks &blocks) {
         return ContactBody{blocks.elasticity(), blocks.form};
       };
-      return make_contact_law({body(solid.blocks[index(Body::rail)]), body(solid.blocks[index(Body::wheel)])},
+      return make_contact_law({body(solid.blocks.rail), body(solid.blocks.wheel)},
                               {scene.penalty_scale,
                                scene.cell_size,
                                scene.contact_damping,

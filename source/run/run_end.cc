@@ -101,7 +101,7 @@ namespace wheelrail
     summary.max_plastic_strain     = plastic.max_strain;
     summary.max_residual_von_mises = plastic.max_residual;
     for (const Body body : both_bodies)
-      if (model.solid.blocks[index(body)].plastic())
+      if (model.solid.blocks[body].plastic())
         set_figure(summary, std::string("plastic_work_") + body_name(body) + "_J", plastic.work[body]);
     summary.rolled_distance = run.axle.travelled();
     summary.velocity        = run.scene.velocity;

@@ -194,8 +194,7 @@ namespace wheelrail
       mesh.points.push_back(solid.position(n));
     builder.field(
       "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
-    const bool plastic =
-      solid.blocks[index(Body::rail)].plastic() || solid.blocks[index(Body::wheel)].plastic();
+    const bool plastic = solid.blocks.rail.plastic() || solid.blocks.wheel.plastic();
     if (selection == Selection::surface)
       {
         add_contact_fields(builder, contact);
@@ -232,7 +231,7 @@ namespace wheelrail
     PerBody<double> work;
     for (const Body body : both_bodies)
       {
-        const ElementBlocks &blocks = solid.blocks[index(body)];
+        const ElementBlocks &blocks = solid.blocks[body];
         if (!blocks.plastic())
           continue;
         const auto strain = element_plastic_strain(blocks);
@@ -240,7 +239,7 @@ namespace wheelrail
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
           {
             largest[0]          = std::max(largest[0], strain[e]);
-            const Vector3 place = solid.position(solid.mesh.cells[solid.block_cells[index(body)][e]][0]);
+            const Vector3 place = solid.position(solid.mesh.cells[solid.block_cells[body][e]][0]);
             if (body == Body::rail && strain[e] > 0 && place[2] < axle.travelled() - distance)
               largest[1] = std::max(largest[1], von_mises(stress[e].data()));
           }
@@ -261,8 +260,8 @@ namespace wheelrail
   largest_von_mises(const Solid &solid, MPI_Comm communicator)
   {
     double largest = 0;
-    for (const auto &blocks : solid.blocks)
-      for (const auto &s : element_stress(blocks, solid.displacement.data()))
+    for (const Body body : both_bodies)
+      for (const auto &s : element_stress(solid.blocks[body], solid.displacement.data()))
         largest = std::max(largest, von_mises(s.data()));
     MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
     return largest;

@@ -145,9 +145,9 @@ namespace wheelrail
     source.plastic_strain.resize(solid.mesh.cells.size());
     for (const Body body : both_bodies)
       {
-        const auto strain = element_plastic_strain(solid.blocks[index(body)]);
+        const auto strain = element_plastic_strain(solid.blocks[body]);
         for (std::size_t e = 0; e < strain.size(); ++e)
-          source.plastic_strain[solid.block_cells[index(body)][e]] = strain[e];
+          source.plastic_strain[solid.block_cells[body][e]] = strain[e];
       }
     return source;
   }

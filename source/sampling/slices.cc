@@ -124,7 +124,7 @@ namespace wheelrail
       slice.position     = line.position;
       slice.depth        = depths(*model.contact);
       const auto values  = probe_body(model.solid, body, source, points, communicator);
-      const bool plastic = model.solid.blocks[index(body)].plastic();
+      const bool plastic = model.solid.blocks[body].plastic();
       slice.values.resize(plastic ? n_fields : n_fields - 1);
       for (const auto &v : values)
         {
@@ -249,7 +249,7 @@ namespace wheelrail
           slices.push_back(cut(model, line, body, points, source, communicator));
           slices.back().name = std::string(name) + "_" + body_name(body);
         }
-    if (model.solid.blocks[index(Body::rail)].plastic())
+    if (model.solid.blocks.rail.plastic())
       add_unloaded(model, travelled, peak[0], source, slices, communicator);
     return slices;
   }

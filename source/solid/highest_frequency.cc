@@ -19,8 +19,8 @@ namespace wheelrail
         , communicator_(communicator)
         , sum_(solid.mesh, communicator)
         , displacement_(4 * solid.mesh.n_nodes(), 0.)
-        , rail_(solid.blocks[0])
-        , wheel_(solid.blocks[1])
+        , rail_(solid.blocks.rail)
+        , wheel_(solid.blocks.wheel)
       {
       }
 
@@ -37,8 +37,8 @@ namespace wheelrail
         distribute(solid_.mesh, displacement_.data());
         y.assign(4 * solid_.mass.size(), 0.);
         ElementEnergy ignored;
-        for (auto &blocks : solid_.blocks)
-          subtract_internal_force(blocks, displacement_.data(), y.data(), BulkViscosity(), false, ignored);
+        subtract_internal_force(
+          solid_.blocks, displacement_.data(), y.data(), BulkViscosity(), false, ignored);
         condense(solid_.mesh, y.data());
         sum_(y.data());
         for (std::size_t n = 0; n < solid_.mass.size(); ++n)

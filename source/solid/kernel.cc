@@ -23,6 +23,19 @@ namespace wheelrail
   }
 
 
+  void
+  subtract_internal_force(PerBody<ElementBlocks> &blocks,
+                          const double           *displacement,
+                          double                 *force,
+                          const BulkViscosity    &viscosity,
+                          const bool              with_energy,
+                          ElementEnergy          &energy)
+  {
+    for (const Body body : both_bodies)
+      subtract_internal_force(blocks[body], displacement, force, viscosity, with_energy, energy);
+  }
+
+
   std::array<double, 9>
   element_gradient(const ElementBlocks &blocks, const std::size_t element, const double *displacement)
   {

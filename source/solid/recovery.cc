@@ -12,16 +12,16 @@ namespace wheelrail
     /// Volume-weighted nodal means of element values, `n` numbers an element.
     template <std::size_t n>
     std::vector<double>
-    nodal_means(const Solid &solid,
-                const std::vector<std::array<double, n>> (&values)[2],
-                MPI_Comm communicator)
+    nodal_means(const Solid                                       &solid,
+                const PerBody<std::vector<std::array<double, n>>> &values,
+                MPI_Comm                                           communicator)
     {
       const std::size_t     n_nodes = solid.mesh.n_nodes();
       std::vector<double>   result(n * n_nodes);
       AlignedVector<double> volume(4 * n_nodes, 0.), part(4 * n_nodes);
       SharedSum             sum(solid.mesh, communicator);
       const auto            for_each = [&](const auto &work) {
-        for (int body = 0; body < 2; ++body)
+        for (const Body body : both_bodies)
           {
             const ElementBlocks &blocks = solid.blocks[body];
             for (std::size_t e = 0; e < blocks.n_elements; ++e)
@@ -31,12 +31,12 @@ namespace wheelrail
               }
           }
       };
-      for_each([&](int, std::size_t, unsigned int node, double V) { volume[4 * node] += V; });
+      for_each([&](Body, std::size_t, unsigned int node, double V) { volume[4 * node] += V; });
       sum(volume.data(), 1);
       for (std::size_t first = 0; first < n; first += 3)
         {
           std::fill(part.begin(), part.end(), 0.);
-          for_each([&](int body, std::size_t e, unsigned int node, double V) {
+          for_each([&](Body body, std::size_t e, unsigned int node, double V) {
             for (std::size_t k = 0; k < std::min<std::size_t>(3, n - first); ++k)
               part[4 * node + k] += V * values[body][e][first + k];
           });
@@ -53,8 +53,8 @@ namespace wheelrail
   std::vector<double>
   nodal_gradient(const Solid &solid, MPI_Comm communicator)
   {
-    std::vector<std::array<double, 9>> gradient[2];
-    for (int body = 0; body < 2; ++body)
+    PerBody<std::vector<std::array<double, 9>>> gradient;
+    for (const Body body : both_bodies)
       {
         const ElementBlocks &blocks = solid.blocks[body];
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
@@ -67,8 +67,8 @@ namespace wheelrail
   std::vector<double>
   nodal_plastic_strain(const Solid &solid, MPI_Comm communicator)
   {
-    std::vector<std::array<double, 1>> strain[2];
-    for (int body = 0; body < 2; ++body)
+    PerBody<std::vector<std::array<double, 1>>> strain;
+    for (const Body body : both_bodies)
       for (const double value : element_plastic_strain(solid.blocks[body]))
         strain[body].push_back({value});
     return nodal_means<1>(solid, strain, communicator);

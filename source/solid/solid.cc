@@ -10,8 +10,8 @@ namespace wheelrail
     /// The rank's elements before packing.
     struct Elements
     {
-      std::vector<ElementGeometry>             geometry[2];
-      std::vector<std::array<unsigned int, 8>> cells[2];
+      PerBody<std::vector<ElementGeometry>>             geometry;
+      PerBody<std::vector<std::array<unsigned int, 8>>> cells;
     };
 
     std::array<Vector3, 8>
@@ -53,7 +53,7 @@ namespace wheelrail
       MPI_Allreduce(MPI_IN_PLACE, &solid.finest_level, 1, MPI_UNSIGNED_CHAR, MPI_MAX, communicator);
       for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
         {
-          const int  body = static_cast<int>(solid.mesh.cell_body[c]);
+          const Body body = solid.mesh.cell_body[c];
           const auto X    = vertices(solid.mesh, solid.mesh.cells[c]);
           const auto g    = element_geometry(X);
           elements.geometry[body].push_back(g);
@@ -64,8 +64,8 @@ namespace wheelrail
           q.largest        = std::max(q.largest, std::cbrt(g.volume));
           q.finest_elements += solid.mesh.cell_level[c] == solid.finest_level;
         }
-      q.rail_elements  = elements.cells[0].size();
-      q.wheel_elements = elements.cells[1].size();
+      q.rail_elements  = elements.cells.rail.size();
+      q.wheel_elements = elements.cells.wheel.size();
       q.elements       = q.rail_elements + q.wheel_elements;
       q.hanging        = solid.mesh.hanging.size();
       for (const auto owned : solid.mesh.owned)
@@ -91,7 +91,7 @@ namespace wheelrail
     lump_mass(Solid &solid, const Elements &elements, MPI_Comm communicator)
     {
       AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
-      for (int body = 0; body < 2; ++body)
+      for (const Body body : both_bodies)
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           for (int a = 0; a < 8; ++a)
             mass[4 * elements.cells[body][e][a]] +=
@@ -116,7 +116,7 @@ namespace wheelrail
     {
       double     largest = 0;
       StableStep stable;
-      for (int body = 0; body < 2; ++body)
+      for (const Body body : both_bodies)
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           {
             const double bound =
@@ -124,7 +124,7 @@ namespace wheelrail
             if (bound > largest)
               {
                 largest       = bound;
-                stable.body   = static_cast<Body>(body);
+                stable.body   = body;
                 stable.length = std::cbrt(elements.geometry[body][e].volume);
                 stable.place  = {0, 0, 0};
                 for (const auto &x : vertices(solid.mesh, elements.cells[body][e]))
@@ -160,11 +160,11 @@ namespace wheelrail
     solid.mesh               = std::move(mesh);
     const Elements elements  = build_elements(solid, communicator);
     for (const Body body : both_bodies)
-      solid.blocks[index(body)] = pack_elements(elements.geometry[index(body)],
-                                                elements.cells[index(body)],
-                                                choice.material[body],
-                                                kernel_width,
-                                                choice.form[body]);
+      solid.blocks[body] = pack_elements(elements.geometry[body],
+                                         elements.cells[body],
+                                         choice.material[body],
+                                         kernel_width,
+                                         choice.form[body]);
     const std::size_t n_nodes = solid.mesh.n_nodes();
     solid.added_mass.assign(n_nodes, 0.);
     solid.displacement.assign(4 * n_nodes, 0.);

@@ -63,10 +63,10 @@ namespace wheelrail
     }
 
     std::vector<Element>
-    elements_of(const Solid &solid, const std::vector<Stress> (&stress)[2])
+    elements_of(const Solid &solid, const PerBody<std::vector<Stress>> &stress)
     {
       std::vector<Element> elements;
-      for (int body = 0; body < 2; ++body)
+      for (const Body body : both_bodies)
         {
           const ElementBlocks &blocks = solid.blocks[body];
           const auto           strain = element_plastic_strain(blocks);
@@ -180,7 +180,7 @@ namespace wheelrail
 
 
   std::vector<double>
-  recovered_stress(const Solid &solid, const std::vector<Stress> (&stress)[2], MPI_Comm communicator)
+  recovered_stress(const Solid &solid, const PerBody<std::vector<Stress>> &stress, MPI_Comm communicator)
   {
     SharedSum                      sum(solid.mesh, communicator);
     const std::vector<Element>     elements  = elements_of(solid, stress);
@@ -205,8 +205,8 @@ namespace wheelrail
   std::vector<double>
   nodal_stress(const Solid &solid, MPI_Comm communicator)
   {
-    std::vector<Stress> stress[2];
-    for (int body = 0; body < 2; ++body)
+    PerBody<std::vector<Stress>> stress;
+    for (const Body body : both_bodies)
       stress[body] = element_stress(solid.blocks[body], solid.displacement.data());
     return recovered_stress(solid, stress, communicator);
   }

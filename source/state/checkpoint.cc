@@ -36,13 +36,13 @@ namespace wheelrail
     {
       std::map<std::string, NumberedValues> all;
       // the two bodies may have elements of different forms: rows of one length hold either
-      for (const ElementBlocks &blocks : solid.blocks)
-        visit_histories(blocks, [&](const char *name, const unsigned int n, const auto &) {
+      for (const Body body : both_bodies)
+        visit_histories(solid.blocks[body], [&](const char *name, const unsigned int n, const auto &) {
           all[name].components = std::max(all[name].components, n);
         });
       for (auto &entry : all)
         entry.second.values.resize(entry.second.components * solid.mesh.cells.size());
-      for (int body = 0; body < 2; ++body)
+      for (const Body body : both_bodies)
         {
           const ElementBlocks &blocks = solid.blocks[body];
           visit_histories(blocks,
@@ -133,8 +133,8 @@ namespace wheelrail
       };
       bool complete = has(whole.node_values, "position", 3) && has(whole.node_values, "displacement", 3) &&
                       has(whole.node_values, "velocity", 3);
-      for (const auto &blocks : solid.blocks)
-        visit_histories(blocks, [&](const char *name, const unsigned int n, const auto &) {
+      for (const Body body : both_bodies)
+        visit_histories(solid.blocks[body], [&](const char *name, const unsigned int n, const auto &) {
           complete = complete && has(whole.cell_values, name, n);
         });
       return same_mesh && complete && same_places(whole.node_values.at("position").values, mesh);
@@ -150,7 +150,7 @@ namespace wheelrail
       };
       restore_nodes("displacement", solid.displacement);
       restore_nodes("velocity", solid.velocity);
-      for (int body = 0; body < 2; ++body)
+      for (const Body body : both_bodies)
         {
           ElementBlocks &blocks = solid.blocks[body];
           visit_histories(blocks, [&](const char *name, const unsigned int n, AlignedVector<double> &packed) {

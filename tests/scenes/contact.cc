@@ -197,7 +197,7 @@ namespace scenes
         return ContactBody{blocks.elasticity(), blocks.form, blocks.n_elements == 0};
       };
       return make_contact_law(
-        {body(scene.solid.blocks[index(Body::rail)]), body(scene.solid.blocks[index(Body::wheel)])},
+        {body(scene.solid.blocks.rail), body(scene.solid.blocks.wheel)},
         {setup.scale, setup.cell_size, setup.damping_ratio, setup.friction, setup.filter},
         scene.solid.stable.step);
     }

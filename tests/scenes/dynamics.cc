@@ -171,9 +171,7 @@ namespace scenes
         distribute(body.mesh, u.data());
         std::fill(f.begin(), f.end(), 0.);
         ElementEnergy ignored;
-        for (auto &blocks : body.blocks)
-          if (blocks.n_elements > 0)
-            subtract_internal_force(blocks, u.data(), f.data(), BulkViscosity(), false, ignored);
+        subtract_internal_force(body.blocks, u.data(), f.data(), BulkViscosity(), false, ignored);
         condense(body.mesh, f.data());
         double uKu = 0, uMu = 0;
         for (const unsigned int n : masses_)

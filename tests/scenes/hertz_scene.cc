@@ -103,12 +103,12 @@ namespace scenes
     std::array<double, 2>
     below(const Solid &solid, const double cell)
     {
-      const auto               stress = element_stress(solid.blocks[0], solid.displacement.data());
+      const auto               stress = element_stress(solid.blocks.rail, solid.displacement.data());
       std::map<double, double> mises;
       for (std::size_t e = 0; e < stress.size(); ++e)
         {
           Vector3 X{};
-          for (const unsigned int n : solid.mesh.cells[solid.block_cells[0][e]])
+          for (const unsigned int n : solid.mesh.cells[solid.block_cells.rail[e]])
             add(X, 0.125, place_of(solid.mesh, n));
           if (X[0] < cell && X[2] < cell && X[1] > -12e-3)
             mises[-X[1]] = von_mises(stress[e].data());

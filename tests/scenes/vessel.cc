@@ -17,7 +17,7 @@ namespace scenes
     in_polar(const Dynamics &scene, const std::size_t element, const std::array<double, 6> &s, const int n)
     {
       Vector3 X{};
-      for (const unsigned int node : scene.solid.mesh.cells[scene.solid.block_cells[1][element]])
+      for (const unsigned int node : scene.solid.mesh.cells[scene.solid.block_cells.wheel[element]])
         add(X, 1. / 8, place_of(scene.solid.mesh, node));
       if (n == 2)
         X[2] = 0;
@@ -34,7 +34,7 @@ namespace scenes
     double
     plastic_front(const Dynamics &scene, const int n)
     {
-      const auto strain = element_plastic_strain(scene.solid.blocks[1]);
+      const auto strain = element_plastic_strain(scene.solid.blocks.wheel);
       double     last   = 0;
       for (std::size_t e = 0; e < strain.size(); ++e)
         if (strain[e] > 0)
@@ -101,7 +101,7 @@ namespace scenes
                 });
     VesselState result;
     const auto  compare = [&](const bool loaded) {
-      const auto stress = element_stress(scene.solid.blocks[1], scene.solid.displacement.data());
+      const auto stress = element_stress(scene.solid.blocks.wheel, scene.solid.displacement.data());
       for (std::size_t e = 0; e < stress.size(); ++e)
         {
           const auto [r, radial, hoop] = in_polar(scene, e, stress[e], vessel.n);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/body.h>
 #include <wheelrail/solid/element_blocks.h>
 
 #include <array>
@@ -44,6 +45,15 @@ namespace wheelrail
                           const BulkViscosity &viscosity,
                           bool                 with_energy,
                           ElementEnergy       &energy);
+
+  /// The same for the elements of both bodies.
+  void
+  subtract_internal_force(PerBody<ElementBlocks> &blocks,
+                          const double           *displacement,
+                          double                 *force,
+                          const BulkViscosity    &viscosity,
+                          bool                    with_energy,
+                          ElementEnergy          &energy);
 
   /// Volume mean of the displacement gradient of one element, row-major [1].
   std::array<double, 9>

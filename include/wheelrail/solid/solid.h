@@ -52,9 +52,9 @@ namespace wheelrail
   /// bodies).
   struct Solid
   {
-    LocalMesh                mesh;
-    ElementBlocks            blocks[2];      ///< rail, wheel
-    std::vector<std::size_t> block_cells[2]; ///< cell number of each packed element
+    LocalMesh                         mesh;
+    PerBody<ElementBlocks>            blocks;
+    PerBody<std::vector<std::size_t>> block_cells; ///< cell number of each packed element
 
     AlignedVector<double> mass;         ///< n_nodes, lumped, summed over ranks; zero at hanging nodes [kg]
     AlignedVector<double> added_mass;   ///< n_nodes, bipenalty mass of the contact surfaces [kg]

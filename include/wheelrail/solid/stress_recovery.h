@@ -18,9 +18,9 @@ namespace wheelrail
   /// with the element, as over the patches of Zienkiewicz and Zhu (Int. J. Numer. Meth. Eng. 33, 1992, 1331).
   /// Nodes of elements that have flowed keep mean(s), which stays within the yield surface. Collective.
   std::vector<double>
-  recovered_stress(const Solid &solid,
-                   const std::vector<std::array<double, 6>> (&stress)[2],
-                   MPI_Comm communicator);
+  recovered_stress(const Solid                                       &solid,
+                   const PerBody<std::vector<std::array<double, 6>>> &stress,
+                   MPI_Comm                                           communicator);
 
   /// The present Cauchy stresses, recovered. Collective.
   std::vector<double>
