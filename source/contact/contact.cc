@@ -165,8 +165,11 @@ namespace wheelrail
   {
     double sum = 0;
     for (const auto &[body, k] : window_.own())
-      sum += dot(states_[body].normal_force[k] + states_[body].traction_force[k],
-                 velocity(surface(body).local[k]));
+      {
+        const Vector3 force = states_[body].normal_force[k] + states_[body].traction_force[k];
+        if (force != Vector3{}) // few of the window's nodes have one
+          sum += dot(force, velocity(surface(body).local[k]));
+      }
     return sum;
   }
 

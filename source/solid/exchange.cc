@@ -1,4 +1,5 @@
 #include <wheelrail/solid/exchange.h>
+#include <wheelrail/solid/lanes.h>
 
 #include <algorithm>
 
@@ -74,13 +75,13 @@ namespace wheelrail
   void
   condense(const LocalMesh &mesh, double *values)
   {
+    Four *node = reinterpret_cast<Four *>(values);
     for (std::size_t k = 0; k < mesh.hanging.size(); ++k)
       {
-        double *from = values + 4 * mesh.hanging[k];
+        const Four from = node[mesh.hanging[k]];
         for (unsigned int p = mesh.hanging_begin[k]; p < mesh.hanging_begin[k + 1]; ++p)
-          for (int i = 0; i < 3; ++i)
-            values[4 * mesh.parents[p] + i] += mesh.weights[p] * from[i];
-        from[0] = from[1] = from[2] = 0;
+          node[mesh.parents[p]] += mesh.weights[p] * from;
+        node[mesh.hanging[k]] = Four{0, 0, 0, 0};
       }
   }
 
@@ -88,14 +89,13 @@ namespace wheelrail
   void
   distribute(const LocalMesh &mesh, double *values)
   {
+    Four *node = reinterpret_cast<Four *>(values);
     for (std::size_t k = 0; k < mesh.hanging.size(); ++k)
       {
-        double mean[3] = {0, 0, 0};
+        Four mean = {0, 0, 0, 0};
         for (unsigned int p = mesh.hanging_begin[k]; p < mesh.hanging_begin[k + 1]; ++p)
-          for (int i = 0; i < 3; ++i)
-            mean[i] += mesh.weights[p] * values[4 * mesh.parents[p] + i];
-        for (int i = 0; i < 3; ++i)
-          values[4 * mesh.hanging[k] + i] = mean[i];
+          mean += mesh.weights[p] * node[mesh.parents[p]];
+        node[mesh.hanging[k]] = mean;
       }
   }
 } // namespace wheelrail

@@ -74,18 +74,6 @@ namespace wheelrail
   }
 
 
-  Vector3
-  mean_velocity(const Solid                    &solid,
-                const std::vector<NodeInertia> &inertia,
-                const unsigned int              node,
-                const Kick                     &kick)
-  {
-    const double *v = &solid.velocity[4 * node], *f = &solid.force[4 * node];
-    const double  keep = 0.5 * (1 + kick.retain), gain = 0.5 * kick.gain * inertia[node].inverse_mass;
-    return {keep * v[0] + gain * f[0], keep * v[1] + gain * f[1], keep * v[2] + gain * f[2]};
-  }
-
-
   double
   move_nodes(Solid                          &solid,
              const std::vector<NodeInertia> &inertia,

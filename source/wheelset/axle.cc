@@ -1,3 +1,4 @@
+#include <wheelrail/base/rotation.h>
 #include <wheelrail/solid/boundary_nodes.h>
 #include <wheelrail/wheelset/axle.h>
 
@@ -105,7 +106,8 @@ namespace wheelrail
   Axle::move(Solid &solid, const Kick &kick, const double time_step)
   {
     // 1. force and moment of the wheel on the axle
-    double sums[4] = {0, 0, 0, 0};
+    double         sums[4] = {0, 0, 0, 0};
+    const Rotation turn(data_.axis, angle_);
     for (std::size_t b = 0; b < bore_.size(); ++b)
       if (solid.mesh.owned[bore_[b]])
         {
@@ -113,7 +115,7 @@ namespace wheelrail
           const Vector3 force = {f[0], f[1], f[2]};
           for (int i = 0; i < 3; ++i)
             sums[i] += force[i];
-          sums[3] += dot(cross(rotated(arm_[b], data_.axis, angle_), force), data_.axis);
+          sums[3] += dot(cross(turn(arm_[b]), force), data_.axis);
         }
     ordered_sum(sums, communicator_);
     std::copy(sums, sums + 4, reaction_);
@@ -144,10 +146,11 @@ namespace wheelrail
   void
   Axle::place_bore(Solid &solid, const double time_step)
   {
-    const Vector3 centre = data_.centre + Vector3{0, height_, travelled_};
+    const Vector3  centre = data_.centre + Vector3{0, height_, travelled_};
+    const Rotation turn(data_.axis, angle_);
     for (std::size_t b = 0; b < bore_.size(); ++b)
       {
-        const Vector3 x = centre + rotated(arm_[b], data_.axis, angle_);
+        const Vector3 x = centre + turn(arm_[b]);
         for (int i = 0; i < 3; ++i)
           {
             const double u                       = x[i] - solid.mesh.reference[4 * bore_[b] + i];

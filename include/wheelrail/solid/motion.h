@@ -47,11 +47,16 @@ namespace wheelrail
 
   /// Mean of the velocities of both half steps around the full one, along which its forces work [m/s];
   /// solid.force must be final and the node not yet moved.
-  Vector3
+  inline Vector3
   mean_velocity(const Solid                    &solid,
                 const std::vector<NodeInertia> &inertia,
-                unsigned int                    node,
-                const Kick                     &kick);
+                const unsigned int              node,
+                const Kick                     &kick)
+  {
+    const double *v = &solid.velocity[4 * node], *f = &solid.force[4 * node];
+    const double  keep = 0.5 * (1 + kick.retain), gain = 0.5 * kick.gain * inertia[node].inverse_mass;
+    return {keep * v[0] + gain * f[0], keep * v[1] + gain * f[1], keep * v[2] + gain * f[2]};
+  }
 
   /// One step of central differences for all nodes of this rank in one pass over memory: velocities are
   /// kicked, displacement += time_step x velocity, and solid.force becomes the weights again. Nodes without
