@@ -67,7 +67,12 @@ namespace
       check_near(get_figure(s, std::string("relative_difference_") + base), 0, 1e-3, base);
     check_near(get_figure(s, "halfspace_max_pressure_Pa"), s.max_pressure, 1e-3 * s.max_pressure, "its peak");
     check(out.str().find("agrees with the half-spaces within 0.1 %") != std::string::npos, "the sentence");
-    for (const char *file : {"compare.json", "compare.html", "halfspace.h5", "pictures/compare_cut_aa.png"})
+    for (const char *file : {"compare.json",
+                             "compare.html",
+                             "halfspace.h5",
+                             "halfspace_slices.h5",
+                             "pictures/compare_cut_aa.png",
+                             "pictures/compare_subsurface_aa.png"})
       check(fs::exists(folder / file), std::string(file) + " is written");
     std::ifstream     page(folder / "compare.html");
     std::stringstream text;

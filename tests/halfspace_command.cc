@@ -64,7 +64,8 @@ namespace
                            (patch.slip_along[k] * patch.traction_along[k] +
                             patch.slip_lateral[k] * patch.traction_lateral[k]));
     check_near(worst, 0, 1e-3 * 5e8 * 1e-3, "tractions on the rail against slip of the wheel");
-    for (const char *file : {"parameters.prm", "pictures/sheet.png", "pictures/cut_along.png"})
+    for (const char *file :
+         {"parameters.prm", "pictures/sheet.png", "pictures/cut_aa.png", "pictures/subsurface_bb.png"})
       check(fs::exists(folder / "scene-halfspace" / file), std::string(file) + " is written");
   }
   /// Friction that falls with the slip to a tenth cannot carry a traction of 0.25.

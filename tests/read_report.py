@@ -27,16 +27,21 @@ code, out, error = report(script, folder, "--tick", "1")
 check(code == 0 and error == "", "the report is made without complaints " + error.strip())
 with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
     page = file.read()
-names = ["pressure_surface", "pressure_contour", "shear_surface", "shear_contour", "stick_slip", "cut_along", "forces"]
+names = ["sheet", "pressure_surface", "pressure_contour", "shear_surface", "shear_contour", "stick_slip", "cut_aa", "cut_bb",
+         "forces"]
 for name in names:
     path = os.path.join(folder, "pictures", name + ".png")
     check(os.path.exists(path) and os.path.getsize(path) > 5000, f"pictures/{name}.png")
 check(page.count("data:image/png;base64,") == len(names), "the page holds all pictures")
 check(not re.search(r"(src|href)=.?https?:", page), "the page needs no network")
+check('id="plotly"' in page and 'id="view-patch"' in page, "and interactive views with what draws them")
+check("There is no slices.h5" in out, "stresses below the contact that are not there are told")
 check("Further figures" not in page, "all figures have a label and a unit")
 check("1234.5" in page and "Peak pressure" in page, "the page shows the peak pressure")
 check("friction coefficient is neither" in out, "a missing friction coefficient is told")
 
+code, out, error = report(script, folder, "--tick", "0,2")
+check(code == 0 and os.path.exists(os.path.join(folder, "pictures", "shear_instants.png")), "shear at chosen ticks")
 check_sentence(report(script, folder, "--tick", "9"), "no tick 9", "from 0 to 2")
 check_sentence(report(script, os.path.join(folder, "none")), "There is no folder")
 with tempfile.TemporaryDirectory() as empty:

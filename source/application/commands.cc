@@ -192,7 +192,10 @@ namespace wheelrail
     {
       require_folder(options, "report");
       out.flush();
-      return run_script("report.py", {file_of(options)});
+      std::vector<std::string> words = {file_of(options)};
+      if (options.count("tick"))
+        words.insert(words.end(), {"--tick", options["tick"].as<std::string>()});
+      return run_script("report.py", words);
     }
 
     void
@@ -260,7 +263,16 @@ namespace wheelrail
          "a finished run against two half-spaces under its load and in its pose, as a table and a page",
          add_set_option,
          act_compare},
-        {"report", "FOLDER", "pictures and one page from the output folder of a run", nullptr, act_report},
+        {"report",
+         "FOLDER",
+         "pictures and one page from the output folder of a run or of halfspace",
+         [](po::options_description &options) {
+           options.add_options()("tick",
+                                 po::value<std::string>(),
+                                 "the tick to draw: a number, or last; several with commas between also "
+                                 "draw the shear traction at each");
+         },
+         act_report},
         {"version",
          "",
          "print the version",

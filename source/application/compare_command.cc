@@ -6,6 +6,7 @@
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/halfspace_stresses.h>
 
 #include <nlohmann/json.hpp>
 
@@ -234,6 +235,8 @@ namespace wheelrail
                  json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     TickFile patches((path / "halfspace.h5").string(), false, 0);
     append_patch(patches, result.patch);
+    TickFile slices((path / "halfspace_slices.h5").string(), false, 0);
+    append_slices(slices, result.patch.time, result.patch.rolled_distance, halfspace_stresses(result).slices);
     write_summary(run, (path / "summary.json").string());
     const int drawn = run_script("compare.py", {path.string()});
     return halfspace.finished && drawn == 0 ? 0 : 2;

@@ -35,6 +35,7 @@ namespace wheelrail
                               "patch_history.h5",
                               "patch.h5",
                               "halfspace.h5",
+                              "halfspace_slices.h5",
                               "compare.json",
                               "compare.html",
                               "slices.h5",

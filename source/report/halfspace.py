@@ -3,17 +3,17 @@
 
 Usage: halfspace.py FOLDER
 
-FOLDER holds halfspace.h5, summary.json and parameters.prm of the command halfspace; the pictures go to
-FOLDER/pictures: pressure, shear traction, stick and slip, a cut along the rail, and all maps on one sheet.
+FOLDER holds halfspace.h5, slices.h5, summary.json and parameters.prm of the command halfspace; the pictures go to
+FOLDER/pictures: maps, cuts, stresses below the contact. `report` makes a page of them.
 """
 
 import sys
 
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
 
-import maps
 import patch_pictures
 import run_data
+import subsurface_pictures
 
 
 def main(arguments):
@@ -21,8 +21,10 @@ def main(arguments):
         print(__doc__, file=sys.stderr)
         return 1
     try:
-        run = run_data.load(arguments[0], "last", patch_file="halfspace.h5", with_history=False)
-        pictures = [("All maps", maps.draw_sheet(run))] + patch_pictures.draw_all(run)
+        run = run_data.load(arguments[0])
+        pictures = patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run)
+        if not pictures:
+            raise run_data.ReportError(f"There is no loaded contact patch in {run.folder}.")
     except (run_data.ReportError, OSError) as error:
         print(error, file=sys.stderr)
         return 1

@@ -1,4 +1,4 @@
-"""Pictures over the rolled distance: forces, energy error, creepage."""
+"""Pictures over the rolled distance: forces, energy error, creepage, figures of the patch."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -12,31 +12,43 @@ def abscissa(history):
     """Rolled distance in mm, or time in ms, or the row number."""
     for name, label, factor in (("rolled_distance", "rolled distance [mm]", 1e3), ("time", "time [ms]", 1e3)):
         if name in history:
-            return factor * history[name][1], label
-    return np.arange(len(next(iter(history.values()))[1])), "row"
+            return factor * history[name], label
+    return np.arange(len(next(iter(history.values())))), "row"
 
 
 def plain(name):
     return name.replace("_", " ")
 
 
+def force_groups(history):
+    """Names of the large forces and of the others, those that are there."""
+    names = [name for name, values in history.items() if values.unit == "N" and np.isfinite(values).any()]
+    large = [name for name in names if name in ("normal_force", "vertical_force", "axle_vertical_force")]
+    return [group for group in (large, [name for name in names if name not in large]) if group]
+
+
+def shown_as(run, name, values):
+    """Title, label of the axis with the unit, and factor of a column: those of the figure of that name."""
+    known = next((figure for figure in run.figures
+                  if figure["key"] == name or figure["key"].startswith(name + "_")), None)
+    title = page.label_text(known) if known else plain(name)
+    unit, factor = (page.unit_text(known), known["factor"]) if known else (values.unit, 1)
+    return title, f"{plain(name)} [{unit}]" if unit else plain(name), factor
+
+
 def draw_forces(run, x, label):
-    history = run.history
-    names = [name for name, (unit, values) in history.items() if unit == "N" and np.isfinite(values).any()]
-    large = [name for name in names if name in ("normal_force", "vertical_force")]
-    small = [name for name in names if name not in large]
-    groups = [group for group in (large, small) if group]
+    groups = force_groups(run.history)
     if not groups:
         return []
     figure, rows = plt.subplots(len(groups), 1, figsize=(7.6, 1.0 + 2.3 * len(groups)), sharex=True, squeeze=False)
     for axes, group in zip(rows[:, 0], groups):
         for name, color in zip(group, style.COLORS):
-            axes.plot(x, 1e-3 * history[name][1], color=color, linewidth=1.2, label=plain(name))
+            axes.plot(x, 1e-3 * run.history[name], color=color, linewidth=1.2, label=plain(name))
         axes.set_ylabel("force [kN]")
         axes.grid(True)
         axes.margins(x=0)
         axes.ticklabel_format(axis="y", useOffset=False)
-        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), borderaxespad=0)
+        style.legend_beside(axes)
     rows[0, 0].set_title("Forces on the wheel")
     rows[-1, 0].set_xlabel(label)
     return [("Forces on the wheel", style.save(run, figure, "forces"))]
@@ -44,30 +56,47 @@ def draw_forces(run, x, label):
 
 def draw_single(run, x, label, name):
     """The history of a figure of the summary in its own unit, or in SI units where that is not known."""
-    if name not in run.history or not np.isfinite(run.history[name][1]).any():
+    if name not in run.history or not np.isfinite(run.history[name]).any():
         return []
-    unit, values = run.history[name]
-    known = run_data.figure_of(run, name)
-    title = page.label_text(known) if known else plain(name)
-    unit, factor = (page.unit_text(known), known["factor"]) if known else (unit, 1)
+    title, axis_label, factor = shown_as(run, name, run.history[name])
     figure, axes = plt.subplots(figsize=(7.6, 2.9))
-    axes.plot(x, factor * values, color=style.BLUE, linewidth=1.2)
+    axes.plot(x, factor * run.history[name], color=style.BLUE, linewidth=1.2)
     axes.axhline(0, color=style.GREY, linewidth=0.7)
     axes.grid(True)
     axes.margins(x=0)
     axes.set_xlabel(label)
-    axes.set_ylabel(f"{plain(name)} [{unit}]")
+    axes.set_ylabel(axis_label)
     axes.set_title(title)
     return [(title, style.save(run, figure, name))]
+
+
+def groups(run):
+    """The curves of the interactive view: title -> (label of the axis, [(name, distance in mm, values)])."""
+    if "rolled_distance" not in run.history or len(run.history["rolled_distance"]) < 2:
+        return {}
+    x = 1e3 * run.history["rolled_distance"]
+    shown = {}
+    for title, group in zip(("Large forces on the wheel", "Small forces on the wheel"), force_groups(run.history)):
+        shown[title] = ("force [kN]", [(plain(name), x, 1e-3 * run.history[name]) for name in group])
+    columns = [(name, x, run.history[name]) for name in ("creepage", "energy_error") if name in run.history]
+    if run.data.has("patch_history.h5"):
+        table = run.data.patch_history
+        columns += [(name, 1e3 * table["rolled_distance"], values) for name, values in table.items()
+                    if name != "rolled_distance"]
+    for name, distance, values in columns:
+        if np.isfinite(values).any():
+            title, label, factor = shown_as(run, name, values)
+            shown[title] = (label, [(plain(name), distance, factor * values)])
+    return shown
 
 
 def draw_all(run):
     """All pictures of the history, a list of (caption, path)."""
     if not run.history:
         return []
-    if len(next(iter(run.history.values()))[1]) < 2:
+    if len(next(iter(run.history.values()))) < 2:
         run.remarks.append("The history has fewer than two rows; its pictures are left out.")
         return []
     x, label = abscissa(run.history)
-    return (draw_forces(run, x, label) + draw_single(run, x, label, "energy_error") +
-            draw_single(run, x, label, "creepage"))
+    return (draw_forces(run, x, label) + draw_single(run, x, label, "creepage") +
+            draw_single(run, x, label, "energy_error"))

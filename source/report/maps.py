@@ -1,82 +1,145 @@
-"""Maps of a patch on one pair of axes: pressure, shear traction with arrows, stick and slip.
+"""Maps of a patch on given axes: pressure, shear traction with arrows, stick and slip, all with the fitted edge and
+the lines AA and BB.
 
-The functions draw into given axes and take the top of the scale, so that two patches can be set side by
-side. For the sides of the rail and the rolling direction see patch_pictures.
+They show the right-hand rail from above, rolling direction up; the track centre is then on the left, so s is drawn
+growing to the left. The functions take the ends of the scales, so that patches can be set side by side.
 """
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import ListedColormap
-from matplotlib.patches import Patch
+from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
 
-import patch_pictures
-import run_data
 import style
+
+FAINT = 0.03  # arrows shorter than this part of the longest would be dots
 
 
 class Scale:
-    """Common limits of maps that are compared: extents in mm, tops of pressure and shear in MPa."""
+    """Common limits of maps that are compared: extents in mm, ends of pressure and shear in MPa."""
 
     def __init__(self, *fields):
         inside = [(f.lateral[f.loaded], f.along[f.loaded]) for f in fields]
         self.lateral = (min(s.min() for s, _ in inside) - 1.5, max(s.max() for s, _ in inside) + 1.5)
         self.along = (min(x.min() for _, x in inside) - 1.5, max(x.max() for _, x in inside) + 1.5)
-        self.pressure = max(f.pressure.max() for f in fields)
-        self.shear = max(max(f.shear.max() for f in fields), 1e-9)
+        self.pressure = style.round_top(max(f.pressure.max() for f in fields))
+        self.shear = style.round_top(max(max(f.shear.max() for f in fields), 1e-9))
+        self.shear_peak = max(max(f.shear.max() for f in fields), 1e-9)
+
+    @property
+    def ratio(self):
+        """Height over width of a map."""
+        return (self.along[1] - self.along[0]) / (self.lateral[1] - self.lateral[0])
 
 
-def dress(axes, fields, scale, title):
-    patch_pictures.dress(axes, fields, title)
+def dress(axes, fields, scale, title, lines=True):
+    """Labels, equal scales, sides of the rail, rolling direction, AA and BB."""
+    axes.set_aspect("equal")
     axes.set_xlim(scale.lateral[1], scale.lateral[0])
     axes.set_ylim(*scale.along)
+    axes.set_xlabel("lateral s [mm]")
+    axes.set_ylabel("along the rail [mm]")
+    axes.set_title(title, pad=22)
+    style.sides(axes)
+    style.rolling_arrow(axes)
+    if not lines:
+        return
+    places = fields.places()
+    options = dict(color="#1a3fbf", linewidth=0.8, linestyle=(0, (5, 4)))
+    axes.axvline(places["AA"], **options)
+    axes.axhline(places["BB"], **options)
+    axes.text(places["AA"], scale.along[0], "AA ", color="#1a3fbf", fontsize=8, ha="right", va="bottom")
+    axes.text(scale.lateral[0], places["BB"], "BB ", color="#1a3fbf", fontsize=8, ha="right", va="bottom")
+
+
+def draw_edge(axes, fields):
+    """Draws the edge line; returns it as a path."""
+    lines = axes.contour(fields.lateral, fields.along, fields.edge, levels=[0], colors="black", linewidths=1.2)
+    return Path.make_compound_path(*lines.collections[0].get_paths())
 
 
 def pressure(axes, fields, scale, title):
-    values = np.where(fields.loaded, fields.pressure, np.nan)
-    image = axes.pcolormesh(fields.lateral, fields.along, values, shading="nearest", cmap="viridis", vmin=0,
-                            vmax=scale.pressure)
-    patch_pictures.draw_edge(axes, fields)
-    peak = np.unravel_index(np.argmax(fields.pressure), fields.pressure.shape)
+    # p^2 is smooth across the edge once continued by the opening, p is not: lines of equal p are drawn as
+    # lines of equal p^2
+    levels = style.round_levels(0, scale.pressure)
+    top = fields.pressure.max()
+    squares = (levels / top) ** 2
+    filled = axes.contourf(fields.lateral, fields.along, -fields.edge, levels=squares, cmap="viridis",
+                           norm=BoundaryNorm(squares, 256))
+    axes.contour(fields.lateral, fields.along, -fields.edge, levels=squares[1:], colors="white", linewidths=0.4,
+                 alpha=0.7)
+    draw_edge(axes, fields)
+    peak = fields.peak_place()
     axes.plot(fields.lateral[peak], fields.along[peak], "+", color=style.RED, markersize=11, markeredgewidth=1.8)
-    dress(axes, fields, scale, f"{title}, peak {fields.pressure.max():.0f} MPa")
-    return image
+    dress(axes, fields, scale, f"{title}, peak {top:.0f} MPa (+)")
+    filled.labels = squares, [f"{level:g}" for level in levels]
+    return filled
+
+
+def pressure_bar(figure, axes, filled):
+    """The bar of pressure(): its levels are squares."""
+    ticks, labels = filled.labels
+    bar = style.color_bar(figure, axes, filled, "pressure [MPa]")
+    step = 1 if len(ticks) < 11 else 2
+    bar.set_ticks(ticks[::step], labels=labels[::step])
+
+
+def arrows(axes, fields, scale, most=18):
+    """Directions and sizes of the shear traction on the rail, some `most` of them on the longer side."""
+    step = max(1, round(max((scale.lateral[1] - scale.lateral[0]), (scale.along[1] - scale.along[0])) /
+                        (most * fields.spacing)))
+    across = max(1, round(step * fields.spacing / abs(fields.lateral[0, 1] - fields.lateral[0, 0])))
+    pick = np.zeros_like(fields.loaded)
+    pick[::step, ::across] = True
+    pick &= fields.loaded & (fields.shear > FAINT * scale.shear_peak)
+    axes.quiver(fields.lateral[pick], fields.along[pick], fields.shear_lateral[pick], fields.shear_along[pick],
+                angles="xy", scale_units="xy", scale=scale.shear_peak / (1.6 * step * fields.spacing), width=0.0035,
+                color="#1a1a1a")
 
 
 def shear(axes, fields, scale, title):
-    values = np.where(fields.loaded, fields.shear, np.nan)
-    image = axes.pcolormesh(fields.lateral, fields.along, values, shading="nearest", cmap="YlOrRd", vmin=0,
-                            vmax=scale.shear)
-    patch_pictures.draw_edge(axes, fields)
-    spacing = abs(fields.along[1, 0] - fields.along[0, 0])
-    step = max(1, round(1.0 / spacing))
-    pick = np.zeros_like(fields.loaded)
-    pick[::step, ::step] = True
-    pick &= fields.loaded & (fields.shear > patch_pictures.FAINT * scale.shear)
-    axes.quiver(fields.lateral[pick], fields.along[pick], fields.shear_lateral[pick], fields.shear_along[pick],
-                angles="xy", scale_units="xy", scale=scale.shear / (1.6 * step * spacing), width=0.0035, color="#1a1a1a")
+    filled = axes.contourf(fields.lateral, fields.along, fields.shear, levels=style.round_levels(0, scale.shear),
+                           cmap="YlOrRd")
+    inside = PathPatch(draw_edge(axes, fields), transform=axes.transData, facecolor="none", edgecolor="none")
+    axes.add_patch(inside)
+    for area in filled.collections:
+        area.set_clip_path(inside)
+    arrows(axes, fields, scale)
     dress(axes, fields, scale, f"{title}, nodes up to {fields.shear.max():.0f} MPa")
-    return image
+    return filled
+
+
+def shear_bar(figure, axes, filled):
+    style.color_bar(figure, axes, filled, "shear traction on the rail [MPa]")
 
 
 def states(axes, fields, scale, title):
     axes.pcolormesh(fields.lateral, fields.along, np.where(fields.loaded, fields.state, 0), shading="nearest",
-                    cmap=ListedColormap(["#f4f4f4", style.BLUE, style.RED]), vmin=-0.5, vmax=2.5)
-    patch_pictures.draw_edge(axes, fields)
-    share = 100 * np.sum((fields.state == 1) & fields.loaded) / np.sum(fields.loaded)
-    dress(axes, fields, scale, f"{title}, {share:.0f} % stick")
-    axes.legend(handles=[Patch(color=style.BLUE, label="stick"), Patch(color=style.RED, label="slip")],
+                    cmap=ListedColormap([style.OPEN, style.STICK, style.SLIP]), vmin=-0.5, vmax=2.5,
+                    edgecolors="white", linewidth=0.2)
+    draw_edge(axes, fields)
+    dress(axes, fields, scale, f"{title}, {100 * fields.stick_share:.0f} % of the area sticks")
+
+
+def states_legend(_figure, axes, _image):
+    axes.legend(handles=[Patch(color=style.STICK, label="stick"), Patch(color=style.SLIP, label="slip"),
+                         Patch(facecolor=style.OPEN, edgecolor=style.GREY, label="open")],
                 loc="lower left", bbox_to_anchor=(1.02, 0), borderaxespad=0)
 
 
-def draw_sheet(run):
-    """The three maps of one patch side by side; returns the path."""
-    if run.patch is None or not run.patch["pressure"].max() > 0:
-        raise run_data.ReportError(f"There is no loaded contact patch in {run.folder}.")
-    fields = patch_pictures.Fields(run.patch, margin=4)
-    scale = Scale(fields)
-    figure, axes = plt.subplots(1, 3, figsize=(20, 5.2), gridspec_kw={"wspace": 0.38})
-    patch_pictures.color_bar(figure, axes[0], pressure(axes[0], fields, scale, "Pressure"), "pressure [MPa]")
-    patch_pictures.color_bar(figure, axes[1], shear(axes[1], fields, scale, "Shear traction on the rail"),
-                             "shear traction [MPa]")
-    states(axes[2], fields, scale, "Stick and slip")
-    return style.save(run, figure, "sheet")
+#: the panels: how they are drawn, their bar or legend, title
+PANELS = ((pressure, pressure_bar, "Pressure"), (shear, shear_bar, "Shear traction"),
+          (states, states_legend, "Stick and slip"))
+
+
+def draw_panels(fields_of):
+    """A figure of one row for each patch (name -> Fields) and a column for each panel, one scale a column."""
+    scale = Scale(*fields_of.values())
+    height = min(max(6.0 * scale.ratio, 3.0), 8.0) + 0.9
+    figure, axes = plt.subplots(len(fields_of), 3, figsize=(20, height * len(fields_of)), squeeze=False,
+                                gridspec_kw={"wspace": 0.36, "hspace": 0.42})
+    for row, (name, fields) in zip(axes, fields_of.items()):
+        for place, (draw, bar, title) in zip(row, PANELS):
+            bar(figure, place, draw(place, fields, scale, f"{name}: {title.lower()}" if name else title))
+    return figure

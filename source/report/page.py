@@ -1,18 +1,57 @@
-"""The one page of a run: figures and pictures in a single HTML file that needs no network."""
+"""The one page of a run, of a comparison or of a study: figures, pictures and interactive views in a single HTML file
+that needs no network.
+
+Interactive views are drawn by plotly's script (Debian package python3-plotly), which is in the page once, compressed;
+each has its picture beside it, which is shown in print and where the script cannot run.
+"""
 
 import base64
+import gzip
 import html
+import io
+import json
 import os
 
 STYLE = """
-body { font-family: sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; line-height: 1.45; }
+body { font-family: sans-serif; color: #222; max-width: 76rem; margin: 2rem auto; padding: 0 1rem; line-height: 1.45; }
 h1 { font-size: 1.6rem; margin-bottom: 0.2rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
 table { border-collapse: collapse; } td, th { padding: 0.2rem 0.8rem 0.2rem 0; border-bottom: 1px solid #e2e2e2; text-align: left; }
-td.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
+.wide { overflow-x: auto; } .tables { display: flex; flex-wrap: wrap; gap: 0 2.5rem; align-items: flex-start; font-size: 0.92rem; }
 .pictures { display: flex; flex-wrap: wrap; gap: 1.2rem; align-items: flex-start; }
-figure { margin: 0; flex: 1 1 26rem; max-width: 48rem; } img { max-width: 100%; height: auto; }
+figure { margin: 0; flex: 1 1 26rem; max-width: 48rem; } figure.broad { flex-basis: 100%; max-width: none; }
+img { max-width: 100%; height: auto; }
 figcaption { color: #555; font-size: 0.9rem; }
 .good { color: #1d6b3a; } .bad { color: #a32116; } .remark { color: #7a5500; }
+.view { margin: 0 0 1.6rem; } .view .controls { display: flex; flex-wrap: wrap; gap: 0.4rem 1.2rem; align-items: center; font-size: 0.9rem; }
+.view .plot { width: 100%; } .view input[type=range] { width: 16rem; max-width: 60vw; vertical-align: middle; }
+body:not(.scripted) .view, .scripted .print { display: none; }
+@media print {
+  body { max-width: none; margin: 0; font-size: 10pt; } h2 { break-after: avoid; }
+  .view { display: none; } .scripted .print, .print { display: block; }
+  figure { break-inside: avoid; flex: 1 1 45%; } tr { break-inside: avoid; }
+}
+@page { margin: 15mm; }
+"""
+
+#: unpacks what lies in the page compressed; plotly's script first, then the data of the views
+UNPACK = """
+async function unpack(id) {
+  const text = atob(document.getElementById(id).textContent);
+  const bytes = Uint8Array.from(text, c => c.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Response(stream).text();
+}
+(async () => {
+  if (typeof DecompressionStream === "undefined") return;  // the pictures stay
+  const script = document.createElement("script");
+  script.textContent = await unpack("plotly");
+  document.head.appendChild(script);
+  const data = JSON.parse(await unpack("data"));
+  document.body.classList.add("scripted");
+  for (const view of data) await drawView(view);
+  document.body.dataset.ready = "yes";
+})().catch(error => { document.body.classList.remove("scripted"); console.error(error); });
 """
 
 
@@ -49,16 +88,18 @@ def figure_rows(summary, figures):
 
 
 def further_rows(summary, figures):
+    """Figures that the table of figures does not know; those of compare stand in its own page."""
     known = {figure[key] for figure in figures for key in ("key", "std_key")}
-    return [(key, f"{value:.6g}", "", "") for key, value in summary.items() if is_number(value) and key not in known]
+    return [(key, f"{value:.6g}", "", "") for key, value in summary.items()
+            if is_number(value) and key not in known and not key.startswith(("halfspace_", "relative_difference_"))]
 
 
 def table(rows):
-    lines = ["<table>"]
-    for label, value, spread, unit in rows:
-        lines.append(f"<tr><td>{html.escape(label)}</td><td class=number>{value}</td><td>{spread}</td>"
-                     f"<td>{unit}</td></tr>")
-    return "\n".join(lines + ["</table>"])
+    lines = [f"<tr><td>{html.escape(label)}</td><td class=number>{value}</td><td>{spread}</td><td>{unit}</td></tr>"
+             for label, value, spread, unit in rows]
+    half = (len(lines) + 1) // 2
+    return "<div class=tables>" + "".join("<table>" + "\n".join(part) + "</table>"
+                                          for part in (lines[:half], lines[half:]) if part) + "</div>"
 
 
 def state_sentence(summary):
@@ -71,39 +112,75 @@ def state_sentence(summary):
     return f"<p class=bad>The run did not finish. {reason}</p>"
 
 
-def picture(caption, path):
+def smaller(path):
+    """The bytes of a picture with 256 colours where that is smaller, as it goes into the page."""
+    from PIL import Image
+
     with open(path, "rb") as file:
-        data = base64.b64encode(file.read()).decode()
+        whole = file.read()
+    packed = io.BytesIO()
+    with Image.open(path) as image:
+        image.convert("RGB").quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(
+            packed, "PNG", optimize=True)
+    return min(whole, packed.getvalue(), key=len)
+
+
+def picture(caption, path, kind=""):
+    """A picture; kind: print (only there and without script), broad (over the whole width), or both."""
+    data = base64.b64encode(smaller(path)).decode()
     caption = html.escape(caption)
-    return (f'<figure><img alt="{caption}" src="data:image/png;base64,{data}">'
+    return (f'<figure class="{kind}"><img alt="{caption}" src="data:image/png;base64,{data}">'
             f"<figcaption>{caption}</figcaption></figure>")
 
 
-def write(run, pictures):
-    """Writes report.html as a whole (temporary file, rename); returns its path."""
-    parts = ["<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
-             f"<title>{html.escape(run.title)}</title><style>{STYLE}</style></head><body>",
-             f"<h1>{html.escape(run.title)}</h1>"]
-    if run.summary is not None:
-        parts.append(state_sentence(run.summary))
-    parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
-    if run.summary is not None:
-        if run.figures:
-            parts += ["<h2>Figures</h2>", table(figure_rows(run.summary, run.figures))]
-        further = further_rows(run.summary, run.figures)
-        if further:
-            parts += ["<h2>Further figures (SI)</h2>", table(further)]
-    if run.patch is not None:
-        parts.append(f"<h2>Pictures</h2><p>Contact patch of tick {run.patch['tick']}: "
-                     f"{1e3 * run.patch['time_s']:.3f} ms, {1e3 * run.patch['rolled_distance_m']:.2f} mm rolled. "
-                     "Tractions act on the rail. G.C.: side of the gauge corner (track centre), "
-                     "F.S.: field side.</p>")
-    elif pictures:
-        parts.append("<h2>Pictures</h2>")
-    parts += ["<div class=pictures>", *[picture(*item) for item in pictures], "</div></body></html>"]
+def pictures_html(pictures, covered=(), broad=()):
+    """Pictures; those whose file names are in `covered` have an interactive view and are for print alone."""
+    parts = []
+    for caption, path in pictures:
+        name = os.path.basename(path)[:-4]
+        kind = ("print " if name in covered else "") + ("broad" if name in broad else "")
+        parts.append(picture(caption, path, kind.strip()))
+    return '<div class=pictures>' + "".join(parts) + "</div>"
 
-    path = os.path.join(run.folder, "report.html")
+
+def plotly_script():
+    """The text of plotly's script; None where the package is not there."""
+    try:
+        from plotly.offline import get_plotlyjs
+    except ImportError:
+        return None
+    return get_plotlyjs()
+
+
+def packed(text):
+    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode()
+
+
+def views_html(views):
+    """Places for the interactive views, which show once the script runs."""
+    return "".join(f'<section class=view id="{view["id"]}"><h3>{html.escape(view["title"])}</h3>'
+                   '<div class=controls></div><div class=plot></div></section>' for view in views)
+
+
+def scripts_html(views, script):
+    """Plotly's script, the data of the views, and what draws them."""
+    if not views:
+        return ""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "views.js"), encoding="utf-8") as file:
+        draw = file.read()
+    data = json.dumps(views, separators=(",", ":"), allow_nan=False)
+    return (f'<script type="application/gzip" id="plotly">{packed(script)}</script>'
+            f'<script type="application/gzip" id="data">{packed(data)}</script>'
+            f"<script>{draw}{UNPACK}</script>")
+
+
+def write(path, title, parts, views, script):
+    """Writes a page as a whole (temporary file, rename); returns its path."""
+    text = "\n".join(["<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
+                      '<meta name="viewport" content="width=device-width, initial-scale=1">',
+                      f"<title>{html.escape(title)}</title><style>{STYLE}</style></head><body>",
+                      f"<h1>{html.escape(title)}</h1>", *parts, scripts_html(views, script), "</body></html>"])
     with open(path + ".part", "w", encoding="utf-8") as file:
-        file.write("\n".join(parts))
+        file.write(text)
     os.replace(path + ".part", path)
     return path

@@ -1,45 +1,107 @@
 #!/usr/bin/python3
 """Draws the pictures of one run and writes its page.
 
-Usage: report.py FOLDER [--tick last|NUMBER]
+Usage: report.py FOLDER [--tick last|NUMBER[,NUMBER...]]
 
-FOLDER is the output folder of a run: patch.h5, history.h5 and summary.json are read from it. The
-pictures go to FOLDER/pictures, the page to FOLDER/report.html; the page holds its pictures itself and
-needs no network. What a file that is missing would have given is left out, and a sentence says so.
+FOLDER is the output folder of a run or of the command halfspace. The pictures go to FOLDER/pictures, the page to
+FOLDER/report.html; the page holds its pictures, the numbers of its interactive views and what draws them, and needs
+no network. With several ticks the shear traction at all of them is drawn, everything else at the last. What a file
+that is missing would have given is left out, and a sentence says so.
 Exit code 0 when there was something to report, 1 otherwise.
 """
 
 import argparse
+import html
 import sys
 
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
 
+import body_pictures
+import history_pictures
 import page
 import patch_pictures
 import plastic_pictures
-import history_pictures
 import run_data
+import subsurface_pictures
+import views
+
+# pictures that an interactive view stands for on the screen
+COVERED = {"pressure_surface", "shear_surface", "pressure_contour", "shear_contour", "cut_aa", "cut_bb", "forces",
+           "energy_error", "creepage"}
+BROAD = {"sheet", "shear_instants"}
 
 
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="report", description="Pictures and one page of a run.")
     parser.add_argument("folder", help="output folder of the run")
-    parser.add_argument("--tick", default="last", help="tick of patch.h5 to draw: a number, or last")
+    parser.add_argument("--tick", default="last",
+                        help="tick to draw: a number, or last; several with commas also draw the shear at each")
     return parser.parse_args(arguments)
+
+
+def make_views(run):
+    """The interactive views of a run."""
+    shown = []
+    if run.patch is not None:
+        ticks, names = list(run.patches), run.patches.names
+        labels = views.tick_labels(ticks, names)
+        start = names.index(f"tick_{run.tick:04d}")
+        shown += views.patch_views([views.patch_source("", ticks, labels)], run.friction, start)
+        stresses = subsurface_pictures.ticks_of(run)
+        if stresses:
+            shown += views.slice_views(stresses)
+    if run.history:
+        shown += views.curve_views(run, history_pictures.groups(run))
+    return shown
+
+
+def make_parts(run, pictures, shown):
+    """What stands in the page, piece by piece."""
+    parts = [page.state_sentence(run.summary)] if run.summary is not None else []
+    parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
+    if run.patch is not None:
+        attributes = run.patch.attributes
+        place = "" if run.is_halfspace else (f" Tick {run.tick}: {1e3 * attributes['time_s']:.3f} ms, "
+                                             f"{1e3 * attributes['rolled_distance_m']:.2f} mm rolled.")
+        parts.append("<p>Tractions act on the rail. Maps show the right-hand rail from above, rolling direction up. "
+                     "G.C.: side of the gauge corner (track centre), F.S.: field side. AA and BB: the planes along and "
+                     f"across the rail through the first contact point of the rigid profiles.{place}</p>")
+    if shown:
+        parts += [page.views_html(shown)]
+    if pictures:
+        parts += ["<h2>Pictures</h2>", page.pictures_html(pictures, COVERED if shown else (), BROAD)]
+    if run.summary is not None:
+        if run.figures:
+            parts += ["<h2>Figures</h2>", page.table(page.figure_rows(run.summary, run.figures))]
+        further = page.further_rows(run.summary, run.figures)
+        if further:
+            parts += ["<h2>Further figures (SI)</h2>", page.table(further)]
+    return parts
+
+
+def make_report(run):
+    """Draws everything; returns the number of pictures and the path of the page."""
+    pictures = (patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run) + body_pictures.draw_all(run) +
+                plastic_pictures.draw_all(run) + history_pictures.draw_all(run))
+    script = page.plotly_script()
+    if script is None:
+        run.remarks.append("Python's plotly is not installed (package python3-plotly); the page shows pictures alone.")
+    shown = make_views(run) if script else []
+    return len(pictures), page.write(run.data.path("report.html"), run.title, make_parts(run, pictures, shown), shown,
+                                     script)
 
 
 def main(arguments):
     options = parse_arguments(arguments)
     try:
         run = run_data.load(options.folder, options.tick)
-        pictures = patch_pictures.draw_all(run) + history_pictures.draw_all(run) + plastic_pictures.draw_all(run)
-        path = page.write(run, pictures)
+        count, path = make_report(run)
     except (run_data.ReportError, OSError) as error:
         print(error, file=sys.stderr)
         return 1
     for sentence in run.remarks:
         print(sentence)
-    print(f"{len(pictures)} pictures in {run.pictures_folder}, the page is {path}")
+    print(f"{count} pictures in {run.pictures_folder}, the page is {path}")
     return 0
 
 

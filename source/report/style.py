@@ -1,4 +1,4 @@
-"""What all pictures share: fonts, colours, saving."""
+"""What all pictures share: fonts, colours, scales, the sides of the rail, saving."""
 
 import os
 import sys
@@ -11,9 +11,11 @@ except ImportError as error:
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402  (the backend is chosen first)
+from matplotlib.ticker import MaxNLocator  # noqa: E402
 
 BLUE, RED, GREEN, ORANGE, GREY = "#1f5fa8", "#c0392b", "#2e8b57", "#d98200", "#6b6b6b"
-COLORS = [BLUE, RED, GREEN, ORANGE, "#7d4fa3", GREY]
+COLORS = [BLUE, RED, GREEN, ORANGE, "#7d4fa3", GREY, "#00868b", "#8b5a2b", "#c71585"]
+OPEN, STICK, SLIP = "#f4f4f4", BLUE, RED
 
 matplotlib.rcParams.update({
     "font.size": 10,
@@ -28,6 +30,44 @@ matplotlib.rcParams.update({
     "grid.color": "#d9d9d9",
     "grid.linewidth": 0.6,
 })
+
+
+def round_levels(low, high, parts=14):
+    """Round values at equal steps from `low` or below to `high` or above."""
+    if not high > low:
+        high = low + 1e-9
+    return MaxNLocator(nbins=parts, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
+
+
+def round_top(value):
+    """A round number that is not below the value: the end of a scale, so that the bar holds the peak."""
+    return round_levels(0, value, 8)[-1]
+
+
+def color_bar(figure, axes, mappable, label, width=0.04):
+    """A bar beside the axes with its label."""
+    bar = figure.colorbar(mappable, cax=axes.inset_axes([1.02 + 0.2 * width, 0, width, 1]))
+    bar.set_label(label)
+    return bar
+
+
+def sides(axes, left="G.C.", right="F.S."):
+    """Names the sides of the rail above the axes: gauge corner (track centre) and field side."""
+    for x, name, place in ((0, left, "left"), (1, right, "right")):
+        axes.text(x, 1.02, name, transform=axes.transAxes, ha=place, va="bottom", weight="bold", color=GREY)
+
+
+def rolling_arrow(axes):
+    """Rolling direction up, in the upper left corner of a map."""
+    axes.annotate("", xy=(0.06, 0.97), xytext=(0.06, 0.80), xycoords="axes fraction",
+                  arrowprops=dict(arrowstyle="-|>", color="black", linewidth=1.4))
+    axes.text(0.085, 0.965, "rolling", transform=axes.transAxes, ha="left", va="top", fontsize=9,
+              bbox=dict(facecolor="white", edgecolor="none", alpha=0.7, pad=1))
+
+
+def legend_beside(axes):
+    """The legend to the right of the axes, where it covers no curve."""
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), borderaxespad=0)
 
 
 def save(run, figure, name):

@@ -1,0 +1,231 @@
+// The interactive views of a page. Each takes its data from views.py and draws with Plotly.
+"use strict";
+
+const COLORS = ["#1f5fa8", "#c0392b", "#2e8b57", "#d98200", "#7d4fa3", "#6b6b6b", "#00868b", "#8b5a2b"];
+const STATES = [[0, "#f4f4f4"], [0.3333, "#f4f4f4"], [0.3333, "#1f5fa8"], [0.6667, "#1f5fa8"], [0.6667, "#c0392b"], [1, "#c0392b"]];
+const VIEWS = {};  // by id: what was drawn, for other views and for tests
+
+const CONFIG = {responsive: true, displaylogo: false};
+const FONT = {family: "sans-serif", size: 12};
+
+function control(view, label, element) {
+  const holder = document.createElement("label");
+  holder.append(label + " ", element);
+  document.querySelector(`#${view.id} .controls`).append(holder);
+  return element;
+}
+
+function choice(view, name, label, options, redraw) {
+  const select = document.createElement("select");
+  select.name = name;
+  for (const [value, text] of options) select.add(new Option(text, value));
+  select.onchange = redraw;
+  return options.length > 1 ? control(view, label, select) : select;
+}
+
+function slider(view, name, least, most, step, value, describe, redraw) {
+  const input = document.createElement("input"), text = document.createElement("output");
+  Object.assign(input, {type: "range", name, min: least, max: most, step, value});
+  const show = () => { text.textContent = describe(Number(input.value)); };
+  input.oninput = () => { show(); redraw(); };
+  show();
+  if (most > least) control(view, "", input).parentNode.append(text);
+  return input;
+}
+
+function tickbox(view, name, label, checked, redraw) {
+  const input = document.createElement("input");
+  Object.assign(input, {type: "checkbox", name, checked});
+  input.onchange = redraw;
+  control(view, label, input);
+  return input;
+}
+
+function plotOf(view) { return document.querySelector(`#${view.id} .plot`); }
+
+// the part of the width that one of n pictures side by side takes, with room for the scale on the right
+function domain(k, n) {
+  const gap = 0.09, width = (1 - gap * (n - 1)) / n;
+  return [k * (width + gap), k * (width + gap) + width];
+}
+
+function tickOf(source, number) { return source.ticks[Math.min(number, source.ticks.length - 1)]; }
+
+function limits(ticks) {
+  const s = ticks.flatMap(t => [t.s[0], t.s[t.s.length - 1]]), z = ticks.flatMap(t => [t.along[0], t.along[t.along.length - 1]]);
+  return {s: [Math.max(...s), Math.min(...s)], along: [Math.min(...z), Math.max(...z)]};
+}
+
+function scaleOf(field) {
+  if (field.kind === "states") return {zmin: 0, zmax: 2, colorscale: STATES, colorbar: {tickvals: [0.33, 1, 1.67], ticktext: ["open", "stick", "slip"]}};
+  if (field.kind === "signed") return {zmin: -field.top, zmax: field.top, colorscale: "RdBu", reversescale: false};
+  return {zmin: 0, zmax: field.top, colorscale: field.key === "pressure" ? "Viridis" : "YlOrRd", reversescale: field.key !== "pressure"};
+}
+
+// arrows of the shear traction as one line with gaps
+function arrows(tick, top) {
+  const x = [], y = [], dz = Math.abs(tick.along[1] - tick.along[0]), ds = Math.abs(tick.s[1] - tick.s[0]);
+  const rows = Math.max(1, Math.round(1 / dz)), columns = Math.max(1, Math.round(1 / ds)), length = 1.5 * rows * dz / top;
+  for (let i = 0; i < tick.along.length; i += rows)
+    for (let j = 0; j < tick.s.length; j += columns) {
+      const a = tick.fields.shear_along[i][j], l = tick.fields.shear_lateral[i][j];
+      if (a === null || Math.hypot(a, l) < 0.03 * top) continue;
+      const u = l * length, v = a * length, X = tick.s[j] + u, Y = tick.along[i] + v;
+      x.push(tick.s[j], X, X - 0.35 * u + 0.15 * v, null, X, X - 0.35 * u - 0.15 * v, null);
+      y.push(tick.along[i], Y, Y - 0.35 * v - 0.15 * u, null, Y, Y - 0.35 * v + 0.15 * u, null);
+    }
+  return {x, y, mode: "lines", line: {color: "#1a1a1a", width: 1.1}, hoverinfo: "skip", showlegend: false};
+}
+
+function sides(k, n) {
+  const [from, to] = domain(k, n), common = {xref: "paper", yref: "paper", y: 1.02, yanchor: "bottom", showarrow: false, font: {color: "#6b6b6b", size: 12}};
+  return [{...common, x: from, xanchor: "left", text: "<b>G.C.</b>"}, {...common, x: to, xanchor: "right", text: "<b>F.S.</b>"}];
+}
+
+function patchMaps(view, field, number, withArrows) {
+  const n = view.sources.length, ticks = view.sources.map(source => tickOf(source, number)), range = limits(ticks);
+  const traces = [], layout = {font: FONT, margin: {l: 55, r: 20, t: 60, b: 50}, annotations: [], shapes: [], showlegend: false};
+  const shear = view.fields.find(f => f.key === "shear");
+  ticks.forEach((tick, k) => {
+    const id = k ? String(k + 1) : "", axes = {xaxis: "x" + id, yaxis: "y" + id};
+    const scale = scaleOf(field), bar = {title: {text: field.unit ? `${field.label} [${field.unit}]` : field.label, side: "right"}, thickness: 14, ...scale.colorbar};
+    traces.push({type: "heatmap", x: tick.s, y: tick.along, z: tick.fields[field.key], ...scale, ...axes, colorbar: bar, showscale: k === n - 1, hoverongaps: false,
+      hovertemplate: `s %{x} mm, along %{y} mm<br>${field.kind === "states" ? "%{text}" : `%{z} ${field.unit}`}<extra></extra>`,
+      text: field.kind === "states" ? tick.fields.state.map(row => row.map(v => ["open", "stick", "slip"][v])) : undefined});
+    traces.push({x: tick.edge[0], y: tick.edge[1], mode: "lines", line: {color: "black", width: 1.5}, hoverinfo: "skip", ...axes});
+    if (withArrows) traces.push({...arrows(tick, shear.top), ...axes});
+    layout["xaxis" + id] = {domain: domain(k, n), range: range.s, title: "lateral s [mm]", zeroline: false, anchor: "y" + id};
+    layout["yaxis" + id] = {range: range.along, title: k ? "" : "along the rail, rolling direction \u2191 [mm]", zeroline: false, scaleanchor: "x" + id, anchor: "x" + id};
+    const dash = {type: "line", line: {color: "#1a3fbf", width: 1, dash: "dash"}};
+    layout.shapes.push({...dash, xref: "x" + id, yref: "y" + id, x0: tick.places.AA, x1: tick.places.AA, y0: range.along[0], y1: range.along[1]});
+    layout.shapes.push({...dash, xref: "x" + id, yref: "y" + id, x0: range.s[0], x1: range.s[1], y0: tick.places.BB, y1: tick.places.BB});
+    const mark = {showarrow: false, font: {color: "#1a3fbf", size: 11}, xref: "x" + id, yref: "y" + id};
+    layout.annotations.push({...mark, x: tick.places.AA, y: range.along[0], text: "AA", yanchor: "bottom", xanchor: "right"});
+    layout.annotations.push({...mark, x: range.s[1], y: tick.places.BB, text: "BB", yanchor: "bottom", xanchor: "right"});
+    if (view.sources[k].name)
+      layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1.08, yanchor: "bottom", showarrow: false, text: `<b>${view.sources[k].name}</b>`});
+    layout.annotations.push(...sides(k, n));
+  });
+  const width = plotOf(view).clientWidth, ratio = (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]);
+  layout.height = Math.round(Math.min(640, Math.max(300, 120 + ratio * (width - 160) / n)));
+  return [traces, layout];
+}
+
+function patchSurfaces(view, field, number) {
+  const n = view.sources.length, traces = [], layout = {font: FONT, margin: {l: 0, r: 0, t: 30, b: 0}, height: 480, annotations: []};
+  view.sources.forEach((source, k) => {
+    const tick = tickOf(source, number), id = k ? String(k + 1) : "", scale = scaleOf(field), range = limits([tick]);
+    traces.push({type: "surface", x: tick.s, y: tick.along, z: tick.fields[field.key].map(row => row.map(v => v === null ? 0 : v)), scene: "scene" + id,
+      cmin: scale.zmin, cmax: scale.zmax, colorscale: scale.colorscale, reversescale: scale.reversescale, showscale: k === n - 1,
+      colorbar: {title: {text: field.unit ? `${field.label} [${field.unit}]` : field.label, side: "right"}, thickness: 14},
+      hovertemplate: `s %{x} mm, along %{y} mm<br>%{z} ${field.unit}<extra></extra>`});
+    layout["scene" + id] = {domain: {x: domain(k, n)}, aspectmode: "manual",
+      aspectratio: {x: 1.4, y: 1.4 * (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]), z: 0.8}, camera: {eye: {x: 1.1, y: -1.7, z: 1.1}},
+      xaxis: {title: "s [mm] (G.C. at large s)", range: range.s}, yaxis: {title: "rolling direction [mm]", range: range.along},
+      zaxis: {title: field.unit, range: [scale.zmin, scale.zmax]}};
+    if (source.name) layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1, yanchor: "bottom", showarrow: false, text: `<b>${source.name}</b>`});
+  });
+  return [traces, layout];
+}
+
+async function drawPatch(view) {
+  const most = Math.max(...view.sources.map(source => source.ticks.length)) - 1;
+  const longest = view.sources.find(source => source.ticks.length === most + 1);
+  const redraw = () => {
+    const field = view.fields.find(f => f.key === fieldChoice.value), number = Number(tick.value);
+    const solid = surface.checked && field.kind !== "states";
+    const [traces, layout] = solid ? patchSurfaces(view, field, number) : patchMaps(view, field, number, arrowBox.checked);
+    return Plotly.react(plotOf(view), traces, layout, CONFIG);
+  };
+  const fieldChoice = choice(view, "field", "Field", view.fields.map(f => [f.key, f.label]), redraw);
+  const tick = slider(view, "tick", 0, most, 1, view.start, k => longest.ticks[k].label, redraw);
+  const arrowBox = tickbox(view, "arrows", "Arrows of shear", false, redraw);
+  const surface = tickbox(view, "surface", "Three-dimensional", false, redraw);
+  VIEWS[view.id] = view;
+  return redraw();
+}
+
+// values of a field on a line of the patch, interpolated between the rows of nodes
+function onLine(tick, key, plane, place) {
+  const across = plane === "AA" ? tick.s : tick.along;
+  let k = 0;
+  while (k < across.length - 2 && across[k + 1] <= place) ++k;
+  const w = Math.min(1, Math.max(0, (place - across[k]) / (across[k + 1] - across[k])));
+  const value = (i, j) => (plane === "AA" ? tick.fields[key][i][j] : tick.fields[key][j][i]) ?? 0;
+  return (plane === "AA" ? tick.along : tick.s).map((_, i) => (1 - w) * value(i, k) + w * value(i, k + 1));
+}
+
+async function drawCuts(view) {
+  const patch = VIEWS[view.patch], most = Math.max(...patch.sources.map(source => source.ticks.length)) - 1;
+  const longest = patch.sources.find(source => source.ticks.length === most + 1);
+  const range = limits(patch.sources.flatMap(source => source.ticks));
+  let place;
+  const settle = () => {  // the slider of the place follows the plane
+    const own = tickOf(patch.sources[0], Number(tick.value)).places[plane.value], ends = plane.value === "AA" ? range.s.slice().reverse() : range.along;
+    Object.assign(place, {min: Math.ceil(20 * ends[0]) / 20, max: Math.floor(20 * ends[1]) / 20, step: 0.01, value: own});
+    place.oninput();
+  };
+  const redraw = () => {
+    const traces = [], AA = plane.value === "AA", number = Number(tick.value);
+    patch.sources.forEach((source, k) => {
+      const t = tickOf(source, number), x = AA ? t.along : t.s, name = source.name ? ", " + source.name : "";
+      const line = key => onLine(t, key, plane.value, Number(place.value));
+      const style = {mode: "lines+markers", marker: {size: 4}, line: {color: COLORS[k], width: 2}, hovertemplate: "%{x} mm: %{y:.6} MPa<extra>%{fullData.name}</extra>"};
+      const pressure = line("pressure");
+      traces.push({x, y: pressure, name: "pressure" + name, ...style});
+      traces.push({x, y: line("shear"), name: "shear traction" + name, ...style, yaxis: "y2"});
+      if (view.friction !== null)
+        traces.push({x, y: pressure.map(p => view.friction * p), name: "bound" + name, yaxis: "y2", mode: "lines", line: {color: COLORS[k], dash: "dash", width: 1.2}, hovertemplate: style.hovertemplate});
+    });
+    const layout = {font: FONT, height: 520, margin: {l: 60, r: 20, t: 20, b: 50}, legend: {orientation: "h", y: -0.14},
+      xaxis: {title: AA ? "along the rail, rolling direction \u2192 [mm]" : "lateral s (G.C. on the left) [mm]", range: AA ? range.along : range.s, anchor: "y2"},
+      yaxis: {title: "pressure [MPa]", domain: [0.54, 1], rangemode: "tozero"}, yaxis2: {title: "shear [MPa]", domain: [0, 0.46], rangemode: "tozero"}};
+    return Plotly.react(plotOf(view), traces, layout, CONFIG);
+  };
+  const plane = choice(view, "plane", "Plane", [["AA", "AA, along the rail"], ["BB", "BB, across the rail"]], () => settle());
+  const tick = slider(view, "tick", 0, most, 1, view.start, k => longest.ticks[k].label, () => redraw());
+  place = slider(view, "place", -1, 1, 0.05, 0, v => (plane.value === "AA" ? `s = ${v.toFixed(2)} mm` : `${v.toFixed(2)} mm ahead of the axle`), () => redraw());
+  return settle();
+}
+
+async function drawSlices(view) {
+  const names = Object.keys(view.planes);
+  const redraw = () => {
+    const plane = view.planes[planeChoice.value], kind = fieldChoice.value, AA = planeChoice.value[0] === "A", n = plane.sources.length, traces = [];
+    const layout = {font: FONT, margin: {l: 55, r: 20, t: 50, b: 50}, annotations: [], shapes: []};
+    const top = plane.top[kind], ends = AA ? plane.view : [plane.view[1], plane.view[0]];
+    plane.sources.forEach((source, k) => {
+      const id = k ? String(k + 1) : "", axes = {xaxis: "x" + id, yaxis: "y" + id};
+      source.bodies.forEach((body, b) => traces.push({type: "contour", x: body.position, y: body.depth, z: body.fields[kind], ...axes, zmin: kind === "shear" ? -top : 0, zmax: top,
+        autocontour: false, contours: {start: kind === "shear" ? -top : 0, end: top, size: top / (kind === "shear" ? 8 : 14)}, line: {width: 0.5, color: "#555"},
+        colorscale: kind === "shear" ? "RdBu" : "Viridis", showscale: k === n - 1 && b === 0, colorbar: {title: {text: (kind === "shear" ? plane.shear : "von Mises stress") + " [MPa]", side: "right"}, thickness: 14},
+        hovertemplate: `%{x} mm, %{y} mm from the surface<br>%{z} MPa<extra>${body.name}</extra>`}));
+      layout["xaxis" + id] = {domain: domain(k, n), range: ends, title: AA ? "along the rail, rolling direction \u2192 [mm]" : "lateral s (G.C. on the left) [mm]", anchor: "y" + id};
+      layout["yaxis" + id] = {range: [-10, 10], title: k ? "" : "from the surface: wheel +, rail \u2212 [mm]", scaleanchor: "x" + id, anchor: "x" + id, constrain: "domain"};
+      layout.shapes.push({type: "line", xref: "x" + id, yref: "y" + id, x0: plane.view[0], x1: plane.view[1], y0: 0, y1: 0, line: {width: 1.5}});
+      const where = AA ? `s = ${source.offset.toFixed(2)} mm` : `${source.offset.toFixed(2)} mm ahead of the axle`;
+      layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1.02, yanchor: "bottom", showarrow: false, text: (source.name ? `<b>${source.name}</b>, ` : "") + where});
+    });
+    const width = plotOf(view).clientWidth;
+    layout.height = Math.round(Math.min(640, Math.max(320, 100 + 20 / (plane.view[1] - plane.view[0]) * (width - 160) / n)));
+    return Plotly.react(plotOf(view), traces, layout, CONFIG);
+  };
+  const planeChoice = choice(view, "plane", "Plane", names.map(name => [name, name.replace("_peak", " through the peak")]), redraw);
+  const fieldChoice = choice(view, "field", "Field", [["von Mises", "von Mises stress"], ["shear", "shear stress"]], redraw);
+  return redraw();
+}
+
+async function drawCurves(view) {
+  const redraw = () => {
+    const group = view.groups[Number(groupChoice.value)];
+    const traces = group.curves.map((curve, k) => ({x: curve.x, y: curve.y, name: curve.name, mode: "lines", line: {color: COLORS[k % COLORS.length], width: 1.4}, hovertemplate: "%{x} mm: %{y}<extra>%{fullData.name}</extra>"}));
+    return Plotly.react(plotOf(view), traces, {font: FONT, height: 380, margin: {l: 70, r: 20, t: 20, b: 50}, legend: {orientation: "h", y: -0.2}, showlegend: true,
+      xaxis: {title: "rolled distance [mm]"}, yaxis: {title: group.label, exponentformat: "power"}}, CONFIG);
+  };
+  const groupChoice = choice(view, "group", "Show", view.groups.map((group, k) => [String(k), group.title]), redraw);
+  return redraw();
+}
+
+function drawView(view) {
+  return {patch: drawPatch, cuts: drawCuts, slices: drawSlices, curves: drawCurves}[view.type](view);
+}

@@ -1,0 +1,116 @@
+"""What the interactive views of a page show: numbers in the units that are shown, with six digits, from the files.
+
+Each view is a dictionary that views.js draws: "patch" (maps and surfaces tick by tick), "cuts" (lines through them),
+"slices" (stresses below the contact) and "curves" (over the rolled distance).
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import style
+from fields import Fields
+
+#: keys of the fields of a patch: attribute of Fields, label, unit, kind of the scale, factor
+FIELDS = (("pressure", "pressure", "MPa", "positive", 1), ("shear", "shear traction, magnitude", "MPa", "positive", 1),
+          ("shear_along", "shear traction on the rail along the track", "MPa", "signed", 1),
+          ("shear_lateral", "shear traction on the rail, lateral", "MPa", "signed", 1),
+          ("slip", "relative slip velocity", "10\u207b\u00b3", "positive", 1e3),
+          ("state", "stick and slip", "", "states", 1))
+
+
+def plain(values, digits=6):
+    """Lists of numbers with that many digits; what is not finite becomes None."""
+    values = np.asarray(values, dtype=float)
+    if values.ndim > 1:
+        return [plain(row, digits) for row in values]
+    return [float(f"{value:.{digits}g}") if np.isfinite(value) else None for value in values]
+
+
+def edge_lines(fields):
+    """The fitted edge as s and along, pieces parted by None."""
+    figure, axes = plt.subplots()
+    pieces = axes.contour(fields.lateral, fields.along, fields.edge, levels=[0]).allsegs[0]
+    plt.close(figure)
+    s, along = [], []
+    for piece in pieces:
+        s += plain(piece[:, 0], 5) + [None]
+        along += plain(piece[:, 1], 5) + [None]
+    return [s, along]
+
+
+def patch_tick(tick, label):
+    """One tick of a patch for a view; None where nothing is loaded."""
+    if not tick["pressure"].max() > 0 or min(tick["pressure"].shape) < 2:
+        return None
+    fields = Fields(tick, margin=3)
+    values = {}
+    for key, _, _, _, factor in FIELDS:
+        array = getattr(fields, key)
+        if array is not None:
+            inside = np.where(fields.loaded, factor * array, 0 if key == "state" else np.nan)
+            values[key] = plain(inside)
+    return {"label": label, "s": plain(fields.lateral[0]), "along": plain(fields.along[:, 0]), "fields": values,
+            "edge": edge_lines(fields), "places": {name: round(float(v), 4) for name, v in fields.places().items()}}
+
+
+def patch_source(name, ticks, labels):
+    shown = [patch_tick(tick, label) for tick, label in zip(ticks, labels)]
+    return {"name": name, "ticks": [tick for tick in shown if tick is not None]}
+
+
+def tick_labels(ticks, names):
+    return [f"tick {int(name[5:])}: {1e3 * tick.attributes['rolled_distance_m']:.2f} mm rolled"
+            for tick, name in zip(ticks, names)]
+
+
+def patch_views(sources, friction, start):
+    """Maps, and cuts through them; `start` is the number of the tick that is shown first."""
+    sources = [source for source in sources if source["ticks"]]
+    if not sources:
+        return []
+    shown = [key for key, *_ in FIELDS if all(key in tick["fields"] for source in sources for tick in source["ticks"])]
+    fields = [{"key": key, "label": label, "unit": unit, "kind": kind}
+              for key, label, unit, kind, _ in FIELDS if key in shown]
+    for field in fields:
+        values = [abs(value) for source in sources for tick in source["ticks"] for row in tick["fields"][field["key"]]
+                  for value in row if value is not None]
+        field["top"] = style.round_top(max(values, default=1.0))
+    start = min(start, max(len(source["ticks"]) for source in sources) - 1)
+    return [{"id": "view-patch", "type": "patch", "title": "Contact patch", "sources": sources, "fields": fields,
+             "start": start},
+            {"id": "view-cuts", "type": "cuts", "title": "Cuts through the patch", "patch": "view-patch",
+             "friction": friction, "start": start}]
+
+
+def slice_views(ticks):
+    """Stresses below the contact; `ticks`: name -> tick of slices."""
+    import subsurface_pictures as below
+
+    planes = {}
+    for plane in ("AA", "BB", "AA_peak", "BB_peak"):
+        sources = []
+        for who, tick in ticks.items():
+            if f"{plane}_rail" not in tick:
+                continue
+            cut = below.Cut(tick, plane)
+            sources.append({"name": who, "offset": round(cut.offset + 0.0, 4), "bodies": [
+                {"name": body, "position": plain(position), "depth": plain(depth),
+                 "fields": {"von Mises": plain(values["von Mises"].T, 5), "shear": plain(values["shear"].T, 5)}}
+                for body, position, depth, values in cut.bodies]})
+        if len(sources) == len(ticks):
+            cuts = [below.Cut(tick, plane) for tick in ticks.values()]
+            planes[plane] = {"sources": sources, "view": plain(below.view_of(cuts), 4),
+                             "top": {kind: style.round_top(max(cut.largest(kind) for cut in cuts))
+                                     for kind in ("von Mises", "shear")},
+                             "shear": below.SHEAR[plane[:2]][1][:-6]}
+    if not planes:
+        return []
+    return [{"id": "view-slices", "type": "slices", "title": "Stresses below the contact", "planes": planes}]
+
+
+def curve_views(run, groups):
+    """Histories; `groups`: title -> (label of the axis, [(name, distance in mm, values)])."""
+    shown = [{"title": title, "label": label,
+              "curves": [{"name": name, "x": plain(x), "y": plain(y)} for name, x, y in curves]}
+             for title, (label, curves) in groups.items() if curves]
+    return [{"id": "view-curves", "type": "curves", "title": "Over the rolled distance", "groups": shown}] if shown else []

@@ -1,0 +1,120 @@
+"""Makes the pages of a finished run and of its comparison and opens them in a headless Chromium: no complaint on the
+console, sliders and choices work, numbers under the cursor are those of the files, print shows the pictures.
+
+Usage: pages.py PROGRAM MPIEXEC FOLDER. Ends with code 77 (skipped) where there is no Chromium.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+
+from browser import Browser, find_browser
+from checks import check, finish
+
+PROGRAM, _, SOURCE = sys.argv[1:4]
+FOLDER = os.path.abspath("run")
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "source", "report"))
+sys.dont_write_bytecode = True
+import wheelrail  # noqa: E402
+
+
+def make(command):
+    done = subprocess.run([PROGRAM, command, FOLDER], capture_output=True, text=True, check=False)
+    check(done.returncode == 0 and done.stderr == "", f"{command} makes its page {done.stderr.strip()[:300]}")
+    return done.stdout
+
+
+def set_control(page, view, name, value):
+    """Moves a slider, or chooses; waits for the drawing."""
+    page.run(f"""(async () => {{
+      const control = document.querySelector('#{view} [name="{name}"]');
+      if (control.type === 'checkbox') control.checked = {str(value).lower()}; else control.value = {value!r};
+      await (control.oninput ?? control.onchange)();
+      await new Promise(done => setTimeout(done, 100));
+    }})()""")
+
+
+def plot(page, view, expression):
+    return page.run(f"(() => {{ const plot = document.querySelector('#{view} .plot'); return {expression}; }})()")
+
+
+def close(value, wanted):
+    return value is not None and abs(value - wanted) <= 1e-5 * abs(wanted)
+
+
+def check_patch_view(page, run):
+    """The map of the tick that the slider shows holds the numbers of patch.h5."""
+    for number in (len(run.patch) - 1, 0):
+        set_control(page, "view-patch", "tick", str(number))
+        shown = plot(page, "view-patch", "Math.max(...plot.data[0].z.flat().filter(v => v !== null))")
+        wanted = float(run.patch[number]["pressure"].to("MPa").max())
+        check(close(shown, wanted), f"pressure under the cursor at tick {number}: {shown} MPa, in the file {wanted:.3f}")
+    set_control(page, "view-patch", "field", "shear_along")
+    shown = plot(page, "view-patch", "Math.min(...plot.data[0].z.flat().filter(v => v !== null))")
+    check(close(shown, float(run.patch[0]["shear_along"].to("MPa").min())), f"another field: {shown} MPa")
+    set_control(page, "view-patch", "surface", True)
+    check(plot(page, "view-patch", "plot.data[0].type") == "surface", "the three-dimensional patch")
+    set_control(page, "view-patch", "surface", False)
+
+
+def check_cut_view(page):
+    before = plot(page, "view-cuts", "Math.max(...plot.data[0].y)")
+    place = plot(page, "view-cuts", "document.querySelector('#view-cuts [name=place]').max")
+    set_control(page, "view-cuts", "place", place)
+    check(plot(page, "view-cuts", "Math.max(...plot.data[0].y)") < before, "the cut moves to the edge of the patch")
+    set_control(page, "view-cuts", "plane", "BB")
+    check("lateral" in plot(page, "view-cuts", "plot.layout.xaxis.title.text"), "plane BB runs across the rail")
+
+
+def check_slice_view(page, tick):
+    set_control(page, "view-slices", "plane", "AA_peak")
+    shown = plot(page, "view-slices", "Math.max(...plot.data[1].z.flat().filter(v => v !== null))")
+    cut = tick["AA_peak_rail"]
+    near = cut["depth"] <= 0.010001
+    wanted = float(cut["von_mises_stress"].to("MPa")[:, near].max())
+    check(close(shown, wanted), f"von Mises stress below the contact: {shown} MPa, in the file {wanted:.3f}")
+
+
+def check_page(path, views, work):
+    size = os.path.getsize(path) / 1e6
+    name = os.path.basename(path)
+    check(size < 5, f"{name} has {size:.1f} MB, below 5")
+    for width in (1400, 800):
+        page = Browser(find_browser(), width)
+        try:
+            ready = page.open(path)
+            check(ready, f"{name} is drawn at {width} pixels")
+            if ready:
+                drawn = page.run("[...document.querySelectorAll('.view')].filter(v => v.querySelector('.main-svg'))"
+                                 ".map(v => v.id).join(' ')")
+                check(drawn == " ".join(views), f"its views: {drawn}")
+                check(page.run("document.documentElement.scrollWidth <= window.innerWidth"),
+                      f"nothing is wider than {width} pixels")
+                if width == 1400:
+                    work(page)
+                    shown = page.run("[...document.images].filter(i => i.offsetParent !== null).length")
+                    page.send("Emulation.setEmulatedMedia", media="print")
+                    printed = page.run("[...document.images].filter(i => i.offsetParent !== null).length")
+                    check(printed > shown and page.run("document.images.length") == printed,
+                          f"print shows all {printed} pictures, the screen {shown} beside the views")
+                    check(len(page.print_pdf()) > 50000, "the page prints")
+            check(page.complaints == [], f"the console is silent {page.complaints[:3]}")
+        finally:
+            page.close()
+
+
+if find_browser() is None:
+    print("skipped: there is no Chromium; install the Debian package chromium")
+    sys.exit(77)
+shutil.rmtree(FOLDER, ignore_errors=True)
+shutil.copytree(SOURCE, FOLDER)
+output = make("report")
+check("left out" not in output, f"nothing is left out of the report [{output.strip()}]")
+run_data = wheelrail.load(FOLDER)
+check_page(os.path.join(FOLDER, "report.html"), ["view-patch", "view-cuts", "view-slices", "view-curves"],
+           lambda page: (check_patch_view(page, run_data), check_cut_view(page), check_slice_view(page, run_data.slices[-1])))
+make("compare")
+check_page(os.path.join(FOLDER, "compare.html"), ["view-patch", "view-cuts", "view-slices"],
+           lambda page: (check_cut_view(page), check_slice_view(page, run_data.slices[-1])))
+finish()
