@@ -86,6 +86,15 @@ namespace
                1. / 3,
                "to a third: expected over actual number of cells, " + sets.front());
   }
+
+  void
+  test_ranks()
+  {
+    check_near(useful_ranks(65e3, 2), 2, 0, "all cores of a small machine");
+    check_near(useful_ranks(65e3, 64), 16, 0, "as many as have cells to work on");
+    check_near(useful_ranks(3e3, 64), 1, 0, "one for a small mesh");
+    check_near(useful_ranks(1e9, 16), 16, 0, "never more than cores");
+  }
 } // namespace
 
 int
@@ -93,6 +102,7 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_patch();
+  test_ranks();
   for (const char *cell : {"4 mm", "2 mm"})
     test_elements({std::string("Mesh/Solution cell size = ") + cell,
                    "Mesh/Fine margin = 4 mm",

@@ -9,6 +9,7 @@
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
+#include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/run/simulation.h>
@@ -161,8 +162,14 @@ namespace wheelrail
           out << parameter_reference();
           return 0;
         }
-      const SceneInput input = input_of(options);
-      require_computable(input);
+      const SceneInput    input    = input_of(options);
+      const SceneGeometry geometry = require_computable(input);
+      if (options.count("ranks"))
+        {
+          const double elements = expected_elements(input.scene, expected_patch(input.scene, geometry));
+          out << useful_ranks(elements, options["ranks"].as<unsigned int>()) << "\n";
+          return 0;
+        }
       out << print_parameters(input.scene,
                               options.count("json")  ? ParameterStyle::json
                               : options.count("xml") ? ParameterStyle::xml
@@ -256,6 +263,10 @@ namespace wheelrail
            options.add_options()("json", "print them as JSON, as deal.II's ParameterHandler does");
            options.add_options()("xml", "print them as XML for deal.II's parameter GUI");
            options.add_options()("markdown", "print the table of all entries of doc/manual/parameters.md");
+           options.add_options()("ranks",
+                                 po::value<unsigned int>(),
+                                 "print on how many processes a run should be started where there are that "
+                                 "many cores");
          },
          act_parameters},
         {"compare",

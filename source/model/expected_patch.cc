@@ -75,6 +75,15 @@ namespace wheelrail
   }
 
 
+  unsigned int
+  useful_ranks(const double elements, const unsigned int cores)
+  {
+    // the forces of 4000 cells take 0.18 ms, the contact of the main scene 0.17 ms on every rank (measured)
+    constexpr double per_rank = 4e3;
+    return static_cast<unsigned int>(std::max(1., std::min<double>(cores, std::floor(elements / per_rank))));
+  }
+
+
   double
   expected_memory(const double elements, const unsigned int ranks)
   {

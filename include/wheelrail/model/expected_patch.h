@@ -36,6 +36,11 @@ namespace wheelrail
   double
   expected_elements(const Scene &scene, const ExpectedPatch &patch);
 
+  /// Number of processes that speed up a run of so many hexahedra where there are `cores`: a rank with fewer
+  /// than some 4000 cells mostly evaluates the contact, which all of them do (doc/manual/cluster.md).
+  unsigned int
+  useful_ranks(double elements, unsigned int cores);
+
   /// Memory of a run on all ranks together [bytes]; its peak is in the static start.
   double
   expected_memory(double elements, unsigned int ranks);
