@@ -115,6 +115,9 @@ namespace
       {"Half-space/Approach", "0.08 mm"},
       {"Half-space/Contact angle", "50 mrad"},
       {"Output/Checkpoint interval", "30 s"},
+      {"Study/Axes", "Contact/Friction coefficient: 0.1, 0.2; Run/Energy limit: 0.01, 0.02"},
+      {"Study/Combine", "pairs"},
+      {"Study/Compute", "run"},
     };
     return values;
   }

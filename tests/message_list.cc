@@ -173,6 +173,7 @@ namespace
     "/usr/bin/python3 cannot be started; install the Debian packages python3, python3-h5py and "
     "python3-matplotlib",
     "the run stopped: ",
+    "The plan of the study cannot be written into the folder of temporary files, ",
     "--resume: the mesh is not that of the saved state, since a profile file or the program has changed: "
     "start anew without --resume",
     // penalty scales of 200 and more, where 50 is the most that is accepted

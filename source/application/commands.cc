@@ -4,6 +4,7 @@
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/report_script.h>
+#include <wheelrail/application/study_command.h>
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/listing.h>
@@ -91,6 +92,17 @@ namespace wheelrail
                          " prm/rolling.prm");
     }
 
+    /// The one scene of a file; throws InputError for a study.
+    SceneInput
+    one_scene_of(const po::variables_map &options)
+    {
+      SceneInput input = input_of(options);
+      if (!input.scene.study.axes.empty())
+        throw InputError(input.name + ": a study, since Study/Axes is set; ./wheelrail study " + input.name +
+                         " computes its cases");
+      return input;
+    }
+
     int
     act_run(const po::variables_map &options, const RunFunction &run, std::ostream &out)
     {
@@ -102,7 +114,7 @@ namespace wheelrail
       run_options.resume    = options.count("resume") > 0;
       if (run_options.overwrite && run_options.resume)
         throw InputError("--overwrite starts anew and --resume goes on: give one of them");
-      const SceneInput    input    = input_of(options);
+      const SceneInput    input    = one_scene_of(options);
       const SceneGeometry geometry = require_computable(input);
       run_options.prm_text         = input.text;
       for (const std::string &set : sets_of(options))
@@ -137,10 +149,11 @@ namespace wheelrail
       const auto file = [&](const char *option) {
         return options.count(option) ? options[option].as<std::string>() : std::string();
       };
-      const SceneInput input = input_of(options);
+      const SceneInput input = one_scene_of(options);
       return run_halfspace_command(input.scene,
                                    require_computable(input),
                                    {file("contact-input"), file("contact-wheel-rail-input")},
+                                   !options.count("no-pictures"),
                                    out);
     }
 
@@ -191,7 +204,7 @@ namespace wheelrail
     act_compare(const po::variables_map &options, const RunFunction &, std::ostream &out)
     {
       require_folder(options, "compare");
-      return run_compare_command(file_of(options), sets_of(options), out);
+      return run_compare_command(file_of(options), sets_of(options), !options.count("no-pictures"), out);
     }
 
     int
@@ -205,12 +218,40 @@ namespace wheelrail
       return run_script("report.py", words);
     }
 
+    /// Hands the options of a study on to its script.
+    int
+    act_study(const po::variables_map &options, const RunFunction &, std::ostream &out)
+    {
+      require_file(options, "study");
+      const std::string plan = study_plan(input_of(options));
+      if (options.count("plan"))
+        {
+          out << plan;
+          return 0;
+        }
+      out.flush();
+      std::vector<std::string> words;
+      for (const std::string name : {"jobs", "ranks", "profile"})
+        if (options.count(name))
+          words.push_back("--" + name + "=" + options[name].as<std::string>());
+      if (options.count("dry-run"))
+        words.push_back("--dry-run");
+      run_study(plan, words);
+      return 0;
+    }
+
     void
     add_set_option(po::options_description &options)
     {
       options.add_options()("set",
                             po::value<std::vector<std::string>>()->composing(),
                             "\"Section/Entry = value\": change an entry, may be given several times");
+    }
+
+    void
+    add_no_pictures_option(po::options_description &options)
+    {
+      options.add_options()("no-pictures", "only figures and fields, which takes a second");
     }
 
     const std::vector<Command> &
@@ -245,6 +286,7 @@ namespace wheelrail
          "contact of the scene as two half-spaces: patch, tractions, creepage in seconds",
          [](po::options_description &options) {
            add_set_option(options);
+           add_no_pictures_option(options);
            options.add_options()("contact-input",
                                  po::value<std::string>(),
                                  "also write the problem as input of the program CONTACT, basic module");
@@ -272,7 +314,10 @@ namespace wheelrail
         {"compare",
          "FOLDER",
          "a finished run against two half-spaces under its load and in its pose, as a table and a page",
-         add_set_option,
+         [](po::options_description &options) {
+           add_set_option(options);
+           add_no_pictures_option(options);
+         },
          act_compare},
         {"report",
          "FOLDER",
@@ -284,6 +329,20 @@ namespace wheelrail
                                  "draw the shear traction at each");
          },
          act_report},
+        {"study",
+         "FILE.prm",
+         "compute a family of scenes: one table and one page over what varies",
+         [](po::options_description &options) {
+           add_set_option(options);
+           options.add_options()("jobs", po::value<std::string>(), "cases at a time (default: one a core)");
+           options.add_options()("ranks", po::value<std::string>(), "processes of each run (default: 1)");
+           options.add_options()("profile",
+                                 po::value<std::string>(),
+                                 "Snakemake profile of a cluster: slurm, or one of your own");
+           options.add_options()("dry-run", "only tell which cases are there and which would be computed");
+           options.add_options()("plan", "print the cases as JSON");
+         },
+         act_study},
         {"version",
          "",
          "print the version",

@@ -62,6 +62,7 @@ namespace wheelrail
   run_halfspace_command(const Scene             &scene,
                         const SceneGeometry     &geometry,
                         const ContactInputFiles &inputs,
+                        const bool               draws,
                         std::ostream            &out)
   {
     const bool              given = distance_is_given(scene);
@@ -111,7 +112,8 @@ namespace wheelrail
     append_slices(slices, result.patch.time, result.patch.rolled_distance, stresses.slices);
     write_summary(figures, (folder / "summary.json").string());
     out << "Results in " << folder.string() << std::endl;
-    run_script("halfspace.py", {folder.string()});
+    if (draws)
+      run_script("halfspace.py", {folder.string()});
     return figures.finished ? 0 : 2;
   }
 } // namespace wheelrail

@@ -1,6 +1,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/study_cases.h>
 
 #include <algorithm>
 #include <cmath>
@@ -170,6 +171,8 @@ namespace wheelrail
     check_cells(scene, found.errors);
     check_drive(scene, found.warnings);
     check_steps(scene, found.warnings);
+    for (const std::string &fault : study_faults(scene))
+      found.errors.push_back(fault);
     return found;
   }
 

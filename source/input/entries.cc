@@ -25,6 +25,15 @@ namespace wheelrail
       };
       return entry;
     }
+
+    std::string
+    join(const std::vector<std::string> &parts, const std::string &between)
+    {
+      std::string text;
+      for (const std::string &part : parts)
+        text += (text.empty() ? "" : between) + part;
+      return text;
+    }
   } // namespace
 
   const std::vector<Entry> &
@@ -41,7 +50,8 @@ namespace wheelrail
                                                 mesh_entries(),
                                                 run_entries(),
                                                 output_entries(),
-                                                halfspace_entries()})
+                                                halfspace_entries(),
+                                                study_entries()})
         list.insert(list.end(), section.begin(), section.end());
       for (Entry &entry : list)
         entry.default_text = entry.get(Scene());
@@ -67,6 +77,38 @@ namespace wheelrail
       if (!entry.section.empty() && std::find(names.begin(), names.end(), entry.section) == names.end())
         names.push_back(entry.section);
     return names;
+  }
+
+  bool
+  section_exists(const std::string &section)
+  {
+    const std::vector<std::string> names = section_names();
+    return section.empty() || std::find(names.begin(), names.end(), section) != names.end();
+  }
+
+  std::string
+  unknown_section(const std::string &section)
+  {
+    const std::vector<std::string> names   = section_names();
+    const std::string              nearest = nearest_choice(section, names);
+    if (!nearest.empty())
+      return "no such subsection; the nearest is " + nearest;
+    return "no such subsection; there are " + join(names, ", ");
+  }
+
+  std::string
+  unknown_entry(const std::string &section, const std::string &name)
+  {
+    const std::vector<std::string> nearest = nearest_entries(section, name);
+    if (!nearest.empty())
+      return "no such entry; the nearest " + std::string(nearest.size() == 1 ? "is " : "are ") +
+             join(nearest, ", ");
+    std::vector<std::string> names;
+    for (const Entry &entry : entries())
+      if (entry.section == section)
+        names.push_back(entry.name);
+    return "no such entry; " + (section.empty() ? std::string("outside the subsections") : section) +
+           " has " + join(names, ", ");
   }
 
   std::vector<std::string>

@@ -1,4 +1,3 @@
-#include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/entries.h>
@@ -9,7 +8,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -17,51 +15,8 @@ namespace wheelrail
 {
   namespace
   {
-    using Sentences = std::vector<std::string>;
-
     /// A file with more faults than this is none of ours, and not worth the search for similar names.
     constexpr std::size_t most_problems = 1000;
-
-    std::string
-    join(const Sentences &parts, const std::string &between)
-    {
-      std::string text;
-      for (const std::string &part : parts)
-        text += (text.empty() ? "" : between) + part;
-      return text;
-    }
-
-    bool
-    section_exists(const std::string &section)
-    {
-      const std::vector<std::string> names = section_names();
-      return section.empty() || std::find(names.begin(), names.end(), section) != names.end();
-    }
-
-    std::string
-    unknown_section(const std::string &section)
-    {
-      const std::vector<std::string> names   = section_names();
-      const std::string              nearest = nearest_choice(section, names);
-      if (!nearest.empty())
-        return "no such subsection; the nearest is " + nearest;
-      return "no such subsection; there are " + join(names, ", ");
-    }
-
-    std::string
-    unknown_entry(const std::string &section, const std::string &name)
-    {
-      const Sentences nearest = nearest_entries(section, name);
-      if (!nearest.empty())
-        return "no such entry; the nearest " + std::string(nearest.size() == 1 ? "is " : "are ") +
-               join(nearest, ", ");
-      Sentences names;
-      for (const Entry &entry : entries())
-        if (entry.section == section)
-          names.push_back(entry.name);
-      return "no such entry; " + (section.empty() ? std::string("outside the subsections") : section) +
-             " has " + join(names, ", ");
-    }
 
     /// Whether name and value of an assignment are accepted; what is wrong is added to `problems`.
     void

@@ -20,6 +20,18 @@ namespace wheelrail
   std::vector<std::string>
   section_names();
 
+  /// Whether there is such a subsection; the empty name stands for the place outside all.
+  bool
+  section_exists(const std::string &section);
+
+  /// What to say of a subsection that is not there: the nearest, or all.
+  std::string
+  unknown_section(const std::string &section);
+
+  /// What to say of an entry that is not there: the nearest ones, or all of its subsection.
+  std::string
+  unknown_entry(const std::string &section, const std::string &name);
+
   /// Paths of at most three entries whose names resemble `name` the most, those of `section` first
   /// among equals; empty when nothing resembles it.
   std::vector<std::string>

@@ -37,4 +37,7 @@ namespace wheelrail
 
   std::vector<Entry>
   halfspace_entries();
+
+  std::vector<Entry>
+  study_entries();
 } // namespace wheelrail

@@ -4,6 +4,7 @@
 #include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/material/friction.h>
 #include <wheelrail/mesh/wheel_section.h>
+#include <wheelrail/scene/study.h>
 #include <wheelrail/solid/element_form.h>
 
 #include <limits>
@@ -121,6 +122,8 @@ namespace wheelrail
     double        halfspace_normal_force  = 0; ///< [N], 0: the static wheel load
     double        halfspace_approach      = 0; ///< [m], 0: found from the normal force
     double        halfspace_contact_angle = 0; ///< of the axle to the contact plane: the spin [rad]
+
+    Study study; ///< the family that this scene stands for, for the command study
 
     /// Depth of the layer of solution cells below both running surfaces: as given, or five cells [m].
     double

@@ -1,0 +1,145 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/shown_text.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/input/section_entries.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  namespace
+  {
+    std::string
+    trim(const std::string &text)
+    {
+      const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
+      return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+    }
+
+    /// The trimmed parts of a text between separators.
+    std::vector<std::string>
+    split(const std::string &text, const char separator)
+    {
+      std::vector<std::string> parts;
+      for (std::size_t begin = 0; begin <= text.size();)
+        {
+          const std::size_t end = std::min(text.find(separator, begin), text.size());
+          parts.push_back(trim(text.substr(begin, end - begin)));
+          begin = end + 1;
+        }
+      return parts;
+    }
+
+    /// The entry of an axis. Throws InputError when there is none, or when it cannot vary.
+    const Entry &
+    entry_of_axis(const std::string &section, const std::string &name)
+    {
+      if (!section_exists(section))
+        throw InputError(unknown_section(section));
+      const Entry *const entry = find_entry(section, name);
+      if (entry == nullptr)
+        throw InputError(unknown_entry(section, name));
+      if (section == "Study" || entry->path() == "Output/Folder")
+        throw InputError("cannot vary within a study; every case gets a folder of its own");
+      return *entry;
+    }
+
+    /// "Section/Entry: value, value".
+    StudyAxis
+    parse_axis(const std::string &text)
+    {
+      const std::size_t colon = text.find(':');
+      if (colon == std::string::npos)
+        throw InputError("\"" + shown_text(text) +
+                         "\" is no axis; write \"Section/Entry: value, value\", and a semicolon between two "
+                         "axes");
+      const std::string path  = trim(text.substr(0, colon));
+      const std::size_t slash = path.find('/');
+      StudyAxis         axis;
+      axis.section = slash == std::string::npos ? "" : trim(path.substr(0, slash));
+      axis.name    = slash == std::string::npos ? path : trim(path.substr(slash + 1));
+      axis.values  = split(text.substr(colon + 1), ',');
+      std::string at;
+      try
+        {
+          const Entry &entry = entry_of_axis(axis.section, axis.name);
+          for (const std::string &value : axis.values)
+            {
+              at = ": \"" + shown_text(value) + "\"";
+              Scene trial;
+              entry.set(trial, value);
+            }
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(shown_text(path) + at + ": " + error.what());
+        }
+      return axis;
+    }
+
+    std::vector<StudyAxis>
+    parse_axes(const std::string &text)
+    {
+      std::vector<StudyAxis> axes;
+      for (const std::string &part : split(text, ';'))
+        {
+          if (part.empty()) // a semicolon at the end, or no axes
+            continue;
+          axes.push_back(parse_axis(part));
+          for (std::size_t i = 0; i + 1 < axes.size(); ++i)
+            if (axes[i].path() == axes.back().path())
+              throw InputError(axes[i].path() + " is two axes; put their values into one");
+        }
+      return axes;
+    }
+
+    std::string
+    axes_text(const std::vector<StudyAxis> &axes)
+    {
+      std::string text;
+      for (const StudyAxis &axis : axes)
+        {
+          text += (text.empty() ? "" : "; ") + axis.path() + ":";
+          for (std::size_t i = 0; i < axis.values.size(); ++i)
+            text += (i == 0 ? " " : ", ") + axis.values[i];
+        }
+      return text;
+    }
+  } // namespace
+
+
+  std::vector<Entry>
+  study_entries()
+  {
+    std::vector<Entry> list;
+    Entry              axes{"Study",
+               "Axes",
+               "What varies from case to case, for the command study: entries and their values, such as "
+                            "Contact/Friction coefficient: 0.1, 0.2; Wheelset/Lateral shift: -1 mm, 0 mm.",
+               "axes \"Section/Entry: value, value\" with semicolons between them, or nothing",
+               {},
+               {},
+               {},
+               {}};
+    axes.set = [](Scene &scene, const std::string &text) { scene.study.axes = parse_axes(text); };
+    axes.get = [](const Scene &scene) { return axes_text(scene.study.axes); };
+    list.push_back(axes);
+    list.push_back(choice_entry<StudyCombination>(
+      {"Study",
+       "Combine",
+       "Cases of several axes. grid: every value with every value of the others; pairs: the first values "
+       "together, the second ones, ..."},
+      {{"grid", StudyCombination::grid}, {"pairs", StudyCombination::pairs}},
+      [](Scene &scene) -> StudyCombination & { return scene.study.combine; }));
+    list.push_back(choice_entry<StudyComputation>(
+      {"Study",
+       "Compute",
+       "run: finite elements; halfspace: half-spaces under the scene's own load; both: finite elements, and "
+       "half-spaces under the load and in the pose of each run."},
+      {{"run", StudyComputation::run},
+       {"halfspace", StudyComputation::halfspace},
+       {"both", StudyComputation::both}},
+      [](Scene &scene) -> StudyComputation & { return scene.study.compute; }));
+    return list;
+  }
+} // namespace wheelrail

@@ -1,0 +1,163 @@
+"""The one page of a study: curves of the main figures over what varies, in a single HTML file."""
+
+import html
+import os
+import sys
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "report"))
+
+import page
+import style
+import study_table
+from study_folder import replace
+
+import matplotlib.pyplot as plt  # after style, which chooses the backend
+
+# the figures of the page, as far as they are there
+CURVES = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "longitudinal_force_N", "lateral_force_N",
+          "creepage", "stick_fraction", "traction_over_friction", "max_von_mises_Pa", "subsurface_von_mises_Pa",
+          "subsurface_von_mises_depth_m", "max_plastic_strain", "max_residual_von_mises_Pa"]
+
+# errors drawn over the time that they cost
+ERRORS = ["max_pressure", "contact_area", "max_shear_traction", "creepage"]
+SMALLEST = 0.1  # per cent; smaller errors are drawn there
+
+
+class Axis:
+    """Places of the cases along an axis; words have places of their own, side by side."""
+
+    def __init__(self, study, a):
+        axis = study.axes[a]
+        self.label = study_table.header(axis["name"], study_table.unit_of(axis))
+        texts = [case["values"][a] for case in study.cases]
+        numbers = [study_table.number_of(text) for text in texts]
+        self.words = None
+        if None in numbers:
+            self.words = axis["values"]
+            numbers = [self.words.index(text) for text in texts]
+        self.places = np.array(numbers, dtype=float)
+        self.texts = texts
+
+    def dress(self, axes):
+        axes.set_xlabel(self.label)
+        if self.words:
+            axes.set_xticks(range(len(self.words)), self.words)
+
+
+def curves_of(study):
+    """Rows of cases that make one curve over the first axis, with what they have in common; one curve where each case
+    has a value of its own on that axis."""
+    first = [case["values"][0] for case in study.cases]
+    if len(set(first)) == len(first):
+        return {"": list(range(len(first)))}
+    curves = {}
+    for row, case in enumerate(study.cases):
+        name = ", ".join(f"{axis['name'].lower()} {value}" for axis, value in zip(study.axes[1:], case["values"][1:]))
+        curves.setdefault(name, []).append(row)
+    return curves
+
+
+def draw_curves(study, columns, key, x, curves):
+    """Finite elements with dots and lines, half-spaces with rings and dashes; the path, or None without figures."""
+    pair = [(columns.get(key), "Finite elements", "o", "-", None), (columns.get("halfspace_" + key), "Half-spaces", "s", "--", "white")]
+    pair = [part for part in pair if part[0] is not None]
+    if not pair or not any(np.any(column.values) for column, *_ in pair if np.isfinite(column.values).any()):
+        return None
+    figure, axes = plt.subplots(figsize=(6.4, 4.0))
+    for color, (name, rows) in zip(np.tile(style.COLORS, 1 + len(curves) // len(style.COLORS)), curves.items()):
+        for column, who, mark, line, face in pair:
+            rows_here = [row for row in rows if np.isfinite(column.values[row])]
+            rows_here.sort(key=lambda row: x.places[row])
+            own = color if len(curves) > 1 or who == "Finite elements" else style.RED
+            label = who if not name else f"{name}, {who.lower()}" if len(pair) > 1 else name
+            axes.plot(x.places[rows_here], column.values[rows_here] * column.factor, mark + line, color=own,
+                      markerfacecolor=face or own, markersize=5, linewidth=1.3, label=label)
+    x.dress(axes)
+    axes.set_ylabel(pair[0][0].header.replace(", half-spaces", ""))
+    axes.grid(True)
+    if len(pair) > 1 or len(curves) > 1:
+        axes.legend(fontsize=8)
+    label = pair[0][0].header.split(" [")[0].replace(", half-spaces", "")
+    return label[0].upper() + label[1:], save(study, figure, key)
+
+
+def save(study, figure, name):
+    path = study.path("pictures", name + ".png")
+    figure.savefig(path, bbox_inches="tight", pad_inches=0.1, dpi=110)
+    plt.close(figure)
+    return path
+
+
+def draw_errors(study, x, curves):
+    """Wall time of the runs over their difference from half-spaces: a picture for each figure."""
+    summaries = [study.summaries(case)[0] or {} for case in study.cases]
+    pictures = []
+    for name in ERRORS:
+        points = [(100 * abs(study_table.number(s.get("relative_difference_" + name))), study_table.number(s.get("wall_time_s")))
+                  for s in summaries]
+        if not any(np.isfinite(error) for error, _ in points):
+            continue
+        label = next(figure["label"] for figure in study.figures if figure["std_key"].split("_std")[0] == name)
+        figure, axes = plt.subplots(figsize=(6.4, 4.4))
+        for color, (curve, rows) in zip(np.tile(style.COLORS, 1 + len(curves) // len(style.COLORS)), curves.items()):
+            rows = sorted((row for row in rows if np.isfinite(points[row][0])), key=lambda row: x.places[row])
+            errors, times = [max(SMALLEST, points[row][0]) for row in rows], [points[row][1] for row in rows]
+            axes.plot(errors, times, "o-", color=color, label=curve or None, linewidth=1.2, markersize=5)
+            for k, row in enumerate(rows):
+                axes.annotate(x.texts[row], (errors[k], times[k]), fontsize=8, ha="center", textcoords="offset points",
+                              xytext=(0, 7 if k % 2 else -13))
+        axes.set(xscale="log", yscale="log", xlabel=f"difference of the {label} from half-spaces [%]",
+                 ylabel="wall time of the run [s]")
+        axes.grid(True, which="both", alpha=0.4)
+        axes.margins(0.15)
+        if len(curves) > 1:
+            axes.legend(fontsize=8)
+        pictures.append((f"Error of the {label} and its cost, at the points: {x.label.lower()}",
+                         save(study, figure, "error_" + name)))
+    return pictures
+
+
+def table(study, columns, states):
+    """The cases with their main figures; who has none says why."""
+    axes = study_table.axis_columns(study)
+    shown = [columns[prefix + key] for key in study_table.SHOWN for prefix in ("", "halfspace_") if prefix + key in columns]
+    decimals = {figure["key"]: figure["decimals"] for figure in study.figures}
+    heads = [head for head, _ in axes] + ["state"] + [column.header for column in shown]
+    rows = ["<table><tr>" + "".join(f"<th>{html.escape(head)}</th>" for head in heads) + "</tr>"]
+    for row, state in enumerate(states):
+        cells = [f"<td class=number>{html.escape(texts[row])}</td>" for _, texts in axes]
+        kind = "good" if state.word == "finished" else "bad"
+        cells.append(f"<td class={kind}>{html.escape(state.word)}</td>")
+        for column in shown:
+            value = column.values[row]
+            digits = decimals[column.key.replace("halfspace_", "")]
+            cells.append(f"<td class=number>{page.number(value, column.factor, digits) if np.isfinite(value) else ''}</td>")
+        rows.append("<tr>" + "".join(cells) + "</tr>")
+    return "\n".join(rows + ["</table>"])
+
+
+def write(study, failures):
+    """Draws the pictures and writes study.html; returns its path."""
+    os.makedirs(study.path("pictures"), exist_ok=True)
+    columns = {column.key: column for column in study_table.columns_of(study)}
+    states = [study.state(case, failures) for case in study.cases]
+    x, curves = Axis(study, 0), curves_of(study)
+    pictures = [picture for picture in (draw_curves(study, columns, key, x, curves) for key in CURVES) if picture]
+    errors = draw_errors(study, x, curves) if any(axis["entry"].startswith("Mesh/") for axis in study.axes) else []
+    title = html.escape(study.title)
+    varied = ", ".join(axis["entry"] for axis in study.axes)
+    parts = ["<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
+             f"<title>{title}</title><style>{page.STYLE}</style></head><body>", f"<h1>{title}</h1>",
+             f"<p>{len(study.cases)} cases over {html.escape(varied)}; from {html.escape(study.plan['file'])}, "
+             f"version {html.escape(study.version)}.</p>"]
+    parts += [f"<p class=bad>{html.escape(study.label(case))}: {html.escape(state.word)}: {html.escape(state.sentence)}</p>"
+              for case, state in zip(study.cases, states) if state.sentence]
+    parts += ["<h2>Figures</h2>", table(study, columns, states)]
+    for head, list_of in (("Curves", pictures), ("Error and cost", errors)):
+        if list_of:
+            parts += [f"<h2>{head}</h2>", "<div class=pictures>", *[page.picture(*item) for item in list_of], "</div>"]
+    path = study.path("study.html")
+    replace(path, "\n".join(parts + ["</body></html>"]))
+    return path

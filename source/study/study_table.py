@@ -1,0 +1,191 @@
+"""The tables of a study: one row a case, one column a figure, with its unit in the header.
+
+    table.csv   figures, in the units of the summary on the screen; the same after every resume
+    costs.csv   what the cases cost: time, memory, steps
+    table.h5    both in SI, under the keys of summary.json, with the attribute `unit`
+"""
+
+import csv
+import io
+import os
+
+import numpy as np
+
+try:
+    import h5py
+except ImportError as error:
+    raise SystemExit(f"{error}; install the Debian package python3-h5py") from error
+
+from study_folder import replace
+
+# figures that say what a run cost; they are not the same from run to run, or from machine to machine
+COSTS = ["wall_time_s", "ranks", "peak_memory_bytes", "elements", "time_steps", "time_step_s", "element_updates_per_second"]
+
+# columns on the screen, as far as there are such figures
+SHOWN = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "creepage", "stick_fraction"]
+
+
+class Column:
+    """Values of all cases, NaN where there is none; shown in `unit` times `factor`."""
+
+    def __init__(self, key, header, si, factor, values, std=None):
+        self.key, self.header, self.si, self.factor = key, header, si, factor
+        self.values = np.array(values, dtype=float)
+        self.std = std
+
+    def text(self, row):
+        value = self.values[row] * self.factor
+        return f"{value:.7g}" if np.isfinite(value) else ""
+
+
+def number_of(value):
+    """The number of an axis' value as the listing writes it ("-5.5 mm"); None for a word."""
+    try:
+        return float(value.split(" ", 1)[0])
+    except ValueError:
+        return None
+
+
+def unit_of(axis):
+    """The unit of the numbers of an axis."""
+    units = [value.split(" ", 1)[1] for value in axis["values"] if number_of(value) is not None and " " in value]
+    return units[0] if units else ""
+
+
+def header(label, unit):
+    return f"{label} [{unit}]" if unit else label
+
+
+def axis_columns(study):
+    """Header and texts of each axis."""
+    columns = []
+    for a, axis in enumerate(study.axes):
+        texts = [case["values"][a] for case in study.cases]
+        numbers = [number_of(text) for text in texts]
+        cells = [text if number is None else text.split(" ", 1)[0] for text, number in zip(texts, numbers)]
+        # rail and wheel have entries of one name
+        several = sum(other["name"] == axis["name"] for other in study.axes) > 1
+        columns.append((header(axis["entry"] if several else axis["name"], unit_of(axis)), cells))
+    return columns
+
+
+def si_unit(figure):
+    """The SI unit that a key ends with: "Pa" of "max_pressure_Pa"."""
+    tail = figure["key"][len(figure["std_key"].split("_std")[0]):]
+    return tail.lstrip("_")
+
+
+def number(value):
+    return value if isinstance(value, (int, float)) and not isinstance(value, bool) else np.nan
+
+
+def columns_of(study):
+    """All columns with at least one value, runs and half-spaces beside each other."""
+    pairs = [study.summaries(case) for case in study.cases]
+    columns = []
+    for figure in study.figures:
+        for index, tail, prefix in ((0, "", ""), (1, ", half-spaces", "halfspace_")):
+            values = [number((pair[index] or {}).get(figure["key"])) for pair in pairs]
+            if not np.isfinite(values).any() or (index == 1 and figure["key"] in COSTS):
+                continue
+            std = [number((pair[index] or {}).get(figure["std_key"])) for pair in pairs]
+            columns.append(Column(prefix + figure["key"], header(figure["label"] + tail, figure["unit"]),
+                                  si_unit(figure), figure["factor"], values, std if np.isfinite(std).any() else None))
+    return columns
+
+
+def as_csv(rows):
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()
+
+
+def trusted(pair):
+    """Whether the figures may be trusted: yes, no, or nothing where there are none."""
+    summary = pair[0] or pair[1] or {}
+    if "max_pressure_Pa" not in summary:
+        return ""
+    return "yes" if summary.get("trusted", True) else "no"
+
+
+def write(study, failures):
+    """Writes the three tables; returns the columns."""
+    columns = columns_of(study)
+    axes = axis_columns(study)
+    states = [study.state(case, failures) for case in study.cases]
+    rows = range(len(study.cases))
+    for name, chosen in (("table.csv", [c for c in columns if c.key not in COSTS]),
+                         ("costs.csv", [c for c in columns if c.key in COSTS])):
+        is_table = name == "table.csv"
+        lines = [[head for head, _ in axes] + ["state"] + (["trusted"] if is_table else []) +
+                 [column.header for column in chosen] + (["remark"] if is_table else []) + ["folder"]]
+        for row in rows:
+            case = study.cases[row]
+            lines.append([cells[row] for _, cells in axes] + [states[row].word] +
+                         ([trusted(study.summaries(case))] if is_table else []) +
+                         [column.text(row) for column in chosen] + ([states[row].sentence] if is_table else []) +
+                         [case["name"]])
+        replace(study.path(name), as_csv(lines))
+    write_hdf5(study, columns, states)
+    return columns
+
+
+def write_hdf5(study, columns, states):
+    path = study.path("table.h5")
+    with h5py.File(path + ".part", "w") as file:
+        file.attrs["title"], file.attrs["program_version"] = study.title, study.version
+        for a, axis in enumerate(study.axes):
+            values = [case["values"][a] for case in study.cases]
+            numbers = [number_of(value) for value in values]
+            group = f"axis_{a}"
+            if None in numbers:
+                file[group] = np.array(values, dtype=h5py.string_dtype())
+            else:
+                file[group] = np.array(numbers)
+            file[group].attrs["entry"], file[group].attrs["unit"] = axis["entry"], unit_of(axis)
+        for name, values in (("case", [case["name"] for case in study.cases]),
+                             ("state", [state.word for state in states]),
+                             ("remark", [state.sentence for state in states])):
+            file[name] = np.array(values, dtype=h5py.string_dtype())
+        for column in columns:
+            for key, values in ((column.key, column.values), (column.key + "_std", column.std)):
+                if values is not None:
+                    file[key] = values
+                    file[key].attrs["unit"] = column.si
+    os.replace(path + ".part", path)
+
+
+def show(study):
+    """The main figures on the screen."""
+    columns = {column.key: column for column in columns_of(study)}
+    axes = axis_columns(study)
+    rows = [[head for head, _ in axes]]
+    rows += [[cells[row] for _, cells in axes] for row in range(len(study.cases))]
+    for key in SHOWN:
+        for column in (columns.get(key), columns.get("halfspace_" + key)):
+            if column is None:
+                continue
+            figure = next(figure for figure in study.figures if figure["key"] == key)
+            beside = column.key != key and key in columns
+            rows[0].append("half- spaces" if beside else column.header)
+            for row in range(len(study.cases)):
+                value = column.values[row] * column.factor
+                rows[row + 1].append(f"{value:.{figure['decimals']}f}" if np.isfinite(value) else "-")
+    # headers of several lines, broken at blanks
+    heads = [wrapped(head) for head in rows[0]]
+    height = max(len(head) for head in heads)
+    widths = [max([len(line) for line in head] + [len(row[i]) for row in rows[1:]]) for i, head in enumerate(heads)]
+    for line in range(height):
+        print("  ".join((([""] * (height - len(head)) + head)[line]).rjust(width) for head, width in zip(heads, widths)))
+    for row in rows[1:]:
+        print("  ".join(cell.rjust(width) for cell, width in zip(row, widths)))
+
+
+def wrapped(text, width=11):
+    lines = [""]
+    for word in text.split(" "):
+        if lines[-1] and len(lines[-1]) + 1 + len(word) > width:
+            lines.append(word)
+        else:
+            lines[-1] = (lines[-1] + " " + word).strip()
+    return lines

@@ -1,0 +1,236 @@
+// Studies: what their axes accept, the cases that they make, and how cases are told apart.
+
+#include "messages.h"
+
+#include <wheelrail/application/commands.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/input/study_cases.h>
+#include <wheelrail/run/simulation.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+using namespace wheelrail;
+using test::check;
+using test::check_text;
+using test::message_of;
+
+namespace
+{
+  const std::string friction = "Contact/Friction coefficient: 0.1, 0.2, 0.3",
+                    shift    = "Wheelset/Lateral shift: -1 mm, 2 mm";
+
+  Scene
+  scene_of(const std::string &axes, const std::vector<std::string> &more = {})
+  {
+    std::vector<std::string> sets = {"Study/Axes = " + axes, "Output/Folder = out"};
+    sets.insert(sets.end(), more.begin(), more.end());
+    return scene_from_text("", "x.prm", sets).scene;
+  }
+
+  std::vector<StudyCase>
+  cases_of(const std::string &axes, const std::vector<std::string> &more = {})
+  {
+    return study_cases(scene_of(axes, more), "1.0");
+  }
+
+  void
+  test_cases()
+  {
+    const std::vector<StudyCase> grid = cases_of(friction + "; " + shift);
+    check(grid.size() == 6, "a grid of three and two values has six cases");
+    check(grid[0].scene.friction_coefficient == 0.1 && grid[0].scene.lateral_shift == -1e-3 &&
+            grid[1].scene.friction_coefficient == 0.1 && grid[1].scene.lateral_shift == 2e-3 &&
+            grid[5].scene.friction_coefficient == 0.3 && grid[5].scene.lateral_shift == 2e-3,
+          "the last axis changes fastest");
+    check(grid[3].values == std::vector<std::string>({"0.2", "2 mm"}), "values as the listing writes them");
+    check(grid[3].name.rfind("friction_coefficient_0.2-lateral_shift_2_mm-", 0) == 0, grid[3].name);
+    check_text(grid[3].scene.folder, "out/" + grid[3].name, "a case has a folder below that of the study");
+    check_text(grid[3].scene.title, "Friction coefficient 0.2, Lateral shift 2 mm", "title of a case");
+    check(grid[3].scene.study.axes.empty(), "a case is no study");
+    std::set<std::string> names;
+    for (const StudyCase &one : grid)
+      names.insert(one.name);
+    check(names.size() == 6, "six names");
+
+    const std::string yield =
+      "Rail material/Yield stress: none, 480 MPa; "
+      "Wheel material/Yield stress: none, 480 MPa";
+    const std::vector<StudyCase> pairs = cases_of(yield, {"Study/Combine = pairs"});
+    check(pairs.size() == 2 && std::isinf(pairs[0].scene.rail_material.yield_stress) &&
+            pairs[1].scene.rail_material.yield_stress == 480e6 &&
+            pairs[1].scene.wheel_material.yield_stress == 480e6,
+          "pairs take the first values together, the second ones, ...");
+    check(pairs[1].name.rfind("yield_stress_480_mpa-", 0) == 0 && pairs[1].name.size() == 29, pairs[1].name);
+
+    const Scene back =
+      scene_from_text(print_parameters(scene_of(friction + "; " + shift)), "listing", {}).scene;
+    check(study_cases(back, "1.0").size() == 6, "the listing reads back");
+    check(study_cases(back, "1.0")[4].name == grid[4].name, "to the same cases");
+  }
+
+  /// The name of the case with friction 0.2.
+  std::string
+  name_of(const std::string &values, const std::vector<std::string> &more, const std::string &version = "1.0")
+  {
+    for (const StudyCase &one :
+         study_cases(scene_of("Contact/Friction coefficient: " + values, more), version))
+      if (one.values[0] == "0.2")
+        return one.name;
+    return "";
+  }
+
+  void
+  test_identity()
+  {
+    const std::string name = name_of("0.1, 0.2", {});
+    check_text(name_of("0.2, 0.5, 0.7", {}), name, "the place in the list does not matter");
+    check_text(name_of("0.2", {"Contact/Friction coefficient = 0.7"}), name, "nor what the axis replaces");
+    check_text(name_of("0.2", {"Title = another"}), name, "nor a title");
+    check_text(name_of("0.2", {"Output/Checkpoint interval = 5 s"}), name, "nor how often a run is saved");
+    check_text(name_of("0.2", {"Wheelset/Velocity = 38.888888888888886 m/s"}),
+               name_of("0.2", {"Wheelset/Velocity = 140 km/h"}),
+               "nor the unit of a value");
+    check(name_of("0.2", {"Wheelset/Velocity = 141 km/h"}) != name, "another value is another case");
+    check(name_of("0.2", {"Mesh/Solution cell size = 2 mm"}) != name, "so are other cells");
+    check(name_of("0.2", {}, "1.1") != name, "so is another version of the program");
+
+    const std::string file    = "Half-space/Undeformed distance = distance.txt";
+    const auto        written = [&](const char *text) {
+      std::ofstream("distance.txt") << text;
+      return name_of("0.2", {file});
+    };
+    const std::string first = written("0 0 0"), other = written("0 0 1");
+    check(first != other && first == written("0 0 0"), "the content of a file counts");
+    std::remove("distance.txt");
+  }
+
+  void
+  test_plan()
+  {
+    std::ostringstream out;
+    const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
+    std::ofstream("study.prm") << "subsection Study\n  set Axes = " << friction
+                               << "\n  set Compute = run\nend\n";
+    check(execute({"study", "study.prm", "--plan", "--set", "Output/Folder = out/"}, run, out) == 0,
+          "study --plan");
+    const auto plan = nlohmann::json::parse(out.str());
+    check(plan["cases"].size() == 3 && plan["compute"] == "run" && plan["folder"] == "out/" &&
+            plan["axes"][0]["entry"] == "Contact/Friction coefficient" &&
+            plan["axes"][0]["values"].size() == 3,
+          "the plan holds axes and cases");
+    const std::string parameters = plan["cases"][1]["parameters"];
+    check(scene_from_text(parameters, "case", {}).scene.friction_coefficient == 0.2,
+          "and the parameter file of each");
+
+    check_text(message_of([&]() {
+                 execute({"run", "study.prm"}, run, out);
+               }),
+               "study.prm: a study, since Study/Axes is set; ./wheelrail study study.prm computes its cases",
+               "a study is no scene to run");
+    check_text(message_of([&]() {
+                 execute({"halfspace", "study.prm"}, run, out);
+               }),
+               "study.prm: a study, since Study/Axes is set; ./wheelrail study study.prm computes its cases",
+               "nor for half-spaces");
+    std::ofstream("study.prm") << "set Title = one scene\n";
+    check_text(message_of([&]() {
+                 execute({"study", "study.prm", "--plan"}, run, out);
+               }),
+               "study.prm: no study, since Study/Axes is not set; write in subsection Study, for instance, "
+               "\"set Axes = Contact/Friction coefficient: 0.1, 0.2, 0.3\"",
+               "a scene is no study");
+    std::remove("study.prm");
+  }
+
+  /// An axis that is refused, and why.
+  void
+  check_axes(const std::string &axes, const std::string &expected, const std::vector<std::string> &more = {})
+  {
+    check_text(message_of([&]() {
+                 std::vector<std::string> sets = {"Study/Axes = " + axes};
+                 sets.insert(sets.end(), more.begin(), more.end());
+                 require_none(study_faults(scene_from_text("", "x.prm", sets).scene), {{}, "x.prm", "", {}});
+               }),
+               expected,
+               axes);
+  }
+
+  void
+  test_messages()
+  {
+    check_axes(
+      "0.1, 0.2",
+      "--set: Study/Axes = 0.1, 0.2: \"0.1, 0.2\" is no axis; write \"Section/Entry: value, value\", "
+      "and a semicolon between two axes");
+    check_axes(
+      "Contact/Friction coeficient: 0.1",
+      "--set: Study/Axes = Contact/Friction coeficient: 0.1: Contact/Friction coeficient: no such entry; "
+      "the nearest is Contact/Friction coefficient");
+    check_axes("Contct/Friction coefficient: 0.1",
+               "--set: Study/Axes = Contct/Friction coefficient: 0.1: Contct/Friction coefficient: no such "
+               "subsection; the nearest is Contact");
+    check_axes(
+      "Wheelset/Lateral shift: 1 mm, 2",
+      "--set: Study/Axes = Wheelset/Lateral shift: 1 mm, 2: Wheelset/Lateral shift: \"2\": a bare number; "
+      "a length with its unit is needed, such as 1.5 mm");
+    check_axes("Wheelset/Lateral shift: 1 kN",
+               "--set: Study/Axes = Wheelset/Lateral shift: 1 kN: Wheelset/Lateral shift: \"1 kN\": the unit "
+               "\"kN\" is one of force; a length takes one of m, mm, um, km");
+    check_axes(
+      "Contact/Friction coefficient:",
+      "--set: Study/Axes = Contact/Friction coefficient:: Contact/Friction coefficient: \"\": no value; "
+      "a pure number is needed, such as 0.25 or 1/40");
+    check_axes(
+      "Output/Folder: a, b",
+      "--set: Study/Axes = Output/Folder: a, b: Output/Folder: cannot vary within a study; every case "
+      "gets a folder of its own");
+    check_axes(
+      "Study/Compute: run",
+      "--set: Study/Axes = Study/Compute: run: Study/Compute: cannot vary within a study; every case "
+      "gets a folder of its own");
+    check_axes(friction + "; " + friction,
+               "--set: Study/Axes = " + friction + "; " + friction +
+                 ": Contact/Friction coefficient is two axes; put their values into one");
+    check_axes(
+      "Contact/Friction coefficient: 0.1, 0.2; Wheelset/Lateral shift: 0 mm",
+      "x.prm: Study/Axes = Contact/Friction coefficient: 0.1, 0.2; Wheelset/Lateral shift: 0 mm: "
+      "Wheelset/Lateral shift has 1 values and Contact/Friction coefficient 2; pairs need as many of "
+      "each, or set Study/Combine = grid",
+      {"Study/Combine = pairs"});
+    check_axes("Wheelset/Lateral shift: 1 mm, 0.001 m",
+               "x.prm: Study/Axes = Wheelset/Lateral shift: 1 mm, 0.001 m: Wheelset/Lateral shift takes the "
+               "value 0.001 m twice, as 1 mm and as 0.001 m; keep one of them");
+    check_axes(
+      "Wheelset/Lateral shift: 1 mm, 1 mm; Wheelset/Velocity: 10 m/s, 36 km/h",
+      "x.prm: Study/Axes = Wheelset/Lateral shift: 1 mm, 1 mm; Wheelset/Velocity: 10 m/s, 36 km/h: case 2 "
+      "has the values of case 1; keep one of them",
+      {"Study/Combine = pairs"});
+    std::string many, ticks;
+    for (int i = 1; i <= 101; ++i)
+      {
+        many += (i == 1 ? "" : ", ") + std::to_string(i) + " mm";
+        ticks += (i == 1 ? "" : ", ") + std::to_string(i);
+      }
+    const std::string found = message_of([&]() {
+      require_none(study_faults(scene_of("Half-space/Radius along: " + many + "; Output/Ticks: " + ticks)),
+                   {{}, "x.prm", "", {}});
+    });
+    check(found.find(": more than 10000 cases; leave values out, or divide the study") != std::string::npos,
+          found);
+  }
+} // namespace
+
+int
+main()
+{
+  test_cases();
+  test_identity();
+  test_plan();
+  test_messages();
+  return test::report();
+}
