@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/contact/surface.h>
 
 #include <algorithm>
@@ -13,27 +14,11 @@ namespace wheelrail
     /// What a rank tells about one lattice node.
     struct Entry
     {
-      double index;
-      double global_node;
-      double owner;
-      double X[3];
+      std::size_t   index;
+      std::uint32_t global_node;
+      int           owner;
+      Vector3       X;
     };
-    constexpr int entry_size = sizeof(Entry) / sizeof(double);
-
-    std::vector<double>
-    gather_all(const std::vector<double> &own, MPI_Comm communicator)
-    {
-      int size, n = own.size();
-      MPI_Comm_size(communicator, &size);
-      std::vector<int> counts(size), begin(size + 1, 0);
-      MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
-      for (int r = 0; r < size; ++r)
-        begin[r + 1] = begin[r] + counts[r];
-      std::vector<double> all(begin[size]);
-      MPI_Allgatherv(
-        own.data(), n, MPI_DOUBLE, all.data(), counts.data(), begin.data(), MPI_DOUBLE, communicator);
-      return all;
-    }
 
     /// Quarter of the facets around each lattice node.
     void
@@ -76,7 +61,7 @@ namespace wheelrail
     surface.owner.assign(n, -1);
     surface.local.assign(n, -1);
 
-    std::vector<double>    own;
+    std::vector<Entry>     own;
     std::set<unsigned int> done;
     for (const auto &face : mesh.faces)
       if (face.body == body && face.mark == Boundary::running && face.finest)
@@ -93,18 +78,16 @@ namespace wheelrail
               const std::size_t k = lattice.index(i, j);
               surface.local[k]    = node;
               // several ranks may hold the node: the lowest wins below
-              own.insert(own.end(),
-                         {double(k), double(mesh.global_node[node]), double(rank), X[0], X[1], X[2]});
+              own.push_back({k, mesh.global_node[node], rank, X});
             }
-    const auto all = gather_all(own, communicator);
-    for (std::size_t e = 0; e < all.size(); e += entry_size)
+    for (const Entry &entry : gather_all(own, communicator))
       {
-        const std::size_t k = all[e];
-        if (surface.owner[k] >= 0 && surface.owner[k] <= all[e + 2])
+        const std::size_t k = entry.index;
+        if (surface.owner[k] >= 0 && surface.owner[k] <= entry.owner)
           continue;
-        surface.global_node[k] = all[e + 1];
-        surface.owner[k]       = all[e + 2];
-        surface.reference[k]   = {all[e + 3], all[e + 4], all[e + 5]};
+        surface.global_node[k] = entry.global_node;
+        surface.owner[k]       = entry.owner;
+        surface.reference[k]   = entry.X;
       }
     for (std::size_t k = 0; k < n; ++k)
       if (surface.owner[k] < 0)

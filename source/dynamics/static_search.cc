@@ -1,4 +1,5 @@
 #include <wheelrail/dynamics/static_search.h>
+#include <wheelrail/mesh/forest.h>
 
 #include <cmath>
 
@@ -8,6 +9,14 @@ namespace wheelrail
   {
     using Vector = StaticSystem::Vector;
 
+    /// From the axle's line to a place.
+    Vector3
+    radial_arm(const Vector3 &X, const AxleData &axle)
+    {
+      const Vector3 arm = X - axle.centre;
+      return arm - dot(arm, axle.axis) * axle.axis;
+    }
+
     /// Weight and centrifugal load of the wheel, per node.
     void
     add_wheel_loads(const Solid &solid, const AxleData &axle, const double rate, AlignedVector<double> &force)
@@ -16,8 +25,7 @@ namespace wheelrail
         if (solid.mesh.node_body[n] == Body::wheel)
           {
             const double *X      = &solid.mesh.reference[4 * n];
-            const Vector3 arm    = Vector3{X[0], X[1], X[2]} - axle.centre;
-            const Vector3 radial = arm - dot(arm, axle.axis) * axle.axis;
+            const Vector3 radial = radial_arm({X[0], X[1], X[2]}, axle);
             for (int i = 0; i < 3; ++i)
               force[4 * n + i] += solid.mass[n] * rate * rate * radial[i];
             force[4 * n + 1] -= solid.mass[n] * axle.gravity;
@@ -40,11 +48,13 @@ namespace wheelrail
     , contact_(contact)
     , loads_(loads)
     , sum_(solid.mesh, forest.communicator())
-    , system_(forest, solid, contact)
-    , lifted_(system_.owned_vector())
+    , system_(forest, solid)
   {
-    wheel_mass_ = mass_properties(solid, Body::wheel, loads.axle.centre, forest.communicator()).mass;
-    rate_       = loads.axle.velocity / loads.rolling_radius;
+    const AxleData      &axle  = loads.axle;
+    const MassProperties wheel = mass_properties(solid, Body::wheel, axle.centre, forest.communicator());
+    wheel_mass_                = wheel.mass;
+    wheel_offset_              = radial_arm(wheel.centre, axle)[1];
+    rate_                      = loads.axle.velocity / loads.rolling_radius;
     press();
   }
 
@@ -79,9 +89,11 @@ namespace wheelrail
     for (std::size_t k = 0; k < drag_.size(); ++k)
       force[k] += drag_[k];
     balance.sums.force = balance.sums.force + drag_sum_;
-    balance.residual   = system_.to_dofs(solid_.mesh, force);
-    balance.bore       = system_.bore_force(solid_.mesh, force) -
-                   (loads_.axle.sprung_mass + loads_.axle.mass) * loads_.axle.gravity;
+    balance.residual   = system_.right_hand_side(force);
+    // a mesh finer at one place than elsewhere is a wheel a little out of balance, which the axle bears
+    balance.bore = system_.bore_force(force) -
+                   (loads_.axle.sprung_mass + loads_.axle.mass) * loads_.axle.gravity -
+                   wheel_mass_ * rate_ * rate_ * wheel_offset_;
     return balance;
   }
 
@@ -98,34 +110,12 @@ namespace wheelrail
   }
 
 
-  /// Takes the springs of the moment into the matrix.
-  std::vector<Contact::Spring>
-  StaticSearch::load_springs()
-  {
-    const auto springs = contact_.springs();
-    system_.load_springs(springs);
-    // a preconditioner of another patch costs three times the steps
-    std::vector<unsigned int> active;
-    for (const auto &spring : springs)
-      active.push_back(spring.point);
-    if (active != preconditioned_)
-      system_.make_preconditioner(solid_.mesh);
-    preconditioned_ = active;
-    return springs;
-  }
-
-
   StaticStep
-  StaticSearch::newton_step(const StaticBalance &balance, const bool coarse)
+  StaticSearch::newton_step(const StaticBalance &balance, const double tolerance)
   {
-    const auto springs = load_springs();
-    StaticStep step{system_.owned_vector(), 0};
-    cg_steps += system_.solve(balance.residual, step.increment, coarse ? 1e-2 : 1e-3);
-    cg_steps += system_.solve_lift(solid_.mesh, lifted_, 1e-2);
-    const double missing = wheel_load() - balance.sums.force[1];
-    step.lift            = (missing - system_.vertical_change(springs, step.increment)) /
-                system_.vertical_change(springs, lifted_);
-    step.increment.add(step.lift, lifted_);
+    renew_springs();
+    StaticStep step;
+    system_.solve(balance.residual, balance.bore, tolerance, step);
     return step;
   }
 
@@ -133,20 +123,15 @@ namespace wheelrail
   void
   StaticSearch::renew_springs()
   {
-    const auto springs = load_springs();
-    cg_steps += system_.solve_lift(solid_.mesh, lifted_, 1e-2);
-    approach_stiffness_ = std::abs(system_.vertical_change(springs, lifted_));
+    system_.set_springs(contact_.springs());
   }
 
 
   StaticStep
   StaticSearch::preconditioned_step(const Vector &residual, const double bore)
   {
-    StaticStep step{system_.owned_vector(), (residual * lifted_ + bore) / approach_stiffness_};
-    system_.precondition(residual, step.increment);
-    step.increment.add(step.lift, lifted_);
-    ++cg_steps;
-    return step;
+    ++cycles;
+    return system_.precondition(residual, bore);
   }
 
 
@@ -162,7 +147,7 @@ namespace wheelrail
   {
     Vector increment = step.increment;
     increment *= factor;
-    system_.add_to_nodes(solid_.mesh, increment, factor * step.lift, solid_.displacement);
+    system_.add_to_nodes(increment, factor * step.lift, solid_.displacement);
     lift += factor * step.lift;
   }
 

@@ -2,6 +2,7 @@
 #include <wheelrail/dynamics/static_flow.h>
 #include <wheelrail/solid/elastic_meanwhile.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -11,6 +12,25 @@ namespace wheelrail
 {
   namespace
   {
+    /// How exactly the linear system of a Newton step is worth solving: no better than the last step let
+    /// expect of this one (Eisenstat and Walker 1996, their second choice).
+    class StepTolerance
+    {
+    public:
+      /// `norm`: of what is out of balance before the step.
+      double
+      next(const double norm)
+      {
+        constexpr double loosest = 0.1, tightest = 1e-3;
+        const double     fallen = before_ > 0 ? norm / before_ : 1;
+        before_                 = norm;
+        return std::clamp(0.9 * fallen * fallen, tightest, loosest);
+      }
+
+    private:
+      double before_ = 0;
+    };
+
     /// Newton's steps of elastic bodies until no nodal force out of balance exceeds `tolerance` times the
     /// wheel load and the tractions no longer change. Counts the steps in the result, and says there when
     /// they ended close to the equilibrium only, or at the border of the lattice.
@@ -25,6 +45,7 @@ namespace wheelrail
       // rounds of tractions still to come: they change the pressures that bound them
       int           rounds  = frictionless ? 0 : 12;
       StaticBalance balance = search.balance();
+      StepTolerance step_tolerance;
       for (int step = 0;; ++step)
         {
           const double residual = balance.residual.linfty_norm() / result.wheel_load;
@@ -56,7 +77,8 @@ namespace wheelrail
             throw RunError(
               "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
               "Mesh/Solution cell size");
-          balance             = search.search_along(search.newton_step(balance, residual > 1e-3), balance);
+          const double norm = std::hypot(balance.residual.l2_norm(), missing);
+          balance = search.search_along(search.newton_step(balance, step_tolerance.next(norm)), balance);
           result.newton_steps = step + 1;
         }
     }
@@ -107,7 +129,7 @@ namespace wheelrail
     search.set_tractions();
     result.residual      = balance.residual.linfty_norm() / result.wheel_load;
     result.lift          = search.lift;
-    result.cg_steps      = search.cg_steps;
+    result.cg_steps      = search.cg_steps();
     result.contact_force = balance.sums.force;
     result.at_border     = result.at_border || balance.sums.at_border;
     if (search.tractions.saturated)

@@ -3,6 +3,7 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/neighbours.h>
 #include <wheelrail/mesh/numbering.h>
 
 #include <algorithm>
@@ -41,35 +42,6 @@ namespace wheelrail
       for (const auto child : id.get_child_indices())
         path = path * 8 + child;
       return (std::uint64_t(id.get_coarse_cell_id()) << 32) | path;
-    }
-
-    /// Finds the nodes that several ranks hold and the lowest rank that holds each.
-    void
-    find_neighbours(LocalMesh &mesh, MPI_Comm communicator)
-    {
-      const int  rank = dealii::Utilities::MPI::this_mpi_process(communicator);
-      const auto all  = dealii::Utilities::MPI::all_gather(communicator, mesh.global_node);
-      std::unordered_map<std::uint32_t, unsigned int> local;
-      for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-        local[mesh.global_node[n]] = n;
-      mesh.owned.assign(mesh.n_nodes(), 1);
-      for (int other = 0; other < static_cast<int>(all.size()); ++other)
-        if (other != rank)
-          {
-            Neighbour neighbour{other, {}};
-            for (const std::uint32_t node : all[other])
-              if (const auto found = local.find(node); found != local.end())
-                {
-                  neighbour.nodes.push_back(found->second);
-                  if (other < rank)
-                    mesh.owned[found->second] = 0;
-                }
-            std::sort(neighbour.nodes.begin(), neighbour.nodes.end(), [&](unsigned int a, unsigned int b) {
-              return mesh.global_node[a] < mesh.global_node[b];
-            });
-            if (!neighbour.nodes.empty())
-              mesh.neighbours.push_back(std::move(neighbour));
-          }
     }
   } // namespace
 

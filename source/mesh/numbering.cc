@@ -1,3 +1,4 @@
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/numbering.h>
 
 #include <algorithm>
@@ -13,16 +14,7 @@ namespace wheelrail
     Keys
     sorted_keys(const Keys &own, MPI_Comm communicator)
     {
-      int size;
-      MPI_Comm_size(communicator, &size);
-      const int        n = static_cast<int>(own.size());
-      std::vector<int> counts(size), begin(size, 0);
-      MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, communicator);
-      for (int r = 1; r < size; ++r)
-        begin[r] = begin[r - 1] + counts[r - 1];
-      Keys all(begin.back() + counts.back());
-      MPI_Allgatherv(
-        own.data(), n, MPI_UINT64_T, all.data(), counts.data(), begin.data(), MPI_UINT64_T, communicator);
+      Keys all = gather_all(own, communicator);
       std::sort(all.begin(), all.end());
       return all;
     }

@@ -16,19 +16,12 @@ namespace wheelrail
     ContactSums          sums;     ///< of the contact
   };
 
-  /// A change of position: of the free unknowns and of the height of the bore.
-  struct StaticStep
-  {
-    StaticSystem::Vector increment;
-    double               lift = 0; ///< [m]
-  };
-
   /// Both bodies on the way to their static equilibrium: the position is that of the solid's displacement,
   /// which the search changes. All functions are collective.
   class StaticSearch
   {
   public:
-    /// Assembles the stiffness and presses the bodies rigidly into each other.
+    /// Prepares the stiffness and presses the bodies rigidly into each other.
     StaticSearch(const Forest &forest, Solid &solid, Contact &contact, const StaticLoads &loads);
 
     /// Weight of sprung mass, axle and wheel [N].
@@ -44,13 +37,12 @@ namespace wheelrail
     StaticBalance
     balance();
 
-    /// Newton's step of elastic bodies with the springs of the moment; `coarse` while the patch still
-    /// changes, when the step needs no more than can be used of it. The lift restores the vertical balance.
+    /// Newton's step of elastic bodies with the springs of the moment, solved for until what is out of
+    /// balance in it is below `tolerance` times that of the balance.
     StaticStep
-    newton_step(const StaticBalance &balance, bool coarse);
+    newton_step(const StaticBalance &balance, double tolerance);
 
-    /// Takes the contact springs of the moment into the matrix, with its preconditioner and its response to
-    /// a lift when other points than before are in contact.
+    /// Takes the contact springs of the moment into the system.
     void
     renew_springs();
 
@@ -83,28 +75,31 @@ namespace wheelrail
     void
     set_tractions();
 
-    StartTractions tractions;    ///< the given ones; none before the first renewal
-    double         lift     = 0; ///< of the bore so far [m]
-    unsigned int   cg_steps = 0; ///< so far
+    StartTractions tractions;  ///< the given ones; none before the first renewal
+    double         lift   = 0; ///< of the bore so far [m]
+    unsigned int   cycles = 0; ///< of the preconditioner outside of conjugate gradients so far
+
+    /// Cycles of the preconditioner so far.
+    unsigned int
+    cg_steps() const
+    {
+      return cycles + system_.cg_steps;
+    }
 
   private:
     void
     press();
-    std::vector<Contact::Spring>
-    load_springs();
     ContactSums
     contact_forces(const std::vector<Vector3> *tractions, AlignedVector<double> &force);
 
-    Solid                    &solid_;
-    Contact                  &contact_;
-    const StaticLoads        &loads_;
-    SharedSum                 sum_;
-    StaticSystem              system_;
-    StaticSystem::Vector      lifted_;         ///< increment per metre of lift with the present springs
-    std::vector<unsigned int> preconditioned_; ///< contact points whose springs the preconditioner knows
-    double                    wheel_mass_ = 0, rate_ = 0;
-    double                    approach_stiffness_ = 0; ///< force on the bore per lift [N/m]
-    AlignedVector<double>     drag_;                   ///< nodal forces of the tractions [N]
-    Vector3                   drag_sum_{};             ///< on the wheel [N]
+    Solid                &solid_;
+    Contact              &contact_;
+    const StaticLoads    &loads_;
+    SharedSum             sum_;
+    StaticSystem          system_;
+    double                wheel_mass_ = 0, rate_ = 0;
+    double                wheel_offset_ = 0; ///< of its centre of gravity above the axle's line [m]
+    AlignedVector<double> drag_;             ///< nodal forces of the tractions [N]
+    Vector3               drag_sum_{};       ///< on the wheel [N]
   };
 } // namespace wheelrail

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <wheelrail/contact/contact.h>
-#include <wheelrail/mesh/forest.h>
 #include <wheelrail/wheelset/axle.h>
 
 #include <functional>
@@ -9,6 +8,8 @@
 
 namespace wheelrail
 {
+  class Forest;
+
   /// What the static start is asked for.
   struct StaticLoads
   {
@@ -37,9 +38,9 @@ namespace wheelrail
   /// Static equilibrium of both bodies under contact, weight, suspension preload and the centrifugal
   /// load of the turning wheel, with the shear tractions of the exact half-space theory.
   ///
-  /// Newton's method on the explicit kernel's own forces: the stiffness matrix is assembled once,
-  /// the contact springs of the moment are added to a copy of it, which ML preconditions. The hub is
-  /// moved; its height follows from the vertical balance in every step. Bodies that yield flow from this
+  /// Newton's method on the explicit kernel's own forces: the kernel is the operator of the bodies at rest,
+  /// to which the contact springs of the moment are added, see StaticSystem. The hub is moved; its height is
+  /// one of the unknowns, with the vertical balance as its equation. Bodies that yield flow from this
   /// equilibrium to about their own, see static_flow(); the creepage stays that of elastic bodies. Fills
   /// solid.displacement, the history of elements that flow and the shear tractions of the contact. Throws
   /// RunError when it does not converge. Collective.

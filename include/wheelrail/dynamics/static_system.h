@@ -1,92 +1,102 @@
 #pragma once
 
-#include <deal.II/base/index_set.h>
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/trilinos_precondition.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
-
-#include <wheelrail/contact/contact.h>
-#include <wheelrail/mesh/forest.h>
-#include <wheelrail/solid/solid.h>
+#include <wheelrail/dynamics/static_multigrid.h>
 
 #include <vector>
 
 namespace wheelrail
 {
+  /// A change of position: of the free unknowns and of the height of the bore.
+  struct StaticStep
+  {
+    StaticVector increment;
+    double       lift = 0; ///< [m]
+  };
+
   /// The linear system of one static start: stiffness of both bodies at rest plus contact springs,
   /// feet and ends of the rail held, the bore of the wheel moved vertically as one.
   ///
-  /// This header brings deal.II's linear algebra along: for the files of the static start only.
+  /// Solved by conjugate gradients with the element kernel as operator and geometric multigrid before it.
   class StaticSystem
   {
   public:
-    using Vector = dealii::TrilinosWrappers::MPI::Vector;
+    using Vector = StaticVector;
 
-    /// Assembles the stiffness, with room for the springs of the contact's window. Collective.
-    StaticSystem(const Forest &forest, const Solid &solid, const Contact &contact);
+    /// The solid must outlive the system and keep its elements. Collective.
+    StaticSystem(const Forest &forest, Solid &solid);
 
     Vector
-    owned_vector() const;
+    zero() const
+    {
+      return multigrid_->finest().zero();
+    }
 
     /// Local nodal forces, already summed over ranks, as a right-hand side.
     Vector
-    to_dofs(const LocalMesh &mesh, const AlignedVector<double> &nodal) const;
+    right_hand_side(const AlignedVector<double> &nodal) const;
 
     /// Adds increment + constraints (bore raised by `lift` [m]) to the nodal values.
     void
-    add_to_nodes(const LocalMesh       &mesh,
-                 const Vector          &increment,
-                 double                 lift,
-                 AlignedVector<double> &nodal) const;
+    add_to_nodes(const Vector &increment, double lift, AlignedVector<double> &nodal) const;
 
     /// Sum of the vertical nodal forces on the bore [N], from local forces summed over ranks. Collective.
     double
-    bore_force(const LocalMesh &mesh, const AlignedVector<double> &nodal) const;
+    bore_force(const AlignedVector<double> &nodal) const;
 
-    /// Sets the matrix to the stiffness of both bodies plus the contact springs of the moment.
+    /// The stiffness is that of both bodies plus these springs from now on; finds about the response to a
+    /// lift of the bore. Collective.
     void
-    load_springs(const std::vector<Contact::Spring> &springs);
+    set_springs(const std::vector<Contact::Spring> &springs);
 
-    /// Smoothed aggregation of the loaded matrix, with the six rigid motions as near null space.
-    /// deal.II's own settings know translations only, which takes about ten times as many steps here.
-    void
-    make_preconditioner(const LocalMesh &mesh);
+    /// Increment and lift together under forces on the free unknowns and on the bore [N], the latter freely
+    /// moving up and down: solves until what is out of balance is below `tolerance` times the given. Returns
+    /// the CG steps. Throws RunError after 500, or when a number is not finite. Collective.
+    unsigned int
+    solve(const Vector &forces, double bore, double tolerance, StaticStep &step);
 
-    /// One cycle of the preconditioner: z, about the increment under the forces.
-    void
-    precondition(const Vector &forces, Vector &z) const
+    /// An estimate of solve(), linear and symmetric in the forces: one cycle of the preconditioner, and the
+    /// response to a lift with the share that balances the bore. Collective.
+    StaticStep
+    precondition(const Vector &forces, double bore);
+
+    /// CG steps of set_springs() and solve() so far.
+    unsigned int cg_steps = 0;
+
+    /// Passes over the elements of the mesh that the solutions have taken so far; those of coarser levels
+    /// count in proportion.
+    double
+    passes() const
     {
-      preconditioner_.vmult(z, forces);
+      return multigrid_->passes();
     }
 
-    /// Solves with the loaded matrix to `tolerance` times the norm of the right-hand side; returns the
-    /// CG steps. Throws RunError after 2000.
-    unsigned int
-    solve(const Vector &rhs, Vector &x, double tolerance) const;
-
-    /// Increment x of the free unknowns when the bore is raised by 1 m: a rigid lift of the wheel, minus what
-    /// the springs hold back, which is solved for to `tolerance` of its own load (the forces at the bore
-    /// are 10^4 times as large and would hide it). Begins with the x given; returns the CG steps.
-    unsigned int
-    solve_lift(const LocalMesh &mesh, Vector &x, double tolerance) const;
-
-    /// Vertical contact force on the wheel that the springs lose in an increment [N]. Collective.
-    double
-    vertical_change(const std::vector<Contact::Spring> &springs, const Vector &increment) const;
-
   private:
+    /// A vector of unknowns: displacements against a rigid lift of the whole wheel, and that lift [m]; or the
+    /// forces that belong to them: nodal ones, and the vertical force on the whole wheel [N].
+    struct Unknowns
+    {
+      Vector nodes;
+      double lift = 0;
+    };
+    double
+    dot(const Unknowns &a, const Unknowns &b) const;
     void
-    make_constraints();
+    product(const Unknowns &x, Unknowns &y);
     void
-    assemble(const Solid &solid, const Contact &contact);
+    precondition(const Unknowns &forces, Unknowns &z);
+    template <bool with_lift>
+    unsigned int
+    conjugate_gradients(Unknowns residual, Unknowns &x, double enough);
+    void
+    find_lift_response();
 
-    const Forest                             &forest_;
-    dealii::IndexSet                          owned_;
-    dealii::AffineConstraints<double>         constraints_;
-    dealii::TrilinosWrappers::SparseMatrix    stiffness_, loaded_;
-    dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
-    Vector                                    lift_load_;
-    std::vector<double>                       modes_; ///< ML keeps a pointer to them
+    const LocalMesh           &mesh_;
+    MPI_Comm                   communicator_;
+    std::vector<unsigned char> held_, bore_; ///< 1: the node does not move freely; it moves with the bore
+    std::unique_ptr<StaticMultigrid> multigrid_;
+    Vector                           rigid_;         ///< free nodes in a rigid lift of the wheel by 1 m
+    std::vector<double>              rigid_stretch_; ///< of the springs in that [1]
+    Unknowns                         response_;      ///< about, to a lift of the bore by 1 m
+    double                           approach_stiffness_ = 0; ///< energy of the response, twice [N/m]
   };
 } // namespace wheelrail

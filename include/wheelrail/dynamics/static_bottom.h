@@ -1,0 +1,58 @@
+#pragma once
+
+#include <wheelrail/dynamics/static_springs.h>
+#include <wheelrail/solid/element_blocks.h>
+
+#include <memory>
+
+namespace dealii
+{
+  class DynamicSparsityPattern;
+}
+
+namespace wheelrail
+{
+  /// The coarsest level of the static start: its stiffness as a matrix, solved for roughly by conjugate
+  /// gradients before smoothed aggregation (Trilinos' ML).
+  class StaticBottom
+  {
+  public:
+    /// `blocks`: elements of rail and wheel of this mesh, of which material and form count. `held`: 1 for
+    /// nodes that do not move. The mesh must outlive the object. Collective.
+    StaticBottom(const LocalMesh                  &mesh,
+                 const PerBody<ElementBlocks>     &blocks,
+                 const std::vector<unsigned char> &held,
+                 MPI_Comm                          communicator);
+    ~StaticBottom();
+
+    /// Takes the springs of the moment into the matrix and makes the preconditioner, unless those that it
+    /// knows are near enough to serve on. Collective.
+    void
+    set_springs(const StaticSprings &springs);
+
+    /// z = the displacements under the forces, to a fifth; not quite linear in them. Collective.
+    void
+    solve(const StaticVector &forces, StaticVector &z) const;
+
+  private:
+    struct Matrix;
+    std::uint32_t
+    dof(const unsigned int node, const int component) const
+    {
+      return 3 * mesh_.global_node[node] + component;
+    }
+    void
+    make_modes();
+    dealii::DynamicSparsityPattern
+    pattern() const;
+    void
+    assemble();
+    void
+    make_preconditioner();
+
+    const LocalMesh           &mesh_;
+    std::vector<unsigned char> held_;
+    MPI_Comm                   communicator_;
+    std::unique_ptr<Matrix>    matrix_;
+  };
+} // namespace wheelrail

@@ -1,0 +1,208 @@
+// ranks: 1 2
+
+// The equations of the static start: the levels of the octree, the product without a matrix, and how many
+// steps conjugate gradients take, whatever the cells and the springs of contact.
+
+#include <wheelrail/dynamics/static_multigrid.h>
+#include <wheelrail/dynamics/static_system.h>
+#include <wheelrail/mesh/coarse_levels.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  double
+  sum_over_ranks(double value)
+  {
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    return value;
+  }
+
+  Vector3
+  place(const LocalMesh &mesh, const unsigned int n)
+  {
+    return {mesh.reference[4 * n], mesh.reference[4 * n + 1], mesh.reference[4 * n + 2]};
+  }
+
+  std::array<Vector3, 8>
+  corners(const LocalMesh &mesh, const std::size_t cell)
+  {
+    std::array<Vector3, 8> X;
+    for (int a = 0; a < 8; ++a)
+      X[a] = place(mesh, mesh.cells[cell][a]);
+    return X;
+  }
+
+  double
+  volume(const LocalMesh &mesh)
+  {
+    double sum = 0;
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+      sum += element_geometry(corners(mesh, c)).volume;
+    return sum_over_ranks(sum);
+  }
+
+  /// Largest distance between a node of the finer mesh and the place interpolated from the coarse one [m].
+  double
+  worst_interpolation(const CoarseLevel &coarse, const LocalMesh &finer)
+  {
+    double worst = 0;
+    for (unsigned int n = 0; n < finer.n_nodes(); ++n)
+      if (coarse.begin[n + 1] > coarse.begin[n])
+        {
+          Vector3 X{};
+          for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
+            add(X, coarse.weights[p], place(coarse.mesh, coarse.nodes[p]));
+          worst = std::max(worst, norm(X - place(finer, n)));
+        }
+    return worst;
+  }
+
+  void
+  levels(const Model &model)
+  {
+    const auto       coarse = coarse_levels(*model.forest, model.solid.mesh);
+    const LocalMesh *finer  = &model.solid.mesh;
+    const double     whole  = volume(*finer);
+    check(coarse.size() == 2, std::to_string(coarse.size()) + " levels below cells of a quarter of a block");
+    for (const CoarseLevel &level : coarse)
+      {
+        const std::string name = std::to_string(level.mesh.cells.size()) + " cells here: ";
+        check(sum_over_ranks(level.mesh.cells.size()) < sum_over_ranks(finer->cells.size()),
+              name + "fewer than in the finer mesh");
+        // curved surfaces lose a little
+        check_near(volume(level.mesh) / whole, 1, 0.01, name + "volume over that of the finest mesh");
+        // curved faces of blocks bulge by 2.3 mm; a wrong corner would be off by half a block of 16 mm
+        check_near(worst_interpolation(level, *finer), 0, 3e-3, name + "interpolated places");
+        finer = &level.mesh;
+      }
+  }
+
+  /// Numbers without order between -1 and 1, the same on any number of ranks.
+  void
+  fill_with_noise(const LocalMesh &mesh, const std::vector<unsigned char> &held, StaticVector &x)
+  {
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      for (unsigned int i = 0; i < 3; ++i)
+        x.data()[4 * n + i] =
+          held[n] ? 0 : ((3 * mesh.node_number[n] + i) * 2654435761u % 1000003u) / 500001.5 - 1;
+    for (const unsigned int n : mesh.hanging)
+      std::fill(x.data() + 4 * n, x.data() + 4 * n + 3, 0.);
+  }
+
+  /// The product of the assembled element matrices with x.
+  StaticVector
+  assembled_product(const Model &model, const std::vector<unsigned char> &held, const StaticVector &x)
+  {
+    const LocalMesh      &mesh = model.solid.mesh;
+    AlignedVector<double> u(x.data(), x.data() + 4 * mesh.n_nodes()), force(u.size(), 0.);
+    distribute(mesh, u.data());
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+      {
+        const ElementBlocks &blocks = model.solid.blocks[mesh.cell_body[c]];
+        const auto           K =
+          element_stiffness(element_geometry(corners(mesh, c)), blocks.elasticity(), blocks.form);
+        for (int a = 0; a < 24; ++a)
+          for (int b = 0; b < 24; ++b)
+            force[4 * mesh.cells[c][a / 3] + a % 3] += K[24 * a + b] * u[4 * mesh.cells[c][b / 3] + b % 3];
+      }
+    condense(mesh, force.data());
+    SharedSum(mesh, MPI_COMM_WORLD)(force.data());
+    StaticVector result(mesh, MPI_COMM_WORLD);
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      for (int i = 0; i < 3; ++i)
+        result.data()[4 * n + i] = held[n] ? 0 : force[4 * n + i];
+    return result;
+  }
+
+  /// The springs when the wheel is pressed rigidly into the rail, times `factor`.
+  std::vector<Contact::Spring>
+  springs_of(Model &model, const double factor)
+  {
+    Solid &solid = model.solid;
+    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      if (solid.mesh.node_body[n] == Body::wheel)
+        solid.displacement[4 * n + 1] = -60e-6;
+    model.contact->gather(solid.displacement.data(), solid.velocity.data());
+    model.contact->evaluate(0);
+    auto springs = model.contact->springs();
+    for (auto &spring : springs)
+      spring.stiffness *= factor;
+    return springs;
+  }
+
+  void
+  operators(Model &model)
+  {
+    Solid                     &solid = model.solid;
+    std::vector<unsigned char> held(solid.mesh.n_nodes(), 0);
+    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      held[n] = solid.mesh.reference[4 * n + 1] < -0.15 || solid.mesh.reference[4 * n + 1] > 0.4;
+    StaticMultigrid multigrid(*model.forest, solid, held);
+    StaticLevel    &level = multigrid.finest();
+    StaticVector    x = level.zero(), y = level.zero(), Kx = level.zero(), Ky = level.zero();
+    fill_with_noise(solid.mesh, held, x);
+    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      for (int i = 0; i < 3; ++i)
+        y.data()[4 * n + i] = held[n] ? 0 : x.data()[4 * n + (i + 1) % 3];
+    level.product(x, Kx);
+    StaticVector difference = assembled_product(model, held, x);
+    difference -= Kx;
+    check_near(difference.l2_norm() / Kx.l2_norm(), 0, 1e-6, "product against the element matrices");
+    multigrid.set_springs(springs_of(model, 1));
+    level.product(x, Kx);
+    level.product(y, Ky);
+    check_near((y * Kx) / (x * Ky), 1, 1e-6, "with springs the product is symmetric");
+    StaticVector residual = Kx;
+    level.subtract_product(x, residual);
+    check_near(residual.l2_norm() / Kx.l2_norm(), 0, 1e-12, "a product taken off itself");
+  }
+
+  unsigned int
+  steps(Model &model, const double factor, const std::string &name)
+  {
+    const LocalMesh &mesh = model.solid.mesh;
+    StaticSystem     system(*model.forest, model.solid);
+    const auto       springs = springs_of(model, factor);
+    system.set_springs(springs);
+    // all springs pull alike: forces as rough as those of a start
+    std::map<std::uint32_t, Vector3> pull;
+    for (const auto &spring : springs)
+      for (const auto &[node, weight] : spring.nodes)
+        add(pull[node], weight, spring.normal);
+    AlignedVector<double> force(4 * mesh.n_nodes(), 0.);
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      if (const auto at = pull.find(mesh.global_node[n]); at != pull.end())
+        std::copy(at->second.begin(), at->second.end(), &force[4 * n]);
+    StaticStep         step;
+    const unsigned int taken = system.solve(system.right_hand_side(force), 100, 1e-6, step);
+    check(taken <= 40, name + ": " + std::to_string(taken) + " steps of conjugate gradients for 1e-6");
+    check(step.lift > 0, name + ": a force upwards lifts the wheel");
+    return taken;
+  }
+} // namespace
+
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  Model    model = small_model(MPI_COMM_WORLD, 4e-3);
+  levels(model);
+  operators(model);
+  const unsigned int taken = steps(model, 1, "4 mm");
+  steps(model, 100, "4 mm, springs a hundred times as stiff");
+  Model coarse = small_model(MPI_COMM_WORLD, 8e-3);
+  check(taken <= steps(coarse, 1, "8 mm"), "finer cells take no more steps");
+  return parallel.report();
+}
