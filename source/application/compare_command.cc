@@ -175,6 +175,8 @@ namespace wheelrail
     load.force        = run.vertical_force;
     load.vertical     = true;
     load.longitudinal = run.longitudinal_force;
+    // a force at its bound says no more of the creepage
+    load.slides = run.stick_fraction < 1e-3 && std::abs(run.longitudinal_force) > 1e-3 * run.vertical_force;
     return load;
   }
 

@@ -1,4 +1,3 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/halfspace/normal.h>
 #include <wheelrail/halfspace/tangential.h>
 
@@ -195,17 +194,8 @@ namespace wheelrail
         }
       const double asked =
         std::hypot(task.force_given[0] ? task.force[0] : 0., task.force_given[1] ? task.force[1] : 0.);
-      if (asked > 0 && asked >= limit * (1 - 1e-9))
-        {
-          if (solution_.coupling_rounds > 1)
-            return false;
-          std::ostringstream text;
-          text << "Half-space problem: the tangential force asked for, " << asked
-               << " N, is not below the friction limit of the contact, " << limit
-               << " N. Give less force or more friction, or give creepages.";
-          throw InputError(text.str());
-        }
-      if (limit == 0)
+      const bool carried = asked == 0 || asked < limit * (1 - 1e-9);
+      if (!carried || limit == 0)
         {
           for (int d = 0; d < 2; ++d)
             {
@@ -214,7 +204,7 @@ namespace wheelrail
             }
           tangential_.slipping.assign(grid_.size(), 1);
           tangential_.converged = true;
-          return true;
+          return carried;
         }
       solve_tangential(products_, task, tangential_);
       solution_.newton_steps += tangential_.newton_steps;
@@ -365,10 +355,8 @@ namespace wheelrail
         text << "The tangential problem reached " << s.tangential_residual << " of its tolerance "
              << problem_.tangential_tolerance << " in " << s.newton_steps << " steps. ";
       if (!s.within_friction)
-        text << "Friction, which falls with the slip velocity, does not carry the tangential force of "
-             << std::hypot(problem_.fx, problem_.fy)
-             << " N that is asked for. "
-                "Give less force, or give creepages. ";
+        text << "Friction does not carry the tangential force of " << std::hypot(problem_.fx, problem_.fy)
+             << " N that is asked for. ";
       else if (!s.coupling_converged)
         text << "Pressure, tractions and friction coefficients did not settle to each other in "
              << s.coupling_rounds << " rounds. ";

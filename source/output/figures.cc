@@ -59,6 +59,7 @@ namespace wheelrail
       {"relative_lateral", "m", "wheel moved against the rail", "positive to the track centre", "mm", 1e3, 3, false, nullptr},
       {"relative_roll", "rad", "rail turned against the wheel", "positive when its top leans to the track centre", "mrad", 1e3, 3, false, nullptr},
       {"approach", "m", "approach of the half-spaces", "", "mm", 1e3, 4, false, nullptr},
+      {"traction_over_friction", "", "kappa, traction over friction", "below 1: partial slip", "", 1, 3, false, nullptr},
       {"spin", "per_m", "spin", "", "1/m", 1, 4, false, nullptr},
       {"area_of_whole_elements", "m2", "area of whole elements", "", "mm2", 1e6, 1, false, nullptr},
       {"surface_von_mises", "Pa", "largest von Mises at the surface", "", "MPa", 1e-6, 1, false, nullptr},

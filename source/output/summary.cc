@@ -81,6 +81,7 @@ namespace wheelrail
       json[figure.first] = to_json(figure.second, false);
     json["finished"]        = summary.finished;
     json["stopped_because"] = summary.stop_reason;
+    json["note"]            = summary.note;
     json["trusted"]         = summary.finished && summary.doubts.empty();
     json["doubts"]          = summary.doubts;
 
@@ -107,6 +108,8 @@ namespace wheelrail
         summary.program_version = item.value().get<std::string>();
       else if (item.value().is_string() && item.key() == "stopped_because")
         summary.stop_reason = item.value().get<std::string>();
+      else if (item.value().is_string() && item.key() == "note")
+        summary.note = item.value().get<std::string>();
       else if (item.value().is_string() && item.key() == "doubts")
         summary.doubts = item.value().get<std::string>();
       else if (item.value().is_boolean() && item.key() == "finished")
@@ -137,6 +140,8 @@ namespace wheelrail
     print_line(stream, "finished", summary.finished ? "yes" : "no", "");
     if (!summary.stop_reason.empty())
       stream << "  " << summary.stop_reason << '\n';
+    if (!summary.note.empty())
+      stream << "  " << summary.note << '\n';
     if (summary.finished && !summary.doubts.empty())
       stream << "  not to be trusted: " << summary.doubts << '\n';
   }

@@ -152,12 +152,17 @@ namespace wheelrail
     problem.fx                       = -scene.traction_coefficient * normal.fn;
     problem.xi                       = scene.drive == Drive::rate ? scene.creepage : 0;
     result.solution                  = solve_carried(problem);
-    result.spin                      = problem.phi;
-    result.vertical                  = result.solution.fn;
-    result.lateral                   = -result.solution.fy;
-    result.patch                     = halfspace_patch(result.solution);
-    result.measures                  = measure_patch(result.patch);
-    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!result.solution.within_friction)
+      {
+        problem.longitudinal_force_given = false;
+        problem.xi                       = result.solution.xi;
+      }
+    result.spin     = problem.phi;
+    result.vertical = result.solution.fn;
+    result.lateral  = -result.solution.fy;
+    result.patch    = halfspace_patch(result.solution);
+    result.measures = measure_patch(result.patch);
+    result.time     = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
   }
 } // namespace wheelrail

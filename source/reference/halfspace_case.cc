@@ -255,8 +255,9 @@ namespace wheelrail
     set_slip(scene, sections, means, problem);
     problem.motion                   = HalfspaceMotion::steady;
     problem.longitudinal_force_given = !load.rate_held;
-    problem.fx                       = -load.longitudinal;
-    problem.xi                       = load.rate_held ? load.creepage : 0;
+    // a force that no friction carries, where all of the patch is known to slide
+    problem.fx     = load.slides ? -std::copysign(10 * load.force, load.longitudinal) : -load.longitudinal;
+    problem.xi     = load.rate_held ? load.creepage : 0;
     const double c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
     // the lateral traction carries a part of a vertical load; it hardly depends on the normal force
     for (int round = 0; round < (load.vertical ? 2 : 1); ++round)
@@ -264,7 +265,13 @@ namespace wheelrail
         if (load.vertical)
           problem.normal_force = (load.force + result.solution.fy * s) / c;
         result.solution = solve_carried(problem);
-        problem.xi      = result.solution.xi;
+        if (result.solution.within_friction)
+          problem.xi = result.solution.xi;
+      }
+    if (!result.solution.within_friction)
+      {
+        problem.longitudinal_force_given = false;
+        problem.xi                       = result.solution.xi;
       }
     result.angle            = means.rail_angle;
     result.problem          = problem;
@@ -301,7 +308,7 @@ namespace wheelrail
     summary.patch_centre_longitudinal = result.measures.centre_along;
     summary.max_shear_traction        = result.measures.max_traction;
     summary.stick_fraction            = result.measures.stick_fraction;
-    summary.creepage                  = s.xi;
+    summary.creepage                  = s.within_friction || s.xi < 0 ? s.xi : Summary::none;
     summary.friction_coefficient      = scene.friction_coefficient;
     summary.velocity                  = scene.velocity;
     summary.elements                  = s.contact_elements;
@@ -315,6 +322,10 @@ namespace wheelrail
                                          {"grid_elements_lateral", double(s.grid.my)}};
     summary.finished                  = s.converged() && !s.touches_grid_edge;
     summary.stop_reason               = s.not_reached;
+    if (!s.within_friction)
+      summary.note = sliding_note(-s.fx);
+    if (scene.drive == Drive::torque && scene.friction_coefficient > 0)
+      set_figure(summary, "traction_over_friction", scene.traction_coefficient / scene.friction_coefficient);
     if (s.touches_grid_edge)
       summary.stop_reason += "The contact reaches the edge of the profiles or of the grid.";
     return summary;

@@ -1,4 +1,3 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/reference/halfspace_parts.h>
 
@@ -102,10 +101,23 @@ namespace wheelrail
   solve_carried(const HalfspaceProblem &problem)
   {
     HalfspaceSolution solution = solve_rolling(problem);
-    if (!solution.within_friction)
-      throw InputError("Half-space problem: " +
-                       solution.not_reached.substr(0, solution.not_reached.find_last_not_of(' ') + 1));
+    if (solution.within_friction)
+      return solution;
+    HalfspaceProblem sliding         = problem;
+    sliding.longitudinal_force_given = false;
+    sliding.xi                       = problem.fx < 0 ? 1 : -1;
+    solution                         = solve_rolling(sliding);
+    solution.within_friction         = false;
     return solution;
+  }
+
+
+  std::string
+  sliding_note(const double longitudinal_force)
+  {
+    return std::string("The whole patch slides: the wheel ") +
+           (longitudinal_force < 0 ? "locks" : "spins up") +
+           ", since friction does not carry what drives or brakes it.";
   }
 
 

@@ -1,4 +1,5 @@
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/fields.h>
@@ -87,6 +88,23 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// What the torque means for friction: kappa of Ma et al. (2017), equation 7, and a patch that slides.
+    void
+    add_drive(Summary &summary, const Scene &scene)
+    {
+      if (scene.drive != Drive::torque)
+        return;
+      if (scene.friction_coefficient > 0)
+        set_figure(
+          summary, "traction_over_friction", scene.traction_coefficient / scene.friction_coefficient);
+      if (scene.traction_coefficient != 0 && summary.stick_fraction < 1e-3)
+        summary.note = sliding_note(scene.traction_coefficient);
+    }
+  } // namespace
+
+
   Summary
   summary_of(const RunParts &run, const RunTally &tally, const double averaging_distance)
   {
@@ -95,7 +113,8 @@ namespace wheelrail
     summary.title = run.scene.title;
     run.recorder.fill(summary, averaging_distance);
     summary.friction_coefficient = run.scene.friction_coefficient;
-    summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
+    add_drive(summary, run.scene);
+    summary.max_von_mises = largest_von_mises(model.solid, run.communicator);
     const PlasticFigures plastic =
       plastic_figures(model.solid, run.axle, unloaded_distance(model), run.communicator);
     summary.max_plastic_strain     = plastic.max_strain;

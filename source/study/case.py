@@ -108,7 +108,7 @@ class Case:
         else:
             command = ["setpriv", "--pdeathsig", "KILL", *command]
         child = subprocess.Popen(command, cwd=self.options.start, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                 stderr=subprocess.STDOUT, text=True, errors="replace", env=environment(),
+                                 stderr=subprocess.STDOUT, text=True, errors="replace", env=environment(ranks),
                                  start_new_session=True)
         lines, interrupted = self.listen(child, saves=ranks > 0)
         code = child.wait()
@@ -174,9 +174,12 @@ class Case:
         replace(self.work + ".json", json.dumps(record, indent=1) + "\n")
 
 
-def environment():
-    """As the launcher sets it: one thread a rank, and root may start ranks."""
+def environment(ranks):
+    """As the launcher sets it: one thread a rank, and root may start ranks; on a machine that is shared ranks that wait
+    let others go first."""
     own = {"OMP_NUM_THREADS": "1", "DEAL_II_NUM_THREADS": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
+    if ranks > 1 and os.getloadavg()[0] + ranks > os.cpu_count() + 0.5:
+        own["OMPI_MCA_mpi_yield_when_idle"] = os.environ.get("OMPI_MCA_mpi_yield_when_idle", "1")
     if os.geteuid() == 0:
         own.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     return {**os.environ, **own}

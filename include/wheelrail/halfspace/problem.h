@@ -149,7 +149,7 @@ namespace wheelrail
     int         normal_iterations = 0, newton_steps = 0, krylov_iterations = 0, coupling_rounds = 0;
     double      normal_residual = 0, tangential_residual = 0; ///< in the measure of the tolerances
     bool        normal_converged = false, tangential_converged = false, coupling_converged = false;
-    bool        within_friction   = true;  ///< false: friction that falls with slip does not carry the force
+    bool        within_friction   = true;  ///< false: friction does not carry the force, no tractions
     bool        touches_grid_edge = false; ///< the contact reaches the outermost elements: enlarge the grid
     std::string not_reached;               ///< empty, or what was not reached, in words
 
@@ -163,8 +163,8 @@ namespace wheelrail
   /// Solves the normal problem, the tangential problem and, for unlike materials, their coupling
   /// (alternately, Panagiotopoulos 1975); with friction that depends on the slip velocity its coefficients,
   /// too. Given pressures are taken as they are; unlike materials then still shift under them. Throws
-  /// InputError for impossible input (sizes, moduli, a tangential force above the friction limit at rest); a
-  /// tolerance that was not reached is told in the solution, which then holds the best state found.
+  /// InputError for impossible input (sizes, moduli); a force that friction does not carry and a
+  /// tolerance that was not reached are told in the solution, which then holds the best state found.
   HalfspaceSolution
   solve_rolling(const HalfspaceProblem &problem);
 

@@ -12,8 +12,7 @@ namespace wheelrail
   /// (Hertz, 1882) or from a file. Normal force (auto: static wheel load of the wheel that touches the rail)
   /// or approach are given, the longitudinal force is traction coefficient x normal force, or with Drive =
   /// rate the creepage is given; spin is sin(Contact angle) / Radius along. Rail as body 1, no inclination of
-  /// the contact plane. Throws InputError for a faulty file, for a force and an approach at once, and for a
-  /// longitudinal force beyond friction.
+  /// the contact plane. Throws InputError for a faulty file, for a force and an approach at once.
   WheelRailSolution
   solve_given_distance(const Scene &scene, const SceneGeometry &geometry);
 } // namespace wheelrail

@@ -25,6 +25,7 @@ namespace wheelrail
     double longitudinal = 0;     ///< on the wheel, positive forward [N]
     bool   rate_held    = false; ///< `creepage` is given instead of the longitudinal force
     double creepage     = 0;     ///< at the rolling radius of 2D-Geo, positive driving
+    bool   slides       = false; ///< as a whole, so that friction bounds the force
   };
 
   /// The half-space solution of wheel and rail. Tractions, forces and creepages of `solution` are those on
@@ -59,8 +60,8 @@ namespace wheelrail
 
   /// Solves the contact of the profiles in steady rolling. The undeformed
   /// distance is exact in the lateral direction and x^2 / (2 r) along the rail; materials, friction, speed,
-  /// element size and spin are those of the scene (doc/manual/compare.md). Throws InputError when the
-  /// longitudinal force exceeds friction.
+  /// element size and spin are those of the scene (doc/manual/compare.md). Where the longitudinal force
+  /// exceeds friction the whole patch slides, see solve_carried().
   WheelRailSolution
   solve_wheel_rail(const Scene          &scene,
                    const SceneGeometry  &geometry,

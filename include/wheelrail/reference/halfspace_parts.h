@@ -37,10 +37,17 @@ namespace wheelrail
   std::string
   resolution_note(const Scene &scene, const HalfspaceSolution &solution);
 
-  /// solve_rolling(); also friction that falls with the slip velocity and does not carry the force asked for
-  /// is an InputError.
+  /// solve_rolling(). Where friction does not carry the longitudinal force that is asked for the whole patch
+  /// slides, with tractions at their bound against the slip: that of a locked wheel when braking (creepage
+  /// -1), and of one that turns twice as fast, for one that spins up, when driving. `within_friction` is then
+  /// false.
   HalfspaceSolution
   solve_carried(const HalfspaceProblem &problem);
+
+  /// What is to be told of a patch that slides as a whole under a wheel that is driven (a positive force on
+  /// the wheel [N]) or braked.
+  std::string
+  sliding_note(double longitudinal_force);
 
   /// A solution in the layout and with the signs of a run's patch: lateral fastest, tractions on the rail
   /// (body 1), slip of the wheel against the rail.

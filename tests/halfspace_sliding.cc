@@ -1,0 +1,131 @@
+// Half-spaces have an answer for every drive: where friction does not carry the force the whole patch slides,
+// with tractions at Coulomb's bound; braking mirrors driving but for the spin; without torque there is no
+// force.
+
+#include "check.h"
+
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/output/figures.h>
+#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/halfspace_parts.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_text;
+
+namespace
+{
+  struct Case
+  {
+    Case(const std::string &friction, const std::string &traction, const std::vector<std::string> &more = {})
+    {
+      std::vector<std::string> sets = {"Contact/Friction coefficient = " + friction,
+                                       "Wheelset/Traction coefficient = " + traction,
+                                       "Half-space/Element size = 0.8 mm"};
+      sets.insert(sets.end(), more.begin(), more.end());
+      const SceneInput    input    = scene_from_text("", "x.prm", sets);
+      const SceneGeometry geometry = require_computable(input);
+      result                       = solve_wheel_rail(
+        input.scene, geometry, scene_load(input.scene, geometry), scene_offsets(input.scene));
+      summary = halfspace_summary(input.scene, result);
+    }
+
+    /// Largest distance of a traction from `bound` times pressure, over the peak of the latter.
+    double
+    off_bound(const double bound) const
+    {
+      const HalfspaceSolution &s   = result.solution;
+      double                   off = 0;
+      for (std::size_t e = 0; e < s.pressure.size(); ++e)
+        off = std::max(off, std::abs(std::hypot(s.traction_x[e], s.traction_y[e]) - bound * s.pressure[e]));
+      return off / (bound * s.peak_pressure);
+    }
+
+    WheelRailSolution result;
+    Summary           summary;
+  };
+
+  void
+  test_beyond_friction()
+  {
+    const Case driven("0.1", "0.25");
+    check(driven.summary.finished, "driven beyond friction: an answer");
+    check(driven.off_bound(0.1) < 1e-9, "tractions are at their bound everywhere");
+    check_near(driven.summary.longitudinal_force / driven.summary.normal_force,
+               0.1,
+               1e-4,
+               "the force is that of friction");
+    check(std::isnan(driven.summary.creepage), "a wheel that spins up has no creepage of its own");
+    check_near(driven.summary.stick_fraction, 0, 0, "nothing sticks");
+    check_near(get_figure(driven.summary, "traction_over_friction"), 2.5, 1e-12, "kappa = T / mu");
+    check_text(
+      driven.summary.note,
+      "The whole patch slides: the wheel spins up, since friction does not carry what drives or brakes it.",
+      "the summary says so");
+
+    const Case braked("0.1", "-0.25");
+    check_near(braked.summary.longitudinal_force / braked.summary.normal_force,
+               -0.1,
+               1e-4,
+               "braked beyond friction: its force, backwards");
+    check_near(braked.summary.creepage, -1, 0, "the wheel is locked");
+    check_text(
+      braked.summary.note,
+      "The whole patch slides: the wheel locks, since friction does not carry what drives or brakes it.",
+      "the summary says so");
+    check_near(braked.summary.max_pressure / driven.summary.max_pressure,
+               1,
+               1e-3,
+               "the pressure does not know the drive");
+  }
+
+  void
+  test_falling_friction()
+  {
+    // at rest friction would carry the force, at speed it does not
+    const Case driven("0.3",
+                      "0.25",
+                      {"Contact/Friction law = exponential",
+                       "Contact/Dynamic friction coefficient = 0.05",
+                       "Contact/Friction decay = 20 s/m"});
+    check(driven.summary.finished && !driven.result.solution.within_friction,
+          "friction that falls with speed: slides");
+    check(driven.off_bound(0.05) < 1e-6, "with the coefficient of that speed");
+  }
+
+  void
+  test_within_friction()
+  {
+    const Case free("0.5", "0"), driven("0.5", "0.25"), braked("0.5", "-0.25");
+    check_near(
+      free.summary.longitudinal_force / free.summary.normal_force, 0, 1e-5, "free rolling: no force");
+    check(free.summary.stick_fraction > 0.5 && free.summary.note.empty(), "and most of the patch sticks");
+    check(driven.summary.creepage > 0 && braked.summary.creepage < 0, "driving and braking have their signs");
+    check_near(
+      driven.summary.longitudinal_force / -braked.summary.longitudinal_force, 1, 1e-3, "and equal forces");
+    check_near(
+      get_figure(braked.summary, "traction_over_friction"), -0.5, 1e-12, "kappa has the sign of the drive");
+
+    const Case none("0", "0"), spun("0", "0.25");
+    check(none.summary.finished && none.summary.longitudinal_force == 0 && none.summary.note.empty(),
+          "no friction and no torque: pressure alone");
+    check(spun.summary.finished && spun.summary.longitudinal_force == 0 && !spun.summary.note.empty(),
+          "no friction and a torque: the wheel spins up");
+    check(std::isnan(get_figure(spun.summary, "traction_over_friction")),
+          "kappa is infinite, which no figure is");
+  }
+} // namespace
+
+int
+main()
+{
+  test_beyond_friction();
+  test_falling_friction();
+  test_within_friction();
+  return test::report();
+}
