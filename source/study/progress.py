@@ -17,6 +17,7 @@ class Progress:
         self._on_terminal = sys.stdout.isatty()
 
     def show(self, failures):
+        """Shows how far the study is; gives the number of cases that have not ended."""
         done, failed, running = [], [], 0
         for case in self._open:
             name = case["name"]
@@ -41,6 +42,7 @@ class Progress:
         elif line.split(", about")[0] != self._shown.split(", about")[0]:
             print(line, flush=True)
         self._shown = line
+        return left
 
     def end(self):
         if self._on_terminal and self._shown:

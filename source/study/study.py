@@ -73,8 +73,9 @@ def compute(study, options):
         signal.signal(number, lambda *_: stop.set())
     line = progress.Progress(study, options.jobs)
     with engine.Engine(study, options) as running:
-        while running.is_alive() and not stop.wait(0.3):
-            line.show(running.failures)
+        ended = 0  # looks since the last case ended; on a cluster the engine takes minutes to see that there is no more
+        while running.is_alive() and ended < 10 and not stop.wait(0.3):
+            ended = 0 if line.show(running.failures) else ended + 1
     line.end()
     if stop.is_set():
         study.wait_for_cases(60)
