@@ -66,6 +66,8 @@ namespace
                              "stick_fraction"})
       check_near(get_figure(s, std::string("relative_difference_") + base), 0, 1e-3, base);
     check_near(get_figure(s, "halfspace_max_pressure_Pa"), s.max_pressure, 1e-3 * s.max_pressure, "its peak");
+    check(out.str().find("-% %") == std::string::npos && out.str().find("% of the load") != std::string::npos,
+          "differences with their unit, the lateral force in parts of the load");
     check(out.str().find("agrees with the half-spaces within 0.1 %") != std::string::npos, "the sentence");
     for (const char *file : {"compare.json",
                              "compare.html",
@@ -128,6 +130,21 @@ namespace
     has(other, true, "not steady");
     other.turn = 0.5;
     has(other, true, "no full reference here, since the surfaces turn by 29 degrees");
+    has(other, true, "the curved contact");
+    other                 = good;
+    other.peak_difference = -0.123;
+    other.plastic_strain  = 2.9e-3;
+    has(other, true, "no full reference here, since steel has flowed (plastic strain up to 2.9e-3)");
+    has(other, true, "yielding, which half-spaces know nothing of");
+    const std::string yielded = trust_sentence(Scene(), other, true);
+    check(yielded.find("fair reference") == std::string::npos &&
+            yielded.find("can be trusted") == std::string::npos,
+          "a run that has flowed is not judged by half-spaces: " + yielded);
+    other.patches = 2;
+    has(other, true, "and the run has 2 patches");
+    // the parts of doc/manual/compare.md: 13 cells, f = 10
+    check_near(good.penalty_part(), -0.0067, 2e-4, "what the penalty contact takes from the peak");
+    check_near(good.mesh_part(), -0.0077, 2e-4, "what the cells take");
   }
 } // namespace
 

@@ -23,6 +23,7 @@ namespace
                                      {"normal_force_std_N", 30.},
                                      {"max_pressure_fitted_Pa", 1.2e9},
                                      {"max_pressure_fitted_std_Pa", 1e6},
+                                     {"largest_swing", 2e-3},
                                      {"settled_after_m", 5e-3}})
       set_figure(summary, key, value);
     return summary;
@@ -55,8 +56,11 @@ main()
     doubts("max_pressure_fitted_std_Pa", 9e7), "the peak pressure swings by 7.5 %", "noise of the pressure");
   holds(doubts("energy_error", 0.015), "the energy balance is off by 1.5 %", "energy");
   holds(doubts("settled_after_m", 50e-3),
-        "have not come within 1 %",
+        "not all figures have come within 1 %",
         "means that begin before the run is steady");
+  holds(doubts("largest_swing", 0.3),
+        "swings by 30.0 % in the means over 2 mm",
+        "a figure that goes on swinging");
   check(doubts("settled_after_m", 50e-3, 0).empty(), "not where the means are those of the whole run");
   holds(
     doubts("normal_force_std_N", std::nan("")), "the normal force", "a value that is no number is doubted");

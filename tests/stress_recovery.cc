@@ -1,6 +1,7 @@
 // ranks: 1 2
 // Nodal stresses from those of elements: linear ones exactly, on the swept meshes of wheel and rail, on
-// distorted cells with hanging nodes and on their surfaces; others with the second order.
+// distorted cells with hanging nodes and on their surfaces; others with the fourth order inside of even
+// cells, with the second at surfaces.
 
 #include <wheelrail/solid/stress_recovery.h>
 
@@ -36,7 +37,7 @@ namespace
           const double value = law(centre);
           stress[body].push_back({value, -value, 2 * value, 0, value, 3 * value});
         }
-    const auto nodal = recovered_stress(solid, stress, communicator);
+    const auto nodal = recovered_stress(solid, stress, communicator).stress;
     double     error = 0;
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       if (const Vector3 X = place_of(solid.mesh, n); which(X))
@@ -85,7 +86,8 @@ namespace
     const auto coarse = errors_of_cube(10), fine = errors_of_cube(20);
     std::cout << "        inside " << coarse[0] << ", " << fine[0] << "; with the surface " << coarse[1]
               << ", " << fine[1] << "; 10 and 20 cells" << std::endl;
-    check_near(std::log2(coarse[0] / fine[0]), 2, 0.3, "even cells: order of convergence inside");
+    // on the coarser cube surfaces still reach a little into what counts as inside, so the order is higher
+    check(std::log2(coarse[0] / fine[0]) > 3.7, "even cells: the fourth order at least inside");
     check_near(std::log2(coarse[1] / fine[1]), 2, 0.3, "even cells: order of convergence on the surface");
 
     const Dynamics single(box({0, 0, 0}, {1, 1, 1}, {1, 1, 1}), Setup());

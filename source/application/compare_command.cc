@@ -1,6 +1,7 @@
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/model/profile_copies.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/figures.h>
@@ -31,6 +32,7 @@ namespace wheelrail
                                     "patch_longitudinal",
                                     "max_shear_traction",
                                     "creepage",
+                                    "t_gamma",
                                     "stick_fraction"};
 
     bool
@@ -53,29 +55,43 @@ namespace wheelrail
       return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
     }
 
+    /// The difference of a figure and what it is relative to: the half-spaces' value, or the vertical load
+    /// for the lateral force, which is small beside it and may be about zero.
+    double
+    relative_difference(const std::string &name, const double fe, const double hs, const double load)
+    {
+      const double base = name == "lateral_force" ? load : std::abs(hs);
+      return base > 0 ? (fe - hs) / base : Summary::none;
+    }
+
     /// Prints the table, adds the figures to the run's summary, returns the table for compare.json.
     nlohmann::ordered_json
     compare_figures(Summary &run, const Summary &halfspace, std::ostream &out)
     {
       nlohmann::ordered_json table = nlohmann::ordered_json::array();
-      char                   row[160];
+      char                   row[200];
       std::snprintf(
-        row, sizeof(row), "  %-40s %12s %12s %11s\n", "", "finite el.", "half-space", "difference");
+        row, sizeof(row), "  %-40s %12s %12s %-5s %11s\n", "", "finite el.", "half-space", "", "difference");
       out << row;
       for (const char *name : compared)
         {
           const Figure     &figure = figure_named(name);
           const std::string label  = std::string(figure.label) + (is_given(name) ? " (given)" : "");
           const double      fe = get_figure(run, figure.key()), hs = get_figure(halfspace, figure.key());
-          const double      difference = hs == 0 ? Summary::none : (fe - hs) / std::abs(hs);
+          const double      difference  = relative_difference(name, fe, hs, run.vertical_force);
+          const char *const relative_to = std::string(name) == "lateral_force" ? "load" : "";
+          const std::string percent =
+            std::isfinite(difference) ? text("%+.2f", 100 * difference) + " %" : "-";
           std::snprintf(row,
                         sizeof(row),
-                        "  %-40s %12s %12s %10s%% %s\n",
+                        "  %-40s %12s %12s %-5s %11s%s%s\n",
                         label.c_str(),
                         figure.shown(fe).c_str(),
                         figure.shown(hs).c_str(),
-                        std::isfinite(difference) ? text("%+.2f", 100 * difference).c_str() : "-",
-                        figure.unit);
+                        figure.unit,
+                        percent.c_str(),
+                        *relative_to ? " of the " : "",
+                        relative_to);
           out << row;
           set_figure(run, "halfspace_" + figure.key(), hs);
           set_figure(run, std::string("relative_difference_") + name, difference);
@@ -87,7 +103,8 @@ namespace wheelrail
                            {"fe", number(fe)},
                            {"fe_std", number(get_figure(run, figure.key("_std")))},
                            {"halfspace", number(hs)},
-                           {"relative_difference", number(difference)}});
+                           {"relative_difference", number(difference)},
+                           {"relative_to", relative_to}});
         }
       return table;
     }
@@ -116,6 +133,10 @@ namespace wheelrail
         run.vertical_force;
       trust.turn        = result.turn;
       trust.pose_effect = result.solution.peak_pressure / peak_at_rest - 1;
+      if (run.max_plastic_strain > 0)
+        trust.plastic_strain = run.max_plastic_strain;
+      if (const double patches = get_figure(run, "patches"); patches > 1)
+        trust.patches = patches;
       return trust;
     }
 
@@ -127,7 +148,75 @@ namespace wheelrail
               {"penetration_over_approach", number(trust.penetration)},
               {"force_std_over_load", number(trust.unsteadiness)},
               {"turn_across_patch_rad", number(trust.turn)},
-              {"pose_effect_on_peak", number(trust.pose_effect)}};
+              {"pose_effect_on_peak", number(trust.pose_effect)},
+              {"max_plastic_strain", number(trust.plastic_strain)},
+              {"patches", number(trust.patches)},
+              {"penalty_part_of_peak_difference", number(trust.penalty_part())},
+              {"mesh_part_of_peak_difference", number(trust.mesh_part())}};
+    }
+  } // namespace
+
+
+  namespace
+  {
+    bool
+    is_flat(const Trust &trust)
+    {
+      return trust.turn < 0.2;
+    }
+
+    bool
+    half_spaces_fit(const Trust &trust)
+    {
+      return is_flat(trust) && !(trust.plastic_strain > 0) && !(trust.patches > 1);
+    }
+
+    /// How far the peak agrees, or why half-spaces are no reference for it.
+    std::string
+    verdict(const Trust &trust)
+    {
+      std::string why;
+      if (trust.plastic_strain > 0)
+        why += "steel has flowed (plastic strain up to " + text("%.2g", 1e3 * trust.plastic_strain) + "e-3)";
+      if (!is_flat(trust))
+        why += (why.empty() ? "" : " and ") +
+               ("the surfaces turn by " + text("%.0f", trust.turn * 180 / M_PI)) +
+               " degrees across the patch";
+      if (trust.patches > 1)
+        why += (why.empty() ? "" : " and ") + ("the run has " + text("%.0f", trust.patches)) + " patches";
+      const double      difference = std::abs(trust.peak_difference);
+      const std::string percent    = text("%.1f", std::max(0.1, 100 * difference));
+      if (!why.empty())
+        return "The half-spaces are no full reference here, since " + why +
+               "; the peak pressures differ by " + percent + " %";
+      if (difference <= 0.02)
+        return "The finite element result agrees with the half-spaces within " + percent +
+               " % in peak pressure and can be trusted as far";
+      if (difference <= 0.05)
+        return "The finite element result can be trusted to about " + text("%.0f", 100 * difference) +
+               " % in peak pressure";
+      return "The finite element result is off by " + text("%.0f", 100 * difference) +
+             " % in peak pressure and shows tendencies only";
+    }
+
+    /// What the difference of the peaks is made of.
+    std::string
+    parts_sentence(const Trust &trust)
+    {
+      const auto   percent = [](const double part) { return text("%+.1f", 100 * part) + " %"; };
+      const double rest    = trust.peak_difference - trust.penalty_part() - trust.mesh_part();
+      std::string  rest_is = "the rest";
+      if (trust.plastic_strain > 0)
+        rest_is = "yielding, which half-spaces know nothing of";
+      else if (!is_flat(trust))
+        rest_is = "the curved contact";
+      else if (trust.patches > 1)
+        rest_is = "the other patch";
+      else if (!(trust.unsteadiness < 0.01))
+        rest_is = "forces that are not steady";
+      return "Of the difference of " + percent(trust.peak_difference) +
+             " in peak pressure the penalty contact makes about " + percent(trust.penalty_part()) +
+             ", the cells " + percent(trust.mesh_part()) + ", " + rest_is + " " + percent(rest) + ".";
     }
   } // namespace
 
@@ -136,22 +225,9 @@ namespace wheelrail
   trust_sentence(const Scene &scene, const Trust &trust, const bool finished)
   {
     // the rules of doc/manual/compare.md
-    const bool steady = trust.unsteadiness < 0.01, stiff = trust.penetration < 0.02, fine = trust.cells >= 12,
-               flat         = trust.turn < 0.2;
-    const double difference = std::abs(trust.peak_difference);
-    std::string  sentence   = finished ? "" : "The run did not finish, so take its figures with care. ";
-    if (!flat)
-      sentence += "The half-spaces are no full reference here, since the surfaces turn by " +
-                  text("%.0f", trust.turn * 180 / M_PI) + " degrees across the patch; ";
-    sentence += flat ? "The finite element result " : "the finite element result ";
-    if (difference <= 0.02)
-      sentence += "agrees with the half-spaces within " + text("%.1f", std::max(0.1, 100 * difference)) +
-                  " % in peak pressure and can be trusted as far";
-    else if (difference <= 0.05)
-      sentence += "can be trusted to about " + text("%.0f", 100 * difference) + " % in peak pressure";
-    else
-      sentence +=
-        "is off by " + text("%.0f", 100 * difference) + " % in peak pressure and shows tendencies only";
+    const bool steady = trust.unsteadiness < 0.01, stiff = trust.penetration < 0.02, fine = trust.cells >= 12;
+    std::string sentence = finished ? "" : "The run did not finish, so take its figures with care. ";
+    sentence += verdict(trust);
     const bool one = std::round(trust.cells) == 1;
     sentence += ": " + text("%.0f", trust.cells) + (one ? " cell of " : " cells of ") +
                 text("%g", 1e3 * scene.cell_size) + " mm over the shorter extent of the patch " +
@@ -161,10 +237,11 @@ namespace wheelrail
     if (std::isfinite(trust.unsteadiness))
       sentence += ", the forces vary by " + text("%.2f", 100 * trust.unsteadiness) + " % of the load (" +
                   (steady ? "steady" : "not steady: roll farther") + ")";
-    if (flat)
+    if (is_flat(trust))
       sentence += ", and the surfaces turn by only " + text("%.0f", trust.turn * 180 / M_PI) +
-                  " degrees across the patch, so that half-spaces are a fair reference";
-    return sentence + ".";
+                  " degrees across the patch" +
+                  (half_spaces_fit(trust) ? ", so that half-spaces are a fair reference" : "");
+    return sentence + ". " + parts_sentence(trust);
   }
 
 
@@ -198,11 +275,12 @@ namespace wheelrail
                       const bool                      draws,
                       std::ostream                   &out)
   {
-    const std::filesystem::path path     = folder;
-    Summary                     run      = read_summary((path / "summary.json").string());
-    const SceneInput            input    = read_scene((path / "parameters.prm").string(), sets);
-    const SceneGeometry         geometry = require_computable(input);
-    const Scene                &scene    = input.scene;
+    const std::filesystem::path path  = folder;
+    Summary                     run   = read_summary((path / "summary.json").string());
+    SceneInput                  input = read_scene((path / "parameters.prm").string(), sets);
+    use_kept_profiles(input.scene, folder);
+    const SceneGeometry geometry = require_computable(input);
+    const Scene        &scene    = input.scene;
     if (!std::isfinite(run.vertical_force) || !std::isfinite(run.longitudinal_force))
       throw RunError(
         "The file \"" + (path / "summary.json").string() +

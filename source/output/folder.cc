@@ -54,6 +54,11 @@ namespace wheelrail
       for (const auto &entry : fs::directory_iterator(folder))
         if (is_own_file(entry.path()))
           own.push_back(entry.path());
+      if (fs::is_directory(folder / "profiles"))
+        for (const auto &entry : fs::directory_iterator(folder / "profiles"))
+          if (const std::string name = entry.path().filename().string();
+              name.rfind("wheel_", 0) == 0 || name.rfind("rail_", 0) == 0)
+            own.push_back(entry.path());
       if (fs::is_directory(folder / "pictures"))
         for (const auto &entry : fs::directory_iterator(folder / "pictures"))
           if (entry.path().extension() == ".png")

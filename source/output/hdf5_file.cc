@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/output/descriptions.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/output/replace_file.h>
@@ -79,11 +80,17 @@ namespace wheelrail
                      std::to_string(history.columns.size()) + " columns; the numbers must agree.");
 
     const auto bytes = naming(path, [&]() {
-      const Handle  file(open_in_memory(), H5Fclose, "make a file in memory");
+      const Handle file(open_in_memory(), H5Fclose, "make a file in memory");
+      describe_root(file);
       const hsize_t rows = n > 0 ? history.columns[0].size() : 0;
       for (std::size_t c = 0; c < n; ++c)
         {
-          write_dataset(file, history.names[c], {rows}, history.columns[c], history.units[c]);
+          write_dataset(file,
+                        history.names[c],
+                        {rows},
+                        history.columns[c],
+                        history.units[c],
+                        description_of(history.names[c]));
           const Handle set(H5Dopen2(file, history.names[c].c_str(), H5P_DEFAULT), H5Dclose, "mark a column");
           write_attribute(set, "column", static_cast<unsigned int>(c));
         }
@@ -135,8 +142,12 @@ namespace wheelrail
       write_attribute(group, "n_along", patch.n_along);
       write_attribute(group, "n_lateral", patch.n_lateral);
       for (const PatchColumn &column : patch_columns)
-        write_dataset(
-          group, column.name, {patch.n_along, patch.n_lateral}, patch.*column.values, column.unit);
+        write_dataset(group,
+                      column.name,
+                      {patch.n_along, patch.n_lateral},
+                      patch.*column.values,
+                      column.unit,
+                      description_of(column.name));
     });
   }
 

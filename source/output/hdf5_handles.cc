@@ -134,7 +134,8 @@ namespace wheelrail
                   const std::string          &name,
                   const std::vector<hsize_t> &shape,
                   const std::vector<double>  &values,
-                  const std::string          &unit)
+                  const std::string          &unit,
+                  const std::string          &description)
     {
       const hsize_t expected =
         std::accumulate(shape.begin(), shape.end(), hsize_t(1), std::multiplies<hsize_t>());
@@ -152,6 +153,8 @@ namespace wheelrail
       if (!values.empty())
         require(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
       write_attribute(set, "unit", unit);
+      if (!description.empty())
+        write_attribute(set, "description", description);
     }
 
     void

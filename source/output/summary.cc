@@ -78,7 +78,10 @@ namespace wheelrail
       if (figure.value)
         json[figure.key()] = to_json(summary.*figure.value, figure.count);
     for (const auto &figure : summary.further)
-      json[figure.first] = to_json(figure.second, false);
+      {
+        const Figure *const known = figure_with_key(figure.first);
+        json[figure.first]        = to_json(figure.second, known && known->count);
+      }
     json["finished"]        = summary.finished;
     json["stopped_because"] = summary.stop_reason;
     json["note"]            = summary.note;

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/output/descriptions.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/tick_file.h>
@@ -43,6 +44,8 @@ namespace wheelrail
       throw RunError("The HDF5 file \"" + path_ + "\": HDF5 cannot " +
                      (there ? "read it: it is no complete HDF5 file; start anew without --resume."
                             : "make a file in memory."));
+    if (!there)
+      describe_root(file_);
     const unsigned int found = count_ticks(file_);
     n_ticks_                 = std::min(found, keep_ticks);
     for (unsigned int tick = n_ticks_; tick < found; ++tick)

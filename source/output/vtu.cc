@@ -5,24 +5,24 @@
 
 #include <deal.II/base/data_out_base.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/utilities.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
 
+#include <zlib.h>
+
+#include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
-#include <tuple>
+#include <stdexcept>
+#include <utility>
 
 namespace wheelrail
 {
   namespace
   {
-    using dealii::DataOutBase::VtkFlags;
-    using Ranges = std::vector<std::tuple<unsigned int,
-                                          unsigned int,
-                                          std::string,
-                                          dealii::DataComponentInterpretation::DataComponentInterpretation>>;
-
     /// What does not fit together in the arrays, or an empty string.
     std::string
     inconsistency(const FieldMesh &mesh)
@@ -36,11 +36,14 @@ namespace wheelrail
         if (point >= mesh.points.size())
           return "a cell that uses point " + std::to_string(point) + " of " +
                  std::to_string(mesh.points.size());
+      if (!mesh.body.empty() && mesh.body.size() * mesh.points_per_cell != mesh.cells.size())
+        return "a body for " + std::to_string(mesh.body.size()) + " cells of " +
+               std::to_string(mesh.cells.size() / mesh.points_per_cell);
       for (const PointField &field : mesh.fields)
         {
-          if (field.components != 1 && field.components != 3)
+          if (field.components != 1 && field.components != 3 && field.components != 6)
             return "field " + field.name + " with " + std::to_string(field.components) +
-                   " components (accepted: 1 or 3)";
+                   " components (accepted: 1, 3 or 6)";
           if (field.values.size() != field.components * mesh.points.size())
             return "field " + field.name + " with " + std::to_string(field.values.size()) + " values for " +
                    std::to_string(mesh.points.size()) + " points";
@@ -48,60 +51,94 @@ namespace wheelrail
       return "";
     }
 
-    template <int dim>
-    std::vector<dealii::DataOutBase::Patch<dim, 3>>
-    make_patches(const FieldMesh &mesh)
+    /// Numbers as VTK reads them: zlib at its fastest level in one block, in base64, with the sizes in front.
+    template <typename Number>
+    std::string
+    packed(const std::vector<Number> &values)
     {
-      constexpr unsigned int n_points = 1u << dim;
-      const std::size_t      n_cells  = mesh.cells.size() / n_points;
-      unsigned int           n_values = 0;
-      for (const PointField &field : mesh.fields)
-        n_values += field.components;
+      const uLong                bytes = values.size() * sizeof(Number);
+      uLong                      size  = compressBound(bytes);
+      std::vector<unsigned char> data(size);
+      if (compress2(
+            data.data(), &size, reinterpret_cast<const Bytef *>(values.data()), bytes, Z_BEST_SPEED) != Z_OK)
+        throw std::logic_error("zlib: a buffer that is too small");
+      data.resize(size);
+      const std::uint32_t sizes[4] = {1, std::uint32_t(bytes), std::uint32_t(bytes), std::uint32_t(size)};
+      std::vector<unsigned char> header(sizeof sizes);
+      std::memcpy(header.data(), sizes, sizeof sizes);
+      return dealii::Utilities::encode_base64(header) + dealii::Utilities::encode_base64(data);
+    }
 
-      std::vector<dealii::DataOutBase::Patch<dim, 3>> patches(n_cells);
-      for (std::size_t cell = 0; cell < n_cells; ++cell)
-        {
-          auto &patch          = patches[cell];
-          patch.patch_index    = static_cast<unsigned int>(cell);
-          patch.n_subdivisions = 1;
-          patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>();
-          patch.data.reinit(n_values, n_points);
-          for (unsigned int q = 0; q < n_points; ++q)
-            {
-              const unsigned int point = mesh.cells[cell * n_points + q];
-              for (unsigned int d = 0; d < 3; ++d)
-                patch.vertices[q][d] = mesh.points[point][d];
-              unsigned int row = 0;
-              for (const PointField &field : mesh.fields)
-                for (unsigned int c = 0; c < field.components; ++c)
-                  patch.data(row++, q) =
-                    static_cast<float>(field.values[std::size_t(point) * field.components + c]);
-            }
-        }
-      return patches;
+    template <typename Number>
+    void
+    write_array(std::ostream              &out,
+                const std::string         &type,
+                const std::string         &attributes,
+                const std::vector<Number> &values)
+    {
+      out << "<DataArray type=\"" << type << "\"" << attributes << " format=\"binary\">\n"
+          << packed(values) << "\n</DataArray>\n";
+    }
+
+    /// Name, number of components with their names, and unit of a field.
+    std::string
+    attributes_of(const PointField &field)
+    {
+      std::string text = " Name=\"" + field.name + "\"";
+      if (field.components > 1)
+        text += " NumberOfComponents=\"" + std::to_string(field.components) + "\"";
+      if (field.components == 6) // VTK's order of a symmetric tensor
+        for (const auto &[number, name] :
+             {std::pair(0, "XX"), {1, "YY"}, {2, "ZZ"}, {3, "XY"}, {4, "YZ"}, {5, "XZ"}})
+          text += " ComponentName" + std::to_string(number) + "=\"" + name + "\"";
+      return text + " units=\"" + field.unit + "\"";
+    }
+
+    /// VTK goes around quadrilaterals, deal.II row by row.
+    std::vector<std::int32_t>
+    connectivity(const FieldMesh &mesh)
+    {
+      std::vector<std::int32_t> cells(mesh.cells.begin(), mesh.cells.end());
+      for (std::size_t first = 0; first < cells.size(); first += 4)
+        std::swap(cells[first + 2], cells[first + 3]);
+      return cells;
     }
 
     /// One <Piece> of the file: the part of this rank; empty without cells.
-    template <int dim>
     std::string
-    make_piece(const FieldMesh &mesh, const VtkFlags &flags)
+    make_piece(const FieldMesh &mesh)
     {
       if (mesh.cells.empty())
         return "";
-      std::vector<std::string> names;
-      Ranges                   vectors;
+      const std::size_t  n_cells = mesh.cells.size() / mesh.points_per_cell;
+      std::ostringstream out;
+      out << "<Piece NumberOfPoints=\"" << mesh.points.size() << "\" NumberOfCells=\"" << n_cells
+          << "\">\n<Points>\n";
+      std::vector<float> points;
+      for (const auto &point : mesh.points)
+        points.insert(points.end(), point.begin(), point.end());
+      write_array(out, "Float32", " NumberOfComponents=\"3\"", points);
+      std::vector<std::int32_t> offsets;
+      for (std::size_t cell = 1; cell <= n_cells; ++cell)
+        offsets.push_back(std::int32_t(cell * mesh.points_per_cell));
+      out << "</Points>\n<Cells>\n";
+      write_array(out, "Int32", " Name=\"connectivity\"", connectivity(mesh));
+      write_array(out, "Int32", " Name=\"offsets\"", offsets);
+      const std::uint8_t type = mesh.points_per_cell == 8 ? 12 : 9; // VTK_HEXAHEDRON, VTK_QUAD
+      write_array(out, "UInt8", " Name=\"types\"", std::vector<std::uint8_t>(n_cells, type));
+      out << "</Cells>\n<PointData>\n";
       for (const PointField &field : mesh.fields)
+        write_array(
+          out, "Float32", attributes_of(field), std::vector<float>(field.values.begin(), field.values.end()));
+      out << "</PointData>\n";
+      if (!mesh.body.empty())
         {
-          if (field.components == 3)
-            vectors.emplace_back(names.size(),
-                                 names.size() + 2,
-                                 field.name,
-                                 dealii::DataComponentInterpretation::component_is_part_of_vector);
-          names.insert(names.end(), field.components, field.name);
+          out << "<CellData>\n";
+          write_array(out, "UInt8", " Name=\"body\"", mesh.body);
+          out << "</CellData>\n";
         }
-      std::ostringstream piece;
-      dealii::DataOutBase::write_vtu_main(make_patches<dim>(mesh), names, vectors, flags, piece);
-      return piece.str();
+      out << "</Piece>\n";
+      return out.str();
     }
   } // namespace
 
@@ -116,21 +153,18 @@ namespace wheelrail
         throw RunError("The fields for \"" + path + "\" do not fit together: rank " + std::to_string(rank) +
                        " holds " + wrongs[rank] + ".");
 
-    VtkFlags flags;
-    flags.compression_level = VtkFlags::ZlibCompressionLevel::best_speed;
-    for (const PointField &field : mesh.fields)
-      flags.physical_units[field.name] = field.unit;
-
     // The parts are small once compressed. Through rank 0 they need no parallel file system, and a
     // full disk is reported with its reason.
-    const auto pieces = dealii::Utilities::MPI::gather(
-      comm, mesh.points_per_cell == 8 ? make_piece<3>(mesh, flags) : make_piece<2>(mesh, flags));
+    const auto pieces = dealii::Utilities::MPI::gather(comm, make_piece(mesh));
     on_root(comm, [&]() {
       std::ostringstream file;
-      dealii::DataOutBase::write_vtu_header(file, flags);
+      file << "<?xml version=\"1.0\"?>\n<!-- wheelrail " WHEELRAIL_VERSION
+              " -->\n"
+              "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\" "
+              "compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n";
       for (const std::string &piece : pieces)
         file << piece;
-      dealii::DataOutBase::write_vtu_footer(file);
+      file << "</UnstructuredGrid>\n</VTKFile>\n";
       replace_file(path, file.str());
     });
   }

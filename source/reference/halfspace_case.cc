@@ -320,8 +320,10 @@ namespace wheelrail
                                          {"grid_spacing_m", s.grid.dx},
                                          {"grid_elements_along", double(s.grid.mx)},
                                          {"grid_elements_lateral", double(s.grid.my)}};
-    summary.finished                  = s.converged() && !s.touches_grid_edge;
-    summary.stop_reason               = s.not_reached;
+    set_figure(summary, "t_gamma_N", result.measures.t_gamma);
+    set_figure(summary, "frictional_power_W", result.measures.t_gamma * scene.velocity);
+    summary.finished    = s.converged() && !s.touches_grid_edge;
+    summary.stop_reason = s.not_reached;
     if (!s.within_friction)
       summary.note = sliding_note(-s.fx);
     if (scene.drive == Drive::torque && scene.friction_coefficient > 0)

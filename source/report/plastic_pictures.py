@@ -11,7 +11,7 @@ import numpy as np
 
 import style
 
-RESIDUAL, STRAIN = "residual_von_mises_stress", "plastic_strain"
+RESIDUAL, STRAIN = "von_mises_stress_behind_wheel", "plastic_strain"
 DEPTH = 8    # of the section [mm]: steel of 280 MPa yields down to 6.5 mm (doc/theory/material.md)
 BEFORE = 10  # of the part that has flowed [mm]: the rail that nothing has rolled over, for comparison
 
@@ -57,22 +57,48 @@ def read(path, cut_at=None):
     return Triangles(vtk_to_numpy(data.GetPoints().GetData()), corners, fields)
 
 
-def panel(axes, across, along, triangles, values, label, color_map):
-    image = axes.tripcolor(along, across, triangles.corners, values, shading="gouraud", cmap=color_map, vmin=0)
-    axes.set_aspect("equal")
-    axes.set_xlim(max(along[triangles.corners].min(), triangles.begin), along[triangles.corners].max())
-    axes.set_ylim(across[triangles.corners].min(), across[triangles.corners].max())
-    axes.figure.colorbar(image, ax=axes, label=label, shrink=0.8)
+def panel(axes, horizontal, vertical, triangles, values, label, color_map, stretch=1):
+    """One field with its bar; `stretch` draws heights that many times as large as lengths."""
+    top = style.round_top(values[np.unique(triangles.corners)].max())
+    image = axes.tripcolor(horizontal, vertical, triangles.corners, values, shading="gouraud", cmap=color_map, vmin=0,
+                           vmax=top)
+    axes.set_aspect(stretch)
+    bar = style.color_bar(axes.figure, axes, image, label, 0.05 if stretch == 1 else 0.025)
+    bar.set_ticks([tick for tick in style.round_levels(0, top, 8 if stretch == 1 else 4) if tick <= top])
 
 
-def draw(run, name, triangles, across, across_label):
-    figure, axes = plt.subplots(2, 1, figsize=(7.5, 6), sharex=True)
-    panel(axes[0], across, triangles.z, triangles, triangles.residual, "residual von Mises [MPa]", "viridis")
-    panel(axes[1], across, triangles.z, triangles, triangles.strain, "plastic strain [$10^{-3}$]", "magma_r")
-    for one in axes:
-        one.set_ylabel(across_label)
-    axes[1].set_xlabel("along the rail, rolling direction to the right [mm]")
-    return style.save(run, figure, name)
+PANELS = (("residual", "von Mises stress behind the wheel [MPa]", "viridis"),
+          ("strain", "plastic strain [10$^{-3}$]", "magma_r"))
+
+
+def draw_above(run, band):
+    """The running band, rolling direction up, gauge corner on the left as in the maps of the patch."""
+    length, width = np.ptp(band.z[band.corners]), np.ptp(band.x[band.corners])
+    figure, rows = plt.subplots(1, 2, figsize=(11, 1.6 + 3.6 * min(max(length / width, 0.4), 2.2)),
+                                gridspec_kw={"wspace": 0.5})
+    for axes, (name, label, colors) in zip(rows, PANELS):
+        panel(axes, band.x, band.z, band, getattr(band, name), label, colors)
+        axes.set_xlim(band.x[band.corners].max(), band.x[band.corners].min())  # X to the left
+        axes.set_ylim(band.z[band.corners].min(), band.z[band.corners].max())
+        axes.set_xlabel("lateral X [mm]")
+        axes.set_ylabel("along the rail [mm]")
+        style.sides(axes)
+        style.rolling_arrow(axes)
+    return style.save(run, figure, "residual_above")
+
+
+def draw_section(run, section):
+    """The plane along the rail below the band, rolling direction to the right."""
+    length = np.ptp(section.z[section.corners]) - max(section.begin - section.z[section.corners].min(), 0)
+    figure, rows = plt.subplots(2, 1, figsize=(9.5, 1.2 + min(4 * DEPTH * 9.5 / length, 8)), sharex=True,
+                                gridspec_kw={"hspace": 0.3})
+    for axes, (name, label, colors) in zip(rows, PANELS):
+        panel(axes, section.z, section.y, section, getattr(section, name), label.replace(" behind", "\nbehind"), colors, 2)
+        axes.set_xlim(max(section.z[section.corners].min(), section.begin), section.z[section.corners].max())
+        axes.set_ylim(section.y[section.corners].min(), section.y[section.corners].max())
+        axes.set_ylabel("height Y [mm]\n(twice as large)")
+    rows[1].set_xlabel("along the rail [mm]   (rolling direction to the right)")
+    return style.save(run, figure, "residual_section")
 
 
 def draw_all(run):
@@ -80,7 +106,7 @@ def draw_all(run):
     if not ((run.summary or {}).get("max_plastic_strain") or 0) > 0:
         return []
     surfaces = sorted(glob.glob(os.path.join(run.folder, "surface_*.vtu")))
-    volume = os.path.join(run.folder, "volume_end.vtu")
+    volume = run.data.path("volume_end.vtu")
     try:
         band = read(surfaces[-1]) if surfaces else None
     except ImportError:
@@ -91,8 +117,8 @@ def draw_all(run):
         run.remarks.append("No part of the rail lies unloaded behind the wheel; the pictures of residual stress are "
                            "left out. Roll farther.")
         return []
-    pictures = [("Running band from above, unloaded behind the wheel: residual stress and plastic strain",
-                 draw(run, "residual_above", band, band.x, "lateral X [mm], gauge corner up"))]
+    pictures = [("Running band from above, behind the wheel: stress that is left and plastic strain",
+                 draw_above(run, band))]
     nodes = np.unique(band.corners)
     middle = band.x[nodes[np.argmax(band.strain[nodes])]]
     section = read(volume, 1e-3 * middle) if os.path.exists(volume) else None
@@ -107,5 +133,5 @@ def draw_all(run):
     near = section.z[section.corners].max(axis=1) > section.begin
     section.corners = section.corners[upper & near]
     pictures.append((f"Plane AA below the band at X = {middle:.1f} mm, upper {DEPTH} mm of the rail",
-                     draw(run, "residual_section", section, section.y, "height Y [mm]")))
+                     draw_section(run, section)))
     return pictures

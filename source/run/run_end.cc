@@ -76,11 +76,15 @@ namespace wheelrail
     if (!(summary.energy_error <= energy_error))
       doubts += text("the energy balance is off by %.1f %% of strain plus dissipated energy. ",
                      100 * summary.energy_error);
-    const double settled = get_figure(summary, "settled_after_m");
-    if (from > 0 && settled > from)
+    const double swing = get_figure(summary, "largest_swing");
+    if (swing > 0.02)
+      doubts += text("%s swings by %.1f %% in the means over 2 mm and is not steady. ",
+                     summary.largest_swing_of.c_str(),
+                     100 * swing);
+    else if (const double settled = get_figure(summary, "settled_after_m"); from > 0 && settled > from)
       doubts += text(
-        "longitudinal force or peak shear have not come within 1 %% of their means before %.1f mm "
-        "rolled, where the means begin; roll farther (Run/Rolling distance). ",
+        "not all figures have come within 1 %% of their means before %.1f mm rolled, where the "
+        "means begin; roll farther (Run/Rolling distance). ",
         1e3 * from);
     if (!doubts.empty())
       doubts.pop_back();
@@ -114,14 +118,27 @@ namespace wheelrail
     run.recorder.fill(summary, averaging_distance);
     summary.friction_coefficient = run.scene.friction_coefficient;
     add_drive(summary, run.scene);
-    summary.max_von_mises = largest_von_mises(model.solid, run.communicator);
-    const PlasticFigures plastic =
-      plastic_figures(model.solid, run.axle, unloaded_distance(model), run.communicator);
+    summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
+    const PlasticFigures plastic = plastic_figures(
+      model.solid, model.contact->surfaces(), run.axle, unloaded_distance(model), run.communicator);
+    set_figure(summary, "max_von_mises_nodal_Pa", largest_nodal_von_mises(model.solid, run.communicator));
     summary.max_plastic_strain     = plastic.max_strain;
     summary.max_residual_von_mises = plastic.max_residual;
     for (const Body body : both_bodies)
       if (model.solid.blocks[body].plastic())
         set_figure(summary, std::string("plastic_work_") + body_name(body) + "_J", plastic.work[body]);
+    if (std::isfinite(plastic.band_depth))
+      {
+        set_figure(summary, "plastic_band_width_m", plastic.band_width);
+        set_figure(summary, "plastic_band_depth_m", plastic.band_depth);
+        set_figure(summary, "plastic_band_centre_lateral_m", plastic.band_centre);
+      }
+    set_figure(summary, "frictional_power_W", get_figure(summary, "t_gamma_N") * run.scene.velocity);
+    // the same turning of the wheel, counted at another of its radii
+    const double centre_radius = model.contact->surfaces().local_radius(summary.patch_centre_lateral);
+    set_figure(summary,
+               "creepage_at_patch_centre",
+               (1 + summary.creepage) * centre_radius / model.geometry.rolling_radius - 1);
     summary.rolled_distance = run.axle.travelled();
     summary.velocity        = run.scene.velocity;
     summary.elements        = double(model.solid.quality.elements);

@@ -16,9 +16,12 @@ namespace wheelrail
       slice_file_               = std::make_unique<TickFile>(folder + "/slices.h5", resume, ticks);
       surface_series_           = std::make_unique<PvdSeries>(folder + "/surface.pvd");
       window_series_            = std::make_unique<PvdSeries>(folder + "/window.pvd");
+      volume_series_            = std::make_unique<PvdSeries>(folder + "/volume.pvd");
       for (const auto &series : {surface_series_.get(), window_series_.get()})
         if (resume)
           series->load(ticks);
+      if (resume)
+        volume_series_->load();
     });
   }
 
@@ -51,6 +54,7 @@ namespace wheelrail
               parts_.scene.folder,
               name,
               parts_.communicator);
+    on_root(parts_.communicator, [&]() { volume_series_->add(parts_.rolling.time(), name + ".vtu"); });
   }
 
 

@@ -2,6 +2,7 @@
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/base/print.h>
+#include <wheelrail/model/profile_copies.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
@@ -76,6 +77,8 @@ namespace wheelrail
         open_folder();
         model_ = make_model(scene_, geometry_, communicator_);
         folder_->begin(options_.parameters_text, resume_point_.has_value());
+        if (!resume_point_)
+          on_root(communicator_, [&]() { keep_profiles(scene_, scene_.folder); });
         Stop stop;
         try
           {

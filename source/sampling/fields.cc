@@ -4,8 +4,11 @@
 #include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/stress_recovery.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <unordered_map>
@@ -37,9 +40,11 @@ namespace wheelrail
       {
       }
 
+      /// Adds a cell of n nodes, which belong to one body.
       void
-      cell(const unsigned int *nodes, const unsigned int n)
+      cell(const unsigned int *nodes, const unsigned int n, const Body body)
       {
+        mesh_.body.push_back(static_cast<std::uint8_t>(body == Body::wheel));
         for (unsigned int a = 0; a < n; ++a)
           {
             const auto [entry, fresh] = number_.try_emplace(nodes[a], nodes_.size());
@@ -85,7 +90,7 @@ namespace wheelrail
         {
           const Vector3 x = solid.position(solid.mesh.cells[c][0]);
           if (solid.mesh.cell_level[c] == solid.finest_level && std::abs(x[2] - axle.travelled()) < reach)
-            builder.cell(solid.mesh.cells[c].data(), 8);
+            builder.cell(solid.mesh.cells[c].data(), 8, solid.mesh.cell_body[c]);
         }
     }
 
@@ -95,30 +100,89 @@ namespace wheelrail
       std::copy(v.begin(), v.end(), to);
     }
 
-    /// Contact values of the rail's surface nodes.
-    void
-    add_contact_fields(FieldBuilder &builder, const Contact &contact)
+    /// Principal values of xx yy zz yz xz xy, largest first.
+    Vector3
+    principal_stresses(const double *s)
     {
-      std::unordered_map<unsigned int, std::size_t> lattice_node;
-      for (std::size_t k = 0; k < contact.rail().local.size(); ++k)
-        if (contact.rail().local[k] >= 0)
-          lattice_node[contact.rail().local[k]] = k;
-      const auto with = [&](const unsigned int n, const auto &use) {
-        if (const auto found = lattice_node.find(n); found != lattice_node.end())
-          use(contact.nodes()[found->second]);
-      };
-      builder.field("pressure", "Pa", 1, [&](unsigned int n, double *v) {
-        with(n, [&](const ContactNode &c) { *v = c.pressure; });
-      });
-      builder.field("shear_traction", "Pa", 3, [&](unsigned int n, double *v) {
-        with(n, [&](const ContactNode &c) { copy(c.traction, v); });
-      });
-      builder.field("slip_velocity", "m/s", 3, [&](unsigned int n, double *v) {
-        with(n, [&](const ContactNode &c) { copy(c.slip, v); });
-      });
+      dealii::SymmetricTensor<2, 3> tensor;
+      for (int d = 0; d < 3; ++d)
+        tensor[d][d] = s[d];
+      tensor[1][2] = s[3], tensor[0][2] = s[4], tensor[0][1] = s[5];
+      const auto values = dealii::eigenvalues(tensor);
+      return {values[0], values[1], values[2]};
     }
 
-    /// Plastic strain, and residual stress in the rail where its z is below `unloaded` [m].
+    /// Contact values of the surface nodes: those of the rail's own, and for the wheel's, which lie between
+    /// them, interpolated, with tractions that act on the wheel.
+    class ContactValues
+    {
+    public:
+      ContactValues(const Solid &solid, const Contact &contact)
+        : solid_(solid)
+        , contact_(contact)
+      {
+        for (std::size_t k = 0; k < contact.rail().local.size(); ++k)
+          if (contact.rail().local[k] >= 0)
+            lattice_node_[contact.rail().local[k]] = k;
+      }
+
+      /// Pressure, traction, slip velocity of the wheel against the rail; zero away from the contact window.
+      ContactNode
+      at(const unsigned int n) const
+      {
+        if (solid_.mesh.node_body[n] == Body::wheel)
+          return between(solid_.position(n));
+        const auto found = lattice_node_.find(n);
+        return found == lattice_node_.end() ? ContactNode() : contact_.nodes()[found->second];
+      }
+
+    private:
+      ContactNode
+      between(const Vector3 &x) const
+      {
+        const Lattice      &lattice = contact_.lattice();
+        const ContactFrame &frame   = contact_.surfaces().frame;
+        const Point2        t = frame.tangent(), n = frame.normal();
+        const Vector3       d       = {x[0] - frame.origin.x, x[1] - frame.origin.y, x[2]};
+        const double        row     = (d[0] * t.x + d[1] * t.y - lattice.s_begin) / lattice.spacing_lateral;
+        const double        station = d[2] / lattice.spacing_along - lattice.first_station;
+        const auto         &window  = contact_.window().rail;
+        ContactNode         node;
+        // the wheel's other side has the same row and station
+        if (!(std::abs(d[0] * n.x + d[1] * n.y) < 20e-3 && station >= window.first &&
+              station < window.last - 1 && row >= 0 && row < lattice.n_lateral - 1))
+          return node;
+        const int    i = int(station), j = int(row);
+        const double u = station - i, v = row - j;
+        for (int a = 0; a < 2; ++a)
+          for (int b = 0; b < 2; ++b)
+            {
+              const ContactNode &corner = contact_.nodes()[lattice.index(i + a, j + b)];
+              const double       weight = (a ? u : 1 - u) * (b ? v : 1 - v);
+              node.pressure += weight * corner.pressure;
+              add(node.traction, -weight, corner.traction);
+              add(node.slip, weight, corner.slip);
+            }
+        return node;
+      }
+
+      const Solid                                  &solid_;
+      const Contact                                &contact_;
+      std::unordered_map<unsigned int, std::size_t> lattice_node_;
+    };
+
+    void
+    add_contact_fields(FieldBuilder &builder, const Solid &solid, const Contact &contact)
+    {
+      const ContactValues values(solid, contact);
+      builder.field("pressure", "Pa", 1, [&](unsigned int n, double *v) { *v = values.at(n).pressure; });
+      builder.field(
+        "shear_traction", "Pa", 3, [&](unsigned int n, double *v) { copy(values.at(n).traction, v); });
+      builder.field(
+        "slip_velocity", "m/s", 3, [&](unsigned int n, double *v) { copy(values.at(n).slip, v); });
+    }
+
+    /// Plastic strain, and the stress in the rail where its z is below `unloaded` [m].
     void
     add_plastic_fields(FieldBuilder              &builder,
                        const Solid               &solid,
@@ -128,7 +192,7 @@ namespace wheelrail
     {
       const auto strain = nodal_plastic_strain(solid, communicator);
       builder.field("plastic_strain", "1", 1, [&](unsigned int n, double *v) { *v = strain[n]; });
-      builder.field("residual_von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) {
+      builder.field("von_mises_stress_behind_wheel", "Pa", 1, [&](unsigned int n, double *v) {
         const bool free = solid.mesh.node_body[n] == Body::rail && solid.position(n)[2] < unloaded;
         *v              = free ? von_mises(&stress[6 * n]) : std::numeric_limits<double>::quiet_NaN();
       });
@@ -179,8 +243,8 @@ namespace wheelrail
     FieldMesh    mesh;
     FieldBuilder builder(mesh);
     if (selection == Selection::all)
-      for (const auto &cell : solid.mesh.cells)
-        builder.cell(cell.data(), 8);
+      for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
+        builder.cell(solid.mesh.cells[c].data(), 8, solid.mesh.cell_body[c]);
     else if (selection == Selection::window)
       add_window_cells(builder, solid, axle, contact);
     else
@@ -188,7 +252,7 @@ namespace wheelrail
         mesh.points_per_cell = 4;
         for (const auto &face : solid.mesh.faces)
           if (face.mark == Boundary::running && face.finest)
-            builder.cell(face.nodes.data(), 4);
+            builder.cell(face.nodes.data(), 4, solid.mesh.node_body[face.nodes[0]]);
       }
     for (const unsigned int n : builder.nodes())
       mesh.points.push_back(solid.position(n));
@@ -197,19 +261,25 @@ namespace wheelrail
     const bool plastic = solid.blocks.rail.plastic() || solid.blocks.wheel.plastic();
     if (selection == Selection::surface)
       {
-        add_contact_fields(builder, contact);
+        add_contact_fields(builder, solid, contact);
         if (plastic)
-          add_plastic_fields(
-            builder, solid, nodal_stress(solid, communicator), axle.travelled() - unloaded, communicator);
+          add_plastic_fields(builder,
+                             solid,
+                             nodal_stress(solid, communicator).stress,
+                             axle.travelled() - unloaded,
+                             communicator);
         return mesh;
       }
-    const auto stress = nodal_stress(solid, communicator);
+    const auto stress = nodal_stress(solid, communicator).stress;
     builder.field(
       "von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
-    builder.field(
-      "normal_stress", "Pa", 3, [&](unsigned int n, double *v) { std::copy_n(&stress[6 * n], 3, v); });
-    builder.field("shear_stress_yz_xz_xy", "Pa", 3, [&](unsigned int n, double *v) {
-      std::copy_n(&stress[6 * n + 3], 3, v);
+    builder.field("stress", "Pa", 6, [&](unsigned int n, double *v) {
+      const double *s = &stress[6 * n]; // xx yy zz yz xz xy, to VTK's order
+      std::copy_n(s, 3, v);
+      v[3] = s[5], v[4] = s[3], v[5] = s[4];
+    });
+    builder.field("principal_stresses", "Pa", 3, [&](unsigned int n, double *v) {
+      copy(principal_stresses(&stress[6 * n]), v);
     });
     if (plastic)
       add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded, communicator);
@@ -224,8 +294,44 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// Sets the figures of the band of a rail that may yield; they stay as they are where nothing has flowed.
+    void
+    measure_band(const Solid           &solid,
+                 const RunningSurfaces &surfaces,
+                 PlasticFigures        &figures,
+                 MPI_Comm               communicator)
+    {
+      const auto strain = nodal_plastic_strain(solid, communicator);
+      double     range[3]; // largest -s, s, depth
+      std::fill_n(range, 3, -std::numeric_limits<double>::infinity());
+      for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+        {
+          if (solid.mesh.node_body[n] != Body::rail || !(strain[n] > band_strain))
+            continue;
+          const double *R     = &solid.mesh.reference[4 * n];
+          const auto    place = surfaces.rail_place({R[0], R[1], R[2]});
+          range[0]            = std::max(range[0], -place.s);
+          range[1]            = std::max(range[1], place.s);
+          range[2]            = std::max(range[2], surfaces.rail.at(place.s).n - place.n);
+        }
+      MPI_Allreduce(MPI_IN_PLACE, range, 3, MPI_DOUBLE, MPI_MAX, communicator);
+      if (std::isinf(range[2]))
+        return;
+      figures.band_width  = range[1] + range[0];
+      figures.band_depth  = range[2];
+      figures.band_centre = 0.5 * (range[1] - range[0]);
+    }
+  } // namespace
+
+
   PlasticFigures
-  plastic_figures(const Solid &solid, const Axle &axle, const double distance, MPI_Comm communicator)
+  plastic_figures(const Solid           &solid,
+                  const RunningSurfaces &surfaces,
+                  const Axle            &axle,
+                  const double           distance,
+                  MPI_Comm               communicator)
   {
     double          largest[2] = {-1, -1};
     PerBody<double> work;
@@ -252,7 +358,10 @@ namespace wheelrail
     for (double &value : largest)
       if (value < 0)
         value = std::numeric_limits<double>::quiet_NaN();
-    return {largest[0], largest[1], work};
+    PlasticFigures figures{largest[0], largest[1], work, std::nan(""), std::nan(""), std::nan("")};
+    if (solid.blocks[Body::rail].plastic())
+      measure_band(solid, surfaces, figures, communicator);
+    return figures;
   }
 
 
@@ -263,6 +372,18 @@ namespace wheelrail
     for (const Body body : both_bodies)
       for (const auto &s : element_stress(solid.blocks[body], solid.displacement.data()))
         largest = std::max(largest, von_mises(s.data()));
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
+    return largest;
+  }
+
+
+  double
+  largest_nodal_von_mises(const Solid &solid, MPI_Comm communicator)
+  {
+    const auto stress  = nodal_stress(solid, communicator).stress;
+    double     largest = 0;
+    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+      largest = std::max(largest, von_mises(&stress[6 * n]));
     MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
     return largest;
   }

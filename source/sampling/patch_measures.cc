@@ -67,6 +67,8 @@ namespace wheelrail
     void
     add_sums(const PatchFields &patch, PatchMeasures &measures)
     {
+      const bool slips   = patch.slip_along.size() == patch.pressure.size();
+      measures.t_gamma   = slips ? 0 : std::nan("");
       double loaded_area = 0, stick_area = 0, moment_along = 0, moment_lateral = 0;
       for (std::size_t k = 0; k < patch.pressure.size(); ++k)
         {
@@ -76,6 +78,9 @@ namespace wheelrail
           moment_lateral += force * patch.lateral[k];
           measures.traction_force_along += patch.traction_along[k] * patch.area[k];
           measures.traction_force_lateral += patch.traction_lateral[k] * patch.area[k];
+          if (slips)
+            measures.t_gamma += patch.area[k] * (patch.traction_along[k] * patch.slip_along[k] +
+                                                 patch.traction_lateral[k] * patch.slip_lateral[k]);
           if (patch.pressure[k] > 0)
             {
               loaded_area += patch.area[k];

@@ -14,6 +14,7 @@ namespace wheelrail
     constexpr unsigned int n_fields = 1 + probe_fields; // number of cells found, then the sums
 
     using Corners = std::array<Vector3, 8>;
+    using Stress  = std::array<double, 6>;
 
     /// A point to interpolate at and what was found there.
     struct Probe
@@ -33,6 +34,36 @@ namespace wheelrail
             N[v] *= (v >> d & 1) ? xi[d] : 1 - xi[d];
         }
       return N;
+    }
+
+    /// Stress at a place of a cell: sum of N_v (s_v + 1/2 G_v (X - X_v)), which takes quadratic stresses
+    /// exactly, where plain interpolation would flatten them by another h^2/8 times the Laplacian.
+    Stress
+    stress_in_cell(const LocalMesh                   &mesh,
+                   const std::array<unsigned int, 8> &nodes,
+                   const NodalStress                 &nodal,
+                   const Vector3                     &xi)
+    {
+      const auto N         = shape(xi);
+      const auto reference = [&](const unsigned int n) {
+        return Vector3{mesh.reference[4 * n], mesh.reference[4 * n + 1], mesh.reference[4 * n + 2]};
+      };
+      Vector3 X{};
+      for (int v = 0; v < 8; ++v)
+        add(X, N[v], reference(nodes[v]));
+      Stress s{};
+      for (int v = 0; v < 8; ++v)
+        {
+          const Vector3 away = X - reference(nodes[v]);
+          for (int k = 0; k < 6; ++k)
+            {
+              double change = 0;
+              for (int i = 0; i < 3; ++i)
+                change += nodal.gradient[18 * nodes[v] + 6 * i + k] * away[i];
+              s[k] += N[v] * (nodal.stress[6 * nodes[v] + k] + 0.5 * change);
+            }
+        }
+      return s;
     }
 
     /// Place of x in the unit cube that the trilinear map takes to the corners (Newton's method); false when
@@ -122,11 +153,7 @@ namespace wheelrail
               Vector3 xi;
               if (!box.meets(point) || !place_in_cell(corner, probe.x, xi))
                 continue;
-              const auto            N = shape(xi);
-              std::array<double, 6> s{};
-              for (int v = 0; v < 8; ++v)
-                for (int k = 0; k < 6; ++k)
-                  s[k] += N[v] * source.stress[6 * solid.mesh.cells[c][v] + k];
+              const Stress s = stress_in_cell(solid.mesh, solid.mesh.cells[c], source.nodal, xi);
               probe.sum[0] += 1;
               for (int k = 0; k < 6; ++k)
                 probe.sum[k + 1] += s[k];
@@ -141,7 +168,7 @@ namespace wheelrail
   probe_source(const Solid &solid, MPI_Comm communicator)
   {
     ProbeSource source;
-    source.stress = nodal_stress(solid, communicator);
+    source.nodal = nodal_stress(solid, communicator);
     source.plastic_strain.resize(solid.mesh.cells.size());
     for (const Body body : both_bodies)
       {

@@ -108,6 +108,7 @@ namespace wheelrail
     row.put("patch_centre_longitudinal", m.centre_along);
     row.put("max_shear_traction", m.max_traction);
     row.put("stick_fraction", m.stick_fraction);
+    row.put("t_gamma", m.t_gamma);
     n_patches_ = m.n_patches;
   }
 
@@ -136,17 +137,48 @@ namespace wheelrail
     if (n_patches_ > 0)
       set_figure(summary, "patches", n_patches_);
 
-    // within 1 % of the mean over 2 mm, which takes out what repeats from cell to cell (cells of 1 mm); where
-    // a force or traction is hardly there, 5 % of what presses counts in place of its mean
-    const auto settled = [&](const History &table, const char *name, const char *pressing) {
-      const auto  &along = column(table, "rolled_distance"), &values = column(table, name);
-      const double final = mean_from(along, values, from).mean;
-      const double least = 0.05 * mean_from(along, column(table, pressing), from).mean;
-      return settled_after(along, values, final, 0.01 * std::max(std::abs(final), least), 2e-3);
+    fill_settling(summary, from);
+  }
+
+
+  void
+  Recorder::fill_settling(Summary &summary, const double from) const
+  {
+    // the figures that are reported; where a force, traction or creepage is hardly there, 5 % of what presses
+    // or a creepage of 1e-3 counts in place of its mean
+    const History &history = state_.history, &patches = state_.patches;
+    const double   force =
+      mean_from(column(history, "rolled_distance"), column(history, "normal_force"), from).mean;
+    const double pressure = get_figure(summary, figure_named("max_pressure").key());
+    struct Judged
+    {
+      const History *table;
+      const char    *name;
+      double         least;
     };
-    set_figure(summary,
-               "settled_after_m",
-               std::max(settled(history, "longitudinal_force", "normal_force"),
-                        settled(patches, "max_shear_traction", "max_pressure")));
+    const Judged judged[] = {{&history, "normal_force", 0},
+                             {&history, "longitudinal_force", 0.05 * force},
+                             {&history, "creepage", 1e-3},
+                             {&patches, "max_pressure_fitted", 0},
+                             {&patches, "contact_area", 0},
+                             {&patches, "max_shear_traction", 0.05 * pressure}};
+    // two cells take out what repeats from cell to cell
+    const double window = std::max(2e-3, 2 * model_.contact->lattice().spacing_along);
+    Settling     worst;
+    for (const Judged &figure : judged)
+      {
+        const auto &along  = column(*figure.table, "rolled_distance"),
+                   &values = column(*figure.table, figure.name);
+        const double scale = std::max({std::abs(mean_from(along, values, from).mean), figure.least, 1e-300});
+        const Settling found = settling(along, values, from, scale, window);
+        worst.after          = std::max(worst.after, found.after);
+        if (!(found.swing <= worst.swing))
+          {
+            worst.swing              = found.swing;
+            summary.largest_swing_of = figure_named(figure.name).label;
+          }
+      }
+    set_figure(summary, "settled_after_m", worst.after);
+    set_figure(summary, "largest_swing", worst.swing);
   }
 } // namespace wheelrail

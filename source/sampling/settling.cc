@@ -1,5 +1,6 @@
 #include <wheelrail/sampling/settling.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,27 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// Means over `window` behind each value.
+    std::vector<double>
+    window_means(const std::vector<double> &distance, const std::vector<double> &values, const double window)
+    {
+      std::vector<double> means;
+      double              sum   = 0;
+      std::size_t         first = 0;
+      for (std::size_t k = 0; k < values.size(); ++k)
+        {
+          sum += values[k];
+          while (first < k && distance[first] <= distance[k] - window)
+            sum -= values[first++];
+          means.push_back(sum / double(k - first + 1));
+        }
+      return means;
+    }
+  } // namespace
+
+
   double
   settled_after(const std::vector<double> &distance,
                 const std::vector<double> &values,
@@ -30,20 +52,30 @@ namespace wheelrail
                 const double               tolerance,
                 const double               window)
   {
-    double      settled = std::numeric_limits<double>::infinity();
-    double      sum     = 0;
-    std::size_t first   = 0;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      {
-        sum += values[k];
-        while (first < k && distance[first] <= distance[k] - window)
-          sum -= values[first++];
-        const double mean = sum / double(k - first + 1);
-        if (!(std::abs(mean - final_value) <= tolerance))
-          settled = std::numeric_limits<double>::infinity();
-        else if (std::isinf(settled))
-          settled = distance[k];
-      }
+    double     settled = std::numeric_limits<double>::infinity();
+    const auto means   = window_means(distance, values, window);
+    for (std::size_t k = 0; k < means.size(); ++k)
+      if (!(std::abs(means[k] - final_value) <= tolerance))
+        settled = std::numeric_limits<double>::infinity();
+      else if (std::isinf(settled))
+        settled = distance[k];
     return settled;
+  }
+
+
+  Settling
+  settling(const std::vector<double> &distance,
+           const std::vector<double> &values,
+           const double               from,
+           const double               scale,
+           const double               window)
+  {
+    const Mean   noise = mean_from(distance, window_means(distance, values, window), from);
+    const double swing = noise.deviation / scale;
+    if (!(swing <= 0.02))
+      return {std::numeric_limits<double>::infinity(), swing};
+    const double final = mean_from(distance, values, from).mean;
+    return {settled_after(distance, values, final, std::max(0.01 * scale, 3 * noise.deviation), window),
+            swing};
   }
 } // namespace wheelrail

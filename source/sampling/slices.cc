@@ -1,3 +1,4 @@
+#include <wheelrail/output/descriptions.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/sampling/fields.h>
 #include <wheelrail/sampling/probes.h>
@@ -268,14 +269,20 @@ namespace wheelrail
           const bool   along = slice.name[0] == 'A';
           write_attribute(group, along ? "lateral_m" : "along_m", slice.offset);
           write_attribute(group, "position_is", std::string(along ? "along" : "lateral"));
-          write_dataset(group, "position", {slice.position.size()}, slice.position, "m");
-          write_dataset(group, "depth", {slice.depth.size()}, slice.depth, "m");
+          write_dataset(
+            group, "position", {slice.position.size()}, slice.position, "m", description_of("position"));
+          write_dataset(group, "depth", {slice.depth.size()}, slice.depth, "m", description_of("depth"));
           for (std::size_t f = 0; f < slice.values.size(); ++f)
-            write_dataset(group,
-                          f == 0 && slice.unloaded ? "residual_von_mises_stress" : fields[f].name,
-                          {slice.position.size(), slice.depth.size()},
-                          slice.values[f],
-                          fields[f].unit);
+            {
+              const char *const name =
+                f == 0 && slice.unloaded ? "residual_von_mises_stress" : fields[f].name;
+              write_dataset(group,
+                            name,
+                            {slice.position.size(), slice.depth.size()},
+                            slice.values[f],
+                            fields[f].unit,
+                            description_of(name));
+            }
         }
     });
   }

@@ -21,8 +21,12 @@ namespace wheelrail
       std::array<Stress, 3> sd{}; ///< s times each component of d
     };
 
-    /// Sum over the elements around a node of the gradients of stress.
-    using GradientSum = std::array<Stress, 3>;
+    /// Sums over the elements around a node: gradients of stress, and G d.
+    struct GradientSum
+    {
+      std::array<Stress, 3> G{};
+      Stress                Gd{};
+    };
 
     constexpr int first_of[6] = {0, 1, 2, 1, 0, 0}, second_of[6] = {0, 1, 2, 2, 2, 1};
 
@@ -169,40 +173,103 @@ namespace wheelrail
             add_moved(around, moments[node], reference_place(solid.mesh, node) - element.centre);
           const std::array<Stress, 3> G = slope(around);
           for (const unsigned int node : *element.nodes)
-            for (int i = 0; i < 3; ++i)
-              for (int k = 0; k < 6; ++k)
-                sums[node][i][k] += element.volume * G[i][k];
+            {
+              const Vector3 d = element.centre - reference_place(solid.mesh, node);
+              for (int i = 0; i < 3; ++i)
+                for (int k = 0; k < 6; ++k)
+                  {
+                    sums[node].G[i][k] += element.volume * G[i][k];
+                    sums[node].Gd[k] += element.volume * G[i][k] * d[i];
+                  }
+            }
         }
       sum_over_ranks(sum, sums);
       return sums;
     }
+
+    /// Nodal stresses and gradients from the elements' stresses, and whether elements around a node have
+    /// flowed.
+    NodalStress
+    recover(const Solid                &solid,
+            const std::vector<Element> &elements,
+            SharedSum                  &sum,
+            std::vector<char>          &flowed)
+    {
+      const std::vector<Moments>     moments   = nodal_moments(solid, elements, sum);
+      const std::vector<GradientSum> gradients = nodal_gradients(solid, elements, moments, sum);
+      flowed.resize(solid.mesh.n_nodes());
+      NodalStress result;
+      result.stress.resize(6 * solid.mesh.n_nodes());
+      result.gradient.resize(18 * solid.mesh.n_nodes());
+      for (std::size_t node = 0; node < solid.mesh.n_nodes(); ++node)
+        {
+          const Moments &m = moments[node];
+          flowed[node]     = m.flowed > 0;
+          for (int k = 0; k < 6 && m.volume > 0; ++k)
+            {
+              result.stress[6 * node + k] = m.s[k] / m.volume;
+              if (m.flowed > 0)
+                continue;
+              double slant = 0; // <G> <d>
+              for (int i = 0; i < 3; ++i)
+                {
+                  const double G                         = gradients[node].G[i][k] / m.volume;
+                  result.gradient[18 * node + 6 * i + k] = G;
+                  slant += G * m.d[i] / m.volume;
+                }
+              result.stress[6 * node + k] -= 0.5 * (slant + gradients[node].Gd[k] / m.volume);
+            }
+        }
+      return result;
+    }
+
+    /// Adds to the elements' stresses what the nodal ones do not give back at the centres, where no
+    /// element around has flowed. What is missing there is about twice that at the nodes: three quarters of
+    /// it leave a like part of both.
+    void
+    sharpen(const Solid             &solid,
+            const NodalStress       &nodal,
+            const std::vector<char> &flowed,
+            std::vector<Element>    &elements)
+    {
+      constexpr double part = 0.75;
+      for (Element &element : elements)
+        {
+          if (std::any_of(element.nodes->begin(), element.nodes->end(), [&](const unsigned int n) {
+                return flowed[n];
+              }))
+            continue;
+          Stress centre{};
+          for (const unsigned int node : *element.nodes)
+            {
+              const Vector3 away = element.centre - reference_place(solid.mesh, node);
+              for (int k = 0; k < 6; ++k)
+                {
+                  double change = 0;
+                  for (int i = 0; i < 3; ++i)
+                    change += nodal.gradient[18 * node + 6 * i + k] * away[i];
+                  centre[k] += 0.125 * (nodal.stress[6 * node + k] + 0.5 * change);
+                }
+            }
+          for (int k = 0; k < 6; ++k)
+            element.stress[k] += part * (element.stress[k] - centre[k]);
+        }
+    }
   } // namespace
 
 
-  std::vector<double>
+  NodalStress
   recovered_stress(const Solid &solid, const PerBody<std::vector<Stress>> &stress, MPI_Comm communicator)
   {
-    SharedSum                      sum(solid.mesh, communicator);
-    const std::vector<Element>     elements  = elements_of(solid, stress);
-    const std::vector<Moments>     moments   = nodal_moments(solid, elements, sum);
-    const std::vector<GradientSum> gradients = nodal_gradients(solid, elements, moments, sum);
-    std::vector<double>            result(6 * solid.mesh.n_nodes());
-    for (std::size_t node = 0; node < solid.mesh.n_nodes(); ++node)
-      {
-        const Moments &m = moments[node];
-        for (int k = 0; k < 6 && m.volume > 0; ++k)
-          {
-            double slant = 0; // <G> <d>
-            for (int i = 0; i < 3; ++i)
-              slant += gradients[node][i][k] / m.volume * m.d[i] / m.volume;
-            result[6 * node + k] = m.s[k] / m.volume - (m.flowed > 0 ? 0 : slant);
-          }
-      }
-    return result;
+    SharedSum            sum(solid.mesh, communicator);
+    std::vector<Element> elements = elements_of(solid, stress);
+    std::vector<char>    flowed;
+    sharpen(solid, recover(solid, elements, sum, flowed), flowed, elements);
+    return recover(solid, elements, sum, flowed);
   }
 
 
-  std::vector<double>
+  NodalStress
   nodal_stress(const Solid &solid, MPI_Comm communicator)
   {
     PerBody<std::vector<Stress>> stress;

@@ -1,17 +1,18 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace wheelrail
 {
-  /// One named field on the points of a mesh, one or three numbers a point.
+  /// One named field on the points of a mesh, one, three or six numbers a point.
   struct PointField
   {
     std::string         name;
     std::string         unit;           ///< "Pa", "m", "m/s", "1"
-    unsigned int        components = 1; ///< 1 or 3
+    unsigned int        components = 1; ///< 1, 3, or 6: a symmetric tensor as xx yy zz xy yz xz
     std::vector<double> values;         ///< components x points, point by point
   };
 
@@ -23,6 +24,7 @@ namespace wheelrail
     std::vector<std::array<double, 3>> points; ///< [m]
     std::vector<unsigned int>          cells;  ///< points_per_cell x cells
     std::vector<PointField>            fields;
+    std::vector<std::uint8_t>          body; ///< of each cell: 0 rail, 1 wheel; empty: not written
   };
 
   /// The contact patch on the rail surface at one instant, on a structured grid of surface nodes:

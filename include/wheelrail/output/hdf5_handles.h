@@ -78,13 +78,15 @@ namespace wheelrail
     double
     read_number_attribute(hid_t object, const std::string &name);
 
-    /// A dataset of doubles of the given shape with the attribute `unit`.
+    /// A dataset of doubles of the given shape with the attribute `unit` and, where one is given,
+    /// `description`.
     void
     write_dataset(hid_t                       group,
                   const std::string          &name,
                   const std::vector<hsize_t> &shape,
                   const std::vector<double>  &values,
-                  const std::string          &unit);
+                  const std::string          &unit,
+                  const std::string          &description = "");
 
     /// A text of any length as a dataset of bytes.
     void

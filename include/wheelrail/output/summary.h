@@ -53,6 +53,7 @@ namespace wheelrail
     bool        finished = false; ///< the run reached its end
     std::string stop_reason;      ///< why it did not, a sentence; empty when finished
     std::string note;             ///< what is to be known beside the figures, a sentence; mostly empty
+    std::string largest_swing_of; ///< label of the figure with the largest swing, of the moment, not written
     std::string doubts; ///< why the figures should not be trusted, sentences; empty when they may be
   };
 

@@ -13,9 +13,9 @@ namespace wheelrail
 {
   /// Writes the parts of all ranks into the one file `folder`/`name`.vtu (VTK XML,
   /// zlib at its fastest level). Hexahedra when `points_per_cell` is 8, quadrilaterals
-  /// in space when it is 4. Fields with one component become scalars, with three become vectors;
-  /// their unit is written as the attribute `units` of the data array. Every cell keeps its own copy
-  /// of its points, so the file holds points_per_cell x cells points.
+  /// in space when it is 4. Fields with one component become scalars, with three vectors, with six symmetric
+  /// tensors; their unit is written as the attribute `units` of the data array. Cells of a rank share their
+  /// points; where ranks meet, points are there twice.
   ///
   /// Collective over `comm`; all ranks must pass the same fields in the same order, also a rank
   /// without cells. Throws RunError on every rank when the arrays of any rank do not fit together

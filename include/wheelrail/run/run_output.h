@@ -23,7 +23,8 @@ namespace wheelrail
     void
     tick(unsigned int tick);
 
-    /// Writes the whole mesh into `name`.vtu. Collective; throws RunError on all ranks.
+    /// Writes the whole mesh into `name`.vtu and adds it to volume.pvd. Collective; throws RunError on all
+    /// ranks.
     void
     volume(const std::string &name);
 
@@ -32,7 +33,7 @@ namespace wheelrail
     write_series(const char *kind, Selection selection, unsigned int tick, PvdSeries *series);
 
     RunParts                   parts_;
-    std::unique_ptr<TickFile>  patch_file_, slice_file_;        ///< on rank 0 only, as the series
-    std::unique_ptr<PvdSeries> surface_series_, window_series_; ///< for ParaView
+    std::unique_ptr<TickFile>  patch_file_, slice_file_; ///< on rank 0 only, as the series
+    std::unique_ptr<PvdSeries> surface_series_, window_series_, volume_series_; ///< for ParaView
   };
 } // namespace wheelrail

@@ -41,16 +41,30 @@ namespace wheelrail
     double          max_strain; ///< largest accumulated plastic strain of both bodies; NaN: both elastic [1]
     double          max_residual; ///< of the residual stress [Pa]
     PerBody<double> work;         ///< plastic work [J]
+    double          band_width;   ///< lateral extent of the rail's nodes above band_strain, along s [m]
+    double band_depth;  ///< of the deepest of them below the undeformed surface, along the contact normal [m]
+    double band_centre; ///< middle of that extent, s [m]
   };
+
+  /// The accumulated plastic strain from which steel counts as belonging to the band that flowed [1].
+  constexpr double band_strain = 1e-4;
 
   /// The residual stress is the stress of rail cells that have yielded and that the wheel left at
   /// least `distance` behind: there its own stress has faded, so that what remains comes from plastic
   /// strains. Its largest von Mises equivalent is max_residual; NaN when there is no such cell.
   /// Collective.
   PlasticFigures
-  plastic_figures(const Solid &solid, const Axle &axle, double distance, MPI_Comm communicator);
+  plastic_figures(const Solid           &solid,
+                  const RunningSurfaces &surfaces,
+                  const Axle            &axle,
+                  double                 distance,
+                  MPI_Comm               communicator);
 
   /// Largest von Mises stress over the elements of all ranks [Pa]. Collective.
   double
   largest_von_mises(const Solid &solid, MPI_Comm communicator);
+
+  /// Largest von Mises stress over the nodes of all ranks, recovered as in the VTU files [Pa]. Collective.
+  double
+  largest_nodal_von_mises(const Solid &solid, MPI_Comm communicator);
 } // namespace wheelrail

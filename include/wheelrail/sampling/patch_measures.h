@@ -25,6 +25,9 @@ namespace wheelrail
     double normal_force         = 0; ///< sum of p A [N]
     double traction_force_along = 0; ///< sum of traction_along A, on the rail [N]
     double traction_force_lateral = 0; ///< sum of traction_lateral A, on the rail [N]
+    /// Work of friction for each metre rolled: the sum of traction times relative slip times A, which in
+    /// steady rolling is the T-gamma of wear laws, spin included [N = J/m]; NaN for a patch without slip.
+    double t_gamma = 0;
 
     unsigned int n_loaded       = 0;     ///< nodes with pressure
     unsigned int n_patches      = 0;     ///< separate patches, minus holes

@@ -41,12 +41,16 @@ namespace wheelrail
     }
 
     /// Means and standard deviations over the rows of the last `distance` [m], the number of separate patches
-    /// in the last one added ("patches"), and the rolled distance from which longitudinal force and peak
-    /// shear stay within 1 % of their means ("settled_after_m").
+    /// in the last one added ("patches"), the rolled distance from which all reported figures are steady
+    /// ("settled_after_m", null when one is not), and the largest swing of one of them in the last stretch
+    /// ("largest_swing", see settling()).
     void
     fill(Summary &summary, double distance) const;
 
   private:
+    void
+    fill_settling(Summary &summary, double from) const;
+
     const Model &model_;
     State        state_;
     unsigned int n_patches_ = 0; ///< in the patch that was added last

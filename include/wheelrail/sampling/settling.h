@@ -21,4 +21,23 @@ namespace wheelrail
                 double                     final_value,
                 double                     tolerance,
                 double                     window);
+
+  /// From where on a figure is steady, and how much it still swings there.
+  struct Settling
+  {
+    double after = 0; ///< [m]; infinity when it swings too much to be called steady
+    double swing = 0; ///< standard deviation of its means over the window in the last stretch, over `scale`
+  };
+
+  /// Settling of a figure to its mean over the values at distance `from` and beyond. Judged are means over
+  /// `window`. A figure is steady from where they stay within 1 % of `scale`, or within three of their own
+  /// standard deviations in the last stretch where those are larger, since noise that goes on to the end
+  /// belongs to the figure. A figure whose deviation there exceeds 2 % of `scale` is never steady.
+  /// `scale` > 0 is what the figure is judged by: its mean, or something larger where that is about zero.
+  Settling
+  settling(const std::vector<double> &distance,
+           const std::vector<double> &values,
+           double                     from,
+           double                     scale,
+           double                     window);
 } // namespace wheelrail

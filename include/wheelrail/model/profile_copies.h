@@ -1,0 +1,18 @@
+#pragma once
+
+#include <wheelrail/scene/scene.h>
+
+#include <string>
+
+namespace wheelrail
+{
+  /// Copies the profile files of a scene into `folder`/profiles, as wheel_NAME and rail_NAME, so that a run
+  /// can be looked at from anywhere and after its files have changed. Standard profiles need none. To be
+  /// called on one rank; throws RunError when they cannot be written.
+  void
+  keep_profiles(const Scene &scene, const std::string &folder);
+
+  /// Has the scene read the copies in `folder`/profiles where there are some of its files.
+  void
+  use_kept_profiles(Scene &scene, const std::string &folder);
+} // namespace wheelrail
