@@ -129,6 +129,8 @@ def kill():
           "the others are as they were")
     page = text_of("whole/study.html")
     check(page.count("data:image/png;base64,") > 5 and "http:" not in page, "the page holds its pictures itself")
+    check("Cases side by side" in page and all(os.path.exists(f"whole/pictures/family_{name}.png")
+                                               for name in ("shear", "cut_aa")), "all cases side by side")
 
 
 def failures():

@@ -8,6 +8,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "report"))
 
+import family_pictures
 import page
 import style
 import study_table
@@ -22,6 +23,9 @@ CURVES = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "longit
 
 # errors drawn over the time that they cost
 ERRORS = ["max_pressure", "contact_area", "max_shear_traction", "creepage"]
+# cases that are drawn side by side at most
+MOST_CASES = 16
+
 SMALLEST = 0.1  # per cent; smaller errors are drawn there
 
 
@@ -138,6 +142,25 @@ def table(study, columns, states):
     return "\n".join(rows + ["</table>"])
 
 
+class Place:
+    """Where the pictures of all cases go."""
+
+    def __init__(self, study):
+        self.pictures_folder = study.path("pictures")
+
+
+def draw_family(study):
+    """All cases side by side; of many, some at equal steps."""
+    members = []
+    step = -(-len(study.cases) // MOST_CASES)
+    for case in study.cases[::step]:
+        folders = [study.path(case["name"]), study.path(case["name"] + "-halfspace")]
+        run, halfspace = (folder if os.path.exists(os.path.join(folder, "summary.json")) else None for folder in folders)
+        if run or halfspace:
+            members.append(family_pictures.Case(study.label(case), run, halfspace))
+    return family_pictures.draw_all(Place(study), members)
+
+
 def write(study, failures):
     """Draws the pictures and writes study.html; returns its path."""
     os.makedirs(study.path("pictures"), exist_ok=True)
@@ -146,6 +169,7 @@ def write(study, failures):
     x, curves = Axis(study, 0), curves_of(study)
     pictures = [picture for picture in (draw_curves(study, columns, key, x, curves) for key in CURVES) if picture]
     errors = draw_errors(study, x, curves) if any(axis["entry"].startswith("Mesh/") for axis in study.axes) else []
+    family = draw_family(study)
     title = html.escape(study.title)
     varied = ", ".join(axis["entry"] for axis in study.axes)
     parts = ["<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
@@ -158,6 +182,10 @@ def write(study, failures):
     for head, list_of in (("Curves", pictures), ("Error and cost", errors)):
         if list_of:
             parts += [f"<h2>{head}</h2>", "<div class=pictures>", *[page.picture(*item) for item in list_of], "</div>"]
+    if family:
+        parts += ["<h2>Cases side by side</h2><p>Last tick of each run. Tractions act on the rail; maps show the right-hand rail "
+                  "from above, rolling direction up. G.C.: side of the gauge corner (track centre), F.S.: field side.</p>",
+                  "<div class=pictures>", *[page.picture(*item, "broad") for item in family], "</div>"]
     path = study.path("study.html")
     replace(path, "\n".join(parts + ["</body></html>"]))
     return path

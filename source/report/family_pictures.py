@@ -1,0 +1,193 @@
+"""Pictures of a family of runs, as a study makes them: all cases with the same scales, finite elements and half-spaces
+side by side or one above the other.
+
+draw_all(run, cases) takes what has `pictures_folder` and a list of Case; it returns a list of (caption, path).
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import cuts
+import maps
+import style
+import subsurface_pictures
+import wheelrail
+from fields import Fields
+
+FINITE, HALF = "Finite elements", "Half-spaces"
+COLUMNS = 5  # of maps in one row
+
+
+class Case:
+    """One member: its label, the folder of its run and the folder of its half-spaces; None where there is none.
+    Half-spaces that compare left in the run's folder go before those of a folder of their own."""
+
+    def __init__(self, label, run_folder=None, halfspace_folder=None):
+        self.label = label
+        self.run = wheelrail.load(run_folder) if run_folder else None
+        alone = wheelrail.load(halfspace_folder) if halfspace_folder else None
+        compared = self.run is not None and self.run.has("halfspace.h5")
+        self.halfspace = self.run if compared else alone
+        self.patches = {FINITE: self.last(self.run, "patch.h5", "patch"),
+                        HALF: self.last(self.halfspace, "halfspace.h5", "halfspace")}
+        name = "halfspace_slices.h5" if compared else "slices.h5"
+        self.slices = {FINITE: self.last(self.run, "slices.h5", "slices"),
+                       HALF: self.last(self.halfspace, name, "halfspace_slices")}
+        summary = (self.run or alone).summary if (self.run or alone).has("summary.json") else {}
+        self.friction = summary.get("friction_coefficient")
+
+    @staticmethod
+    def last(data, name, attribute):
+        if data is None or not data.has(name):
+            return None
+        ticks = getattr(data, attribute)
+        return ticks[-1] if len(ticks) else None
+
+    def fields(self, kind):
+        """The patch for maps; None where nothing is loaded."""
+        patch = self.patches[kind]
+        loaded = patch is not None and patch["pressure"].max() > 0 and min(patch["pressure"].shape) > 1
+        return Fields(patch, margin=4) if loaded else None
+
+
+def kinds_of(cases, there):
+    """Finite elements and half-spaces, those of which some case has something."""
+    return [kind for kind in (FINITE, HALF) if any(there(case, kind) is not None for case in cases)]
+
+
+def draw_forces(run, cases):
+    """Longitudinal and normal force of all runs over the rolled distance."""
+    runs = [case for case in cases if case.run is not None and case.run.has("history.h5")]
+    if not runs:
+        return []
+    figure, rows = plt.subplots(2, 1, figsize=(9, 6.4), sharex=True)
+    for axes, name, label in zip(rows, ("longitudinal_force", "normal_force"),
+                                 ("longitudinal force on the wheel [kN]", "normal force [kN]")):
+        for k, case in enumerate(runs):
+            history = case.run.history
+            axes.plot(1e3 * history["rolled_distance"], 1e-3 * history[name], linewidth=1.1, label=case.label,
+                      color=plt.cm.viridis(k / max(len(runs) - 1, 1) * 0.92))
+        axes.set_ylabel(label)
+        axes.grid(True)
+        axes.margins(x=0)
+    style.legend_beside(rows[0])
+    rows[1].set_xlabel("rolled distance [mm]")
+    return [("Forces over the rolled distance, all cases", style.save(run, figure, "family_forces"))]
+
+
+def draw_maps(run, cases, panel, name):
+    """One kind of map of all cases: rows of finite elements, then of half-spaces, one scale."""
+    draw, bar, title = panel
+    fields = {(case, kind): case.fields(kind) for case in cases for kind in (FINITE, HALF)}
+    shown = [field for field in fields.values() if field is not None]
+    if not shown:
+        return []
+    scale = maps.Scale(*shown)
+    kinds = kinds_of(cases, lambda case, kind: fields[case, kind])
+    blocks = [cases[k:k + COLUMNS] for k in range(0, len(cases), COLUMNS)]
+    rows = [(block, kind) for block in blocks for kind in kinds]
+    columns = min(COLUMNS, len(cases))
+    height = 4.0 * scale.ratio + 1.0
+    figure, axes = plt.subplots(len(rows), columns, figsize=(4.1 * columns + 1.2, height * len(rows)), squeeze=False,
+                                gridspec_kw={"wspace": 0.28, "hspace": 0.45})
+    for (block, kind), line in zip(rows, axes):
+        last = None
+        for place, case in zip(line, block):
+            field = fields[case, kind]
+            if field is None:
+                place.set_axis_off()
+                continue
+            image = draw(place, field, scale, case.label)
+            place.set_title(f"{case.label}\n{kind.lower()}" + place.get_title().replace(case.label, ""), fontsize=9, pad=18)
+            last = place, image
+            if place is not line[0]:
+                place.set_ylabel("")
+        for place in line[len(block):]:
+            place.set_axis_off()
+        if last is not None:
+            bar(figure, *last)
+    return [(f"{title}, all cases on one scale", style.save(run, figure, name))]
+
+
+def draw_cuts(run, cases, plane):
+    """Shear traction and bound of all cases on AA or BB: finite elements left, half-spaces right, one scale."""
+    kinds = kinds_of(cases, lambda case, kind: case.fields(kind))
+    if not kinds:
+        return []
+    figure, rows = plt.subplots(2, len(kinds), figsize=(6.2 * len(kinds) + 2, 7), squeeze=False, sharex=True,
+                                sharey="row", gridspec_kw={"wspace": 0.06, "hspace": 0.08})
+    for kind, column in zip(kinds, rows.T):
+        for k, case in enumerate(cases):
+            fields = case.fields(kind)
+            if fields is None:
+                continue
+            x, on_line = fields.line(plane, fields.places()[plane])
+            color = plt.cm.viridis(k / max(len(cases) - 1, 1) * 0.92)
+            column[0].plot(x, on_line(fields.pressure), color=color, linewidth=1.2, label=case.label)
+            # signed as the traction on the wheel: positive when it drives
+            column[1].plot(x, -on_line(fields.shear_along), color=color, linewidth=1.3)
+            if case.friction is not None:
+                bound = case.friction * on_line(fields.pressure)
+                sign = -1 if np.sum(-fields.shear_along) < 0 else 1
+                column[1].plot(x, sign * bound, color=color, linewidth=0.8, linestyle="--")
+        column[0].set_title(f"{kind}, plane {plane}")
+        column[1].set_xlabel(cuts.LABELS[plane])
+        for axes in column:
+            axes.grid(True)
+    rows[0, 0].set_ylabel("pressure [MPa]")
+    rows[1, 0].set_ylabel("shear traction along the track,\non the wheel, and bound (dashed) [MPa]")
+    style.legend_beside(rows[0, -1])
+    if plane == "BB":
+        rows[0, 0].invert_xaxis()  # shared; s to the left, as in the maps
+    return [(f"Cut {plane}: pressure, shear traction and traction bound, all cases",
+             style.save(run, figure, f"family_cut_{plane.lower()}"))]
+
+
+def draw_stresses(run, cases, plane, kind):
+    """Von Mises or shear stress below the contact of all cases, one scale."""
+    below = {(case, who): subsurface_pictures.Cut(case.slices[who], plane) if case.slices[who] is not None else None
+             for case in cases for who in (FINITE, HALF)}
+    shown = [cut for cut in below.values() if cut is not None]
+    if not shown:
+        return []
+    view, top = subsurface_pictures.view_of(shown), style.round_top(max(cut.largest(kind) for cut in shown))
+    kinds = kinds_of(cases, lambda case, who: below[case, who])
+    rows = [(cases[k:k + COLUMNS], who) for k in range(0, len(cases), COLUMNS) for who in kinds]
+    columns = min(COLUMNS, len(cases))
+    ratio = 2 * subsurface_pictures.DEPTH / (view[1] - view[0])
+    figure, axes = plt.subplots(len(rows), columns, figsize=(4.0 * columns + 1.2, (3.4 * ratio + 1.0) * len(rows)),
+                                squeeze=False, gridspec_kw={"wspace": 0.22, "hspace": 0.35})
+    for (block, who), line in zip(rows, axes):
+        last = None
+        for place, case in zip(line, block):
+            cut = below[case, who]
+            if cut is None:
+                place.set_axis_off()
+                continue
+            title = f"{case.label}, {who.lower()}\nup to {cut.largest(kind):.0f} MPa"
+            last = place, subsurface_pictures.panel(place, cut, kind, top, title, view)
+            place.title.set_fontsize(9)
+            place.xaxis.label.set_fontsize(8)
+            if place is not line[0]:
+                place.set_ylabel("")
+        for place in line[len(block):]:
+            place.set_axis_off()
+        if last is not None:
+            label = "von Mises stress [MPa]" if kind == "von Mises" else subsurface_pictures.SHEAR[plane][1]
+            style.color_bar(figure, *last, label)
+    name = f"family_{'mises' if kind == 'von Mises' else 'shear_stress'}_{plane.lower()}"
+    return [(f"{'Von Mises' if kind == 'von Mises' else 'Shear'} stress below the contact in {plane}, all cases",
+             style.save(run, figure, name))]
+
+
+def draw_all(run, cases):
+    """All pictures of the family."""
+    pictures = draw_forces(run, cases)
+    for panel, name in zip(maps.PANELS, ("family_pressure", "family_shear", "family_states")):
+        pictures += draw_maps(run, cases, panel, name)
+    for plane in ("AA", "BB"):
+        pictures += draw_cuts(run, cases, plane)
+    for plane in ("AA", "BB"):
+        for kind in ("von Mises", "shear"):
+            pictures += draw_stresses(run, cases, plane, kind)
+    return pictures
