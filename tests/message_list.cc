@@ -172,6 +172,8 @@ namespace
   const std::vector<std::string> hard_to_test = {
     "/usr/bin/python3 cannot be started; install the Debian packages python3, python3-h5py and "
     "python3-matplotlib",
+    // tests/installed.py
+    " is there; build or install the program again",
     "the run stopped: ",
     "The plan of the study cannot be written into the folder of temporary files, ",
     "--resume: the mesh is not that of the saved state, since a profile file or the program has changed: "

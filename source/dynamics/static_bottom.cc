@@ -13,6 +13,7 @@
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 

@@ -2,6 +2,7 @@
 #include <wheelrail/mesh/forest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace wheelrail
 {

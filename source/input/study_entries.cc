@@ -4,6 +4,8 @@
 #include <wheelrail/input/section_entries.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {

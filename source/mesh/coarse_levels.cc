@@ -8,6 +8,8 @@
 #include <wheelrail/mesh/forest.h>
 #include <wheelrail/mesh/neighbours.h>
 
+#include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <unordered_map>
 

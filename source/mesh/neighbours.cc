@@ -3,6 +3,7 @@
 #include <wheelrail/mesh/neighbours.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <unordered_map>
 
 namespace wheelrail

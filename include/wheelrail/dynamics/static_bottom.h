@@ -3,7 +3,9 @@
 #include <wheelrail/dynamics/static_springs.h>
 #include <wheelrail/solid/element_blocks.h>
 
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace dealii
 {

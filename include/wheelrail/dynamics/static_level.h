@@ -5,6 +5,9 @@
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/solid.h>
 
+#include <array>
+#include <vector>
+
 namespace wheelrail
 {
   /// Stiffness of both bodies at rest on one mesh, with the contact springs of the moment, as a product with

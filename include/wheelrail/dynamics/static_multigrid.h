@@ -4,6 +4,7 @@
 #include <wheelrail/dynamics/static_level.h>
 
 #include <memory>
+#include <vector>
 
 namespace wheelrail
 {

@@ -5,6 +5,9 @@
 #include <wheelrail/dynamics/static_vector.h>
 #include <wheelrail/mesh/coarse_levels.h>
 
+#include <cstdint>
+#include <vector>
+
 namespace wheelrail
 {
   /// The contact springs on one mesh: stretch = B x with the displacements x of the nodes, energy

@@ -2,6 +2,7 @@
 
 #include <wheelrail/dynamics/static_multigrid.h>
 
+#include <memory>
 #include <vector>
 
 namespace wheelrail

@@ -2,6 +2,8 @@
 
 #include <wheelrail/mesh/local_mesh.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   class Forest;
