@@ -94,7 +94,7 @@ namespace
     check_set(
       "Sleepers/Spacing = 600 mm",
       "--set: Sleepers/Spacing: no such subsection; there are Profiles, Track, Wheelset, Contact, Rail "
-      "material, Wheel material, Mesh, Run, Output, Half-space");
+      "material, Wheel material, Mesh, Run, Output, Half-space, Study");
   }
 
   void
@@ -216,12 +216,12 @@ namespace
     };
     check_line({"simulate"},
                "\"simulate\" is no command; there are run, geometry, halfspace, parameters, compare, report, "
-               "version and help");
+               "study, version and help");
     check_line({"compare", "nowhere"}, "nowhere: no such folder; compare needs the output folder of a run");
     check_line({"run"}, "run needs a parameter file, such as ./wheelrail run prm/rolling.prm");
     check_line({"geometri"},
                "\"geometri\" is no command; there are run, geometry, halfspace, parameters, compare, report, "
-               "version and help, perhaps geometry is meant");
+               "study, version and help, perhaps geometry is meant");
     check_line({"run", "a.prm", "--overwrit"},
                "run: --overwrit is no option; there are --set, --overwrite, --resume, --validate and --help, "
                "perhaps --overwrite is meant; \"wheelrail run --help\" tells more");

@@ -21,7 +21,7 @@ namespace wheelrail
         if (resume)
           series->load(ticks);
       if (resume)
-        volume_series_->load();
+        volume_series_->load(1); // the start; the end is written anew
     });
   }
 
