@@ -112,6 +112,7 @@ main(int argc, char **argv)
 {
   Program program(argc, argv);
   driving_and_braking();
-  other_stations();
+  if (!sanitized)
+    other_stations();
   return report();
 }

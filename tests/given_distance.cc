@@ -32,7 +32,8 @@ namespace
   WheelRailSolution
   solve(const Scene &scene)
   {
-    return solve_given_distance(scene, make_geometry(scene));
+    const SceneGeometry geometry = make_geometry(scene);
+    return solve_given_distance(scene, &geometry);
   }
 
   /// CONTACT (open-source version, revision 2707 of 2025-07-23): Rx 460, Ry 300, steel, mu 0.5, 100 kN,

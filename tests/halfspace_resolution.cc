@@ -32,7 +32,8 @@ namespace
   HalfspaceSolution
   solved(const Scene &scene)
   {
-    return solve_given_distance(scene, make_geometry(scene)).solution;
+    const SceneGeometry geometry = make_geometry(scene);
+    return solve_given_distance(scene, &geometry).solution;
   }
 
   /// Peak pressure of a sphere on a plane (Hertz, 1882) [Pa].

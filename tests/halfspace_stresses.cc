@@ -27,7 +27,8 @@ namespace
     scene.halfspace_radius_across = 0.46;
     scene.halfspace_normal_force  = 100e3;
     scene.traction_coefficient    = traction;
-    return solve_given_distance(scene, make_geometry(scene));
+    const SceneGeometry geometry  = make_geometry(scene);
+    return solve_given_distance(scene, &geometry);
   }
 
   const Slice &

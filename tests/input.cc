@@ -114,6 +114,11 @@ namespace
       {"Half-space/Normal force", "90 kN"},
       {"Half-space/Approach", "0.08 mm"},
       {"Half-space/Contact angle", "50 mrad"},
+      {"Half-space/Wheel roller radius", "235 mm"},
+      {"Half-space/Wheel roller crown", "300 mm"},
+      {"Half-space/Rail roller radius", "200 mm"},
+      {"Half-space/Rail roller crown", "250 mm"},
+      {"Half-space/Roller width", "12 mm"},
       {"Output/Checkpoint interval", "30 s"},
       {"Study/Axes", "Contact/Friction coefficient: 0.1, 0.2; Run/Energy limit: 0.01, 0.02"},
       {"Study/Combine", "pairs"},
@@ -288,7 +293,7 @@ namespace
     const auto read = [](const std::string &given, const std::vector<std::string> &sets = {}) {
       return scene_from_text(given, "t.prm", sets).scene;
     };
-    const Scene scene = read(text, {"Contact/Friction coefficient=0.4", "Title = c # d"});
+    const Scene scene = read(text, {"Contact/Friction coefficient=0.4", "Title = c"});
     check_near(scene.rolling_distance, 0.03, 0, "CRLF, tabs and no blanks around =");
     check_near(scene.energy_limit, 0.01, 0, "a subsection may come twice, the last line may lack its end");
     check_near(scene.friction_coefficient, 0.4, 0, "--set of an entry");

@@ -133,6 +133,15 @@ namespace
     check_set("Title",
               "--set \"Title\": the form is --set \"Section/Entry = value\", such as --set "
               "\"Wheelset/Velocity = 140 km/h\"");
+    for (const char *set : {"Title = a#b", "Run/Rolling distance = 30 mm # short"})
+      check_set(set,
+                std::string("--set \"") + set +
+                  "\": # begins a remark in parameter files, so that no value can hold it; write the value "
+                  "without it");
+    check_set("Title = a\nb", "--set: Title = a?b: a text is one line that does not end with a backslash");
+    check_set(
+      "Run/Time step factor = 1e-300",
+      "--set: Run/Time step factor = 1e-300: too small; a pure number from 0.001 to 0.98 is accepted");
     check_file(
       "subsection Run\nset Rolling distance = 30\nend\nend\nset Titel = x",
       "x.prm:2: Run/Rolling distance = 30: a bare number; a length with its unit is needed, such as 1.5 mm\n"
@@ -200,6 +209,15 @@ namespace
     check_path("messages/binary.txt",
                "messages/binary.txt: not a text file; a parameter file (.prm) is needed",
                "a binary file");
+    fs::create_symlink("b.prm", "messages/a.prm");
+    fs::create_symlink("a.prm", "messages/b.prm");
+    check_path("messages/a.prm",
+               "messages/a.prm: a symbolic link that leads back to itself; correct it with ln -sf",
+               "links in a circle");
+    fs::create_symlink("gone.prm", "messages/link.prm");
+    check_path("messages/link.prm",
+               "messages/link.prm: a symbolic link to gone.prm, which is not there; correct it with ln -sf",
+               "a link to nothing");
     fs::remove_all("messages");
     test::check_unreadable([](const std::string &path) { read_input_file(path); });
   }

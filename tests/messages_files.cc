@@ -95,7 +95,8 @@ namespace
         std::ostringstream out;
         execute({"compare", "stopped"}, {}, out);
       },
-      "The file \"stopped/summary.json\" holds no vertical_force_N and longitudinal_force_N: the run did not "
+      "The file \"stopped/summary.json\" lacks one of vertical_force_N, longitudinal_force_N and "
+      "max_pressure_Pa: the run did not "
       "get so far that its patch could be compared.");
     fs::remove_all("stopped");
   }

@@ -3,11 +3,13 @@
 
 #include "messages.h"
 
+#include <wheelrail/mesh/curve_stretch.h>
 #include <wheelrail/mesh/rail_section.h>
 #include <wheelrail/mesh/wheel_section.h>
 #include <wheelrail/model/model.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -131,6 +133,20 @@ namespace
   }
 
   void
+  test_places()
+  {
+    const Pair pair;
+    // the middle of the tread is nowhere as steep as a wall
+    const MirroredCurve tread{std::make_shared<const Curve>(pair.wheel.tread), -1, 0.46};
+    const double        middle = tread.curve->closest({0, 0});
+    check_message(
+      [&]() { tread.find_tangent(1.5, middle - 0.1, middle + 0.1, "wall"); },
+      "The profile has no wall: its tangent nowhere has the angle of 85.9 degrees that marks this "
+      "place. A section needs the complete outline of a rail, or a tread from the field side over the "
+      "flange to its back, without steps.");
+  }
+
+  void
   test_rail_length()
   {
     Scene scene;
@@ -149,6 +165,7 @@ main()
   test_geometry();
   test_strips();
   test_sections();
+  test_places();
   test_rail_length();
   return test::report();
 }

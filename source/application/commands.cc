@@ -7,12 +7,14 @@
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/reference/given_distance.h>
 #include <wheelrail/run/simulation.h>
 
 #include <boost/program_options.hpp>
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 
 namespace wheelrail
 {
@@ -149,9 +152,16 @@ namespace wheelrail
       const auto file = [&](const char *option) {
         return options.count(option) ? options[option].as<std::string>() : std::string();
       };
-      const SceneInput input = one_scene_of(options);
+      const SceneInput             input = one_scene_of(options);
+      std::optional<SceneGeometry> geometry;
+      if (needs_profiles(input.scene) || !file("contact-wheel-rail-input").empty())
+        geometry = require_touching(input);
+      else
+        require_none(contact_checks(input.scene).errors, input);
+      for (const std::string &warning : contact_checks(input.scene).warnings)
+        out << "warning: " << warning << "\n";
       return run_halfspace_command(input.scene,
-                                   require_computable(input),
+                                   geometry ? &*geometry : nullptr,
                                    {file("contact-input"), file("contact-wheel-rail-input")},
                                    !options.count("no-pictures"),
                                    out);

@@ -1,6 +1,7 @@
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
@@ -8,6 +9,7 @@
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/halfspace_stresses.h>
+#include <wheelrail/reference/trust.h>
 
 #include <nlohmann/json.hpp>
 
@@ -71,7 +73,7 @@ namespace wheelrail
       nlohmann::ordered_json table = nlohmann::ordered_json::array();
       char                   row[200];
       std::snprintf(
-        row, sizeof(row), "  %-40s %12s %12s %-5s %11s\n", "", "finite el.", "half-space", "", "difference");
+        row, sizeof(row), "  %-40s %-5s %11s %12s %12s\n", "", "", "finite el.", "half-space", "difference");
       out << row;
       for (const char *name : compared)
         {
@@ -84,11 +86,11 @@ namespace wheelrail
             std::isfinite(difference) ? text("%+.2f", 100 * difference) + " %" : "-";
           std::snprintf(row,
                         sizeof(row),
-                        "  %-40s %12s %12s %-5s %11s%s%s\n",
+                        "  %-40s %-5s %11s %12s %12s%s%s\n",
                         label.c_str(),
+                        figure.unit,
                         figure.shown(fe).c_str(),
                         figure.shown(hs).c_str(),
-                        figure.unit,
                         percent.c_str(),
                         *relative_to ? " of the " : "",
                         relative_to);
@@ -109,35 +111,31 @@ namespace wheelrail
       return table;
     }
 
-    double
-    bulk_modulus(const MaterialData &material)
+    /// Throws RunError for figures that no run of the scene gives: then the file was changed, and half-spaces
+    /// under such loads would take hours.
+    void
+    check_figures(const Scene &scene, const Summary &run, const std::string &path)
     {
-      return material.youngs_modulus / (3 * (1 - 2 * material.poissons_ratio));
-    }
-
-    Trust
-    trust_of(const Scene             &scene,
-             const Summary           &run,
-             const WheelRailSolution &result,
-             const double             peak_at_rest)
-    {
-      Trust trust;
-      trust.peak_difference = run.max_pressure / result.solution.peak_pressure - 1;
-      trust.cells           = std::min(result.measures.width, result.measures.length) / scene.cell_size;
-      trust.penetration     = run.max_pressure * scene.cell_size /
-                          (scene.penalty_scale *
-                           std::min(bulk_modulus(scene.rail_material), bulk_modulus(scene.wheel_material))) /
-                          result.solution.approach;
-      trust.unsteadiness =
-        std::max(get_figure(run, "vertical_force_std_N"), get_figure(run, "longitudinal_force_std_N")) /
-        run.vertical_force;
-      trust.turn        = result.turn;
-      trust.pose_effect = result.solution.peak_pressure / peak_at_rest - 1;
-      if (run.max_plastic_strain > 0)
-        trust.plastic_strain = run.max_plastic_strain;
-      if (const double patches = get_figure(run, "patches"); patches > 1)
-        trust.patches = patches;
-      return trust;
+      const auto require = [&](const char *key, const double low, const double high) {
+        const double value = get_figure(run, key);
+        if (std::isfinite(value) && (value < low || value > high))
+          throw RunError("The file \"" + path + "\" holds " + key + text(" = %.6g", value) +
+                         ", which no run of its scene gives; compute it again with \"./wheelrail run\" and "
+                         "--overwrite.");
+      };
+      if (!std::isfinite(run.vertical_force) || !std::isfinite(run.longitudinal_force) ||
+          !std::isfinite(run.max_pressure))
+        throw RunError(
+          "The file \"" + path +
+          "\" lacks one of vertical_force_N, longitudinal_force_N and max_pressure_Pa: the run did "
+          "not get so far that its patch could be compared.");
+      const double load = 100 * expected_load(scene);
+      require("vertical_force_N", 1e-6 * load, load);
+      require("longitudinal_force_N", -load, load);
+      require("max_pressure_Pa", 0, 1e12);
+      require("relative_lateral_m", -0.02, 0.02);
+      require("rail_head_roll_rad", -0.2, 0.2);
+      require("wheel_rim_roll_rad", -0.2, 0.2);
     }
 
     nlohmann::ordered_json
@@ -157,118 +155,6 @@ namespace wheelrail
   } // namespace
 
 
-  namespace
-  {
-    bool
-    is_flat(const Trust &trust)
-    {
-      return trust.turn < 0.2;
-    }
-
-    bool
-    half_spaces_fit(const Trust &trust)
-    {
-      return is_flat(trust) && !(trust.plastic_strain > 0) && !(trust.patches > 1);
-    }
-
-    /// How far the peak agrees, or why half-spaces are no reference for it.
-    std::string
-    verdict(const Trust &trust)
-    {
-      std::string why;
-      if (trust.plastic_strain > 0)
-        why += "steel has flowed (plastic strain up to " + text("%.2g", 1e3 * trust.plastic_strain) + "e-3)";
-      if (!is_flat(trust))
-        why += (why.empty() ? "" : " and ") +
-               ("the surfaces turn by " + text("%.0f", trust.turn * 180 / M_PI)) +
-               " degrees across the patch";
-      if (trust.patches > 1)
-        why += (why.empty() ? "" : " and ") + ("the run has " + text("%.0f", trust.patches)) + " patches";
-      const double      difference = std::abs(trust.peak_difference);
-      const std::string percent    = text("%.1f", std::max(0.1, 100 * difference));
-      if (!why.empty())
-        return "The half-spaces are no full reference here, since " + why +
-               "; the peak pressures differ by " + percent + " %";
-      if (difference <= 0.02)
-        return "The finite element result agrees with the half-spaces within " + percent +
-               " % in peak pressure and can be trusted as far";
-      if (difference <= 0.05)
-        return "The finite element result can be trusted to about " + text("%.0f", 100 * difference) +
-               " % in peak pressure";
-      return "The finite element result is off by " + text("%.0f", 100 * difference) +
-             " % in peak pressure and shows tendencies only";
-    }
-
-    /// What the difference of the peaks is made of.
-    std::string
-    parts_sentence(const Trust &trust)
-    {
-      const auto   percent = [](const double part) { return text("%+.1f", 100 * part) + " %"; };
-      const double rest    = trust.peak_difference - trust.penalty_part() - trust.mesh_part();
-      std::string  rest_is = "the rest";
-      if (trust.plastic_strain > 0)
-        rest_is = "yielding, which half-spaces know nothing of";
-      else if (!is_flat(trust))
-        rest_is = "the curved contact";
-      else if (trust.patches > 1)
-        rest_is = "the other patch";
-      else if (!(trust.unsteadiness < 0.01))
-        rest_is = "forces that are not steady";
-      return "Of the difference of " + percent(trust.peak_difference) +
-             " in peak pressure the penalty contact makes about " + percent(trust.penalty_part()) +
-             ", the cells " + percent(trust.mesh_part()) + ", " + rest_is + " " + percent(rest) + ".";
-    }
-  } // namespace
-
-
-  std::string
-  trust_sentence(const Scene &scene, const Trust &trust, const bool finished)
-  {
-    // the rules of doc/manual/compare.md
-    const bool steady = trust.unsteadiness < 0.01, stiff = trust.penetration < 0.02, fine = trust.cells >= 12;
-    std::string sentence = finished ? "" : "The run did not finish, so take its figures with care. ";
-    sentence += verdict(trust);
-    const bool one = std::round(trust.cells) == 1;
-    sentence += ": " + text("%.0f", trust.cells) + (one ? " cell of " : " cells of ") +
-                text("%g", 1e3 * scene.cell_size) + " mm over the shorter extent of the patch " +
-                (one ? "is " : "are ") + (fine ? "enough" : "too few (take at least 12)") +
-                ", the penalty contact sinks in by " + text("%.1f", 100 * trust.penetration) +
-                " % of the approach (" + (stiff ? "small" : "too soft: raise Contact/Penalty scale") + ")";
-    if (std::isfinite(trust.unsteadiness))
-      sentence += ", the forces vary by " + text("%.2f", 100 * trust.unsteadiness) + " % of the load (" +
-                  (steady ? "steady" : "not steady: roll farther") + ")";
-    if (is_flat(trust))
-      sentence += ", and the surfaces turn by only " + text("%.0f", trust.turn * 180 / M_PI) +
-                  " degrees across the patch" +
-                  (half_spaces_fit(trust) ? ", so that half-spaces are a fair reference" : "");
-    return sentence + ". " + parts_sentence(trust);
-  }
-
-
-  WheelRailLoad
-  load_of_run(const Summary &run)
-  {
-    WheelRailLoad load;
-    load.force        = run.vertical_force;
-    load.vertical     = true;
-    load.longitudinal = run.longitudinal_force;
-    // a force at its bound says no more of the creepage
-    load.slides = run.stick_fraction < 1e-3 && std::abs(run.longitudinal_force) > 1e-3 * run.vertical_force;
-    return load;
-  }
-
-
-  SectionOffsets
-  offsets_of_run(const Summary &run)
-  {
-    const auto value = [&](const char *key) {
-      const double figure = get_figure(run, key);
-      return std::isfinite(figure) ? figure : 0;
-    };
-    return {value("relative_lateral_m"), value("rail_head_roll_rad"), value("wheel_rim_roll_rad")};
-  }
-
-
   int
   run_compare_command(const std::string              &folder,
                       const std::vector<std::string> &sets,
@@ -279,26 +165,23 @@ namespace wheelrail
     Summary                     run   = read_summary((path / "summary.json").string());
     SceneInput                  input = read_scene((path / "parameters.prm").string(), sets);
     use_kept_profiles(input.scene, folder);
-    const SceneGeometry geometry = require_computable(input);
+    const SceneGeometry geometry = require_touching(input);
     const Scene        &scene    = input.scene;
-    if (!std::isfinite(run.vertical_force) || !std::isfinite(run.longitudinal_force))
-      throw RunError(
-        "The file \"" + (path / "summary.json").string() +
-        "\" holds no vertical_force_N and longitudinal_force_N: the run did not get so far that its "
-        "patch could be compared.");
-    const WheelRailLoad     load         = load_of_run(run);
-    const SectionOffsets    offsets      = offsets_of_run(run);
-    const WheelRailSolution result       = solve_wheel_rail(scene, geometry, load, offsets);
-    const double            peak_at_rest = solve_wheel_rail(scene, geometry, load, {}).solution.peak_pressure;
-    const Summary           halfspace    = halfspace_summary(scene, result);
+    check_figures(scene, run, (path / "summary.json").string());
+    const WheelRailLoad     load      = load_of_run(run);
+    const SectionOffsets    offsets   = offsets_of_run(run);
+    const WheelRailSolution result    = solve_wheel_rail(scene, geometry, load, offsets);
+    const Summary           halfspace = halfspace_summary(scene, result);
 
     out << run.title << "\nMeans of the run against half-spaces on elements of "
         << 1e3 * result.solution.grid.dx << " mm, wheel moved by " << text("%.3f", 1e3 * offsets.lateral)
         << " mm and rail turned by " << text("%.3f", 1e3 * (offsets.wheel_roll - offsets.rail_roll))
         << " mrad to the track centre\n";
-    nlohmann::ordered_json table    = compare_figures(run, halfspace, out);
-    const Trust            trust    = trust_of(scene, run, result, peak_at_rest);
-    const std::string      sentence = trust_sentence(scene, trust, run.finished);
+    nlohmann::ordered_json table = compare_figures(run, halfspace, out);
+    Trust                  trust = trust_of(scene, run, halfspace_pressure(result));
+    trust.pose_effect =
+      result.solution.peak_pressure / halfspace_pressure(scene, geometry, result.solution.fn, {}).peak - 1;
+    const std::string sentence = trust_sentence(scene, trust, run.finished);
     out << '\n' << sentence << std::endl;
     if (!halfspace.finished)
       out << "The half-space solution is not exact: " << halfspace.stop_reason << std::endl;

@@ -60,7 +60,7 @@ namespace wheelrail
 
   int
   run_halfspace_command(const Scene             &scene,
-                        const SceneGeometry     &geometry,
+                        const SceneGeometry     *geometry,
                         const ContactInputFiles &inputs,
                         const bool               draws,
                         std::ostream            &out)
@@ -68,11 +68,11 @@ namespace wheelrail
     const bool              given = distance_is_given(scene);
     const WheelRailSolution result =
       given ? solve_given_distance(scene, geometry)
-            : solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene));
+            : solve_wheel_rail(scene, *geometry, scene_load(scene, *geometry), scene_offsets(scene));
     if (!inputs.basic.empty())
       replace_file(inputs.basic, contact_input(result.problem, scene.title));
     if (!inputs.wheel_rail.empty())
-      write_wheel_rail_input(scene, geometry, result.vertical, inputs.wheel_rail);
+      write_wheel_rail_input(scene, *geometry, result.vertical, inputs.wheel_rail);
     const HalfspaceStresses stresses = halfspace_stresses(result);
     const HalfspaceGrid    &grid     = result.solution.grid;
     Summary                 figures  = halfspace_summary(scene, result);

@@ -192,7 +192,8 @@ namespace wheelrail
       p.position = unit * p.position;
 
     std::vector<FilePoint> points = cleaned_points(content.points, options.kind, file, profile.notes);
-    profile.points                = options.kind == ProfileKind::wheel
+    profile.points                = options.roller ? oriented_roller(points, profile.notes)
+                                    : options.kind == ProfileKind::wheel
                                       ? oriented_wheel(points, file, options.mirror, profile.notes)
                                       : oriented_rail(points, file, options.mirror, content.gauge_right, profile.notes);
     smooth(profile, options.noise);

@@ -113,7 +113,7 @@ namespace wheelrail
                    Findings           &found)
     {
       const auto entry = [&](const char *name) { return entry_text(scene, section, name); };
-      if (material.tangent_modulus >= material.youngs_modulus)
+      if (std::isfinite(material.yield_stress) && material.tangent_modulus >= material.youngs_modulus)
         found.errors.push_back(entry("Tangent modulus") + ": not smaller than " + entry("Young's modulus") +
                                "; beyond yield the stress rises less than before");
       if (material.youngs_modulus < 50e9 || material.youngs_modulus > 400e9)
@@ -162,14 +162,22 @@ namespace wheelrail
 
 
   Findings
-  cross_checks(const Scene &scene)
+  contact_checks(const Scene &scene)
   {
     Findings found;
     check_wheel(scene, found.errors);
     check_material(scene, "Rail material", scene.rail_material, found);
     check_material(scene, "Wheel material", scene.wheel_material, found);
-    check_cells(scene, found.errors);
     check_drive(scene, found.warnings);
+    return found;
+  }
+
+
+  Findings
+  cross_checks(const Scene &scene)
+  {
+    Findings found = contact_checks(scene);
+    check_cells(scene, found.errors);
     check_steps(scene, found.warnings);
     for (const std::string &fault : study_faults(scene))
       found.errors.push_back(fault);
@@ -190,7 +198,7 @@ namespace wheelrail
         ": longer than Run/Rolling distance = " + rounded_mm(scene.rolling_distance) +
         "; the mean is taken over the last part of the run, so at most that is possible");
     const double spacing = scene.rolling_distance / scene.ticks;
-    if (spacing < 0.1 * scene.cell_size)
+    if (scene.ticks > 1 && spacing < 0.1 * scene.cell_size)
       found.errors.push_back(
         entry_text(scene, "Output", "Ticks") + ": one output every " + rounded_mm(spacing) +
         " of rolling, which is less than a tenth of a cell (" + rounded_mm(scene.cell_size) +

@@ -324,11 +324,15 @@ namespace wheelrail
       throw InputError("--set \"" + shown_text(set) +
                        "\": the form is --set \"Section/Entry = value\", such as --set \"Wheelset/Velocity "
                        "= 140 km/h\"");
-    // a comment ends the value as in a file, so that what is written down reads back the same
-    const std::string value = set.substr(equal + 1);
+    // in a file a remark would begin there, so that the value would not read back the same
+    if (set.find('#') != std::string::npos)
+      throw InputError(
+        "--set \"" + shown_text(set) +
+        "\": # begins a remark in parameter files, so that no value can hold it; write the value "
+        "without it");
     return {slash == std::string::npos ? "" : trim(path.substr(0, slash)),
             name,
-            trim(value.substr(0, value.find('#'))),
+            trim(set.substr(equal + 1)),
             {"--set"},
             "",
             ""};

@@ -1,6 +1,7 @@
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -19,10 +20,11 @@ namespace wheelrail
                                          "Undeformed distance",
                                          "Distance of the surfaces before they deform, for the command "
                                          "halfspace. profiles: of wheel and rail; "
-                                         "hertz: x^2/(2 Radius along) + y^2/(2 Radius across); a file: rows "
+                                         "hertz: x^2/(2 Radius along) + y^2/(2 Radius across); "
+                                         "rollers: of the two rollers below; a file: rows "
                                          "x, y, distance in mm on a regular "
                                          "grid."},
-                                        {"profiles", "hertz"},
+                                        {"profiles", "hertz", "rollers"},
                                         "a file (with its ending, such as distance.txt)",
                                         field(&S::halfspace_distance)));
       list.push_back(
@@ -37,20 +39,20 @@ namespace wheelrail
                                   B::between("1 mm", "100 m"),
                                   field(&S::halfspace_radius_across)));
       const auto force = field(&S::halfspace_normal_force);
-      list.push_back(
-        with_word(number_entry({"Half-space",
-                                "Normal force",
-                                "For hertz and files; auto: static wheel load, or as Approach gives it."},
-                               D::force,
-                               "kN",
-                               B::between("1 N", "10 MN"),
-                               force),
-                  "auto",
-                  0,
-                  force));
+      list.push_back(with_word(number_entry({"Half-space",
+                                             "Normal force",
+                                             "For hertz, rollers and files; auto: static wheel load (not for "
+                                             "rollers), or as Approach gives it."},
+                                            D::force,
+                                            "kN",
+                                            B::between("1 N", "10 MN"),
+                                            force),
+                               "auto",
+                               0,
+                               force));
       const auto approach = field(&S::halfspace_approach);
       list.push_back(with_word(
-        length_entry({"Half-space", "Approach", "For hertz and files, instead of the normal force."},
+        length_entry({"Half-space", "Approach", "For hertz, rollers and files, instead of the normal force."},
                      "mm",
                      B::between("0.1 um", "5 mm"),
                      approach),
@@ -64,6 +66,49 @@ namespace wheelrail
                                   "mrad",
                                   B::between("-1500 mrad", "1500 mrad"),
                                   field(&S::halfspace_contact_angle)));
+    }
+    /// The rollers of a test rig.
+    void
+    add_rollers(std::vector<Entry> &list)
+    {
+      for (const bool wheel : {true, false})
+        {
+          const std::string name   = wheel ? "Wheel" : "Rail";
+          const auto        shape  = wheel ? &S::wheel_roller : &S::rail_roller;
+          const auto        radius = [shape](Scene &scene) -> double        &{ return (scene.*shape).radius; };
+          const auto        crown  = [shape](Scene &scene) -> double         &{ return (scene.*shape).crown; };
+          list.push_back(
+            with_word(length_entry({"Half-space",
+                                    name + " roller radius",
+                                    "For rollers: in the rolling direction; straight: a bar, as of a rail."},
+                                   "mm",
+                                   B::between("1 mm", "100 m"),
+                                   radius),
+                      "straight",
+                      0,
+                      radius));
+          list.push_back(with_word(
+            with_word(
+              length_entry({"Half-space",
+                            name + " roller crown",
+                            "For rollers: radius across; flat: a cylinder; profile: the crown in the file of "
+                            "Profiles/" +
+                              name + "."},
+                           "mm",
+                           B::between("1 mm", "100 m"),
+                           crown),
+              "flat",
+              0,
+              crown),
+            "profile",
+            -1,
+            crown));
+        }
+      list.push_back(length_entry(
+        {"Half-space", "Roller width", "For rollers: of the narrower one; beyond it there is no contact."},
+        "mm",
+        B::between("0.5 mm", "1 m"),
+        field(&S::roller_width)));
     }
   } // namespace
 
@@ -101,6 +146,7 @@ namespace wheelrail
       B::between("-20 mrad", "20 mrad"),
       field(&S::halfspace_inclination)));
     add_given_distance(list);
+    add_rollers(list);
     return list;
   }
 } // namespace wheelrail

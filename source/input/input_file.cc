@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 #include <vector>
 
 namespace wheelrail
@@ -32,7 +33,13 @@ namespace wheelrail
   {
     namespace fs = std::filesystem;
     std::error_code code;
-    if (!fs::exists(path, code))
+    const bool      there = fs::exists(path, code);
+    if (code == std::errc::too_many_symbolic_link_levels)
+      throw InputError(path + ": a symbolic link that leads back to itself; correct it with ln -sf");
+    if (!there && fs::is_symlink(path, code))
+      throw InputError(path + ": a symbolic link to " + fs::read_symlink(path, code).string() +
+                       ", which is not there; correct it with ln -sf");
+    if (!there)
       {
         const std::string nearest = nearest_file(path);
         throw InputError(path + ": no such file" + (nearest.empty() ? "" : "; the nearest is " + nearest));

@@ -41,7 +41,7 @@ namespace wheelrail
                                 {"normal load", StartState::normal_load}},
                                field(&S::start)));
     list.push_back(pure_entry({"Run", "Time step factor", "Time step as a fraction of the stable one."},
-                              B::above("0", "0.98"),
+                              B::between("0.001", "0.98"),
                               field(&S::time_step_factor)));
     list.push_back(pure_entry({"Run", "Bulk viscosity", "Linear bulk viscosity coefficient; damps shocks."},
                               B::between("0", "1"),

@@ -198,7 +198,10 @@ namespace wheelrail
       SectionBuilder &builder = wheel.builder;
       const double    depth   = std::min(0.008, 0.6 * wheel.block_size);
       const double    front =
-        wheel.rim.find_tangent(40 * degree, tip, tread.layer.end, "front of the flange tip");
+        wheel.rim.find_tangent(40 * degree, tip, wheel.rim.curve->closest({0, 0}), "front of the flange tip");
+      require(tread.layer.end < front,
+              "the fine cells reach so far up the flange that no block of " + in_mm(wheel.block_size) +
+                " fits between them and its tip.");
       const double rear = wheel.rim.find_tangent(-45 * degree, tip, wheel.back, "rear of the flange tip");
       const unsigned int root = tread.layer.outer.back(), root_inner = tread.inner.back();
 

@@ -1,7 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
-#include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_checks.h>
@@ -92,44 +91,72 @@ namespace wheelrail
           "slower than fewer ranks");
     }
 
-    /// Whether the patch stays two rows within the fine cells to the end of the way, as the contact asks for.
-    void
-    check_end_of_way(const Scene         &scene,
-                     const ExpectedPatch &patch,
-                     const SweepPlan     &plan,
-                     Sentences           &warnings)
+    bool
+    fits(const Scene &scene, const SceneGeometry &geometry)
     {
-      const Lattice lattice = make_lattice(plan);
-      const double  last    = (lattice.first_station + int(lattice.n_along) - 2) * lattice.spacing_along;
-      const double  reached = last - 0.5 * patch.length, missing = scene.rolling_distance - reached;
-      if (missing > 0)
-        warnings.push_back(
-          entry_text(scene, "Mesh", "Fine margin") +
-          ": the patch is expected to reach the edge of the fine cells after " +
-          rounded_mm(std::max(0., std::floor(1e4 * reached) / 1e4)) + " of " +
-          entry_text(scene, "Run", "Rolling distance") + ", which would stop the run there; take " +
-          rounded_mm(scene.fine_margin + scene.cell_size * std::ceil(missing / lattice.spacing_along)));
+      try
+        {
+          sweep_plan(scene, geometry);
+          return true;
+        }
+      catch (const std::exception &)
+        {
+          return false;
+        }
+    }
+
+    /// What would let blocks fit into the sections: smaller ones, or the shift nearest to the wanted one at
+    /// which they do, to 0.1 mm.
+    std::string
+    way_to_fit(const Scene &scene, const SceneGeometry &geometry)
+    {
+      for (Scene finer = scene;
+           finer.coarse_cell_size > 1.5 * scene.cell_size && finer.coarse_cell_size > 4e-3;)
+        {
+          finer.coarse_cell_size /= 2;
+          if (fits(finer, geometry))
+            return " With Mesh/Coarse cell size = " + rounded_mm(finer.coarse_cell_size) + " they can.";
+        }
+      const auto possible = [&](const double shift) {
+        Scene moved         = scene;
+        moved.lateral_shift = shift;
+        try
+          {
+            return fits(moved, make_geometry(moved, {geometry.rail, geometry.wheel, {}}));
+          }
+        catch (const InputError &)
+          {
+            return false;
+          }
+      };
+      if (scene.lateral_shift == 0 || !possible(0))
+        return "";
+      double good = 0, bad = scene.lateral_shift;
+      while (std::abs(bad - good) > 1e-4)
+        {
+          const double middle             = 0.5 * (good + bad);
+          (possible(middle) ? good : bad) = middle;
+        }
+      return " With Wheelset/Lateral shift = " + in_mm(std::trunc(1e4 * good) / 1e4) + " they can.";
     }
 
     /// Whether blocks of the wanted size fit into both sections: lays them out, which takes 20 ms.
     void
-    check_sections(const Scene         &scene,
-                   const SceneGeometry &geometry,
-                   const ExpectedPatch &patch,
-                   Findings            &found)
+    check_sections(const Scene &scene, const SceneGeometry &geometry, Findings &found)
     {
       // with very many blocks that would take long; smaller ones fit better than large ones
       if (scene.coarse_cell_size < 4e-3)
         return;
       try
         {
-          check_end_of_way(scene, patch, sweep_plan(scene, geometry), found.warnings);
+          sweep_plan(scene, geometry);
         }
       catch (const std::exception &error)
         {
           found.errors.push_back(entry_text(scene, "Mesh", "Coarse cell size") +
                                  ": rail and wheel cannot be divided into cells at " +
-                                 entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
+                                 entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what() +
+                                 way_to_fit(scene, geometry));
         }
     }
 
@@ -176,7 +203,7 @@ namespace wheelrail
       check_rail_length(scene, patch, found.errors);
       check_distances(scene, found);
       if (geometry && found.errors.empty())
-        check_sections(scene, *geometry, *patch, found);
+        check_sections(scene, *geometry, found);
     }
   } // namespace
 
@@ -199,6 +226,18 @@ namespace wheelrail
     Findings found = cross_checks(scene);
     check_with(scene, &geometry, machine, found);
     return found;
+  }
+
+
+  SceneGeometry
+  require_touching(const SceneInput &input)
+  {
+    Findings                     found = contact_checks(input.scene);
+    std::optional<SceneGeometry> geometry;
+    if (found.errors.empty())
+      geometry = find_geometry(input.scene, found.errors);
+    require_none(found.errors, input);
+    return std::move(*geometry);
   }
 
 

@@ -3,6 +3,7 @@
 #include <wheelrail/reference/distance_file.h>
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/roller_distance.h>
 
 #include <algorithm>
 #include <chrono>
@@ -21,7 +22,31 @@ namespace wheelrail
       double                                x_min, x_max, y_min, y_max;             ///< where it is known [m]
       double                                radius_along, radius_across;            ///< for a first guess [m]
       double                                lowest = 0, lowest_x = 0, lowest_y = 0; ///< [m]
+      double                                width =
+        0; ///< of a body that ends at its sides, in the middle of which y = 0 lies; 0: it does not
     };
+
+    GivenSurfaces
+    rollers_of(const Scene &scene)
+    {
+      constexpr double far = 0.1, beside = 0.02; // farther than any approach; room for elements beside [m]
+      const RollerDistance rollers = roller_distance(scene);
+      const double         R       = rollers.radius_along;
+      return {[rollers](const double x, const double y) {
+                return x * x / (2 * rollers.radius_along) +
+                       (y < rollers.low || y > rollers.high ? far : rollers.across(y));
+              },
+              -0.5 * R,
+              0.5 * R,
+              rollers.low - beside,
+              rollers.high + beside,
+              R,
+              rollers.radius_across,
+              rollers.lowest,
+              0,
+              rollers.lowest_at,
+              scene.roller_width};
+    }
 
     GivenSurfaces
     surfaces_of(const Scene &scene)
@@ -35,6 +60,8 @@ namespace wheelrail
                 0.5 * Ry,
                 Rx,
                 Ry};
+      if (scene.halfspace_distance == "rollers")
+        return rollers_of(scene);
       DistanceTable table;
       try
         {
@@ -106,8 +133,12 @@ namespace wheelrail
       const double approach = problem.force_given
                                 ? std::cbrt(9 * std::pow(problem.normal_force / E, 2) / (16 * R))
                                 : problem.approach;
-      const auto   lay_grid = [&](const double reached, const double element) {
-        problem.grid = grid_below(surfaces, reached, element);
+      const auto   lay_grid = [&](const double reached, const double wanted) {
+        // sides lie between elements, one of which lies in the middle
+        const double element = surfaces.width > 0
+                                   ? surfaces.width / (2 * std::ceil(0.5 * surfaces.width / wanted - 0.5) + 1)
+                                   : wanted;
+        problem.grid         = grid_below(surfaces, reached, element);
         problem.undeformed_distance.clear();
         for (int j = 0; j < problem.grid.my; ++j)
           for (int i = 0; i < problem.grid.mx; ++i)
@@ -127,14 +158,26 @@ namespace wheelrail
   }
 
 
+  bool
+  needs_profiles(const Scene &scene)
+  {
+    return !distance_is_given(scene) || (scene.halfspace_distance != "rollers" &&
+                                         scene.halfspace_normal_force == 0 && scene.halfspace_approach == 0);
+  }
+
+
   WheelRailSolution
-  solve_given_distance(const Scene &scene, const SceneGeometry &geometry)
+  solve_given_distance(const Scene &scene, const SceneGeometry *geometry)
   {
     const auto begin = std::chrono::steady_clock::now();
     if (scene.halfspace_normal_force > 0 && scene.halfspace_approach > 0)
       throw InputError(
         "Half-space/Normal force and Half-space/Approach are both given; one follows from the "
         "other: set one of them to auto");
+    if (!geometry && scene.halfspace_normal_force == 0 && scene.halfspace_approach == 0)
+      throw InputError(
+        "Half-space/Normal force = auto: no wheel load presses rollers together; give the force, or "
+        "Half-space/Approach");
     const GivenSurfaces surfaces = surfaces_of(scene);
     WheelRailSolution   result;
     HalfspaceProblem   &problem = result.problem;
@@ -143,7 +186,7 @@ namespace wheelrail
     problem.approach            = scene.halfspace_approach;
     if (problem.force_given)
       problem.normal_force =
-        scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force : static_wheel_load(scene, geometry);
+        scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force : static_wheel_load(scene, *geometry);
 
     const HalfspaceSolution normal   = solve_normal_problem(scene, surfaces, problem, result.enlargements);
     problem.motion                   = HalfspaceMotion::steady;

@@ -1,3 +1,4 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/reference/halfspace_case.h>
@@ -189,13 +190,37 @@ namespace wheelrail
       return solve_on_growing_grid(
         problem, approach, scene.halfspace_element_size, 6, lay_grid, enlargements);
     }
+    /// Between the edges of the patch [rad].
+    double
+    turn_across(const Sections &sections, const PatchMeasures &measures)
+    {
+      const auto   angle  = [&](const double place) { return std::atan(sections.rail.at(place).slope); };
+      const double middle = measures.centre_lateral, half = 0.5 * measures.width;
+      return std::abs(angle(middle + half) - angle(middle - half));
+    }
+
+    /// The section that a run would mesh, or that of the centred wheelset.
+    Section
+    wheel_section(const Scene &scene, const SceneGeometry &geometry)
+    {
+      try
+        {
+          return sweep_plan(scene, geometry).wheel;
+        }
+      catch (const InputError &)
+        {
+          Scene centred         = scene;
+          centred.lateral_shift = 0;
+          return sweep_plan(centred, make_geometry(centred, {geometry.rail, geometry.wheel, {}})).wheel;
+        }
+    }
   } // namespace
 
 
   double
   static_wheel_load(const Scene &scene, const SceneGeometry &geometry)
   {
-    const Section wheel = sweep_plan(scene, geometry).wheel;
+    const Section wheel = wheel_section(scene, geometry);
     // first moment of the section about the axle, from small quadrilaterals (Guldin)
     constexpr int n      = 8;
     double        moment = 0;
@@ -259,32 +284,78 @@ namespace wheelrail
     problem.fx     = load.slides ? -std::copysign(10 * load.force, load.longitudinal) : -load.longitudinal;
     problem.xi     = load.rate_held ? load.creepage : 0;
     const double c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
-    // the lateral traction carries a part of a vertical load; it hardly depends on the normal force
-    for (int round = 0; round < (load.vertical ? 2 : 1); ++round)
+    // the lateral traction carries a part of a vertical load: on the tread it hardly depends on the normal
+    // force, on the flange it grows with it, so that secants have to find the balance
+    constexpr int    most_rounds = 12;
+    constexpr double enough      = 1e-3; // of the load
+    double           before = 0, missed_before = 0, missed = 0;
+    for (int round = 0; round < (load.vertical ? most_rounds : 1); ++round)
       {
-        if (load.vertical)
+        const double now = problem.normal_force;
+        if (load.vertical && round < 2)
           problem.normal_force = (load.force + result.solution.fy * s) / c;
+        else if (load.vertical)
+          problem.normal_force = now - missed * (now - before) / (missed - missed_before);
+        before          = now;
+        missed_before   = missed;
         result.solution = solve_carried(problem);
         if (result.solution.within_friction)
           problem.xi = result.solution.xi;
+        missed = result.solution.fn * c - result.solution.fy * s - load.force;
+        if (round > 0 && std::abs(missed) < enough * load.force)
+          break;
       }
     if (!result.solution.within_friction)
       {
         problem.longitudinal_force_given = false;
         problem.xi                       = result.solution.xi;
       }
-    result.angle            = means.rail_angle;
-    result.problem          = problem;
-    result.spin             = std::sin(means.wheel_angle) / sections.geometry.rolling_radius;
-    result.lateral          = -result.solution.fn * s - result.solution.fy * c;
-    result.vertical         = result.solution.fn * c - result.solution.fy * s;
-    result.patch            = halfspace_patch(result.solution);
-    result.measures         = measure_patch(result.patch);
-    const auto   rail_angle = [&](const double place) { return std::atan(sections.rail.at(place).slope); };
-    const double middle = result.measures.centre_lateral, half = 0.5 * result.measures.width;
-    result.turn = std::abs(rail_angle(middle + half) - rail_angle(middle - half));
-    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (load.vertical && std::abs(missed) > 10 * enough * load.force)
+      {
+        result.solution.coupling_converged = false;
+        result.solution.not_reached += "The normal force that carries the wheel load was not found. ";
+      }
+    result.angle    = means.rail_angle;
+    result.problem  = problem;
+    result.spin     = std::sin(means.wheel_angle) / sections.geometry.rolling_radius;
+    result.lateral  = -result.solution.fn * s - result.solution.fy * c;
+    result.vertical = result.solution.fn * c - result.solution.fy * s;
+    result.patch    = halfspace_patch(result.solution);
+    result.measures = measure_patch(result.patch);
+    result.turn     = turn_across(sections, result.measures);
+    result.time     = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
+  }
+
+
+  HalfspacePressure
+  halfspace_pressure(const Scene          &scene,
+                     const SceneGeometry  &geometry,
+                     const double          normal_force,
+                     const SectionOffsets &offsets)
+  {
+    const Sections   sections(geometry, offsets);
+    HalfspaceProblem problem = halfspace_problem(scene);
+    problem.normal_force     = normal_force;
+    int                     ignored;
+    const HalfspaceSolution solution = solve_pressure(scene, sections, problem, ignored);
+    const PatchMeasures     measures = measure_patch(halfspace_patch(solution));
+    return {solution.peak_pressure,
+            solution.approach,
+            measures.width,
+            measures.length,
+            turn_across(sections, measures)};
+  }
+
+
+  HalfspacePressure
+  halfspace_pressure(const WheelRailSolution &result)
+  {
+    return {result.solution.peak_pressure,
+            result.solution.approach,
+            result.measures.width,
+            result.measures.length,
+            result.turn};
   }
 
 
@@ -308,18 +379,20 @@ namespace wheelrail
     summary.patch_centre_longitudinal = result.measures.centre_along;
     summary.max_shear_traction        = result.measures.max_traction;
     summary.stick_fraction            = result.measures.stick_fraction;
-    summary.creepage                  = s.within_friction || s.xi < 0 ? s.xi : Summary::none;
-    summary.friction_coefficient      = scene.friction_coefficient;
-    summary.velocity                  = scene.velocity;
-    summary.elements                  = s.contact_elements;
-    summary.wall_time                 = result.time;
-    summary.further                   = {{"approach_m", s.approach},
-                                         {"spin_per_m", result.spin},
-                                         {"contact_angle_rad", -result.angle},
-                                         {"area_of_whole_elements_m2", s.area},
-                                         {"grid_spacing_m", s.grid.dx},
-                                         {"grid_elements_along", double(s.grid.mx)},
-                                         {"grid_elements_lateral", double(s.grid.my)}};
+    // a wheel that spins up has no steady creepage, and without friction there is none to find
+    const bool determined        = !frictionless(result.problem.friction) && (s.within_friction || s.xi < 0);
+    summary.creepage             = determined ? s.xi : Summary::none;
+    summary.friction_coefficient = scene.friction_coefficient;
+    summary.velocity             = scene.velocity;
+    summary.elements             = s.contact_elements;
+    summary.wall_time            = result.time;
+    summary.further              = {{"approach_m", s.approach},
+                                    {"spin_per_m", result.spin},
+                                    {"contact_angle_rad", -result.angle},
+                                    {"area_of_whole_elements_m2", s.area},
+                                    {"grid_spacing_m", s.grid.dx},
+                                    {"grid_elements_along", double(s.grid.mx)},
+                                    {"grid_elements_lateral", double(s.grid.my)}};
     set_figure(summary, "t_gamma_N", result.measures.t_gamma);
     set_figure(summary, "frictional_power_W", result.measures.t_gamma * scene.velocity);
     summary.finished    = s.converged() && !s.touches_grid_edge;

@@ -126,10 +126,10 @@ namespace wheelrail
   {
     const int    n      = elements_across(solution);
     const double wanted = scene.halfspace_element_size, used = solution.grid.dx;
-    if (used > 0.999 * wanted && n >= least_across)
+    if (used > 0.9 * wanted && n >= least_across)
       return "";
     return "Half-space/Element size = " + in_mm(wanted) + ": " +
-           (used > 0.999 * wanted
+           (used > 0.9 * wanted
               ? ""
               : "too coarse for this contact, elements of " + in_mm(used, 1e5) + " were taken; ") +
            counted_elements(n) + " across the contact" +

@@ -1,3 +1,4 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/run/run_end.h>
@@ -107,6 +108,26 @@ namespace wheelrail
         summary.note = sliding_note(scene.traction_coefficient);
     }
   } // namespace
+
+
+  PeakMiss
+  compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
+  {
+    try
+      {
+        const HalfspacePressure halfspace =
+          halfspace_pressure(scene, geometry, summary.normal_force, offsets_of_run(summary));
+        const Trust trust = trust_of(scene, summary, halfspace);
+        set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
+        set_figure(summary, "relative_difference_max_pressure", trust.peak_difference);
+        return peak_miss(scene, trust);
+      }
+    catch (const InputError &error)
+      {
+        return {std::string("the peak pressure could not be held against half-spaces: ") + error.what(),
+                true};
+      }
+  }
 
 
   Summary

@@ -17,12 +17,12 @@ namespace wheelrail
 
   /// Solves the scene as two elastic half-spaces, prints the figures, and writes halfspace.h5 (one tick in
   /// the form of a run's patch.h5), slices.h5 (stresses below the contact, as a run's), summary.json,
-  /// parameters.prm and pictures into "<Output/Folder>-halfspace". Pictures are left out unless
-  /// `draws`. Where file names are given, also writes
-  /// inputs for the program CONTACT. Returns the exit code. Throws InputError, RunError.
+  /// parameters.prm and pictures into "<Output/Folder>-halfspace". Pictures are left out unless `draws`.
+  /// Where file names are given, also writes inputs for the program CONTACT. `geometry` may be null unless
+  /// needs_profiles(). Returns the exit code. Throws InputError, RunError.
   int
   run_halfspace_command(const Scene             &scene,
-                        const SceneGeometry     &geometry,
+                        const SceneGeometry     *geometry,
                         const ContactInputFiles &inputs,
                         bool                     draws,
                         std::ostream            &out);

@@ -39,7 +39,8 @@ namespace wheelrail
     ProfileKind   kind   = ProfileKind::rail;
     ProfileMirror mirror = ProfileMirror::automatic;
     ProfileUnit   unit   = ProfileUnit::automatic;
-    double        noise  = -1; ///< standard deviation to smooth away [m]; negative: that of the points
+    double        noise  = -1;    ///< standard deviation to smooth away [m]; negative: that of the points
+    bool          roller = false; ///< the crown of a test rig's roller, without flange or gauge side
   };
 
   /// A profile from a file, checked, turned, cleaned and smoothed.
@@ -61,7 +62,8 @@ namespace wheelrail
   /// Reads a wheel or rail profile (SIMPACK, MiniProf, two columns; profile_formats.h) and turns it
   /// into x positive to the field side, y up, running from the field side to the gauge side (rail:
   /// the head down to at most 35 mm below its top) or to the flange back (wheel). The origin stays
-  /// that of the file; measured_rail() and measured_wheel() move it.
+  /// that of the file; measured_rail() and measured_wheel() move it. The crown of a roller runs from its
+  /// largest x to its smallest, y pointing out of the roller.
   ///
   /// Throws InputError that names the file, the line where one is to blame, what was found, what is
   /// accepted and what to do. Returns or throws for any bytes in a time that their number bounds.

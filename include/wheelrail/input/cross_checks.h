@@ -15,7 +15,11 @@ namespace wheelrail
     std::vector<std::string> warnings; ///< it can be computed, but may not be what was meant
   };
 
-  /// The checks of wheel, materials, cells, drive and friction that need nothing but the entries. Ranges
+  /// The checks of wheel, materials, drive and friction, as far as half-spaces need them, too.
+  Findings
+  contact_checks(const Scene &scene);
+
+  /// These, and the checks of cells and time steps that need nothing but the entries. Ranges
   /// of single values are the business of the entries, the contact of the profiles and the machine that
   /// of check_scene(). Throws nothing for a scene whose entries are each within their range.
   Findings

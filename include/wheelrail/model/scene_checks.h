@@ -26,6 +26,11 @@ namespace wheelrail
   Findings
   check_scene(const Scene &scene, const SceneGeometry &geometry, const Machine &machine);
 
+  /// The geometry of a scene whose profiles touch, which half-spaces need: cells, rail and machine are not
+  /// looked at. Throws InputError as require_computable().
+  SceneGeometry
+  require_touching(const SceneInput &input);
+
   /// The geometry of a scene that can be computed. Throws InputError with all errors of check_scene(), each
   /// after the place where its entry was set.
   SceneGeometry

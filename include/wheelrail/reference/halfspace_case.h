@@ -45,8 +45,17 @@ namespace wheelrail
     int               enlargements = 0; ///< of the grid, until the contact did not touch its edge
   };
 
+  /// The normal contact of wheel and rail without what friction adds to it.
+  struct HalfspacePressure
+  {
+    double peak = 0, approach = 0; ///< [Pa], [m]
+    double width = 0, length = 0;  ///< extents of the patch across and along the rail [m]
+    double turn = 0;               ///< of the surfaces across the patch, edge to edge [rad]
+  };
+
   /// Weight of sprung mass, axle and wheel [N]; the wheel's mass is that of the section a run would mesh,
-  /// turned around the axle, times its density. Throws InputError when there is no such section.
+  /// turned around the axle, times its density. Where no run is possible, since the contact lies on the
+  /// flange, the section is the one of the centred wheelset. Throws InputError when there is none either.
   double
   static_wheel_load(const Scene &scene, const SceneGeometry &geometry);
 
@@ -67,6 +76,18 @@ namespace wheelrail
                    const SceneGeometry  &geometry,
                    const WheelRailLoad  &load,
                    const SectionOffsets &offsets);
+
+  /// The normal problem of solve_wheel_rail() alone, under a force normal to the contact plane [N]: some
+  /// hundredths of a second.
+  HalfspacePressure
+  halfspace_pressure(const Scene          &scene,
+                     const SceneGeometry  &geometry,
+                     double                normal_force,
+                     const SectionOffsets &offsets);
+
+  /// The same figures of a solution with friction.
+  HalfspacePressure
+  halfspace_pressure(const WheelRailSolution &result);
 
   /// The figures of a solution under the names of a run's summary, in its signs.
   Summary

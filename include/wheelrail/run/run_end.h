@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/output/summary.h>
+#include <wheelrail/reference/trust.h>
 #include <wheelrail/sampling/run_parts.h>
 #include <wheelrail/state/stop.h>
 
@@ -21,7 +22,6 @@ namespace wheelrail
     unsigned long first_step   = 0; ///< steps before this part
   };
 
-  /// The figures of a run at its end or where it stopped, without `finished` and the reason. Collective.
   /// Why the figures of a finished run should not be trusted, in sentences; empty when they may be. Judged
   /// are the noise of normal force and peak pressure over the last stretch, the energy error, and whether
   /// forces had settled before the means began at `from` [m]: a balanced energy alone does not protect, since
@@ -29,6 +29,12 @@ namespace wheelrail
   std::string
   doubts_about(const Summary &summary, double from);
 
+  /// Holds the peak pressure of a finished run against that of half-spaces under its normal force and in its
+  /// pose, which takes some hundredths of a second, and adds both figures to the summary.
+  PeakMiss
+  compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary);
+
+  /// The figures of a run at its end or where it stopped, without `finished` and the reason. Collective.
   Summary
   summary_of(const RunParts &run, const RunTally &tally, double averaging_distance);
 } // namespace wheelrail

@@ -1,0 +1,234 @@
+"""Random scenes over the accepted entries, each held against its own half-spaces.
+
+Usage: random_search.py PROGRAM MPIEXEC FIRST LAST
+
+Scene N is drawn from seed N: cells of 3 mm, 8 mm of rolling, one rank, a fifth of the other entries changed.
+Scenes that are refused are drawn again from the same seed. Each scene that starts must
+
+  - finish, within 25 % of its own half-spaces in peak pressure; or
+  - finish with a warning that tells the miss and its cause (the warning before the run, that 3 mm are coarse, does not
+    count); or
+  - stop with a sentence;
+
+without values that are not finite, a crash, or more than ten minutes of processor time. What came of each scene is a
+line of results.jsonl in the present folder; seeds that have one are not run again, so that a search can go on where it
+was ended, and several can share the seeds.
+"""
+
+import json
+import math
+import os
+import random
+import re
+import resource
+import shutil
+import subprocess
+import sys
+
+from checks import check, finish
+
+TESTS = os.path.dirname(os.path.abspath(__file__))
+RESULTS = "results.jsonl"
+MOST_SECONDS = 600
+PEAK = 0.25
+
+# what every scene has
+FIXED = {
+    "Mesh/Solution cell size": "3 mm",
+    "Mesh/Coarse cell size": "24 mm",
+    "Run/Rolling distance": "8 mm",
+    "Run/Averaging distance": "4 mm",
+    "Output/Ticks": "4",
+    "Output/Volume fields": "false",
+}
+
+
+def log_uniform(draw, low, high):
+    return math.exp(draw.uniform(math.log(low), math.log(high)))
+
+
+def entries(draw):
+    """Changed entries of one scene, in the words of a parameter file."""
+    def number(low, high, unit="", digits=4):
+        return f"{draw.uniform(low, high):.{digits}g} {unit}".strip()
+
+    def size(low, high, unit="", digits=3):
+        return f"{log_uniform(draw, low, high):.{digits}g} {unit}".strip()
+
+    profiles = os.path.join(TESTS, "profiles")
+    found = {
+        "Profiles/Wheel": draw.choice(["S1002", os.path.join(profiles, "worn_S1002.prw")]),
+        "Profiles/Rail": draw.choice(["54E1", "60E1", "60E1", os.path.join(profiles, "worn_54E1.ban")]),
+        "Track/Gauge": number(1425, 1450, "mm"),
+        "Track/Gauge height": number(10, 20, "mm"),
+        "Track/Rail inclination": draw.choice(["0", "1/20", "1/30", number(0, 0.1)]),
+        "Track/Rail length": number(0.3, 2.5, "m"),
+        "Wheelset/Nominal rolling radius": number(420, 600, "mm"),
+        "Wheelset/Flange back distance": number(1353, 1366, "mm"),
+        "Wheelset/Lateral shift": draw.choice([number(-6, 6, "mm"), number(-3, 3, "mm"), number(-12, 12, "mm")]),
+        "Wheelset/Roll": draw.choice(["none", "from contact"]),
+        "Wheelset/Rim width": number(125, 145, "mm"),
+        "Wheelset/Disc thickness": number(15, 60, "mm"),
+        "Wheelset/Disc position": number(40, 95, "mm"),
+        "Wheelset/Hub length": number(120, 250, "mm"),
+        "Wheelset/Hub outer radius": number(110, 180, "mm"),
+        "Wheelset/Bore radius": number(50, 100, "mm"),
+        "Wheelset/Fillet radius": number(5, 40, "mm"),
+        "Wheelset/Sprung mass": size(1, 50, "t"),
+        "Wheelset/Axle mass": size(1, 5000, "kg"),
+        "Wheelset/Axle pitch inertia": draw.choice(["0 kg m2", size(0.1, 1000, "kg m2")]),
+        "Wheelset/Suspension stiffness": draw.choice(["0 MN/m", size(0.1, 1000, "MN/m")]),
+        "Wheelset/Suspension damping": draw.choice(["0 N s/m", size(100, 1e6, "N s/m")]),
+        "Wheelset/Velocity": size(20, 500, "km/h"),
+        "Wheelset/Drive": draw.choice(["torque", "rate"]),
+        "Wheelset/Traction coefficient": draw.choice(["0", number(-0.5, 0.5), number(-1, 1)]),
+        "Wheelset/Creepage": draw.choice([number(-0.01, 0.01), number(-0.1, 0.1)]),
+        "Contact/Friction coefficient": draw.choice(["0", number(0.1, 0.8), number(0, 1.5)]),
+        "Contact/Friction law": draw.choice(["exponential", "rational"]),
+        "Contact/Dynamic friction coefficient": number(0, 0.6),
+        "Contact/Friction decay": size(0.001, 10, "s/m"),
+        "Contact/Friction half velocity": size(0.1, 1000, "m/s"),
+        "Contact/Penalty scale": size(0.5, 50),
+        "Contact/Surface filter": draw.choice(["consistent", "none"]),
+        "Contact/Damping": size(0.05, 1),
+        "Mesh/Coarse cell size": draw.choice(["6 mm", "12 mm", "48 mm"]),
+        "Mesh/Fine depth": number(6, 30, "mm"),
+        "Mesh/Fine margin": number(3, 15, "mm"),
+        "Mesh/Element": "full",
+        "Mesh/Rail element": draw.choice(["reduced", "full"]),
+        "Run/Start": draw.choice(["without creepage", "without tractions", "without velocities", "normal load"]),
+        "Run/Time step factor": draw.choice(["0.98", number(0.3, 0.98)]),
+        "Run/Bulk viscosity": draw.choice(["0", number(0, 0.3), number(0, 1)]),
+    }
+    for body in ("Rail material", "Wheel material"):
+        modulus = draw.choice([draw.uniform(180, 230), log_uniform(draw, 20, 1000), log_uniform(draw, 1, 1000)])
+        found[body + "/Young's modulus"] = f"{modulus:.4g} GPa"
+        found[body + "/Poisson's ratio"] = draw.choice([number(0.2, 0.35), number(0, 0.49)])
+        found[body + "/Density"] = size(1000, 20000, "kg/m3")
+        found[body + "/Yield stress"] = draw.choice([size(250, 1000, "MPa"), size(100, 3000, "MPa"), size(1, 1e4, "MPa")])
+        found[body + "/Tangent modulus"] = draw.choice(["0 GPa", f"{modulus * draw.uniform(0, 0.3):.3g} GPa"])
+        found[body + "/Kinematic hardening fraction"] = number(0, 1)
+    chosen = {name: value for name, value in found.items() if draw.random() < 0.2}
+    if draw.random() < 0.5:  # half of the scenes have elastic bodies
+        chosen = {name: value for name, value in chosen.items() if not name.endswith("Yield stress")}
+    return chosen
+
+
+def limit_time():
+    resource.setrlimit(resource.RLIMIT_CPU, (MOST_SECONDS, MOST_SECONDS + 10))
+
+
+def execute(program, *arguments):
+    """Exit code and screen."""
+    done = subprocess.run([program, *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          preexec_fn=limit_time)
+    return done.returncode, done.stdout
+
+
+def as_options(chosen):
+    return [word for name, value in chosen.items() for word in ("--set", f"{name} = {value}")]
+
+
+def not_finite(screen):
+    return re.search(r"(?<![\w-])-?(nan|inf)(?![\w-])", screen, re.IGNORECASE) is not None
+
+
+def sentence_of(screen):
+    lines = [line for line in screen.splitlines() if line.startswith("error: ")]
+    return lines[-1][len("error: "):] if lines else ""
+
+
+# what a run says of a peak pressure that is not that of its half-spaces: "the peak pressure is 30 % below ..."
+CAUSES = {
+    "turn": r"surfaces turn by \d+ degrees across the patch",
+    "flow": r"the bodies yield",
+    "penalty": r"the penalty contact sinks in by [\d.]+ % of the approach",
+    "forces": r"the forces vary by [\d.]+ % of the load",
+    "noise": r"swings by [\d.]+ % of its mean",
+    "cells": r"\d+ cells? of 3 mm over the shorter extent of the patch (?:are|is) too few",
+}
+
+
+def causes_of(screen):
+    """Which causes the warnings of a run name, at its end; the standing one of coarse cells comes before."""
+    end = "\n".join(line for line in screen.splitlines()
+                    if re.match("warning: (the peak pressure is|the figures should not be trusted)", line))
+    return [name for name, words in CAUSES.items() if re.search(words, end)]
+
+
+def judge(program, scene, options, folder):
+    """Runs a scene that was accepted; its verdict and figures."""
+    code, screen = execute(program, "run", scene, *options)
+    result = {"verdict": "fault", "code": code}
+    if code < 0 or code > 3 or "fault in the program" in screen or not_finite(screen):
+        result["screen"] = screen[-3000:]
+        return result
+    if code != 0:
+        result["sentence"] = sentence_of(screen)
+        result["verdict"] = "stopped" if result["sentence"] and code == 2 else "fault"
+        return result
+    with open(os.path.join(folder, "summary.json")) as text:
+        figures = json.load(text)
+    miss = figures.get("relative_difference_max_pressure")
+    result.update(miss=miss, peak=figures["max_pressure_Pa"], energy_error=figures["energy_error"],
+                  trusted=figures["trusted"], seconds=figures["wall_time_s"], causes=causes_of(screen))
+    if miss is None or not figures["finished"]:
+        result["screen"] = screen[-3000:]
+    elif abs(miss) <= PEAK:
+        result["verdict"] = "within"
+    else:
+        result["verdict"] = "warned" if result["causes"] else "silent"
+    return result
+
+
+def search(program, seed):
+    draw, refused = random.Random(seed), []
+    folder = f"scene_{seed}"
+    with open(f"{folder}.prm", "w") as file:
+        file.write("# entries by --set\n")
+    while True:
+        chosen = {**FIXED, **entries(draw), "Output/Folder": folder, "Title": f"random scene {seed}"}
+        options = as_options(chosen)
+        code, screen = execute(program, "run", f"{folder}.prm", "--validate", *options)
+        if code == 0:
+            break
+        sentence = sentence_of(screen)
+        if code != 1 or not sentence or not_finite(screen):
+            return {"verdict": "fault", "code": code, "screen": screen[-3000:], "entries": chosen}
+        refused.append(sentence)
+    shutil.rmtree(folder, ignore_errors=True)
+    result = judge(program, f"{folder}.prm", options, folder)
+    result.update(seed=seed, refused=refused, entries=chosen)
+    if result["verdict"] in ("within", "warned", "stopped"):
+        shutil.rmtree(folder, ignore_errors=True)
+        os.remove(f"{folder}.prm")
+    return result
+
+
+def known():
+    if not os.path.exists(RESULTS):
+        return {}
+    with open(RESULTS) as lines:
+        return {result["seed"]: result for result in map(json.loads, lines)}
+
+
+def main():
+    program, first, last = sys.argv[1], int(sys.argv[3]), int(sys.argv[4])
+    for seed in range(first, last + 1):
+        if seed not in known():
+            result = search(program, seed)
+            with open(RESULTS, "a") as file:
+                file.write(json.dumps({"seed": seed, **result}) + "\n")
+    results = {seed: result for seed, result in known().items() if first <= seed <= last}
+    for seed, result in sorted(results.items()):
+        check(result["verdict"] in ("within", "warned", "stopped"),
+              f"seed {seed}: {result['verdict']}, {len(result.get('refused', []))} draws refused, "
+              + (f"peak {100 * result['miss']:+.1f} %" if result.get("miss") is not None
+                 else result.get("sentence", "")))
+    for verdict in ("within", "warned", "stopped", "silent", "fault"):
+        print(f"{sum(result['verdict'] == verdict for result in results.values()):5} {verdict}")
+    finish()
+
+
+if __name__ == "__main__":
+    main()
