@@ -59,6 +59,7 @@ namespace
       {"Wheelset/Bore radius", "90 mm"},
       {"Wheelset/Fillet radius", "18 mm"},
       {"Wheelset/Sprung mass", "9.5 t"},
+      {"Wheelset/Wheel load", "98 kN"},
       {"Wheelset/Axle mass", "170 kg"},
       {"Wheelset/Axle pitch inertia", "1.4 kg m2"},
       {"Wheelset/Suspension stiffness", "1.2 MN/m"},
@@ -215,6 +216,7 @@ namespace
     check_near(s.wheel.bore_radius, 0.09, 0, "field bore_radius");
     check_near(s.wheel.fillet_radius, 0.018, 0, "field fillet_radius");
     check_near(s.sprung_mass, 9500, 0, "field sprung_mass");
+    check_near(s.wheel_load, 98e3, 1e-9, "field wheel_load");
     check_near(s.axle_mass, 170, 0, "field axle_mass");
     check_near(s.axle_pitch_inertia, 1.4, 0, "field axle_pitch_inertia");
     check_near(s.suspension_stiffness, 1.2e6, 0, "field suspension_stiffness");

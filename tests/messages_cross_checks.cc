@@ -150,6 +150,8 @@ namespace
     check_warning({"Wheelset/Sprung mass = 0.01 t", "Mesh/Solution cell size = 0.5 mm"},
                   "Wheelset/Sprung mass = 0.01 t: next to nothing presses the wheel on the rail; a railway "
                   "vehicle has some 10 t per wheel");
+    check_warning({"Wheelset/Sprung mass = 9 t", "Wheelset/Wheel load = 100 kN"},
+                  "Wheelset/Sprung mass = 9 t: without effect, since Wheelset/Wheel load = 100 kN is set");
     check_warning({"Rail material/Young's modulus = 21 GPa", "Rail material/Tangent modulus = 2 GPa"},
                   "Rail material/Young's modulus = 21 GPa: steel has about 210 GPa");
     check_warning({"Wheel material/Density = 790 kg/m3"},
@@ -210,6 +212,10 @@ namespace
       "= -6 mm: The wheel section cannot be built: the fine cells reach so far up the flange that no block "
       "of "
       "16 mm fits between them and its tip. With Mesh/Coarse cell size = 8 mm they can.");
+    check_error(
+      {"Wheelset/Wheel load = 4 kN"},
+      "Wheelset/Wheel load = 4 kN: less than the weight of wheel and half axle, 4.91 kN; give more, or a "
+      "lighter Wheelset/Axle mass");
     check_error({"Wheelset/Fillet radius = 99 mm"},
                 "Mesh/Coarse cell size = 16 mm: rail and wheel cannot be divided into cells at "
                 "Wheelset/Lateral shift = 0 mm: The wheel section cannot be built: the disc with its fillets "

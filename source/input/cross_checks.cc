@@ -153,7 +153,10 @@ namespace wheelrail
       if (scene.drive == Drive::torque && scene.creepage != 0)
         warnings.push_back(entry_text(scene, "Wheelset", "Creepage") +
                            ": without effect, since Wheelset/Drive = torque");
-      if (scene.sprung_mass < 100)
+      if (scene.wheel_load > 0 && scene.sprung_mass != Scene().sprung_mass)
+        warnings.push_back(entry_text(scene, "Wheelset", "Sprung mass") + ": without effect, since " +
+                           entry_text(scene, "Wheelset", "Wheel load") + " is set");
+      if (scene.sprung_mass < 100 && !(scene.wheel_load > 0))
         warnings.push_back(entry_text(scene, "Wheelset", "Sprung mass") +
                            ": next to nothing presses the wheel on the rail; a railway vehicle has some 10 t "
                            "per wheel");

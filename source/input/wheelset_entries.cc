@@ -96,6 +96,19 @@ namespace wheelrail
                                   "t",
                                   B::between("0 t", "50 t"),
                                   field(&S::sprung_mass)));
+      const auto load = field(&S::wheel_load);
+      list.push_back(with_word(
+        number_entry({"Wheelset",
+                      "Wheel load",
+                      "Static load on the rail; the sprung mass is then what it needs besides wheel and "
+                      "half axle. auto: from Sprung mass."},
+                     D::force,
+                     "kN",
+                     B::between("1 kN", "500 kN"),
+                     load),
+        "auto",
+        0,
+        load));
       list.push_back(number_entry({"Wheelset", "Axle mass", "Mass of half the axle, rigid."},
                                   D::mass,
                                   "kg",

@@ -1,8 +1,10 @@
 #include <wheelrail/geometry/running_surfaces.h>
+#include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace wheelrail
 {
@@ -25,11 +27,30 @@ namespace wheelrail
 
 
   double
-  expected_load(const Scene &scene)
+  expected_unsprung_weight(const Scene &scene)
   {
     // the default section, turned around the axle, has 344 kg: that changes the approach by 0.15 %
     constexpr double usual_wheel = 320;
-    return (scene.sprung_mass + scene.axle_mass + usual_wheel) * scene.gravity;
+    return (scene.axle_mass + usual_wheel) * scene.gravity;
+  }
+
+
+  std::string
+  load_too_small(const Scene &scene, const double unsprung)
+  {
+    char least[32];
+    std::snprintf(least, sizeof least, "%.2f kN", 1e-3 * unsprung);
+    return entry_text(scene, "Wheelset", "Wheel load") + ": less than the weight of wheel and half axle, " +
+           least + "; give more, or a lighter Wheelset/Axle mass";
+  }
+
+
+  double
+  expected_load(const Scene &scene)
+  {
+    if (scene.wheel_load > 0)
+      return scene.wheel_load;
+    return scene.sprung_mass * scene.gravity + expected_unsprung_weight(scene);
   }
 
 

@@ -1,3 +1,4 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/contact/make_law.h>
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
@@ -60,6 +61,17 @@ namespace wheelrail
       axle.velocity      = scene.velocity;
       axle.rate_held     = scene.drive == Drive::rate;
       return axle;
+    }
+
+    /// The sprung mass that brings the wheel load of the scene on the rail, with `unsprung` [kg] of wheel and
+    /// half axle.
+    double
+    sprung_mass_for(const Scene &scene, const double unsprung)
+    {
+      const double mass = scene.wheel_load / scene.gravity - unsprung;
+      if (mass < 0)
+        throw InputError(load_too_small(scene, unsprung * scene.gravity));
+      return mass;
     }
 
     /// The largest step within the wanted fraction of the stable one that divides the rolling distance.
@@ -140,10 +152,12 @@ namespace wheelrail
     model.forest            = std::make_unique<Forest>(communicator, sweep_plan(scene, geometry));
     model.solid.choice      = bodies_of(scene);
     prepare(scene, model, communicator);
-    model.axle       = make_axle(scene, geometry.contact);
-    model.wheel_load = (scene.sprung_mass + scene.axle_mass +
-                        mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass) *
-                       scene.gravity;
+    model.axle = make_axle(scene, geometry.contact);
+    const double unsprung =
+      scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
+    if (scene.wheel_load > 0)
+      model.axle.sprung_mass = sprung_mass_for(scene, unsprung);
+    model.wheel_load  = (model.axle.sprung_mass + unsprung) * scene.gravity;
     model.axle.torque = scene.traction_coefficient * model.wheel_load * geometry.contact.rolling_radius;
     model.time_step   = time_step(scene, model.solid.stable);
     return model;

@@ -64,6 +64,13 @@ namespace wheelrail
       return about(1e-9 * bytes) + " GB";
     }
 
+    void
+    check_load(const Scene &scene, Sentences &found)
+    {
+      if (scene.wheel_load > 0 && scene.wheel_load < expected_unsprung_weight(scene))
+        found.push_back(load_too_small(scene, expected_unsprung_weight(scene)));
+    }
+
     /// Cells against what indices and memory hold, ranks against cores.
     void
     check_size(const Scene &scene, const ExpectedPatch &patch, const Machine &machine, Findings &found)
@@ -200,6 +207,7 @@ namespace wheelrail
           check_patch(scene, *patch, found);
           check_size(scene, *patch, machine, found);
         }
+      check_load(scene, found.errors);
       check_rail_length(scene, patch, found.errors);
       check_distances(scene, found);
       if (geometry && found.errors.empty())

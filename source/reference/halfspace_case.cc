@@ -220,6 +220,8 @@ namespace wheelrail
   double
   static_wheel_load(const Scene &scene, const SceneGeometry &geometry)
   {
+    if (scene.wheel_load > 0)
+      return scene.wheel_load;
     const Section wheel = wheel_section(scene, geometry);
     // first moment of the section about the axle, from small quadrilaterals (Guldin)
     constexpr int n      = 8;

@@ -3,6 +3,8 @@
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
+#include <string>
+
 namespace wheelrail
 {
   /// What is known of the contact before anything is computed, from the rigid profiles.
@@ -17,7 +19,16 @@ namespace wheelrail
   double
   contact_modulus(const Scene &scene);
 
-  /// Weight on one rail: sprung mass, half axle and a wheel of usual mass (320 kg) [N].
+  /// Weight of half axle and a wheel of usual mass (320 kg) [N].
+  double
+  expected_unsprung_weight(const Scene &scene);
+
+  /// What to say of a Wheelset/Wheel load below the weight of wheel and half axle, `unsprung` [N].
+  std::string
+  load_too_small(const Scene &scene, double unsprung);
+
+  /// Load on one rail: Wheelset/Wheel load, or the weight of sprung mass, half axle and a wheel of usual mass
+  /// [N].
   double
   expected_load(const Scene &scene);
 

@@ -73,6 +73,7 @@ namespace wheelrail
     double             lateral_shift        = 0; ///< [m]
     RollMode           roll                 = RollMode::none;
     double             sprung_mass          = 10000;     ///< [kg]
+    double             wheel_load           = 0;         ///< [N], 0: from the sprung mass
     double             axle_mass            = 180;       ///< half axle, rigid [kg]
     double             axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
     double             suspension_stiffness = 1.15e6;    ///< [N/m]
