@@ -30,51 +30,43 @@ namespace wheelrail
   RunOutput::tick(const unsigned int tick)
   {
     const double time = parts_.rolling.time(), travelled = parts_.axle.travelled();
-    const auto   slices = make_slices(parts_.model, travelled, parts_.communicator);
+    const auto   stress = nodal_stress(parts_.model.solid, parts_.communicator);
+    const auto   slices = make_slices(parts_.model, stress, travelled, parts_.communicator);
     on_root(parts_.communicator, [&]() {
       append_patch(*patch_file_, patch_fields(*parts_.model.contact, parts_.model.axle, time, travelled));
       append_slices(*slice_file_, time, travelled, slices);
       write_history(parts_.recorder.state().history, parts_.scene.folder + "/history.h5");
       write_history(parts_.recorder.state().patches, parts_.scene.folder + "/patch_history.h5");
     });
-    write_series("surface", Selection::surface, tick, surface_series_.get());
-    write_series("window", Selection::window, tick, window_series_.get());
+    char number[16];
+    std::snprintf(number, sizeof number, "_%04u", tick);
+    write_mesh(std::string("surface") + number, Selection::surface, stress, surface_series_.get());
+    write_mesh(std::string("window") + number, Selection::window, stress, window_series_.get());
   }
 
 
   void
   RunOutput::volume(const std::string &name)
   {
-    write_vtu(field_mesh(parts_.model.solid,
-                         parts_.axle,
-                         *parts_.model.contact,
-                         Selection::all,
-                         unloaded_distance(parts_.model),
-                         parts_.communicator),
-              parts_.scene.folder,
-              name,
-              parts_.communicator);
-    on_root(parts_.communicator, [&]() { volume_series_->add(parts_.rolling.time(), name + ".vtu"); });
+    const auto stress = nodal_stress(parts_.model.solid, parts_.communicator);
+    write_mesh(name, Selection::all, stress, volume_series_.get());
   }
 
 
   void
-  RunOutput::write_series(const char        *kind,
-                          const Selection    selection,
-                          const unsigned int tick,
-                          PvdSeries         *series)
+  RunOutput::write_mesh(const std::string &name,
+                        const Selection    selection,
+                        const NodalStress &stress,
+                        PvdSeries         *series)
   {
-    char name[64];
-    std::snprintf(name, sizeof name, "%s_%04u", kind, tick);
-    write_vtu(field_mesh(parts_.model.solid,
-                         parts_.axle,
-                         *parts_.model.contact,
-                         selection,
-                         unloaded_distance(parts_.model),
-                         parts_.communicator),
-              parts_.scene.folder,
-              name,
-              parts_.communicator);
-    on_root(parts_.communicator, [&]() { series->add(parts_.rolling.time(), std::string(name) + ".vtu"); });
+    const auto mesh = field_mesh(parts_.model.solid,
+                                 parts_.axle,
+                                 *parts_.model.contact,
+                                 selection,
+                                 stress,
+                                 unloaded_distance(parts_.model),
+                                 parts_.communicator);
+    write_vtu(mesh, parts_.scene.folder, name, parts_.communicator);
+    on_root(parts_.communicator, [&]() { series->add(parts_.rolling.time(), name + ".vtu"); });
   }
 } // namespace wheelrail

@@ -233,12 +233,13 @@ namespace wheelrail
 
 
   FieldMesh
-  field_mesh(const Solid    &solid,
-             const Axle     &axle,
-             const Contact  &contact,
-             const Selection selection,
-             const double    unloaded,
-             MPI_Comm        communicator)
+  field_mesh(const Solid       &solid,
+             const Axle        &axle,
+             const Contact     &contact,
+             const Selection    selection,
+             const NodalStress &nodal,
+             const double       unloaded,
+             MPI_Comm           communicator)
   {
     FieldMesh    mesh;
     FieldBuilder builder(mesh);
@@ -258,19 +259,15 @@ namespace wheelrail
       mesh.points.push_back(solid.position(n));
     builder.field(
       "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
-    const bool plastic = solid.blocks.rail.plastic() || solid.blocks.wheel.plastic();
+    const std::vector<double> &stress  = nodal.stress;
+    const bool                 plastic = solid.blocks.rail.plastic() || solid.blocks.wheel.plastic();
     if (selection == Selection::surface)
       {
         add_contact_fields(builder, solid, contact);
         if (plastic)
-          add_plastic_fields(builder,
-                             solid,
-                             nodal_stress(solid, communicator).stress,
-                             axle.travelled() - unloaded,
-                             communicator);
+          add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded, communicator);
         return mesh;
       }
-    const auto stress = nodal_stress(solid, communicator).stress;
     builder.field(
       "von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
     builder.field("stress", "Pa", 6, [&](unsigned int n, double *v) {

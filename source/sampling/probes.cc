@@ -165,10 +165,9 @@ namespace wheelrail
 
 
   ProbeSource
-  probe_source(const Solid &solid, MPI_Comm communicator)
+  probe_source(const Solid &solid, const NodalStress &nodal)
   {
-    ProbeSource source;
-    source.nodal = nodal_stress(solid, communicator);
+    ProbeSource source{nodal, {}};
     source.plastic_strain.resize(solid.mesh.cells.size());
     for (const Body body : both_bodies)
       {

@@ -233,10 +233,10 @@ namespace wheelrail
 
 
   std::vector<Slice>
-  make_slices(const Model &model, const double travelled, MPI_Comm communicator)
+  make_slices(const Model &model, const NodalStress &nodal, const double travelled, MPI_Comm communicator)
   {
     const Contact                      &contact  = *model.contact;
-    const ProbeSource                   source   = probe_source(model.solid, communicator);
+    const ProbeSource                   source   = probe_source(model.solid, nodal);
     const auto                          peak     = place_of_peak(contact, travelled);
     const std::pair<const char *, Line> lines[4] = {{"AA", line_along(contact, travelled, 0)},
                                                     {"BB", line_across(contact, travelled, 0)},

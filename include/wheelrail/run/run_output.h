@@ -29,8 +29,9 @@ namespace wheelrail
     volume(const std::string &name);
 
   private:
+    /// Writes a part of the mesh into `name`.vtu and adds it to a series.
     void
-    write_series(const char *kind, Selection selection, unsigned int tick, PvdSeries *series);
+    write_mesh(const std::string &name, Selection selection, const NodalStress &stress, PvdSeries *series);
 
     RunParts                   parts_;
     std::unique_ptr<TickFile>  patch_file_, slice_file_; ///< on rank 0 only, as the series

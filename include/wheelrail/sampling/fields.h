@@ -3,6 +3,7 @@
 #include <wheelrail/base/body.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/output/fields.h>
+#include <wheelrail/solid/stress_recovery.h>
 
 namespace wheelrail
 {
@@ -22,14 +23,16 @@ namespace wheelrail
   /// Positions, displacement against the rigid motion of the body, and for cells the von Mises stress,
   /// the stress components, for surfaces the contact tractions. Where a body may yield, both show the
   /// accumulated plastic strain and the residual stress too: von Mises' equivalent of the stress in the
-  /// rail that the wheel left at least `unloaded` [m] behind, NaN elsewhere. Collective.
+  /// rail that the wheel left at least `unloaded` [m] behind, NaN elsewhere. `nodal`: see nodal_stress(),
+  /// made once for all files of a moment since it costs as much as a file. Collective.
   FieldMesh
-  field_mesh(const Solid   &solid,
-             const Axle    &axle,
-             const Contact &contact,
-             Selection      selection,
-             double         unloaded,
-             MPI_Comm       communicator);
+  field_mesh(const Solid       &solid,
+             const Axle        &axle,
+             const Contact     &contact,
+             Selection          selection,
+             const NodalStress &nodal,
+             double             unloaded,
+             MPI_Comm           communicator);
 
   /// How far behind the wheel its own stress has faded, some patch lengths [m].
   double

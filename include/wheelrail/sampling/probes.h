@@ -11,13 +11,13 @@ namespace wheelrail
   /// What can be probed in the bodies of a rank.
   struct ProbeSource
   {
-    NodalStress         nodal;          ///< see nodal_stress()
+    const NodalStress  &nodal;          ///< see nodal_stress()
     std::vector<double> plastic_strain; ///< of each cell [1]
   };
 
-  /// Collective.
+  /// `nodal` must live as long as what is returned.
   ProbeSource
-  probe_source(const Solid &solid, MPI_Comm communicator);
+  probe_source(const Solid &solid, const NodalStress &nodal);
 
   /// xx, yy, zz, yz, xz, xy of Cauchy's stress [Pa], accumulated plastic strain [1].
   constexpr unsigned int probe_fields = 7;

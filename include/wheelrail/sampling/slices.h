@@ -2,6 +2,7 @@
 
 #include <wheelrail/model/model.h>
 #include <wheelrail/output/tick_file.h>
+#include <wheelrail/solid/stress_recovery.h>
 
 #include <string>
 #include <vector>
@@ -37,9 +38,9 @@ namespace wheelrail
   /// from the undeformed surface.
   ///
   /// Stresses are Cauchy's in the axes X, Y, Z of the track, interpolated in the cells from the nodal means;
-  /// the plastic strain is that of the cell. Collective; the same on all ranks.
+  /// the plastic strain is that of the cell. `nodal`: see nodal_stress(). Collective; the same on all ranks.
   std::vector<Slice>
-  make_slices(const Model &model, double travelled, MPI_Comm communicator);
+  make_slices(const Model &model, const NodalStress &nodal, double travelled, MPI_Comm communicator);
 
   /// Adds slices as the next tick of a file: one group per slice with the attributes of its plane,
   /// `position`, `depth` and the fields as datasets with the attribute `unit`. To be called on one rank.
