@@ -1,4 +1,3 @@
-#include <wheelrail/base/rotation.h>
 #include <wheelrail/solid/boundary_nodes.h>
 #include <wheelrail/wheelset/axle.h>
 

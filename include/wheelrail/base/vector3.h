@@ -57,14 +57,35 @@ namespace wheelrail
     return (1 / norm(a)) * a;
   }
 
-  /// v turned by `angle` [rad] about the unit vector `axis` (Rodrigues 1840).
+  /// Turns vectors about the unit vector `axis` by `angle` [rad] (Rodrigues 1840).
+  class Rotation
+  {
+  public:
+    Rotation(const Vector3 &axis, const double angle)
+      : axis_(axis)
+      , cosine_(std::cos(angle))
+      , sine_(std::sin(angle))
+    {
+    }
+
+    Vector3
+    operator()(const Vector3 &v) const
+    {
+      Vector3 result = cosine_ * v;
+      add(result, sine_, cross(axis_, v));
+      add(result, (1 - cosine_) * dot(axis_, v), axis_);
+      return result;
+    }
+
+  private:
+    Vector3 axis_;
+    double  cosine_, sine_;
+  };
+
+  /// v turned by `angle` [rad] about the unit vector `axis`.
   inline Vector3
   rotated(const Vector3 &v, const Vector3 &axis, const double angle)
   {
-    const double c = std::cos(angle), s = std::sin(angle);
-    Vector3      result = c * v;
-    add(result, s, cross(axis, v));
-    add(result, (1 - c) * dot(axis, v), axis);
-    return result;
+    return Rotation(axis, angle)(v);
   }
 } // namespace wheelrail
