@@ -1,4 +1,4 @@
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/print.h>

@@ -4,7 +4,7 @@
 #include "check.h"
 #include "messages.h"
 
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/hdf5_file.h>

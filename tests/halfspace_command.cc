@@ -2,7 +2,7 @@
 
 #include "check.h"
 
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>

@@ -3,7 +3,7 @@
 
 #include "check.h"
 
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>

@@ -3,7 +3,7 @@
 
 #include "messages.h"
 
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/run/simulation.h>
 

@@ -2,7 +2,7 @@
 
 #include "messages.h"
 
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/run/simulation.h>

@@ -4,7 +4,7 @@
 #include "messages.h"
 #include "small_scene.h"
 
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/dynamics/static_start.h>

@@ -2,7 +2,7 @@
 
 #include "check.h"
 
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/run/simulation.h>

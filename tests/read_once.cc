@@ -3,7 +3,7 @@
 
 #include "parallel.h"
 
-#include <wheelrail/application/commands.h>
+#include <wheelrail/application/command_line.h>
 #include <wheelrail/run/simulation.h>
 
 #include <filesystem>

@@ -5,7 +5,6 @@
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/study_command.h>
-#include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/listing.h>
@@ -17,9 +16,9 @@
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/run/simulation.h>
 
-#include <boost/program_options.hpp>
 
-#include <algorithm>
+#include <boost/program_options/value_semantic.hpp>
+
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -29,16 +28,6 @@ namespace wheelrail
   namespace
   {
     namespace po = boost::program_options;
-
-    /// A subcommand: its options besides the positional file, and what it does.
-    struct Command
-    {
-      std::string name;
-      std::string operand; ///< "FILE.prm", in brackets when it may be left out; or nothing
-      std::string summary;
-      std::function<void(po::options_description &)>                                     add_options;
-      std::function<int(const po::variables_map &, const RunFunction &, std::ostream &)> act;
-    };
 
     std::vector<std::string>
     sets_of(const po::variables_map &options)
@@ -152,13 +141,13 @@ namespace wheelrail
       const auto file = [&](const char *option) {
         return options.count(option) ? options[option].as<std::string>() : std::string();
       };
-      const SceneInput             input = one_scene_of(options);
+      const SceneInput input = one_scene_of(options);
+      const Findings   found = contact_checks(input.scene);
+      require_none(found.errors, input);
       std::optional<SceneGeometry> geometry;
       if (needs_profiles(input.scene) || !file("contact-wheel-rail-input").empty())
         geometry = require_touching(input);
-      else
-        require_none(contact_checks(input.scene).errors, input);
-      for (const std::string &warning : contact_checks(input.scene).warnings)
+      for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
       return run_halfspace_command(input.scene,
                                    geometry ? &*geometry : nullptr,
@@ -263,238 +252,106 @@ namespace wheelrail
     {
       options.add_options()("no-pictures", "only figures and fields, which takes a second");
     }
-
-    const std::vector<Command> &
-    commands()
-    {
-      static const std::vector<Command> list = {
-        {"run",
-         "FILE.prm",
-         "compute the scene of a parameter file",
-         [](po::options_description &options) {
-           add_set_option(options);
-           options.add_options()("overwrite", "replace the run in the output folder, finished or saved");
-           options.add_options()("resume", "go on from the last checkpoint in the output folder");
-           options.add_options()("validate", "check the file without running");
-         },
-         act_run},
-        {"geometry",
-         "[FILE.prm]",
-         "contact points, angles and rolling radii of the rigid profiles over lateral shifts",
-         [](po::options_description &options) {
-           add_set_option(options);
-           options.add_options()("shifts",
-                                 po::value<std::string>(),
-                                 "lateral shifts in mm: first:last:step, or values with commas");
-           options.add_options()("profiles",
-                                 "draw both profiles in track position and the undeformed distance into "
-                                 "FILE_profiles.png here");
-         },
-         act_geometry},
-        {"halfspace",
-         "FILE.prm",
-         "contact of the scene as two half-spaces: patch, tractions, creepage in seconds",
-         [](po::options_description &options) {
-           add_set_option(options);
-           add_no_pictures_option(options);
-           options.add_options()("contact-input",
-                                 po::value<std::string>(),
-                                 "also write the problem as input of the program CONTACT, basic module");
-           options.add_options()(
-             "contact-wheel-rail-input",
-             po::value<std::string>(),
-             "also write the scene as input of CONTACT's wheel-rail module, with two profile files");
-         },
-         act_halfspace},
-        {"parameters",
-         "[FILE.prm]",
-         "print all entries with their values, meaning and defaults, as a parameter file",
-         [](po::options_description &options) {
-           add_set_option(options);
-           options.add_options()("validate", "only check the file");
-           options.add_options()("json", "print them as JSON, as deal.II's ParameterHandler does");
-           options.add_options()("xml", "print them as XML for deal.II's parameter GUI");
-           options.add_options()("markdown", "print the table of all entries of doc/manual/parameters.md");
-           options.add_options()("ranks",
-                                 po::value<unsigned int>(),
-                                 "print on how many processes a run should be started where there are that "
-                                 "many cores");
-         },
-         act_parameters},
-        {"compare",
-         "FOLDER",
-         "a finished run against two half-spaces under its load and in its pose, as a table and a page",
-         [](po::options_description &options) {
-           add_set_option(options);
-           add_no_pictures_option(options);
-         },
-         act_compare},
-        {"report",
-         "FOLDER",
-         "pictures and one page from the output folder of a run or of halfspace",
-         [](po::options_description &options) {
-           options.add_options()("tick",
-                                 po::value<std::string>(),
-                                 "the tick to draw: a number, or last; several with commas between also "
-                                 "draw the shear traction at each");
-         },
-         act_report},
-        {"study",
-         "FILE.prm",
-         "compute a family of scenes: one table and one page over what varies",
-         [](po::options_description &options) {
-           add_set_option(options);
-           options.add_options()("jobs", po::value<std::string>(), "cases at a time (default: one a core)");
-           options.add_options()("ranks", po::value<std::string>(), "processes of each run (default: 1)");
-           options.add_options()("profile",
-                                 po::value<std::string>(),
-                                 "Snakemake profile of a cluster: slurm, or one of your own");
-           options.add_options()("dry-run", "only tell which cases are there and which would be computed");
-           options.add_options()("plan", "print the cases as JSON");
-         },
-         act_study},
-        {"version",
-         "",
-         "print the version",
-         nullptr,
-         [](const po::variables_map &, const RunFunction &, std::ostream &out) {
-           out << "wheelrail " << WHEELRAIL_VERSION << "\n";
-           return 0;
-         }},
-      };
-      return list;
-    }
-
-    const Command &
-    find_command(const std::string &name)
-    {
-      std::vector<std::string> names;
-      for (const Command &command : commands())
-        {
-          if (command.name == name)
-            return command;
-          names.push_back(command.name);
-        }
-      names.push_back("help");
-      throw InputError("\"" + name + "\" is no command; there are " + join_choices(names, "and") +
-                       perhaps(name, names));
-    }
-
-    po::options_description
-    options_of(const Command &command)
-    {
-      po::options_description options("options", 100);
-      if (command.add_options)
-        command.add_options(options);
-      options.add_options()("help", "this text");
-      return options;
-    }
-
-    std::string
-    usage_of(const Command &command)
-    {
-      return "wheelrail " + command.name + (command.operand.empty() ? "" : " " + command.operand);
-    }
-
-    int
-    print_help(std::ostream &out)
-    {
-      out << "wheelrail: how a railway wheel rolls over a rail.\n\n";
-      for (const Command &command : commands())
-        {
-          const std::string usage = usage_of(command);
-          out << "  " << usage << std::string(33 - usage.size(), ' ') << command.summary << "\n";
-        }
-      out << "\n\"wheelrail COMMAND --help\" lists the options of a command.\n"
-             "Exit codes: 0 finished, 1 bad input, 2 stopped, 3 interrupted and saved.\n";
-      return 0;
-    }
-
-    int
-    print_help(const Command &command, std::ostream &out)
-    {
-      out << usage_of(command) << "\n  " << command.summary << "\n\n" << options_of(command);
-      return 0;
-    }
-
-    /// What is wrong with the options of a command, and what it takes.
-    std::string
-    option_fault(const po::error &error, const Command &command, const po::options_description &options)
-    {
-      std::vector<std::string> names;
-      for (const auto &option : options.options())
-        names.push_back("--" + option->long_name());
-      using Syntax = po::invalid_command_line_syntax;
-      if (const auto *unknown = dynamic_cast<const po::unknown_option *>(&error))
-        return unknown->get_option_name() + " is no option; there are " + join_choices(names, "and") +
-               perhaps(unknown->get_option_name(), names);
-      if (dynamic_cast<const po::too_many_positional_options_error *>(&error) != nullptr)
-        return command.operand.empty() ? "nothing but options can follow"
-                                       : "only one " + command.operand + " can be given";
-      if (const auto *several = dynamic_cast<const po::multiple_occurrences *>(&error))
-        return several->get_option_name() + " is given more than once";
-      if (const auto *syntax = dynamic_cast<const Syntax *>(&error))
-        {
-          if (syntax->kind() == Syntax::missing_parameter ||
-              syntax->kind() == Syntax::empty_adjacent_parameter)
-            return syntax->get_option_name() + " needs a value after it";
-          if (syntax->kind() == Syntax::extra_parameter)
-            return syntax->get_option_name() + " takes no value";
-        }
-      return error.what();
-    }
-
-    po::variables_map
-    parse_options(const Command &command, const Arguments &arguments)
-    {
-      po::options_description options = options_of(command);
-      po::options_description all;
-      all.add(options).add_options()("file", po::value<std::string>(), "");
-      po::positional_options_description positions;
-      positions.add("file", command.operand.empty() ? 0 : 1);
-      try
-        {
-          using Style = po::command_line_style::style_t;
-          // no guessing of abbreviated options
-          const int         style = po::command_line_style::default_style & ~Style::allow_guessing;
-          po::variables_map values;
-          po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(),
-                    values);
-          return values;
-        }
-      catch (const po::error &error)
-        {
-          throw InputError(command.name + ": " + option_fault(error, command, options) + "; \"wheelrail " +
-                           command.name + " --help\" tells more");
-        }
-    }
   } // namespace
 
-  bool
-  needs_mpi(const Arguments &arguments)
-  {
-    const auto given = [&](const char *option) {
-      return std::find(arguments.begin(), arguments.end(), option) != arguments.end();
-    };
-    return !arguments.empty() && arguments.front() == "run" && !given("--validate") && !given("--help");
-  }
 
-  int
-  execute(const Arguments &arguments, const RunFunction &run, std::ostream &out)
+  const std::vector<Command> &
+  commands()
   {
-    const bool asks_help = !arguments.empty() && (arguments.front() == "help" ||
-                                                  arguments.front() == "--help" || arguments.front() == "-h");
-    if (arguments.empty() || (asks_help && arguments.size() == 1))
-      return print_help(out);
-    // "help run" is "run --help"
-    const std::string name    = asks_help ? arguments[1] : arguments[0];
-    const Command    &command = find_command(name == "--version" ? "version" : name);
-    if (asks_help)
-      return print_help(command, out);
-    const po::variables_map options =
-      parse_options(command, Arguments(arguments.begin() + 1, arguments.end()));
-    if (options.count("help"))
-      return print_help(command, out);
-    return command.act(options, run, out);
+    static const std::vector<Command> list = {
+      {"run",
+       "FILE.prm",
+       "compute the scene of a parameter file",
+       [](po::options_description &options) {
+         add_set_option(options);
+         options.add_options()("overwrite", "replace the run in the output folder, finished or saved");
+         options.add_options()("resume", "go on from the last checkpoint in the output folder");
+         options.add_options()("validate", "check the file without running");
+       },
+       act_run},
+      {"geometry",
+       "[FILE.prm]",
+       "contact points, angles and rolling radii of the rigid profiles over lateral shifts",
+       [](po::options_description &options) {
+         add_set_option(options);
+         options.add_options()("shifts",
+                               po::value<std::string>(),
+                               "lateral shifts in mm: first:last:step, or values with commas");
+         options.add_options()("profiles",
+                               "draw both profiles in track position and the undeformed distance into "
+                               "FILE_profiles.png here");
+       },
+       act_geometry},
+      {"halfspace",
+       "FILE.prm",
+       "contact of the scene as two half-spaces: patch, tractions, creepage in seconds",
+       [](po::options_description &options) {
+         add_set_option(options);
+         add_no_pictures_option(options);
+         options.add_options()("contact-input",
+                               po::value<std::string>(),
+                               "also write the problem as input of the program CONTACT, basic module");
+         options.add_options()(
+           "contact-wheel-rail-input",
+           po::value<std::string>(),
+           "also write the scene as input of CONTACT's wheel-rail module, with two profile files");
+       },
+       act_halfspace},
+      {"parameters",
+       "[FILE.prm]",
+       "print all entries with their values, meaning and defaults, as a parameter file",
+       [](po::options_description &options) {
+         add_set_option(options);
+         options.add_options()("validate", "only check the file");
+         options.add_options()("json", "print them as JSON, as deal.II's ParameterHandler does");
+         options.add_options()("xml", "print them as XML for deal.II's parameter GUI");
+         options.add_options()("markdown", "print the table of all entries of doc/manual/parameters.md");
+         options.add_options()("ranks",
+                               po::value<unsigned int>(),
+                               "print on how many processes a run should be started where there are that "
+                               "many cores");
+       },
+       act_parameters},
+      {"compare",
+       "FOLDER",
+       "a finished run against two half-spaces under its load and in its pose, as a table and a page",
+       [](po::options_description &options) {
+         add_set_option(options);
+         add_no_pictures_option(options);
+       },
+       act_compare},
+      {"report",
+       "FOLDER",
+       "pictures and one page from the output folder of a run or of halfspace",
+       [](po::options_description &options) {
+         options.add_options()("tick",
+                               po::value<std::string>(),
+                               "the tick to draw: a number, or last; several with commas between also "
+                               "draw the shear traction at each");
+       },
+       act_report},
+      {"study",
+       "FILE.prm",
+       "compute a family of scenes: one table and one page over what varies",
+       [](po::options_description &options) {
+         add_set_option(options);
+         options.add_options()("jobs", po::value<std::string>(), "cases at a time (default: one a core)");
+         options.add_options()("ranks", po::value<std::string>(), "processes of each run (default: 1)");
+         options.add_options()(
+           "profile", po::value<std::string>(), "Snakemake profile of a cluster: slurm, or one of your own");
+         options.add_options()("dry-run", "only tell which cases are there and which would be computed");
+         options.add_options()("plan", "print the cases as JSON");
+       },
+       act_study},
+      {"version",
+       "",
+       "print the version",
+       nullptr,
+       [](const po::variables_map &, const RunFunction &, std::ostream &out) {
+         out << "wheelrail " << WHEELRAIL_VERSION << "\n";
+         return 0;
+       }},
+    };
+    return list;
   }
 } // namespace wheelrail

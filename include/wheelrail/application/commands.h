@@ -1,5 +1,8 @@
 #pragma once
 
+#include <boost/program_options/options_description.hpp>
+#include <boost/program_options/variables_map.hpp>
+
 #include <functional>
 #include <ostream>
 #include <string>
@@ -11,19 +14,23 @@ namespace wheelrail
   struct Scene;
   struct SceneGeometry;
 
-  /// The command line after the program's name.
-  using Arguments = std::vector<std::string>;
-
   /// Runs a simulation; a parameter so that tests of the command line need none.
   using RunFunction = std::function<int(const Scene &, const SceneGeometry &, const RunOptions &)>;
 
-  /// Whether these arguments start a simulation and so need MPI; `run --validate` and `run --help`
-  /// do not.
-  bool
-  needs_mpi(const Arguments &arguments);
+  /// A subcommand: its options besides the positional file, and what it does.
+  struct Command
+  {
+    std::string name;
+    std::string operand; ///< "FILE.prm", in brackets when it may be left out; or nothing
+    std::string summary;
+    std::function<void(boost::program_options::options_description &)> add_options;
+    /// Returns the exit code; normal text goes to the stream. Throws InputError for what cannot be
+    /// understood.
+    std::function<int(const boost::program_options::variables_map &, const RunFunction &, std::ostream &)>
+      act;
+  };
 
-  /// Carries out a command line and returns the exit code. Normal text goes to `out`.
-  /// Throws InputError for a command line or a parameter file that cannot be understood.
-  int
-  execute(const Arguments &arguments, const RunFunction &run, std::ostream &out);
+  /// All of them, in the order of the help text.
+  const std::vector<Command> &
+  commands();
 } // namespace wheelrail

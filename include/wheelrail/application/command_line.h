@@ -1,0 +1,23 @@
+#pragma once
+
+#include <wheelrail/application/commands.h>
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The command line after the program's name.
+  using Arguments = std::vector<std::string>;
+
+  /// Whether these arguments start a simulation and so need MPI; `run --validate` and `run --help`
+  /// do not.
+  bool
+  needs_mpi(const Arguments &arguments);
+
+  /// Carries out a command line and returns the exit code. Normal text goes to `out`.
+  /// Throws InputError for a command line or a parameter file that cannot be understood.
+  int
+  execute(const Arguments &arguments, const RunFunction &run, std::ostream &out);
+} // namespace wheelrail
