@@ -6,6 +6,8 @@
 #include "parallel.h"
 #include "small_scene.h"
 
+#include <string>
+
 using namespace wheelrail;
 using namespace test;
 

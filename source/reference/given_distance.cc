@@ -4,6 +4,7 @@
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/roller_distance.h>
+#include <wheelrail/reference/wheel_load.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,7 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/model/expected_patch.h>
-#include <wheelrail/model/model.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/wheel_load.h>
 
 #include <algorithm>
 #include <chrono>
@@ -190,6 +189,7 @@ namespace wheelrail
       return solve_on_growing_grid(
         problem, approach, scene.halfspace_element_size, 6, lay_grid, enlargements);
     }
+
     /// Between the edges of the patch [rad].
     double
     turn_across(const Sections &sections, const PatchMeasures &measures)
@@ -198,51 +198,7 @@ namespace wheelrail
       const double middle = measures.centre_lateral, half = 0.5 * measures.width;
       return std::abs(angle(middle + half) - angle(middle - half));
     }
-
-    /// The section that a run would mesh, or that of the centred wheelset.
-    Section
-    wheel_section(const Scene &scene, const SceneGeometry &geometry)
-    {
-      try
-        {
-          return sweep_plan(scene, geometry).wheel;
-        }
-      catch (const InputError &)
-        {
-          Scene centred         = scene;
-          centred.lateral_shift = 0;
-          return sweep_plan(centred, make_geometry(centred, {geometry.rail, geometry.wheel, {}})).wheel;
-        }
-    }
   } // namespace
-
-
-  double
-  static_wheel_load(const Scene &scene, const SceneGeometry &geometry)
-  {
-    if (scene.wheel_load > 0)
-      return scene.wheel_load;
-    const Section wheel = wheel_section(scene, geometry);
-    // first moment of the section about the axle, from small quadrilaterals (Guldin)
-    constexpr int n      = 8;
-    double        moment = 0;
-    for (unsigned int block = 0; block < wheel.blocks.size(); ++block)
-      for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          {
-            const auto at = [&](const int k, const int l) {
-              return wheel.position(block, double(i + k) / n, double(j + l) / n);
-            };
-            const Point2 a = at(0, 0), b = at(1, 0), c = at(1, 1), d = at(0, 1);
-            const auto   triangle = [](const Point2 &p, const Point2 &q, const Point2 &r) {
-              const Point2 u = q - p, v = r - p;
-              return 0.5 * (u.x * v.y - u.y * v.x) * (p.y + q.y + r.y) / 3;
-            };
-            moment += triangle(a, b, c) + triangle(a, c, d);
-          }
-    const double mass = 2 * M_PI * moment * scene.wheel_material.density;
-    return (scene.sprung_mass + scene.axle_mass + mass) * scene.gravity;
-  }
 
 
   WheelRailLoad

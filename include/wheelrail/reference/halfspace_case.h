@@ -53,12 +53,6 @@ namespace wheelrail
     double turn = 0;               ///< of the surfaces across the patch, edge to edge [rad]
   };
 
-  /// Weight of sprung mass, axle and wheel [N]; the wheel's mass is that of the section a run would mesh,
-  /// turned around the axle, times its density. Where no run is possible, since the contact lies on the
-  /// flange, the section is the one of the centred wheelset. Throws InputError when there is none either.
-  double
-  static_wheel_load(const Scene &scene, const SceneGeometry &geometry);
-
   /// What the scene's own entries ask for: static wheel load, traction coefficient or creepage.
   WheelRailLoad
   scene_load(const Scene &scene, const SceneGeometry &geometry);
