@@ -1,5 +1,7 @@
 // When the figures of a finished run are not to be trusted: noise, energy, settling.
 
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/run/run_end.h>
 
 #include "check.h"
@@ -42,11 +44,38 @@ namespace
   {
     check(text.find(part) != std::string::npos, name + " [" + text + "]");
   }
+
+  /// A peak that is not that of half-spaces under the same force.
+  void
+  test_peak()
+  {
+    const SceneInput    input    = scene_from_text("", "defaults", {});
+    const SceneGeometry geometry = require_touching(input);
+    Summary             summary  = quiet();
+    set_figure(summary, "patch_lateral_m", 14e-3);
+    set_figure(summary, "patch_longitudinal_m", 14e-3);
+    set_figure(summary, "vertical_force_N", 1e5);
+    judge(input.scene, geometry, 40e-3, summary);
+    const double halfspaces = get_figure(summary, "halfspace_max_pressure_Pa");
+    set_figure(summary, "max_pressure_Pa", halfspaces);
+    set_figure(summary, "max_pressure_fitted_Pa", halfspaces);
+    check(judge(input.scene, geometry, 40e-3, summary).empty() && summary.doubts.empty(),
+          "the peak of half-spaces is trusted");
+    set_figure(summary, "max_pressure_Pa", 0.7 * halfspaces);
+    set_figure(summary, "max_pressure_fitted_Pa", 0.7 * halfspaces);
+    const auto said = judge(input.scene, geometry, 40e-3, summary);
+    check(said.size() == 1, "a peak 30 % lower is told once");
+    holds(said.empty() ? "" : said[0],
+          "the figures should not be trusted: the peak pressure is 30 % below",
+          "how");
+    holds(summary.doubts, "the peak pressure is 30 % below", "and written into the summary");
+  }
 } // namespace
 
 int
 main()
 {
+  test_peak();
   check(doubts_about(quiet(), 40e-3).empty(), "a quiet run is trusted");
   check(doubts("normal_force_std_N", 1900).empty(), "so is one whose force swings by 1.9 %");
   holds(doubts("normal_force_std_N", 8500),

@@ -130,6 +130,22 @@ namespace wheelrail
   }
 
 
+  std::vector<std::string>
+  judge(const Scene &scene, const SceneGeometry &geometry, const double from, Summary &summary)
+  {
+    std::vector<std::string> warnings;
+    summary.doubts      = doubts_about(summary, from);
+    const PeakMiss miss = compare_peak(scene, geometry, summary);
+    if (miss.is_fault)
+      summary.doubts += (summary.doubts.empty() ? "" : " ") + miss.sentence + ".";
+    else if (!miss.sentence.empty())
+      warnings.push_back(miss.sentence);
+    if (!summary.doubts.empty())
+      warnings.push_back("the figures should not be trusted: " + summary.doubts);
+    return warnings;
+  }
+
+
   Summary
   summary_of(const RunParts &run, const RunTally &tally, const double averaging_distance)
   {

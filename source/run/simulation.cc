@@ -124,8 +124,6 @@ namespace wheelrail
       void
       finish(const std::string &stop_reason);
       void
-      judge(Summary &summary);
-      void
       leave_word(const std::string &error) const;
 
       Scene                         scene_;
@@ -357,28 +355,14 @@ namespace wheelrail
                       t.update));
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
       if (summary.finished)
-        judge(summary);
+        for (const std::string &warning : judge(scene_, geometry_, averaging_start(), summary))
+          log_.warning(warning);
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
         std::ostringstream table;
         print_summary(summary, table);
         print(STDOUT_FILENO, table.str());
       });
-    }
-
-
-    /// Holds the peak pressure against half-spaces, and says what speaks against the figures.
-    void
-    Simulation::judge(Summary &summary)
-    {
-      summary.doubts      = doubts_about(summary, averaging_start());
-      const PeakMiss miss = compare_peak(scene_, geometry_, summary);
-      if (miss.is_fault)
-        summary.doubts += (summary.doubts.empty() ? "" : " ") + miss.sentence + ".";
-      else if (!miss.sentence.empty())
-        log_.warning(miss.sentence);
-      if (!summary.doubts.empty())
-        log_.warning("the figures should not be trusted: " + summary.doubts);
     }
 
 

@@ -6,6 +6,7 @@
 #include <wheelrail/state/stop.h>
 
 #include <string>
+#include <vector>
 
 namespace wheelrail
 {
@@ -33,6 +34,11 @@ namespace wheelrail
   /// pose, which takes some hundredths of a second, and adds both figures to the summary.
   PeakMiss
   compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary);
+
+  /// Adds to the summary of a finished run the doubts of doubts_about() and compare_peak(). Returns what is
+  /// to be said on the screen.
+  std::vector<std::string>
+  judge(const Scene &scene, const SceneGeometry &geometry, double from, Summary &summary);
 
   /// The figures of a run at its end or where it stopped, without `finished` and the reason. Collective.
   Summary
