@@ -105,6 +105,36 @@ namespace
     check(old < 0.01, "C11 within 1 % of Kalker's table at 0.125 mm");
   }
 
+  /// In steady rolling friction takes all the work of the creepages: what the elements' own slip takes tends
+  /// to it as their length falls.
+  void
+  test_work()
+  {
+    double missing_before = 0;
+    for (const double length : {1e-3, 0.5e-3, 0.25e-3})
+      {
+        HalfspaceProblem problem         = ellipse(length);
+        problem.longitudinal_force_given = true;
+        problem.fx                       = 25e3;
+        problem.phi                      = 0.1;
+        const auto s                     = solve_rolling(problem);
+        double     taken                 = 0;
+        for (std::size_t e = 0; e < s.slip_x.size(); ++e)
+          taken -= (s.traction_x[e] * s.slip_x[e] + s.traction_y[e] * s.slip_y[e]) * s.grid.element_area();
+        check_near(s.creepage_work,
+                   -s.fx * s.xi - s.fy * s.eta - s.spin_moment * s.phi,
+                   1e-9 * s.creepage_work,
+                   "work of force, moment and creepages [J/m]");
+        const double missing = 1 - taken / s.creepage_work;
+        check(missing > 0,
+              "elements of " + std::to_string(1e3 * length) + " mm miss " + std::to_string(missing));
+        if (missing_before > 0)
+          check(missing < 0.65 * missing_before, "  which falls with their length");
+        missing_before = missing;
+      }
+    check(missing_before < 0.1, "friction takes what the creepages give");
+  }
+
   /// The element table of one rolling contact.
   void
   test_field()
@@ -258,6 +288,7 @@ main()
 {
   test_contact_table();
   test_kalker();
+  test_work();
   test_field();
   test_carter();
   test_transient();

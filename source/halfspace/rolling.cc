@@ -84,6 +84,8 @@ namespace wheelrail
       tangential_problem();
       VectorField
       rigid_slip();
+      double
+      creepage_work() const;
       /// Sets the coefficients to the slip of the last round; the largest change over the larger coefficient
       /// of the law.
       double
@@ -334,9 +336,31 @@ namespace wheelrail
           s.touches_grid_edge =
             first_x == 0 || first_y == 0 || last_x == grid_.mx - 1 || last_y == grid_.my - 1;
         }
-      s.xi  = tangential_.creepage[0];
-      s.eta = tangential_.creepage[1];
-      s.phi = problem_.phi;
+      s.xi            = tangential_.creepage[0];
+      s.eta           = tangential_.creepage[1];
+      s.phi           = problem_.phi;
+      s.creepage_work = creepage_work();
+    }
+
+
+    double
+    Solver::creepage_work() const
+    {
+      if (problem_.motion != HalfspaceMotion::steady)
+        return std::nan("");
+      const HalfspaceSolution &s  = solution_;
+      const auto               of = [](const std::vector<double> &field, const int e) {
+        return field.empty() ? 0 : field[e];
+      };
+      double work = 0;
+      for (int j = 0; j < grid_.my; ++j)
+        for (int i = 0; i < grid_.mx; ++i)
+          {
+            const int e = i + grid_.mx * j;
+            work -= s.traction_x[e] * (s.xi - s.phi * grid_.y(j) + of(problem_.rigid_slip_x, e)) +
+                    s.traction_y[e] * (s.eta + s.phi * grid_.x(i) + of(problem_.rigid_slip_y, e));
+          }
+      return work * grid_.element_area();
     }
 
     void

@@ -351,8 +351,11 @@ namespace wheelrail
                                     {"grid_spacing_m", s.grid.dx},
                                     {"grid_elements_along", double(s.grid.mx)},
                                     {"grid_elements_lateral", double(s.grid.my)}};
-    set_figure(summary, "t_gamma_N", result.measures.t_gamma);
-    set_figure(summary, "frictional_power_W", result.measures.t_gamma * scene.velocity);
+    // a wheel that spins up slides as fast as it likes
+    const bool   at_rest = frictionless(result.problem.friction);
+    const double t_gamma = determined || at_rest ? s.creepage_work : Summary::none;
+    set_figure(summary, "t_gamma_N", t_gamma);
+    set_figure(summary, "frictional_power_W", t_gamma * scene.velocity);
     summary.finished    = s.converged() && !s.touches_grid_edge;
     summary.stop_reason = s.not_reached;
     if (!s.within_friction)

@@ -141,6 +141,13 @@ namespace wheelrail
     double spin_moment = 0;          ///< about n at (0, 0), on body 1 [N m]
     double xi = 0, eta = 0, phi = 0; ///< as in the problem, found ones included
 
+    /// What the creepages do against the tractions for each metre rolled, the T-gamma of wear laws [J/m]:
+    /// minus the sum of traction times rigid slip. In steady rolling of like materials friction takes all of
+    /// it, since what the elastic slip does at one place comes back at another. The sum of traction times
+    /// slip of the elements tends to it from below, with the first power of their length: 15 % less on
+    /// 33 elements over the patch. NaN but for steady rolling.
+    double creepage_work = 0;
+
     double peak_pressure = 0, peak_shear = 0;          ///< [Pa]
     double area = 0, adhesion_area = 0, slip_area = 0; ///< [m2], whole elements
     double length_x = 0, width_y = 0;                  ///< extents of the contact, whole elements [m]
