@@ -181,6 +181,8 @@ namespace
     // penalty scales of 200 and more, where 50 is the most that is accepted
     " N of the wheel load are missing; lower Contact/Penalty scale or refine the mesh",
     "the static start did not converge: conjugate gradients stopped after ",
+    // its forces are those of the bodies themselves
+    " % of the forces are left, and residual stresses stay unknown",
   };
 
   bool

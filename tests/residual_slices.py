@@ -1,4 +1,5 @@
-"""Rolls over a rail that yields and reads what slices.h5 holds of the unloaded rail behind the wheel.
+"""Rolls over a rail that yields and reads what slices.h5 holds of the rail behind the wheel, and residual.h5 of the
+unloaded rail.
 
 Usage: residual_slices.py PROGRAM MPIEXEC
 
@@ -7,6 +8,7 @@ leaves stresses of depth and lateral place only, compression at the surface (Mer
 has flowed the stress falls at least as the square of the distance.
 """
 
+import json
 import subprocess
 import sys
 
@@ -99,4 +101,21 @@ with h5py.File("run/slices.h5") as slices:
         check(rest < (half / far)**2 * np.nanmax(aside),
               f"{1e3 * far:.0f} mm from the middle of a band {2e3 * half:.0f} mm wide: {1e-6 * rest:.0f} MPa of "
               f"{1e-6 * np.nanmax(aside):.0f}")
+
+    # the loads taken off: what the wheel does to the rail behind it is gone, what flow has left stays
+    with h5py.File("run/residual.h5") as residual:
+        (tick,) = residual.values()
+        unloaded = tick["AA_behind_rail"]
+        check(set(unloaded) == set(STRESSES) | {"position", "depth", "plastic_strain"}, "residual.h5: the datasets")
+        reach, far = unloaded["position"][:], len(place)
+        check(reach[-1] > place[-1] + 0.01 and np.allclose(reach[:far], place),
+              f"the unloaded rail reaches to {1e3 * reach[-1]:.1f} mm behind the axle")
+        for name in ("stress_xx", "stress_yy", "stress_zz"):
+            change = np.abs(unloaded[name][:][:far] - along[name][:])[:, depth <= 13e-3].max()
+            check(1e5 < change < 20e6, f"{name}: the wheel's own was {1e-6 * change:.1f} MPa")
+        top = np.abs(tick["BB_behind_rail"]["stress_yy"][:][:, 0].mean())
+        check(top < limit, f"no force across the free surface: {1e-6 * top:.2f} MPa")
+        summary = json.load(open("run/summary.json"))
+        check(summary["max_residual_von_mises_Pa"] > 0.8 * unloaded["residual_von_mises_stress"][:][:, 1:].max(),
+              f"summary.json: {1e-6 * summary['max_residual_von_mises_Pa']:.0f} MPa")
 finish()

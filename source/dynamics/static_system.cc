@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace wheelrail
 {
@@ -99,6 +100,16 @@ namespace wheelrail
     const unsigned int steps = conjugate_gradients<true>(load, x, tolerance * std::sqrt(dot(load, load)));
     step                     = {std::move(x.nodes), x.lift};
     step.increment.add(step.lift, rigid_);
+    return steps;
+  }
+
+
+  unsigned int
+  StaticSystem::solve_held(const Vector &forces, const double tolerance, Vector &increment)
+  {
+    Unknowns           x     = {zero(), 0};
+    const unsigned int steps = conjugate_gradients<false>({forces, 0}, x, tolerance * forces.l2_norm());
+    increment                = std::move(x.nodes);
     return steps;
   }
 

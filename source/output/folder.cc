@@ -38,6 +38,7 @@ namespace wheelrail
                               "halfspace_slices.h5",
                               "compare.json",
                               "compare.html",
+                              "residual.h5",
                               "slices.h5",
                               "report.html",
                               "input.prm",

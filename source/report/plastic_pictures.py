@@ -1,9 +1,8 @@
 """Pictures of what plastic flow leaves in the rail: the running band from above and the plane AA below it.
 
-Both come from the last VTU files and need Python's vtk; without it they are left out.
+Both come from the VTU files of the unloaded bodies and need Python's vtk; without it they are left out.
 """
 
-import glob
 import os
 
 import matplotlib.pyplot as plt
@@ -11,20 +10,23 @@ import numpy as np
 
 import style
 
-RESIDUAL, STRAIN = "von_mises_stress_behind_wheel", "plastic_strain"
+RESIDUAL, STRAIN = "residual_von_mises_stress", "plastic_strain"
 DEPTH = 8    # of the section [mm]: steel of 280 MPa yields down to 6.5 mm (doc/theory/material.md)
 BEFORE = 10  # of the part that has flowed [mm]: the rail that nothing has rolled over, for comparison
 
 
 class Triangles:
-    """Triangles of a VTU file with the fields at their corners; places in mm."""
+    """Triangles of the rail in a VTU file with the fields at their corners; places in mm. Of the rail's length what has
+    flowed is kept, with a little before and ahead."""
 
     def __init__(self, places, corners, fields):
         self.x, self.y, self.z = (1e3 * places[:, i] for i in range(3))
-        known = np.isfinite(fields[RESIDUAL][corners]).all(axis=1)
-        self.corners = corners[known]
-        self.begin = -np.inf  # pictures begin here along the rail
         self.residual, self.strain = 1e-6 * fields[RESIDUAL], 1e3 * fields[STRAIN]
+        flowed = self.z[np.unique(corners[(self.strain[corners] > 0).any(axis=1)])]
+        if len(flowed) > 0:
+            z = self.z[corners]
+            corners = corners[(z.max(axis=1) > flowed.min() - BEFORE) & (z.min(axis=1) < flowed.max() + BEFORE)]
+        self.corners = corners if len(flowed) > 0 else corners[:0]
 
 
 def read(path, cut_at=None):
@@ -52,7 +54,8 @@ def read(path, cut_at=None):
     data = triangles.GetOutput()
     if data.GetNumberOfPolys() == 0 or not data.GetPointData().HasArray(RESIDUAL):
         return None
-    corners = vtk_to_numpy(data.GetPolys().GetData()).reshape(-1, 4)[:, 1:]
+    rail = vtk_to_numpy(data.GetCellData().GetArray("body")) == 0
+    corners = vtk_to_numpy(data.GetPolys().GetData()).reshape(-1, 4)[rail, 1:]
     fields = {name: vtk_to_numpy(data.GetPointData().GetArray(name)) for name in (RESIDUAL, STRAIN)}
     return Triangles(vtk_to_numpy(data.GetPoints().GetData()), corners, fields)
 
@@ -67,7 +70,7 @@ def panel(axes, horizontal, vertical, triangles, values, label, color_map, stret
     bar.set_ticks([tick for tick in style.round_levels(0, top, 8 if stretch == 1 else 4) if tick <= top])
 
 
-PANELS = (("residual", "von Mises stress behind the wheel [MPa]", "viridis"),
+PANELS = (("residual", "residual von Mises stress [MPa]", "viridis"),
           ("strain", "plastic strain [10$^{-3}$]", "magma_r"))
 
 
@@ -89,12 +92,12 @@ def draw_above(run, band):
 
 def draw_section(run, section):
     """The plane along the rail below the band, rolling direction to the right."""
-    length = np.ptp(section.z[section.corners]) - max(section.begin - section.z[section.corners].min(), 0)
+    length = np.ptp(section.z[section.corners])
     figure, rows = plt.subplots(2, 1, figsize=(9.5, 1.2 + min(4 * DEPTH * 9.5 / length, 8)), sharex=True,
                                 gridspec_kw={"hspace": 0.3})
     for axes, (name, label, colors) in zip(rows, PANELS):
-        panel(axes, section.z, section.y, section, getattr(section, name), label.replace(" behind", "\nbehind"), colors, 2)
-        axes.set_xlim(max(section.z[section.corners].min(), section.begin), section.z[section.corners].max())
+        panel(axes, section.z, section.y, section, getattr(section, name), label.replace(" stress", "\nstress"), colors, 2)
+        axes.set_xlim(section.z[section.corners].min(), section.z[section.corners].max())
         axes.set_ylim(section.y[section.corners].min(), section.y[section.corners].max())
         axes.set_ylabel("height Y [mm]\n(twice as large)")
     rows[1].set_xlabel("along the rail [mm]   (rolling direction to the right)")
@@ -105,19 +108,18 @@ def draw_all(run):
     """Both pictures of a run that has yielded, a list of (caption, path)."""
     if not ((run.summary or {}).get("max_plastic_strain") or 0) > 0:
         return []
-    surfaces = sorted(glob.glob(os.path.join(run.folder, "surface_*.vtu")))
-    volume = run.data.path("volume_end.vtu")
+    surface, volume = run.data.path("residual_surface.vtu"), run.data.path("volume_end.vtu")
     try:
-        band = read(surfaces[-1]) if surfaces else None
+        band = read(surface) if os.path.exists(surface) else None
     except ImportError:
         run.remarks.append("Python's vtk is not installed (package python3-vtk9); the pictures of residual stress are "
                            "left out.")
         return []
     if band is None or len(band.corners) == 0:
-        run.remarks.append("No part of the rail lies unloaded behind the wheel; the pictures of residual stress are "
-                           "left out. Roll farther.")
+        run.remarks.append("There is no residual_surface.vtu, which a run writes at its end; the pictures of residual "
+                           "stress are left out.")
         return []
-    pictures = [("Running band from above, behind the wheel: stress that is left and plastic strain",
+    pictures = [("Running band from above: residual stress, the loads taken off, and plastic strain",
                  draw_above(run, band))]
     nodes = np.unique(band.corners)
     middle = band.x[nodes[np.argmax(band.strain[nodes])]]
@@ -125,13 +127,10 @@ def draw_all(run):
     if section is None:
         run.remarks.append("There is no volume_end.vtu; the section of residual stress is left out.")
         return pictures
-    flowed = section.z[np.unique(section.corners[(section.strain[section.corners] > 0).any(axis=1)])]
-    if len(flowed) == 0:
+    if len(section.corners) == 0:
         return pictures
-    upper = section.y[section.corners].mean(axis=1) > section.y[section.corners].max() - DEPTH
-    section.begin = flowed.min() - BEFORE
-    near = section.z[section.corners].max(axis=1) > section.begin
-    section.corners = section.corners[upper & near]
+    height = section.y[section.corners].mean(axis=1)
+    section.corners = section.corners[height > height.max() - DEPTH]
     pictures.append((f"Plane AA below the band at X = {middle:.1f} mm, upper {DEPTH} mm of the rail",
                      draw_section(run, section)))
     return pictures

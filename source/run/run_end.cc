@@ -156,11 +156,9 @@ namespace wheelrail
     summary.friction_coefficient = run.scene.friction_coefficient;
     add_drive(summary, run.scene);
     summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
-    const PlasticFigures plastic = plastic_figures(
-      model.solid, model.contact->surfaces(), run.axle, unloaded_distance(model), run.communicator);
+    const PlasticFigures plastic = plastic_figures(model.solid, model.contact->surfaces(), run.communicator);
     set_figure(summary, "max_von_mises_nodal_Pa", largest_nodal_von_mises(model.solid, run.communicator));
-    summary.max_plastic_strain     = plastic.max_strain;
-    summary.max_residual_von_mises = plastic.max_residual;
+    summary.max_plastic_strain = plastic.max_strain;
     for (const Body body : both_bodies)
       if (model.solid.blocks[body].plastic())
         set_figure(summary, std::string("plastic_work_") + body_name(body) + "_J", plastic.work[body]);

@@ -46,10 +46,21 @@ namespace wheelrail
 
 
   void
-  RunOutput::volume(const std::string &name)
+  RunOutput::volume(const std::string &name, const NodalStress *residual)
   {
     const auto stress = nodal_stress(parts_.model.solid, parts_.communicator);
-    write_mesh(name, Selection::all, stress, volume_series_.get());
+    write_mesh(name, Selection::all, stress, volume_series_.get(), residual);
+  }
+
+
+  void
+  RunOutput::residual(const Residual &residual)
+  {
+    on_root(parts_.communicator, [&]() {
+      TickFile file(parts_.scene.folder + "/residual.h5", false, 0);
+      append_slices(file, parts_.rolling.time(), parts_.axle.travelled(), residual.slices);
+    });
+    write_mesh("residual_surface", Selection::surface, residual.stress, nullptr, &residual.stress);
   }
 
 
@@ -57,7 +68,8 @@ namespace wheelrail
   RunOutput::write_mesh(const std::string &name,
                         const Selection    selection,
                         const NodalStress &stress,
-                        PvdSeries         *series)
+                        PvdSeries         *series,
+                        const NodalStress *residual)
   {
     const auto mesh = field_mesh(parts_.model.solid,
                                  parts_.axle,
@@ -65,8 +77,12 @@ namespace wheelrail
                                  selection,
                                  stress,
                                  unloaded_distance(parts_.model),
-                                 parts_.communicator);
+                                 parts_.communicator,
+                                 residual);
     write_vtu(mesh, parts_.scene.folder, name, parts_.communicator);
-    on_root(parts_.communicator, [&]() { series->add(parts_.rolling.time(), name + ".vtu"); });
+    on_root(parts_.communicator, [&]() {
+      if (series)
+        series->add(parts_.rolling.time(), name + ".vtu");
+    });
   }
 } // namespace wheelrail

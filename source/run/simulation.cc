@@ -121,6 +121,8 @@ namespace wheelrail
       must_stop() const;
       double
       averaging_start() const;
+      std::optional<Residual>
+      taken_off();
       void
       finish(const std::string &stop_reason);
       void
@@ -334,13 +336,44 @@ namespace wheelrail
     }
 
 
+    /// What the run leaves in bodies that may yield, once the loads are taken off; nothing of elastic ones,
+    /// or when that fails.
+    std::optional<Residual>
+    Simulation::taken_off()
+    {
+      if (!model_.solid.blocks.rail.plastic() && !model_.solid.blocks.wheel.plastic())
+        return {};
+      const double begin = seconds();
+      try
+        {
+          Residual residual = find_residual(model_, *axle_, communicator_);
+          log_.value("unloading",
+                     text("%u Newton steps, %u CG steps, %s",
+                          residual.way.steps,
+                          residual.way.cg_steps,
+                          format_duration(seconds() - begin).c_str()));
+          return residual;
+        }
+      catch (const RunError &error)
+        {
+          log_.warning(error.what());
+          return {};
+        }
+    }
+
+
     void
     Simulation::finish(const std::string &stop_reason)
     {
       const RunTally tally{wall_before_ + seconds() - start_, seconds() - loop_start_, first_step_};
+      const std::optional<Residual> residual = stop_reason.empty() ? taken_off() : std::nullopt;
       if (scene_.volume_fields)
-        output_->volume("volume_end");
-      Summary summary         = summary_of(*parts_, tally, scene_.averaging_distance);
+        output_->volume("volume_end", residual ? &residual->stress : nullptr);
+      if (residual)
+        output_->residual(*residual);
+      Summary summary = summary_of(*parts_, tally, scene_.averaging_distance);
+      if (residual)
+        summary.max_residual_von_mises = residual->largest;
       summary.program_version = options_.program_version;
       summary.finished        = stop_reason.empty();
       summary.stop_reason     = stop_reason;

@@ -182,6 +182,26 @@ namespace wheelrail
         "slip_velocity", "m/s", 3, [&](unsigned int n, double *v) { copy(values.at(n).slip, v); });
     }
 
+    /// Six components of the nodes' `stress`, in VTK's order.
+    void
+    add_tensor(FieldBuilder &builder, const std::string &name, const std::vector<double> &stress)
+    {
+      builder.field(name, "Pa", 6, [&](unsigned int n, double *v) {
+        const double *s = &stress[6 * n]; // xx yy zz yz xz xy
+        std::copy_n(s, 3, v);
+        v[3] = s[5], v[4] = s[3], v[5] = s[4];
+      });
+    }
+
+    void
+    add_residual_fields(FieldBuilder &builder, const std::vector<double> &stress)
+    {
+      builder.field("residual_von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) {
+        *v = von_mises(&stress[6 * n]);
+      });
+      add_tensor(builder, "residual_stress", stress);
+    }
+
     /// Plastic strain, and the stress in the rail where its z is below `unloaded` [m].
     void
     add_plastic_fields(FieldBuilder              &builder,
@@ -239,7 +259,8 @@ namespace wheelrail
              const Selection    selection,
              const NodalStress &nodal,
              const double       unloaded,
-             MPI_Comm           communicator)
+             MPI_Comm           communicator,
+             const NodalStress *residual)
   {
     FieldMesh    mesh;
     FieldBuilder builder(mesh);
@@ -266,20 +287,20 @@ namespace wheelrail
         add_contact_fields(builder, solid, contact);
         if (plastic)
           add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded, communicator);
+        if (residual)
+          add_residual_fields(builder, residual->stress);
         return mesh;
       }
     builder.field(
       "von_mises_stress", "Pa", 1, [&](unsigned int n, double *v) { *v = von_mises(&stress[6 * n]); });
-    builder.field("stress", "Pa", 6, [&](unsigned int n, double *v) {
-      const double *s = &stress[6 * n]; // xx yy zz yz xz xy, to VTK's order
-      std::copy_n(s, 3, v);
-      v[3] = s[5], v[4] = s[3], v[5] = s[4];
-    });
+    add_tensor(builder, "stress", stress);
     builder.field("principal_stresses", "Pa", 3, [&](unsigned int n, double *v) {
       copy(principal_stresses(&stress[6 * n]), v);
     });
     if (plastic)
       add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded, communicator);
+    if (residual)
+      add_residual_fields(builder, residual->stress);
     return mesh;
   }
 
@@ -324,38 +345,26 @@ namespace wheelrail
 
 
   PlasticFigures
-  plastic_figures(const Solid           &solid,
-                  const RunningSurfaces &surfaces,
-                  const Axle            &axle,
-                  const double           distance,
-                  MPI_Comm               communicator)
+  plastic_figures(const Solid &solid, const RunningSurfaces &surfaces, MPI_Comm communicator)
   {
-    double          largest[2] = {-1, -1};
+    double          largest = -1;
     PerBody<double> work;
     for (const Body body : both_bodies)
       {
         const ElementBlocks &blocks = solid.blocks[body];
         if (!blocks.plastic())
           continue;
-        const auto strain = element_plastic_strain(blocks);
-        const auto stress = element_stress(blocks, solid.displacement.data());
-        for (std::size_t e = 0; e < blocks.n_elements; ++e)
-          {
-            largest[0]          = std::max(largest[0], strain[e]);
-            const Vector3 place = solid.position(solid.mesh.cells[solid.block_cells[body][e]][0]);
-            if (body == Body::rail && strain[e] > 0 && place[2] < axle.travelled() - distance)
-              largest[1] = std::max(largest[1], von_mises(stress[e].data()));
-          }
+        for (const double strain : element_plastic_strain(blocks))
+          largest = std::max(largest, strain);
         for (const double w : blocks.plastic_work)
           work[body] += w;
       }
-    MPI_Allreduce(MPI_IN_PLACE, largest, 2, MPI_DOUBLE, MPI_MAX, communicator);
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
     for (const Body body : both_bodies)
       MPI_Allreduce(MPI_IN_PLACE, &work[body], 1, MPI_DOUBLE, MPI_SUM, communicator);
-    for (double &value : largest)
-      if (value < 0)
-        value = std::numeric_limits<double>::quiet_NaN();
-    PlasticFigures figures{largest[0], largest[1], work, std::nan(""), std::nan(""), std::nan("")};
+    if (largest < 0)
+      largest = std::nan("");
+    PlasticFigures figures{largest, work, std::nan(""), std::nan(""), std::nan("")};
     if (solid.blocks[Body::rail].plastic())
       measure_band(solid, surfaces, figures, communicator);
     return figures;

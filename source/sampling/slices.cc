@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 namespace wheelrail
 {
@@ -206,29 +207,6 @@ namespace wheelrail
           points.push_back((1 - line.weight) * X[a] + line.weight * X[b] - std::max(depth, least) * normal);
       return points;
     }
-
-    /// Slices of the rail that yields, where the wheel has left it.
-    void
-    add_unloaded(const Model        &model,
-                 const double        travelled,
-                 const double        s,
-                 const ProbeSource  &source,
-                 std::vector<Slice> &slices,
-                 MPI_Comm            communicator)
-    {
-      const Contact &contact = *model.contact;
-      const Line     along   = line_behind(contact, travelled, s, unloaded_distance(model));
-      if (along.position.size() < 2)
-        return;
-      const Line across = line_across_end(contact, along);
-      for (const auto &[name, line] : {std::make_pair("AA_behind_rail", &along), {"BB_behind_rail", &across}})
-        {
-          slices.push_back(
-            cut(model, *line, Body::rail, points_behind(contact, *line), source, communicator));
-          slices.back().name     = name;
-          slices.back().unloaded = true;
-        }
-    }
   } // namespace
 
 
@@ -251,7 +229,33 @@ namespace wheelrail
           slices.back().name = std::string(name) + "_" + body_name(body);
         }
     if (model.solid.blocks.rail.plastic())
-      add_unloaded(model, travelled, peak[0], source, slices, communicator);
+      for (Slice &slice : slices_behind(model, nodal, travelled, unloaded_distance(model), communicator))
+        slices.push_back(std::move(slice));
+    return slices;
+  }
+
+
+  std::vector<Slice>
+  slices_behind(const Model       &model,
+                const NodalStress &nodal,
+                const double       travelled,
+                const double       behind,
+                MPI_Comm           communicator)
+  {
+    const Contact     &contact = *model.contact;
+    const double       s       = place_of_peak(contact, travelled)[0];
+    const Line         along   = line_behind(contact, travelled, s, behind);
+    std::vector<Slice> slices;
+    if (along.position.size() < 2)
+      return slices;
+    const Line        across = line_across_end(contact, along);
+    const ProbeSource source = probe_source(model.solid, nodal);
+    for (const auto &[name, line] : {std::make_pair("AA_behind_rail", &along), {"BB_behind_rail", &across}})
+      {
+        slices.push_back(cut(model, *line, Body::rail, points_behind(contact, *line), source, communicator));
+        slices.back().name     = name;
+        slices.back().unloaded = true;
+      }
     return slices;
   }
 

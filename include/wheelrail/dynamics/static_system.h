@@ -55,6 +55,10 @@ namespace wheelrail
     unsigned int
     solve(const Vector &forces, double bore, double tolerance, StaticStep &step);
 
+    /// The same with the bore held, for the displacements of the free nodes alone.
+    unsigned int
+    solve_held(const Vector &forces, double tolerance, Vector &increment);
+
     /// An estimate of solve(), linear and symmetric in the forces: one cycle of the preconditioner, and the
     /// response to a lift with the share that balances the bore. Collective.
     StaticStep

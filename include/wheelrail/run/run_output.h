@@ -3,6 +3,7 @@
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/vtu.h>
 #include <wheelrail/sampling/fields.h>
+#include <wheelrail/sampling/residual.h>
 #include <wheelrail/sampling/run_parts.h>
 
 #include <memory>
@@ -23,15 +24,24 @@ namespace wheelrail
     void
     tick(unsigned int tick);
 
-    /// Writes the whole mesh into `name`.vtu and adds it to volume.pvd. Collective; throws RunError on all
-    /// ranks.
+    /// Writes the whole mesh into `name`.vtu and adds it to volume.pvd, with residual stresses where they are
+    /// given. Collective; throws RunError on all ranks.
     void
-    volume(const std::string &name);
+    volume(const std::string &name, const NodalStress *residual = nullptr);
+
+    /// Writes what a passage has left: slices into residual.h5, the running surfaces into
+    /// residual_surface.vtu. Collective; throws RunError on all ranks.
+    void
+    residual(const Residual &residual);
 
   private:
-    /// Writes a part of the mesh into `name`.vtu and adds it to a series.
+    /// Writes a part of the mesh into `name`.vtu and adds it to a series, if there is one.
     void
-    write_mesh(const std::string &name, Selection selection, const NodalStress &stress, PvdSeries *series);
+    write_mesh(const std::string &name,
+               Selection          selection,
+               const NodalStress &stress,
+               PvdSeries         *series,
+               const NodalStress *residual = nullptr);
 
     RunParts                   parts_;
     std::unique_ptr<TickFile>  patch_file_, slice_file_; ///< on rank 0 only, as the series

@@ -24,7 +24,8 @@ namespace wheelrail
   /// the stress components, for surfaces the contact tractions. Where a body may yield, both show the
   /// accumulated plastic strain and the residual stress too: von Mises' equivalent of the stress in the
   /// rail that the wheel left at least `unloaded` [m] behind, NaN elsewhere. `nodal`: see nodal_stress(),
-  /// made once for all files of a moment since it costs as much as a file. Collective.
+  /// made once for all files of a moment since it costs as much as a file. `residual`: the stresses of the
+  /// unloaded bodies, shown besides where they are known (Residual). Collective.
   FieldMesh
   field_mesh(const Solid       &solid,
              const Axle        &axle,
@@ -32,7 +33,8 @@ namespace wheelrail
              Selection          selection,
              const NodalStress &nodal,
              double             unloaded,
-             MPI_Comm           communicator);
+             MPI_Comm           communicator,
+             const NodalStress *residual = nullptr);
 
   /// How far behind the wheel its own stress has faded, some patch lengths [m].
   double
@@ -42,9 +44,8 @@ namespace wheelrail
   struct PlasticFigures
   {
     double          max_strain; ///< largest accumulated plastic strain of both bodies; NaN: both elastic [1]
-    double          max_residual; ///< of the residual stress [Pa]
-    PerBody<double> work;         ///< plastic work [J]
-    double          band_width;   ///< lateral extent of the rail's nodes above band_strain, along s [m]
+    PerBody<double> work;       ///< plastic work [J]
+    double          band_width; ///< lateral extent of the rail's nodes above band_strain, along s [m]
     double band_depth;  ///< of the deepest of them below the undeformed surface, along the contact normal [m]
     double band_centre; ///< middle of that extent, s [m]
   };
@@ -52,16 +53,9 @@ namespace wheelrail
   /// The accumulated plastic strain from which steel counts as belonging to the band that flowed [1].
   constexpr double band_strain = 1e-4;
 
-  /// The residual stress is the stress of rail cells that have yielded and that the wheel left at
-  /// least `distance` behind: there its own stress has faded, so that what remains comes from plastic
-  /// strains. Its largest von Mises equivalent is max_residual; NaN when there is no such cell.
   /// Collective.
   PlasticFigures
-  plastic_figures(const Solid           &solid,
-                  const RunningSurfaces &surfaces,
-                  const Axle            &axle,
-                  double                 distance,
-                  MPI_Comm               communicator);
+  plastic_figures(const Solid &solid, const RunningSurfaces &surfaces, MPI_Comm communicator);
 
   /// Largest von Mises stress over the elements of all ranks [Pa]. Collective.
   double

@@ -42,6 +42,15 @@ namespace wheelrail
   std::vector<Slice>
   make_slices(const Model &model, const NodalStress &nodal, double travelled, MPI_Comm communicator);
 
+  /// The cuts AA_behind and BB_behind of make_slices() through the lateral place of the largest pressure, of
+  /// the rail that the wheel left at least `behind` [m] behind: none when that is less than two stations.
+  std::vector<Slice>
+  slices_behind(const Model       &model,
+                const NodalStress &nodal,
+                double             travelled,
+                double             behind,
+                MPI_Comm           communicator);
+
   /// Adds slices as the next tick of a file: one group per slice with the attributes of its plane,
   /// `position`, `depth` and the fields as datasets with the attribute `unit`. To be called on one rank.
   void

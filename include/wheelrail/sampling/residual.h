@@ -1,0 +1,26 @@
+#pragma once
+
+#include <wheelrail/dynamics/unloading.h>
+#include <wheelrail/model/model.h>
+#include <wheelrail/sampling/slices.h>
+#include <wheelrail/wheelset/axle.h>
+
+#include <vector>
+
+namespace wheelrail
+{
+  /// What a passage leaves in the bodies once all loads are taken off, see unload().
+  struct Residual
+  {
+    NodalStress stress; ///< recovered at the nodes of the rank
+    /// AA_behind and BB_behind (slices_behind()) of the rail that the patch has left.
+    std::vector<Slice> slices;
+    Unloading          way;
+    double largest; ///< von Mises, of elements of that rail that have flowed [Pa]; NaN without one
+  };
+
+  /// Takes the loads off for the sample; the bodies are then again as they were. Throws RunError as unload().
+  /// Collective.
+  Residual
+  find_residual(Model &model, const Axle &axle, MPI_Comm communicator);
+} // namespace wheelrail

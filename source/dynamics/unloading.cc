@@ -1,0 +1,105 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/dynamics/static_system.h>
+#include <wheelrail/dynamics/unloading.h>
+#include <wheelrail/mesh/forest.h>
+#include <wheelrail/solid/kept_flow.h>
+
+#include <string>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Changes the displacements of the wheel between those in the track's axes and those in the axes that
+    /// travel and turn with the axle.
+    class WheelAxes
+    {
+    public:
+      explicit WheelAxes(const Axle &axle)
+        : centre_(axle.data().centre)
+        , now_(axle.data().centre + Vector3{0, axle.height(), axle.travelled()})
+        , forth_(axle.data().axis, axle.pitch_angle())
+        , back_(axle.data().axis, -axle.pitch_angle())
+      {
+      }
+
+      void
+      to_wheel(Solid &solid) const
+      {
+        change(solid, [&](const Vector3 &x) { return centre_ + back_(x - now_); });
+      }
+
+      void
+      to_track(Solid &solid) const
+      {
+        change(solid, [&](const Vector3 &x) { return now_ + forth_(x - centre_); });
+      }
+
+    private:
+      template <typename Move>
+      void
+      change(Solid &solid, const Move &move) const
+      {
+        for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+          if (solid.mesh.node_body[n] == Body::wheel)
+            {
+              const Vector3 x = move(solid.position(n));
+              for (int i = 0; i < 3; ++i)
+                solid.displacement[4 * n + i] = x[i] - solid.mesh.reference[4 * n + i];
+            }
+      }
+
+      Vector3  centre_, now_;
+      Rotation forth_, back_;
+    };
+
+    /// Forces of the elements in the present position, one step from the history `flow`, on what is free.
+    StaticVector
+    out_of_balance(Solid &solid, const KeptFlow &flow, const StaticSystem &system, SharedSum &sum)
+    {
+      AlignedVector<double> force(solid.force.size(), 0.);
+      ElementEnergy         ignored;
+      flow.restore(solid.blocks);
+      subtract_internal_force(
+        solid.blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
+      condense(solid.mesh, force.data());
+      sum(force.data());
+      return system.right_hand_side(force);
+    }
+  } // namespace
+
+
+  Unloading
+  unload(const Forest &forest, Solid &solid, const Axle &axle)
+  {
+    constexpr double       enough = 1e-5, of_step = 1e-3;
+    constexpr unsigned int most_steps = 40;
+    const WheelAxes        axes(axle);
+    const KeptFlow         flow(solid.blocks);
+    axes.to_wheel(solid);
+    StaticSystem system(forest, solid);
+    system.set_springs({});
+    SharedSum sum(solid.mesh, forest.communicator());
+    Unloading unloading;
+    double    first = 0;
+    for (;; ++unloading.steps)
+      {
+        const StaticVector force = out_of_balance(solid, flow, system, sum);
+        const double       norm  = force.l2_norm();
+        if (unloading.steps == 0)
+          first = norm;
+        unloading.residual = first > 0 ? norm / first : 0;
+        if (unloading.residual <= enough)
+          break;
+        if (unloading.steps == most_steps || !(unloading.residual < 10))
+          throw RunError("the unloading did not converge: after " + std::to_string(unloading.steps) +
+                         " steps " + std::to_string(100 * unloading.residual) +
+                         " % of the forces are left, and residual stresses stay unknown");
+        StaticVector step = system.zero();
+        unloading.cg_steps += system.solve_held(force, of_step, step);
+        system.add_to_nodes(step, 0, solid.displacement);
+      }
+    axes.to_track(solid);
+    return unloading;
+  }
+} // namespace wheelrail

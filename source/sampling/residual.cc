@@ -1,0 +1,68 @@
+#include <wheelrail/sampling/fields.h>
+#include <wheelrail/sampling/residual.h>
+#include <wheelrail/solid/cauchy.h>
+#include <wheelrail/solid/kept_flow.h>
+#include <wheelrail/solid/point_state.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Gives displacement and flow back at its end, whatever happens.
+    class Meanwhile
+    {
+    public:
+      explicit Meanwhile(Solid &solid)
+        : solid_(solid)
+        , displacement_(solid.displacement)
+        , flow_(solid.blocks)
+      {
+      }
+      ~Meanwhile()
+      {
+        solid_.displacement = displacement_;
+        flow_.restore(solid_.blocks);
+      }
+      Meanwhile(const Meanwhile &) = delete;
+      Meanwhile &
+      operator=(const Meanwhile &) = delete;
+
+    private:
+      Solid                      &solid_;
+      const AlignedVector<double> displacement_;
+      const KeptFlow              flow_;
+    };
+
+    /// Largest von Mises stress of rail elements that have flowed and begin before z [m].
+    double
+    largest_before(const Solid &solid, const double z, MPI_Comm communicator)
+    {
+      const ElementBlocks &blocks  = solid.blocks.rail;
+      const auto           strain  = element_plastic_strain(blocks);
+      const auto           stress  = element_stress(blocks, solid.displacement.data());
+      double               largest = -1;
+      for (std::size_t e = 0; e < blocks.n_elements; ++e)
+        if (strain[e] > 0 && solid.position(solid.mesh.cells[solid.block_cells.rail[e]][0])[2] < z)
+          largest = std::max(largest, von_mises(stress[e].data()));
+      MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
+      return largest < 0 ? std::nan("") : largest;
+    }
+  } // namespace
+
+
+  Residual
+  find_residual(Model &model, const Axle &axle, MPI_Comm communicator)
+  {
+    const Meanwhile meanwhile(model.solid);
+    Residual        residual;
+    residual.way        = unload(*model.forest, model.solid, axle);
+    const double behind = half_length_bound(model.expected_approach, model.geometry.rolling_radius);
+    residual.stress     = nodal_stress(model.solid, communicator);
+    residual.slices     = slices_behind(model, residual.stress, axle.travelled(), behind, communicator);
+    residual.largest    = largest_before(model.solid, axle.travelled() - behind, communicator);
+    return residual;
+  }
+} // namespace wheelrail
