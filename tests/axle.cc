@@ -44,6 +44,8 @@ namespace
         mesh.faces.push_back({{node(s, 0, 0), node(s, 0, 1), node(s + 1, 0, 0), node(s + 1, 0, 1)},
                               Boundary::bore,
                               Body::wheel,
+                              static_cast<unsigned int>(mesh.cells.size() - 1),
+                              false,
                               false});
       }
     mesh.cell_body.assign(n, Body::wheel);

@@ -135,6 +135,26 @@ namespace
     check_near(force[0] / force[1], 0, 1e-9, "equal strain: force on inner nodes over that on the surface");
   }
 
+  /// The arc coordinate jumps opposite to the contact: cells there lie far from the fine ones all the same.
+  void
+  coarse_above_the_axle(const Model &model)
+  {
+    const LocalMesh &mesh     = model.solid.mesh;
+    int              count[2] = {0, 0}; // all, divided
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+      {
+        bool above = mesh.cell_body[c] == Body::wheel;
+        for (const unsigned int n : mesh.cells[c])
+          above = above && mesh.reference[4 * n + 1] > model.axle.centre[1];
+        count[0] += above;
+        count[1] += above && mesh.cell_level[c] > 0;
+      }
+    MPI_Allreduce(MPI_IN_PLACE, count, 2, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+    check(count[0] > 1000 && count[1] == 0,
+          "no cell of the wheel above its axle is divided, " + std::to_string(count[1]) + " of " +
+            std::to_string(count[0]));
+  }
+
   void
   rigid_rotation(Model &model)
   {
@@ -257,6 +277,7 @@ main(int argc, char **argv)
   Model    model = test::small_model(MPI_COMM_WORLD, 4e-3);
   sums_do_not_depend_on_ranks(model);
   running_lattices(model);
+  coarse_above_the_axle(model);
   hanging_nodes(model);
   rigid_rotation(model);
   return parallel.report();

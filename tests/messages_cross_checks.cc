@@ -23,6 +23,10 @@ namespace
       "--set: Run/Averaging distance = 200 mm: longer than Run/Rolling distance = 60 mm; the mean is taken "
       "over the last part of the run, so at most that is possible");
     check_set(
+      "Run/Evaluate at = 55 mm",
+      "--set: Run/Evaluate at = 55 mm: half of Run/Averaging distance = 20 mm on either side of it must "
+      "lie on the way, from 0 mm to Run/Rolling distance = 60 mm");
+    check_set(
       "Mesh/Prepared distance = 50 mm",
       "--set: Mesh/Prepared distance = 50 mm: shorter than Run/Rolling distance = 60 mm; write auto, or "
       "a longer distance for a run that is to be resumed with more");

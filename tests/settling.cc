@@ -31,7 +31,7 @@ main()
   check(settled_after(distance, ripple, 100, 1, 0) > 0.099, "without the window the ripple never settles");
   check(std::isinf(settled_after(distance, smooth, 105, 1, 0)), "away from the final value: infinity");
   check(settled_after(distance, smooth, 100, 20, 0) == 0, "settled from the start");
-  const Settling calm = settling(distance, ripple, 0.08, 100, 2e-3);
+  const Settling calm = settling(distance, ripple, {0.08, 1}, 100, 2e-3);
   check_near(calm.after, exact + 1e-3, 2e-4, "a figure of 100 comes within 1 % [m]");
   check(calm.swing < 1e-3, "and then hardly swings");
   // nodes that flicker by 1 % in pieces of 4 mm to the end: noise that belongs to the figure
@@ -41,12 +41,12 @@ main()
       flicker.push_back(100 + 0.9 * std::sin(2 * M_PI * z / 4e-3) + (std::fmod(z, 0.031) < 2e-3 ? 0.6 : 0));
       stick_slip.push_back(2.8e-3 * (1 - std::cos(2 * M_PI * z / 20e-3)));
     }
-  check(settling(distance, flicker, 0.03, 100, 2e-3).after < 2e-3,
+  check(settling(distance, flicker, {0.03, 1}, 100, 2e-3).after < 2e-3,
         "noise to the end does not unsettle a figure");
-  const Settling wild = settling(distance, stick_slip, 0.06, 2.8e-3, 2e-3);
+  const Settling wild = settling(distance, stick_slip, {0.06, 1}, 2.8e-3, 2e-3);
   check(std::isinf(wild.after), "a creepage between 0 and 5.6e-3 is never steady");
   check_near(wild.swing, 0.70, 0.02, "its swing, 1/sqrt(2) less what the window takes");
-  const Mean mean = mean_from(distance, ripple, 0.09);
+  const Mean mean = mean_over(distance, ripple, {0.09, 1});
   check_near(mean.mean, 100, 2e-3, "mean over the last tenth");
   check_near(mean.deviation, 3 / std::sqrt(2.), 5e-3, "deviation of the ripple");
   return test::report();

@@ -12,8 +12,8 @@ namespace wheelrail
                      MPI_Comm        communicator,
                      const bool      travelling)
   {
-    const auto gradient =
-      travelling ? nodal_gradient(solid, communicator) : std::vector<double>(9 * solid.mesh.n_nodes(), 0.);
+    const auto gradient = travelling ? nodal_gradient(solid, solid.displacement.data(), communicator)
+                                     : std::vector<double>(9 * solid.mesh.n_nodes(), 0.);
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       {
         const double *H = &gradient[9 * n], *X = &solid.mesh.reference[4 * n];

@@ -1,4 +1,5 @@
 #include <wheelrail/dynamics/time_loop.h>
+#include <wheelrail/solid/transfer.h>
 
 #include <chrono>
 
@@ -42,6 +43,7 @@ namespace wheelrail
     , solid_(solid)
     , communicator_(communicator)
     , kinetic_(book_.term("kinetic_energy", EnergyKind::stored))
+    , mesh_change_(book_.term("mesh_change_work", EnergyKind::supplied))
   {
     elements_.enter(book_);
   }
@@ -63,6 +65,27 @@ namespace wheelrail
     for (Part *part : parts_)
       part->prepare(solid_, inertia_);
     start_forces(solid_, inertia_);
+  }
+
+
+  void
+  TimeLoop::change_mesh(const std::function<void()> &remake, const double middle)
+  {
+    const Stopwatch watch(clock, timing_.mesh);
+    // a start has displacements and velocities at the same instant
+    const double        step   = steps_ == 0 ? 0 : scheme.time_step;
+    const double        before = body_energy(solid_, inertia_, step, communicator_);
+    const SolidChoice   choice = solid_.choice;
+    const SolidTransfer transfer(std::move(solid_), middle, communicator_);
+    solid_.choice = choice;
+    remake();
+    prepare();
+    transfer.fill(solid_, inertia_, step);
+    const double after = body_energy(solid_, inertia_, step, communicator_);
+    int          rank;
+    MPI_Comm_rank(communicator_, &rank);
+    if (rank == 0) // all ranks know it
+      mesh_change_.add_done(after - before);
   }
 
 

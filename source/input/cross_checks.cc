@@ -200,6 +200,14 @@ namespace wheelrail
         entry_text(scene, "Run", "Averaging distance") +
         ": longer than Run/Rolling distance = " + rounded_mm(scene.rolling_distance) +
         "; the mean is taken over the last part of the run, so at most that is possible");
+    else if (scene.evaluate_at > 0 &&
+             (scene.evaluate_at - 0.5 * scene.averaging_distance < -1e-9 ||
+              scene.evaluate_at + 0.5 * scene.averaging_distance > scene.rolling_distance + 1e-9))
+      found.errors.push_back(
+        entry_text(scene, "Run", "Evaluate at") +
+        ": half of Run/Averaging distance = " + rounded_mm(scene.averaging_distance) +
+        " on either side of it must lie on the way, from 0 mm to Run/Rolling distance = " +
+        rounded_mm(scene.rolling_distance));
     const double spacing = scene.rolling_distance / scene.ticks;
     if (scene.ticks > 1 && spacing < 0.1 * scene.cell_size)
       found.errors.push_back(

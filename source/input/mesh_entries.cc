@@ -72,6 +72,20 @@ namespace wheelrail
                       "longer Run/Rolling distance; auto: Run/Rolling distance."},
                      B::above("0 mm", "10 m"),
                      field(&S::prepared_distance)));
+    list.push_back(choice_entry<MeshWindow>(
+      {"Mesh",
+       "Window",
+       "Where the solution cells lie; moving: around the wheel, with which they go from block to block; "
+       "fixed: all along the rolled distance."},
+      {{"moving", MeshWindow::moving}, {"fixed", MeshWindow::fixed}},
+      field(&S::window)));
+    list.push_back(choice_entry<BehindWheel>(
+      {"Mesh",
+       "Behind the wheel",
+       "What becomes of solution cells that a moving window leaves behind; auto: those that have flowed "
+       "plastically stay, the others are made coarse again."},
+      {{"auto", BehindWheel::automatic}, {"coarsen", BehindWheel::coarsen}, {"keep", BehindWheel::keep}},
+      field(&S::behind_wheel)));
     add_elements(list);
     return list;
   }

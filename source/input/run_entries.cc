@@ -20,12 +20,21 @@ namespace wheelrail
                                 "mm",
                                 B::above("0 mm", "10 m"),
                                 field(&S::rolling_distance)));
-    list.push_back(length_entry({"Run",
-                                 "Averaging distance",
-                                 "The figures of the summary are means over this last stretch of the run."},
-                                "mm",
-                                B::above("0 mm", "10 m"),
-                                field(&S::averaging_distance)));
+    list.push_back(length_entry(
+      {"Run", "Averaging distance", "The figures of the summary are means over a stretch of this length."},
+      "mm",
+      B::above("0 mm", "10 m"),
+      field(&S::averaging_distance)));
+    list.push_back(with_word(length_entry({"Run",
+                                           "Evaluate at",
+                                           "Middle of that stretch, as rolled distance; end: it is the last "
+                                           "one of the run."},
+                                          "mm",
+                                          B::above("0 mm", "10 m"),
+                                          field(&S::evaluate_at)),
+                             "end",
+                             0,
+                             field(&S::evaluate_at)));
     list.push_back(
       choice_entry<StartState>({"Run",
                                 "Start",

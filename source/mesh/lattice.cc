@@ -4,19 +4,32 @@
 
 namespace wheelrail
 {
+  long
+  Lattice::station(const double along) const
+  {
+    const long own = std::lround(along / spacing_along);
+    if (around == 0)
+      return own;
+    const double middle = first_station + 0.5 * n_along;
+    return own + around * std::lround((middle - own) / around);
+  }
+
+
   Lattice
-  make_lattice(const SweepPlan &plan)
+  make_lattice(const SweepPlan &plan, const Body body, const Range &range)
   {
     const unsigned int parts  = 1u << plan.levels;
     const unsigned int blocks = plan.strip.s.size() - 1;
     Lattice            lattice;
     lattice.spacing_along = plan.block_length() / parts;
-    lattice.first_station = static_cast<int>(std::ceil(plan.fine_begin / lattice.spacing_along));
+    // a range that ends at a station holds it, whatever the round-off
+    lattice.first_station = static_cast<int>(std::ceil(range.s0 / lattice.spacing_along - 1e-6));
     lattice.n_along =
-      static_cast<int>(std::floor(plan.fine_end / lattice.spacing_along)) - lattice.first_station + 1;
+      static_cast<int>(std::floor(range.s1 / lattice.spacing_along + 1e-6)) - lattice.first_station + 1;
     lattice.s_begin         = plan.strip.s.front();
     lattice.n_lateral       = blocks * parts + 1;
     lattice.spacing_lateral = (plan.strip.s.back() - plan.strip.s.front()) / (lattice.n_lateral - 1);
+    lattice.around          = body == Body::wheel ? static_cast<int>(plan.sectors * parts) : 0;
     return lattice;
   }
 } // namespace wheelrail

@@ -32,17 +32,6 @@ namespace wheelrail
         return entry->second;
       }
     };
-
-    /// Unique over the forest, the same for any partition: coarse cell, then the path of children with a
-    /// leading one.
-    std::uint64_t
-    key_of(const dealii::CellId &id)
-    {
-      std::uint64_t path = 1;
-      for (const auto child : id.get_child_indices())
-        path = path * 8 + child;
-      return (std::uint64_t(id.get_coarse_cell_id()) << 32) | path;
-    }
   } // namespace
 
 
@@ -53,31 +42,34 @@ namespace wheelrail
     NodeNumbers                                  number;
     std::vector<std::array<double, 3>>           position;
     std::vector<dealii::types::global_dof_index> dof(24);
-    std::vector<std::uint64_t>                   cell_key;
 
-    const auto place = [&](const unsigned int node, const std::array<double, 3> &x, const Body body) {
-      if (node >= position.size())
-        {
-          position.resize(node + 1);
-          mesh.node_body.resize(node + 1);
-        }
-      position[node]       = x;
-      mesh.node_body[node] = body;
+    /// A node of own and ghost cells: parents may lie on ghost cells.
+    struct Node
+    {
+      std::array<double, 3> position;
+      std::uint64_t         key;
+      Body                  body;
     };
-
-    // positions of all nodes of own and ghost cells by global number: parents may lie on ghost cells
-    std::unordered_map<std::uint32_t, std::pair<std::array<double, 3>, Body>> known;
+    std::unordered_map<std::uint32_t, Node> known;
     for (const auto &cell : dofs_.active_cell_iterators())
       if (!cell->is_artificial())
         {
-          const Body body = cell->material_id() == 0 ? Body::rail : Body::wheel;
           cell->get_dof_indices(dof);
           for (unsigned int v = 0; v < 8; ++v)
             if (dof[3 * v] % 3 != 0 || dof[3 * v + 2] != dof[3 * v] + 2)
               throw std::logic_error("the three components of a vertex are not numbered together");
-            else
-              known.try_emplace(dof[3 * v] / 3, vertex_position(*cell, v), body);
+            else if (known.count(dof[3 * v] / 3) == 0)
+              known[dof[3 * v] / 3] = {
+                vertex_position(*cell, v), vertex_key(*cell, v), static_cast<Body>(cell->material_id())};
         }
+    const auto add = [&](const unsigned int node, const std::uint32_t global) {
+      if (node < position.size())
+        return;
+      const Node &data = known.at(global);
+      position.push_back(data.position);
+      mesh.node_key.push_back(data.key);
+      mesh.node_body.push_back(data.body);
+    };
 
     for (const auto &cell : dofs_.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -88,10 +80,11 @@ namespace wheelrail
           for (unsigned int v = 0; v < 8; ++v)
             {
               nodes[v] = number(dof[3 * v] / 3);
-              place(nodes[v], known.at(dof[3 * v] / 3).first, body);
+              add(nodes[v], dof[3 * v] / 3);
             }
           mesh.cells.push_back(nodes);
-          cell_key.push_back(key_of(cell->id()));
+          const CellPlace where = place(*cell);
+          mesh.cell_key.push_back(where.key());
           mesh.cell_body.push_back(body);
           mesh.cell_level.push_back(cell->level());
           for (unsigned int f = 0; f < 6; ++f)
@@ -103,9 +96,11 @@ namespace wheelrail
                 BoundaryFace face;
                 for (unsigned int v = 0; v < 4; ++v)
                   face.nodes[v] = nodes[corner[f][v]];
+                face.cell   = mesh.cells.size() - 1;
                 face.mark   = static_cast<Boundary>(cell->face(f)->boundary_id());
                 face.body   = body;
                 face.finest = cell->level() == static_cast<int>(plan_.levels);
+                face.strip  = grids_[body].in_strip(where.block);
                 mesh.faces.push_back(face);
               }
         }
@@ -120,8 +115,7 @@ namespace wheelrail
           for (const auto &[parent_dof, weight] : *entries)
             {
               const unsigned int parent = number(parent_dof / 3);
-              const auto        &data   = known.at(parent_dof / 3);
-              place(parent, data.first, data.second);
+              add(parent, parent_dof / 3);
               mesh.parents.push_back(parent);
               mesh.weights.push_back(weight);
             }
@@ -141,7 +135,7 @@ namespace wheelrail
           mesh.reference[4 * mesh.hanging[k] + i] = mean;
         }
     find_neighbours(mesh, communicator());
-    number_cells_and_nodes(mesh, cell_key, communicator());
+    number_cells_and_nodes(mesh, communicator());
     return mesh;
   }
 } // namespace wheelrail

@@ -56,9 +56,9 @@ namespace wheelrail
 
 
   void
-  number_cells_and_nodes(LocalMesh &mesh, const std::vector<std::uint64_t> &cell_key, MPI_Comm communicator)
+  number_cells_and_nodes(LocalMesh &mesh, MPI_Comm communicator)
   {
-    mesh.cell_number = places(cell_key, sorted_keys(cell_key, communicator));
+    mesh.cell_number = places(mesh.cell_key, sorted_keys(mesh.cell_key, communicator));
 
     Keys node_key(mesh.n_nodes(), std::numeric_limits<std::uint64_t>::max());
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)

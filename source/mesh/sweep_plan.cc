@@ -1,3 +1,6 @@
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/mesh/rail_section.h>
@@ -38,6 +41,28 @@ namespace wheelrail
       fill(last * spacing, end);
       stations.push_back(end);
       return stations;
+    }
+
+    /// Turns the blocks of a section so that opposite edges point the same way, which deal.II wants
+    /// of a mesh; keeps them right-handed.
+    void
+    orient_blocks(Section &section)
+    {
+      std::vector<dealii::CellData<2>> cells(section.blocks.size());
+      for (std::size_t b = 0; b < cells.size(); ++b)
+        for (unsigned int v = 0; v < 4; ++v)
+          cells[b].vertices[v] = section.blocks[b].corner[v];
+      dealii::GridTools::consistently_order_cells(cells);
+      for (std::size_t b = 0; b < cells.size(); ++b)
+        {
+          auto &corner = section.blocks[b].corner;
+          for (unsigned int v = 0; v < 4; ++v)
+            corner[v] = cells[b].vertices[v];
+          const Point2 x = section.corners[corner[1]] - section.corners[corner[0]];
+          const Point2 y = section.corners[corner[2]] - section.corners[corner[0]];
+          if (cross(x, y) < 0)
+            std::swap(corner[1], corner[2]);
+        }
     }
 
     /// Both running surfaces over the strip and a cell beside it, as far as the profiles go.
@@ -82,18 +107,27 @@ namespace wheelrail
 
     plan.sectors        = std::lround(2 * M_PI * contact.rolling_radius / block);
     const double reach  = half_length_bound(sizes.approach, contact.rolling_radius) + sizes.fine_margin;
+    plan.moving         = sizes.moving;
     plan.fine_begin     = -reach;
     plan.fine_end       = sizes.distance + reach;
     plan.fine_depth     = sizes.fine_depth;
     const double middle = 0.5 * sizes.distance;
     plan.rail_stations  = rail_stations(middle - 0.5 * sizes.rail_length,
                                        middle + 0.5 * sizes.rail_length,
-                                       plan.fine_begin,
-                                       plan.fine_end,
+                                       plan.fine_begin - (sizes.moving ? plan.block_length() : 0),
+                                       plan.fine_end + (sizes.moving ? plan.block_length() : 0),
                                        plan.block_length());
+    if (sizes.moving)
+      {
+        constexpr double least_ahead = 7.5e-3, least_behind = 12.5e-3;
+        plan.fine_begin -= std::max(0., least_behind - sizes.fine_margin);
+        plan.fine_end = plan.block_length() + reach + std::max(0., least_ahead - sizes.fine_margin);
+      }
 
     plan.rail  = make_rail_section(profiles.rail, contact.rail, plan.strip, block);
     plan.wheel = make_wheel_section(profiles.wheel, wheel, contact.wheel, plan.strip, block);
+    orient_blocks(plan.rail);
+    orient_blocks(plan.wheel);
     return plan;
   }
 } // namespace wheelrail

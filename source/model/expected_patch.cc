@@ -88,7 +88,10 @@ namespace wheelrail
     // at the full approach the overlap is wider and longer than at 0.55 of it: 1/sqrt(0.55) = 1.35 where the
     // profiles are parabolas, about 1.3 across on the flattening tread
     const double width  = std::ceil((1.3 * patch.width + 2 * scene.fine_margin) / coarse) * coarse;
-    const double length = scene.mesh_distance() + 1.35 * patch.length + 2 * scene.fine_margin;
+    const bool   moving = scene.window == MeshWindow::moving;
+    const double length = moving ? coarse + 1.35 * patch.length + std::max(scene.fine_margin, 7.5e-3) +
+                                     std::max(scene.fine_margin, 12.5e-3)
+                                 : scene.mesh_distance() + 1.35 * patch.length + 2 * scene.fine_margin;
     const double layers = std::ceil(scene.depth_of_fine_cells() / h);
     const double fine   = coarse > h ? 2 * (length / h) * (width / h) * layers : 0;
     // halving from size to size takes about 0.4 of the finest cells more

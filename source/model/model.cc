@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/contact/make_law.h>
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
@@ -6,6 +7,8 @@
 #include <wheelrail/solid/highest_frequency.h>
 
 #include <cmath>
+#include <set>
+#include <vector>
 
 namespace wheelrail
 {
@@ -82,6 +85,83 @@ namespace wheelrail
         std::ceil(scene.rolling_distance / (scene.velocity * scene.time_step_factor * stable.step));
       return scene.rolling_distance / (scene.velocity * steps);
     }
+    /// The contact on a mesh whose finest cells lie in `range` of both bodies, and the added mass.
+    void
+    prepare_contact(Model &model, const SweepPlan &plan, const PerBody<Range> &range, MPI_Comm communicator)
+    {
+      const auto collect = [&](const Body body) {
+        return make_surface(
+          model.solid.mesh, body, plan.surfaces, make_lattice(plan, body, range[body]), communicator);
+      };
+      model.contact->prepare(collect(Body::rail), collect(Body::wheel));
+      add_band_mass(model.solid, model.contact->law().added_mass, communicator);
+    }
+
+    /// Bodies and contact on the mesh of the start; the contact's law follows from it.
+    void
+    prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
+    {
+      const SweepPlan &plan = model.forest->plan();
+      const Range      fine = {plan.fine_begin, plan.fine_end};
+      prepare(model.solid, model.forest->local_mesh(), communicator);
+      lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
+      model.contact = make_contact(scene, model, communicator);
+      prepare_contact(model, plan, {fine, fine}, communicator);
+    }
+
+    /// Where a column of blocks lies along: those of the wheel are counted against its arc coordinate, from
+    /// the contact of the start on. The other way round it is the same.
+    int
+    column_along(const Body body, const int column)
+    {
+      return body == Body::wheel ? -1 - column : column;
+    }
+
+    PerBody<FineZone>
+    zones_of(const SweepPlan &plan, const FineWindow &window)
+    {
+      PerBody<FineZone> zones;
+      for (const Body body : both_bodies)
+        zones[body] = window_zone(plan, window.column[body], window.kept[body]);
+      return zones;
+    }
+
+    PerBody<Range>
+    ranges_of(const SweepPlan &plan, const FineWindow &window)
+    {
+      return {window_range(plan, window.column.rail), window_range(plan, window.column.wheel)};
+    }
+
+    /// Columns of blocks in which a body has flowed, over all ranks, ascending.
+    std::vector<int>
+    flowed_columns(const Solid &solid, const Body body, MPI_Comm communicator)
+    {
+      const ElementBlocks &blocks = solid.blocks[body];
+      std::set<int>        columns;
+      for (std::size_t e = 0; e < blocks.n_elements; ++e)
+        if (blocks.plastic() && blocks.flowed[e / blocks.width] && blocks.plastic_work[e] > 0)
+          {
+            const CellPlace place = CellPlace::of_key(solid.mesh.cell_key[solid.block_cells[body][e]]);
+            columns.insert(column_along(body, place.ancestor(0).k));
+          }
+      const auto all = gather_all(std::vector<int>(columns.begin(), columns.end()), communicator);
+      columns.insert(all.begin(), all.end());
+      return {columns.begin(), columns.end()};
+    }
+
+    /// Columns that the window of a body covers, at least in part.
+    void
+    add_covered(std::vector<int> &kept, const SweepPlan &plan, const int column, const Body body)
+    {
+      const Range   range = window_range(plan, column);
+      const int     n     = static_cast<int>(plan.sectors);
+      std::set<int> all(kept.begin(), kept.end());
+      for (int k = static_cast<int>(std::floor(range.s0 / plan.block_length()));
+           k * plan.block_length() < range.s1;
+           ++k)
+        all.insert(body == Body::wheel ? (k % n + n) % n : k);
+      kept.assign(all.begin(), all.end());
+    }
   } // namespace
 
 
@@ -120,26 +200,8 @@ namespace wheelrail
     sizes.approach    = expected_approach(scene, geometry.contact.rolling_radius);
     sizes.distance    = scene.mesh_distance();
     sizes.rail_length = scene.rail_length;
+    sizes.moving      = scene.window == MeshWindow::moving;
     return make_sweep_plan(geometry, wheel, sizes);
-  }
-
-
-  void
-  prepare(const Scene &scene, Model &model, MPI_Comm communicator)
-  {
-    prepare(model.solid, model.forest->local_mesh(), communicator);
-    lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
-    if (!model.contact)
-      model.contact = make_contact(scene, model, communicator);
-    const SweepPlan &plan    = model.forest->plan();
-    const Lattice    lattice = make_lattice(plan);
-    const auto       collect = [&](const Body body) {
-      return make_surface(model.solid.mesh, body, plan.surfaces, lattice, communicator);
-    };
-    model.contact->prepare(collect(Body::rail), collect(Body::wheel));
-    for (const Body body : both_bodies)
-      add_surface_mass(
-        model.contact->surface(body), model.contact->law().added_mass, model.solid.added_mass.data());
   }
 
 
@@ -151,7 +213,9 @@ namespace wheelrail
     model.expected_approach = expected_approach(scene, geometry.contact.rolling_radius);
     model.forest            = std::make_unique<Forest>(communicator, sweep_plan(scene, geometry));
     model.solid.choice      = bodies_of(scene);
-    prepare(scene, model, communicator);
+    prepare_start(scene, model, communicator);
+    if (scene.window == MeshWindow::moving)
+      model.swept = std::make_unique<SweptMesh>(model.forest->plan());
     model.axle = make_axle(scene, geometry.contact);
     const double unsprung =
       scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
@@ -161,5 +225,45 @@ namespace wheelrail
     model.axle.torque = scene.traction_coefficient * model.wheel_load * geometry.contact.rolling_radius;
     model.time_step   = time_step(scene, model.solid.stable);
     return model;
+  }
+
+
+  void
+  prepare_window(Model &model, MPI_Comm communicator)
+  {
+    const SweepPlan  &plan   = model.swept->plan();
+    const FineWindow &window = model.window;
+    // the list of the wheel's cells begins opposite to the contact
+    const PerBody<int> first{
+      0, column_along(Body::wheel, window.column.wheel) + static_cast<int>(plan.sectors) / 2};
+    prepare(model.solid, model.swept->make(zones_of(plan, window), first, communicator), communicator);
+    prepare_contact(model, plan, ranges_of(plan, window), communicator);
+  }
+
+
+  void
+  prepare_window_forest(Model &model, MPI_Comm communicator)
+  {
+    const SweepPlan  &plan   = model.swept->plan();
+    const FineWindow &window = model.window;
+    model.forest             = std::make_unique<Forest>(communicator, plan, zones_of(plan, window));
+    prepare(model.solid, model.forest->local_mesh(), communicator);
+    prepare_contact(model, plan, ranges_of(plan, window), communicator);
+  }
+
+
+  bool
+  move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator)
+  {
+    const SweepPlan &plan   = model.swept->plan();
+    const FineWindow before = model.window;
+    if (!follow(model.window, plan, place))
+      return false;
+    for (const Body body : both_bodies)
+      if (scene.behind_wheel == BehindWheel::automatic)
+        model.window.kept[body] = flowed_columns(model.solid, body, communicator);
+      else if (scene.behind_wheel == BehindWheel::keep)
+        add_covered(model.window.kept[body], plan, before.column[body], body);
+    return true;
   }
 } // namespace wheelrail

@@ -147,12 +147,12 @@ namespace wheelrail
 
 
   Summary
-  summary_of(const RunParts &run, const RunTally &tally, const double averaging_distance)
+  summary_of(const RunParts &run, const RunTally &tally)
   {
     const Model &model = run.model;
     Summary      summary;
     summary.title = run.scene.title;
-    run.recorder.fill(summary, averaging_distance);
+    run.recorder.fill(summary, run.recorder.averaging_stretch(run.scene));
     summary.friction_coefficient = run.scene.friction_coefficient;
     add_drive(summary, run.scene);
     summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);

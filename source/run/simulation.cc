@@ -112,6 +112,10 @@ namespace wheelrail
       void
       end(const Stop &stop);
       void
+      use_window();
+      void
+      follow_wheel();
+      void
       record();
       void
       keep_state();
@@ -119,8 +123,6 @@ namespace wheelrail
       tick();
       bool
       must_stop() const;
-      double
-      averaging_start() const;
       std::optional<Residual>
       taken_off();
       void
@@ -146,6 +148,7 @@ namespace wheelrail
       std::unique_ptr<RunParts>     parts_;
       std::unique_ptr<RunOutput>    output_;
       unsigned int                  tick_           = 0;
+      unsigned int                  mesh_changes_   = 0;                   ///< of this part of the run
       double                        loop_start_     = 0;                   ///< of this part of the run [s]
       unsigned long                 first_step_     = 0;                   ///< steps before this part
       double                        first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
@@ -193,6 +196,7 @@ namespace wheelrail
     {
       const RunStart start = start_on_wide_mesh(scene_, geometry_, model_, log_, communicator_);
       make_rolling(start.lift, start.rate);
+      use_window();
       if (scene_.volume_fields)
         output_->volume("volume_start");
       keep_state();
@@ -206,6 +210,12 @@ namespace wheelrail
       const Checkpoint &whole = resume_point_->whole;
       tick_                   = whole.ticks;
       model_.time_step        = whole.time_step; // another Run/Rolling distance would round it otherwise
+      if (model_.swept)
+        {
+          model_.window = whole.window;
+          model_.forest.reset();
+          prepare_window(model_, communicator_);
+        }
       make_rolling(0, 0);
       restore_checkpoint(whole, model_, *axle_, *rolling_, *recorder_, communicator_);
       first_step_     = rolling_->steps();
@@ -251,6 +261,7 @@ namespace wheelrail
       loop_start_ = seconds();
       for (unsigned long n = first_step_ + 1; n <= n_steps && stop.reason.empty(); ++n)
         {
+          follow_wheel();
           const bool record_now = n % every == 0 || n == 1 || n == n_steps;
           rolling_->step(record_now);
           if (record_now)
@@ -274,6 +285,31 @@ namespace wheelrail
             }
         }
       return stop;
+    }
+
+
+    /// From the mesh of the start to the same cells of a moving window.
+    void
+    Simulation::use_window()
+    {
+      if (!model_.swept)
+        return;
+      model_.forest.reset();
+      rolling_->change_mesh([&]() { prepare_window(model_, communicator_); }, axle_->travelled());
+    }
+
+
+    /// Moves the window on when the wheel comes to another block.
+    void
+    Simulation::follow_wheel()
+    {
+      if (!model_.swept)
+        return;
+      const PerBody<double> place{axle_->travelled(), model_.geometry.rolling_radius * axle_->pitch_angle()};
+      if (!move_window(scene_, model_, place, communicator_))
+        return;
+      rolling_->change_mesh([&]() { prepare_window(model_, communicator_); }, axle_->travelled());
+      ++mesh_changes_;
     }
 
 
@@ -328,14 +364,6 @@ namespace wheelrail
     }
 
 
-    /// Rolled distance at which the means of the summary begin [m].
-    double
-    Simulation::averaging_start() const
-    {
-      return axle_->travelled() - scene_.averaging_distance;
-    }
-
-
     /// What the run leaves in bodies that may yield, once the loads are taken off; nothing of elastic ones,
     /// or when that fails.
     std::optional<Residual>
@@ -346,6 +374,9 @@ namespace wheelrail
       const double begin = seconds();
       try
         {
+          if (model_.swept)
+            rolling_->change_mesh([&]() { prepare_window_forest(model_, communicator_); },
+                                  axle_->travelled());
           Residual residual = find_residual(model_, *axle_, communicator_);
           log_.value("unloading",
                      text("%u Newton steps, %u CG steps, %s",
@@ -371,7 +402,7 @@ namespace wheelrail
         output_->volume("volume_end", residual ? &residual->stress : nullptr);
       if (residual)
         output_->residual(*residual);
-      Summary summary = summary_of(*parts_, tally, scene_.averaging_distance);
+      Summary summary = summary_of(*parts_, tally);
       if (residual)
         summary.max_residual_von_mises = residual->largest;
       summary.program_version = options_.program_version;
@@ -386,9 +417,12 @@ namespace wheelrail
                       t.exchange,
                       t.parts,
                       t.update));
+      if (model_.swept)
+        log_.value("changes of the mesh", text("%u, %.2f s", mesh_changes_, t.mesh));
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
       if (summary.finished)
-        for (const std::string &warning : judge(scene_, geometry_, averaging_start(), summary))
+        for (const std::string &warning :
+             judge(scene_, geometry_, recorder_->averaging_stretch(scene_).s0, summary))
           log_.warning(warning);
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
@@ -411,7 +445,7 @@ namespace wheelrail
           summary.title           = scene_.title;
           summary.program_version = options_.program_version;
           if (recorder_)
-            recorder_->fill(summary, scene_.averaging_distance);
+            recorder_->fill(summary, recorder_->averaging_stretch(scene_));
           if (axle_)
             summary.rolled_distance = axle_->travelled();
           summary.stop_reason = error;

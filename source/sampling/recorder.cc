@@ -113,42 +113,53 @@ namespace wheelrail
   }
 
 
+  Range
+  Recorder::averaging_stretch(const Scene &scene) const
+  {
+    const double rolled =
+                   state_.history.columns.empty() ? 0 : column(state_.history, "rolled_distance").back(),
+                 length = scene.averaging_distance, end = scene.evaluate_at + 0.5 * length;
+    if (scene.evaluate_at > 0 && rolled >= end * (1 - 1e-9))
+      return {end - length, end};
+    return {rolled - length, rolled};
+  }
+
+
   void
-  Recorder::fill(Summary &summary, const double distance) const
+  Recorder::fill(Summary &summary, const Range &stretch) const
   {
     const History &history = state_.history, &patches = state_.patches;
     if (history.columns.empty())
       return;
-    const auto  &rolled   = column(history, "rolled_distance");
-    const double from     = rolled.back() - distance;
-    const auto   put_mean = [&](const std::string &name, const Mean &mean) {
+    const auto &rolled   = column(history, "rolled_distance");
+    const auto  put_mean = [&](const std::string &name, const Mean &mean) {
       const Figure &figure = figure_named(name);
       set_figure(summary, figure.key(), mean.mean);
       set_figure(summary, figure.key("_std"), mean.deviation);
     };
     for (const char *name :
          {"normal_force", "vertical_force", "longitudinal_force", "lateral_force", "creepage"})
-      put_mean(name, mean_from(rolled, column(history, name), from));
+      put_mean(name, mean_over(rolled, column(history, name), stretch));
     set_figure(summary, "energy_error", column(history, "energy_error").back());
     const auto &patch_rolled = column(patches, "rolled_distance");
     for (std::size_t c = 1; c < patches.names.size(); ++c)
-      put_mean(patches.names[c], mean_from(patch_rolled, patches.columns[c], from));
+      put_mean(patches.names[c], mean_over(patch_rolled, patches.columns[c], stretch));
 
     if (n_patches_ > 0)
       set_figure(summary, "patches", n_patches_);
 
-    fill_settling(summary, from);
+    fill_settling(summary, stretch);
   }
 
 
   void
-  Recorder::fill_settling(Summary &summary, const double from) const
+  Recorder::fill_settling(Summary &summary, const Range &stretch) const
   {
     // the figures that are reported; where a force, traction or creepage is hardly there, 5 % of what presses
     // or a creepage of 1e-3 counts in place of its mean
     const History &history = state_.history, &patches = state_.patches;
     const double   force =
-      mean_from(column(history, "rolled_distance"), column(history, "normal_force"), from).mean;
+      mean_over(column(history, "rolled_distance"), column(history, "normal_force"), stretch).mean;
     const double pressure = get_figure(summary, figure_named("max_pressure").key());
     struct Judged
     {
@@ -169,8 +180,9 @@ namespace wheelrail
       {
         const auto &along  = column(*figure.table, "rolled_distance"),
                    &values = column(*figure.table, figure.name);
-        const double scale = std::max({std::abs(mean_from(along, values, from).mean), figure.least, 1e-300});
-        const Settling found = settling(along, values, from, scale, window);
+        const double scale =
+          std::max({std::abs(mean_over(along, values, stretch).mean), figure.least, 1e-300});
+        const Settling found = settling(along, values, stretch, scale, window);
         worst.after          = std::max(worst.after, found.after);
         if (!(found.swing <= worst.swing))
           {

@@ -7,18 +7,20 @@
 namespace wheelrail
 {
   Mean
-  mean_from(const std::vector<double> &distance, const std::vector<double> &values, const double from)
+  mean_over(const std::vector<double> &distance, const std::vector<double> &values, const Range &stretch)
   {
-    double n = 0, sum = 0, squares = 0;
+    // round-off must not take a row at an end
+    const double from = stretch.s0 - 1e-9, to = stretch.s1 + 1e-9;
+    double       n = 0, sum = 0, squares = 0;
     for (std::size_t k = 0; k < values.size(); ++k)
-      if (distance[k] >= from)
+      if (distance[k] >= from && distance[k] <= to)
         {
           n += 1;
           sum += values[k];
         }
     const double mean = n > 0 ? sum / n : std::nan("");
     for (std::size_t k = 0; k < values.size(); ++k)
-      if (distance[k] >= from)
+      if (distance[k] >= from && distance[k] <= to)
         squares += (values[k] - mean) * (values[k] - mean);
     return {mean, n > 1 ? std::sqrt(squares / (n - 1)) : 0.};
   }
@@ -66,15 +68,15 @@ namespace wheelrail
   Settling
   settling(const std::vector<double> &distance,
            const std::vector<double> &values,
-           const double               from,
+           const Range               &stretch,
            const double               scale,
            const double               window)
   {
-    const Mean   noise = mean_from(distance, window_means(distance, values, window), from);
+    const Mean   noise = mean_over(distance, window_means(distance, values, window), stretch);
     const double swing = noise.deviation / scale;
     if (!(swing <= 0.02))
       return {std::numeric_limits<double>::infinity(), swing};
-    const double final = mean_from(distance, values, from).mean;
+    const double final = mean_over(distance, values, stretch).mean;
     return {settled_after(distance, values, final, std::max(0.01 * scale, 3 * noise.deviation), window),
             swing};
   }

@@ -51,14 +51,14 @@ namespace wheelrail
 
 
   std::vector<double>
-  nodal_gradient(const Solid &solid, MPI_Comm communicator)
+  nodal_gradient(const Solid &solid, const double *field, MPI_Comm communicator)
   {
     PerBody<std::vector<std::array<double, 9>>> gradient;
     for (const Body body : both_bodies)
       {
         const ElementBlocks &blocks = solid.blocks[body];
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
-          gradient[body].push_back(element_gradient(blocks, e, solid.displacement.data()));
+          gradient[body].push_back(element_gradient(blocks, e, field));
       }
     return nodal_means<9>(solid, gradient, communicator);
   }

@@ -91,11 +91,16 @@ namespace wheelrail
     lump_mass(Solid &solid, const Elements &elements, MPI_Comm communicator)
     {
       AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
+      solid.cell_mass.resize(solid.mesh.cells.size());
       for (const Body body : both_bodies)
         for (std::size_t e = 0; e < elements.cells[body].size(); ++e)
           for (int a = 0; a < 8; ++a)
-            mass[4 * elements.cells[body][e][a]] +=
-              solid.blocks[body].elasticity().density * elements.geometry[body][e].node_volume[a];
+            {
+              const double share =
+                solid.blocks[body].elasticity().density * elements.geometry[body][e].node_volume[a];
+              solid.cell_mass[solid.block_cells[body][e]][a] = share;
+              mass[4 * elements.cells[body][e][a]] += share;
+            }
       condense(solid.mesh, mass.data());
       SharedSum sum(solid.mesh, communicator);
       sum(mass.data(), 1);
@@ -173,6 +178,33 @@ namespace wheelrail
     lump_mass(solid, elements, communicator);
     solid.stable = find_stable_step(solid, elements, choice.bulk_viscosity, communicator);
     reduce_quality(solid.quality, communicator);
+  }
+
+
+  void
+  add_band_mass(Solid &solid, const double density, MPI_Comm communicator)
+  {
+    AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
+    for (const BoundaryFace &face : solid.mesh.faces)
+      if (face.mark == Boundary::running && face.strip)
+        {
+          std::array<Vector3, 4> X;
+          for (int a = 0; a < 4; ++a)
+            std::copy_n(&solid.mesh.reference[4 * face.nodes[a]], 3, X[a].begin());
+          const double share = density * norm(cross(X[3] - X[0], X[2] - X[1])) / 8;
+          for (const unsigned int node : face.nodes)
+            {
+              mass[4 * node] += share;
+              const auto &cell = solid.mesh.cells[face.cell];
+              for (int a = 0; a < 8; ++a)
+                solid.cell_mass[face.cell][a] += cell[a] == node ? share : 0;
+            }
+        }
+    condense(solid.mesh, mass.data());
+    SharedSum sum(solid.mesh, communicator);
+    sum(mass.data(), 1);
+    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+      solid.added_mass[n] = mass[4 * n];
   }
 
 

@@ -22,41 +22,6 @@ namespace wheelrail
       return owned;
     }
 
-    /// Place of element e's first number in an array of visit_histories().
-    std::size_t
-    packed_place(const std::size_t e, const unsigned int width, const unsigned int components)
-    {
-      return e / width * width * components + e % width;
-    }
-
-    /// Histories of the elements of both bodies in the order of the rank's cells; those of
-    /// plastic flow if either body may flow, with zeros for the other one.
-    std::map<std::string, NumberedValues>
-    histories(const Solid &solid)
-    {
-      std::map<std::string, NumberedValues> all;
-      // the two bodies may have elements of different forms: rows of one length hold either
-      for (const Body body : both_bodies)
-        visit_histories(solid.blocks[body], [&](const char *name, const unsigned int n, const auto &) {
-          all[name].components = std::max(all[name].components, n);
-        });
-      for (auto &entry : all)
-        entry.second.values.resize(entry.second.components * solid.mesh.cells.size());
-      for (const Body body : both_bodies)
-        {
-          const ElementBlocks &blocks = solid.blocks[body];
-          visit_histories(blocks,
-                          [&](const char *name, const unsigned int n, const AlignedVector<double> &packed) {
-                            NumberedValues &v = all[name];
-                            for (std::size_t e = 0; e < blocks.n_elements; ++e)
-                              for (unsigned int i = 0; i < n; ++i)
-                                v.values[v.components * solid.block_cells[body][e] + i] =
-                                  packed[packed_place(e, blocks.width, n) + i * blocks.width];
-                          });
-        }
-      return all;
-    }
-
     // --- all ranks ---
 
     /// The values of all ranks one after the other, on rank 0.
@@ -150,21 +115,10 @@ namespace wheelrail
       };
       restore_nodes("displacement", solid.displacement);
       restore_nodes("velocity", solid.velocity);
-      for (const Body body : both_bodies)
-        {
-          ElementBlocks &blocks = solid.blocks[body];
-          visit_histories(blocks, [&](const char *name, const unsigned int n, AlignedVector<double> &packed) {
-            const NumberedValues &saved = whole.cell_values.at(name);
-            for (std::size_t e = 0; e < blocks.n_elements; ++e)
-              for (unsigned int i = 0; i < n; ++i)
-                {
-                  const std::size_t cell = solid.mesh.cell_number[solid.block_cells[body][e]];
-                  packed[packed_place(e, blocks.width, n) + i * blocks.width] =
-                    saved.values[saved.components * cell + i];
-                }
-          });
-          mark_flowed(blocks);
-        }
+      set_cell_histories(solid, [&](const std::string &name, const std::size_t cell) {
+        const NumberedValues &saved = whole.cell_values.at(name);
+        return &saved.values[saved.components * std::size_t(solid.mesh.cell_number[cell])];
+      });
     }
 
     /// What of a sum over ranks this rank goes on with.
@@ -187,6 +141,7 @@ namespace wheelrail
     const LocalMesh &mesh = model.solid.mesh;
     Checkpoint       part;
     part.time_step = model.time_step;
+    part.window    = model.window;
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
       if (mesh.owned[n])
         part.node.push_back(mesh.node_number[n]);
@@ -194,7 +149,7 @@ namespace wheelrail
     part.node_values["position"]     = owned_values(mesh, mesh.reference);
     part.node_values["displacement"] = owned_values(mesh, model.solid.displacement);
     part.node_values["velocity"]     = owned_values(mesh, model.solid.velocity);
-    part.cell_values                 = histories(model.solid);
+    part.cell_values                 = cell_histories(model.solid);
     part.contact                     = model.contact->state();
     part.axle                        = axle.state();
     part.rolling                     = rolling.state();
@@ -254,6 +209,7 @@ namespace wheelrail
     whole.time_step         = part.time_step;
     whole.prepared_distance = part.prepared_distance;
     whole.fine_margin       = part.fine_margin;
+    whole.window            = part.window;
     whole.contact           = part.contact;
     whole.axle              = part.axle;
     whole.rolling           = part.rolling;

@@ -42,6 +42,8 @@ namespace wheelrail
       visit("damped", c.axle.work.damped);
       visit("torque_work", c.axle.work.torque_work);
       visit("hold_work", c.axle.work.hold_work);
+      visit("rail_column", c.window.column.rail);
+      visit("wheel_column", c.window.column.wheel);
       visit("rail_first", c.contact.window.rail.first);
       visit("rail_last", c.contact.window.rail.last);
       visit("wheel_first", c.contact.window.wheel.first);
@@ -86,6 +88,18 @@ namespace wheelrail
           nodes[k].foot.eta = v[7];
         }
       return nodes;
+    }
+
+    std::vector<double>
+    numbers_of(const std::vector<int> &columns)
+    {
+      return {columns.begin(), columns.end()};
+    }
+
+    std::vector<int>
+    columns_of(const std::vector<double> &numbers)
+    {
+      return {numbers.begin(), numbers.end()};
     }
 
     // --- tables: one array, column by column, the names and units as lines of text ---
@@ -194,6 +208,8 @@ namespace wheelrail
         names.push_back(name);
       }
     write_attribute(file, "works", join_lines(names));
+    write("rail_kept", numbers_of(checkpoint.window.kept.rail));
+    write("wheel_kept", numbers_of(checkpoint.window.kept.wheel));
     write("contact", pack(checkpoint.contact.nodes));
     write_table(file, "history", checkpoint.recorder.history);
     write_table(file, "patches", checkpoint.recorder.patches);
@@ -217,9 +233,11 @@ namespace wheelrail
     checkpoint.cell_values = read_values(file, "cell_values", checkpoint.cell.size());
     for (const std::string &name : split_lines(read_text_attribute(file, "works")))
       checkpoint.works[name] = read_dataset(file, work_prefix + name);
-    checkpoint.contact.nodes    = unpack(read_dataset(file, "contact"));
-    checkpoint.recorder.history = read_table(file, "history");
-    checkpoint.recorder.patches = read_table(file, "patches");
+    checkpoint.window.kept.rail  = columns_of(read_dataset(file, "rail_kept"));
+    checkpoint.window.kept.wheel = columns_of(read_dataset(file, "wheel_kept"));
+    checkpoint.contact.nodes     = unpack(read_dataset(file, "contact"));
+    checkpoint.recorder.history  = read_table(file, "history");
+    checkpoint.recorder.patches  = read_table(file, "patches");
     return checkpoint;
   }
 } // namespace wheelrail

@@ -25,6 +25,7 @@ namespace wheelrail
       static const std::set<std::string> single = {"Title",
                                                    "Run/Energy limit",
                                                    "Run/Averaging distance",
+                                                   "Run/Evaluate at",
                                                    "Run/Rolling distance",
                                                    "Mesh/Prepared distance"};
       return path.rfind("Output/", 0) == 0 || path.rfind("Half-space/", 0) == 0 || single.count(path) > 0;

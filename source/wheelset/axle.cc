@@ -1,3 +1,4 @@
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/solid/boundary_nodes.h>
 #include <wheelrail/wheelset/axle.h>
 
@@ -6,27 +7,6 @@
 
 namespace wheelrail
 {
-  namespace
-  {
-    /// Sums over ranks in the order of the ranks, so that all of them get the same bits.
-    template <std::size_t n>
-    void
-    ordered_sum(double (&values)[n], MPI_Comm communicator)
-    {
-      int size;
-      MPI_Comm_size(communicator, &size);
-      std::vector<double> all(n * size);
-      MPI_Allgather(values, n, MPI_DOUBLE, all.data(), n, MPI_DOUBLE, communicator);
-      for (std::size_t k = 0; k < n; ++k)
-        {
-          values[k] = 0;
-          for (int r = 0; r < size; ++r)
-            values[k] += all[n * r + k];
-        }
-    }
-  } // namespace
-
-
   Axle::Axle(const AxleData &data, const double lift, const double pitch_rate, MPI_Comm communicator)
     : data_(data)
     , height_(lift)

@@ -74,7 +74,12 @@ namespace scenes
       for (std::size_t c = 0; c < mesh.cells.size(); ++c)
         for (const auto &which : corner)
           {
-            BoundaryFace face{{}, Boundary::free, mesh.cell_body[c], mesh.cell_level[c] == finest};
+            BoundaryFace face{{},
+                              Boundary::free,
+                              mesh.cell_body[c],
+                              static_cast<unsigned int>(c),
+                              mesh.cell_level[c] == finest,
+                              true};
             for (int k = 0; k < 4; ++k)
               face.nodes[k] = mesh.cells[c][which[k]];
             auto key = face.nodes;

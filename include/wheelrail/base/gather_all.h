@@ -2,6 +2,7 @@
 
 #include <mpi.h>
 
+#include <iterator>
 #include <type_traits>
 #include <vector>
 
@@ -26,5 +27,20 @@ namespace wheelrail
     MPI_Allgatherv(own.data(), n, type, all.data(), counts.data(), begin.data(), type, communicator);
     MPI_Type_free(&type);
     return all;
+  }
+
+  /// Sums over ranks in the order of the ranks, so that all of them get the same bits. Collective.
+  template <typename Values>
+  void
+  ordered_sum(Values &values, MPI_Comm communicator)
+  {
+    const std::vector<double> own(std::begin(values), std::end(values));
+    const std::vector<double> all = gather_all(own, communicator);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      {
+        values[k] = 0;
+        for (std::size_t r = k; r < all.size(); r += own.size())
+          values[k] += all[r];
+      }
   }
 } // namespace wheelrail

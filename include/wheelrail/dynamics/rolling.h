@@ -4,6 +4,8 @@
 #include <wheelrail/dynamics/supports.h>
 #include <wheelrail/dynamics/time_loop.h>
 
+#include <functional>
+
 namespace wheelrail
 {
   /// A wheel that rolls over a rail: the time loop with the parts of this scene. Foot and ends of the rail
@@ -19,6 +21,13 @@ namespace wheelrail
     prepare()
     {
       loop_.prepare();
+    }
+
+    /// Goes on on another mesh, see TimeLoop::change_mesh(). Collective.
+    void
+    change_mesh(const std::function<void()> &remake, const double middle)
+    {
+      loop_.change_mesh(remake, middle);
     }
 
     /// One time step. `with_energy` updates energy() too. Collective.

@@ -4,6 +4,7 @@
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/part.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,13 @@ namespace wheelrail
     /// step, and whenever the mesh changes. Collective.
     void
     prepare();
+
+    /// Goes on with the bodies on another mesh: `remake` prepares solid, and what else the parts are made of,
+    /// for it; then loop and parts are prepared, and the state is carried over (SolidTransfer). `middle` [m]:
+    /// Z of the contact. What the change brings in or takes out is the supplied energy `mesh_change_work`.
+    /// Collective.
+    void
+    change_mesh(const std::function<void()> &remake, double middle);
 
     /// One time step. `with_energy` brings the energies up to date, too. Collective.
     void
@@ -80,11 +88,12 @@ namespace wheelrail
       double exchange = 0; ///< sums over ranks
       double parts    = 0; ///< contact, loads, constraints
       double update   = 0; ///< of the nodes
+      double mesh     = 0; ///< changes of the mesh
 
       double
       sum() const
       {
-        return elements + exchange + parts + update;
+        return elements + exchange + parts + update + mesh;
       }
     };
     const Timing &
@@ -110,7 +119,7 @@ namespace wheelrail
     std::unique_ptr<SharedSum> sum_;
     std::vector<NodeInertia>   inertia_;
     EnergyBook                 book_;
-    EnergyTerm                &kinetic_;
+    EnergyTerm                &kinetic_, &mesh_change_;
     double                     time_  = 0;
     unsigned long              steps_ = 0;
     Timing                     timing_;

@@ -6,29 +6,36 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <wheelrail/mesh/cell_tree.h>
 #include <wheelrail/mesh/local_mesh.h>
 #include <wheelrail/mesh/sweep_plan.h>
+#include <wheelrail/mesh/swept_grid.h>
 
 #include <array>
+#include <cstdint>
 
 namespace wheelrail
 {
   /// Wheel and rail in one p4est forest, refined towards the strip where they touch.
   ///
-  /// All cells that overlap the box below the strip are of the finest level. Cells beside it grow with
-  /// the distance, and are not divided where the blocks are so thin that their parts would be thinner
-  /// than the finest cells: those alone should govern the stable time step.
+  /// Which cells are divided is told by CellTree.
   ///
   /// The triangulation carries the topology only. Positions come from the exact sections: every
   /// vertex knows its place in its coarse block, hanging vertices lie at the mean of their parents.
   class Forest
   {
   public:
-    Forest(MPI_Comm communicator, SweepPlan plan);
+    /// The finest cells lie where the plan has them at the start, or in `zones` of both bodies.
+    Forest(MPI_Comm communicator, const SweepPlan &plan);
+    Forest(MPI_Comm communicator, SweepPlan plan, const PerBody<FineZone> &zones);
 
     /// Reference position [m] of a vertex of an active cell, before hanging vertices are averaged.
     std::array<double, 3>
     vertex_position(const dealii::CellAccessor<3> &cell, unsigned int vertex) const;
+
+    /// See SweptGrid::vertex_key().
+    std::uint64_t
+    vertex_key(const dealii::CellAccessor<3> &cell, unsigned int vertex) const;
 
     /// The rank's part as plain arrays.
     LocalMesh
@@ -62,34 +69,26 @@ namespace wheelrail
     }
 
   private:
-    /// Block coordinates of a cell within its coarse cell: lower corner and size.
-    struct Box
-    {
-      std::array<double, 3> corner;
-      double                size;
-    };
-    Box
-    box(const dealii::CellId &id) const;
+    /// Where a cell lies, as SweptMesh counts.
+    CellPlace
+    place(const dealii::CellAccessor<3> &cell) const;
 
-    /// Distances of a cell from the box of finest cells: across the strip, in depth, along the track.
-    double
-    distance_from_fine_box(const dealii::CellAccessor<3> &cell) const;
+    CellPlace
+    coarse_place(unsigned int coarse_cell) const;
 
-    /// Smallest stretch of the unit cube onto a cell [m]: the edge of a cube, the thickness of a flat or
-    /// skewed cell. The stable time step is in proportion to it.
-    double
-    cell_width(const dealii::CellAccessor<3> &cell) const;
-
-    std::array<double, 3>
-    position(unsigned int coarse_cell, const std::array<double, 3> &xi) const;
+    /// A vertex of a cell in the finest lattice of its block and body.
+    std::array<int, 3>
+    vertex_place(const CellPlace &cell, unsigned int vertex) const;
 
     void
     make_coarse_mesh();
     void
-    refine();
+    refine(const PerBody<FineZone> &zones);
     void
-                                                    number();
+    number();
+
     SweepPlan                                       plan_;
+    PerBody<SweptGrid>                              grids_;
     dealii::parallel::distributed::Triangulation<3> triangulation_;
     dealii::FESystem<3>                             element_;
     dealii::DoFHandler<3>                           dofs_;

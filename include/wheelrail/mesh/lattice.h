@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/body.h>
 #include <wheelrail/mesh/sweep_plan.h>
 
 #include <cstddef>
@@ -13,16 +14,21 @@ namespace wheelrail
     int          first_station = 0;
     unsigned int n_along = 0, n_lateral = 0;
     double       spacing_along = 0, s_begin = 0, spacing_lateral = 0; ///< [m]
+    int          around = 0; ///< stations of a body that is closed, 0: it is not
 
     std::size_t
     index(const unsigned int i, const unsigned int j) const
     {
       return std::size_t(i) * n_lateral + j;
     }
+
+    /// Station at a place along the track, or around the wheel, where it is the one next to those stored.
+    long
+    station(double along) const;
   };
 
-  /// The stations between fine_begin and fine_end of a plan and the rows of its strip; the same on rail and
-  /// wheel. Another fine range of the same plan stores another part of the same endless lattice.
+  /// The stations in the stretch `range` [m] of a body and the rows of the strip. Other ranges of the same
+  /// plan store other parts of the same endless lattice; on the wheel, stations go on after a turn.
   Lattice
-  make_lattice(const SweepPlan &plan);
+  make_lattice(const SweepPlan &plan, Body body, const Range &range);
 } // namespace wheelrail

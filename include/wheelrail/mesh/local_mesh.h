@@ -16,7 +16,9 @@ namespace wheelrail
     std::array<unsigned int, 4> nodes; ///< local, lexicographic
     Boundary                    mark;
     Body                        body;
-    bool                        finest; ///< belongs to a cell of the finest level
+    unsigned int                cell = 0;      ///< that it belongs to
+    bool                        finest;        ///< belongs to a cell of the finest level
+    bool                        strip = false; ///< of a block below the strip where contact can happen
   };
 
   /// A node that another rank holds, too.
@@ -45,6 +47,9 @@ namespace wheelrail
     /// Numbers over all ranks that do not depend on the partition, each from 0 on without gaps; global_node
     /// does depend on it.
     std::vector<std::uint32_t> cell_number, node_number;
+
+    /// What cells and nodes are known by from mesh to mesh, see CellPlace::key() and SweptGrid::vertex_key().
+    std::vector<std::uint64_t> cell_key, node_key;
 
     /// Hanging nodes: value of node hanging[k] = sum of weight x value over
     /// parents[hanging_begin[k] .. hanging_begin[k + 1]).

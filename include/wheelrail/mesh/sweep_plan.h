@@ -17,7 +17,7 @@ namespace wheelrail
   /// contact times the rolling radius, so that arc coordinate and Z meet in rolling.
   struct SweepPlan
   {
-    Section             rail;          ///< in the track plane
+    Section             rail;          ///< in the track plane; opposite edges of blocks point the same way
     std::vector<double> rail_stations; ///< coarse block borders along Z [m], ascending
 
     Section      wheel;         ///< (lateral, radius)
@@ -25,10 +25,11 @@ namespace wheelrail
 
     FineStrip       strip;
     RunningSurfaces surfaces;
-    unsigned int    levels     = 4;    ///< refinements from the coarse blocks to the finest cells
-    double          fine_depth = 5e-3; ///< of the finest cells below the running surface [m]
-    double          fine_begin = 0;    ///< range of Z and of the arc coordinate with finest cells [m]
-    double          fine_end   = 0;
+    unsigned int    levels     = 4;     ///< refinements from the coarse blocks to the finest cells
+    double          fine_depth = 5e-3;  ///< of the finest cells below the running surface [m]
+    double          fine_begin = 0;     ///< range of Z and of the arc coordinate with finest cells [m]
+    double          fine_end   = 0;     ///< at the start, when they move with the wheel
+    bool            moving     = false; ///< they do, see FineWindow
 
     /// Length of a coarse block on the running circle [m]; where the wheel rolls, the stations of the rail
     /// are its multiples, too.
@@ -39,19 +40,22 @@ namespace wheelrail
   /// The lengths that a sweep plan is made with [m].
   struct SweepSizes
   {
-    double cell        = 0; ///< of the finest cells
-    double coarse      = 0; ///< of the blocks; the nearest of cell, 2 cell, 4 cell, ... is taken
-    double fine_depth  = 0; ///< of the finest cells below the running surface
-    double fine_margin = 0; ///< of finest cells around the expected patch
-    double approach    = 0; ///< of wheel and rail under the load, expected
-    double distance    = 0; ///< that the wheel rolls
-    double rail_length = 0; ///< its middle lies under that of the rolled stretch
+    double cell        = 0;     ///< of the finest cells
+    double coarse      = 0;     ///< of the blocks; the nearest of cell, 2 cell, 4 cell, ... is taken
+    double fine_depth  = 0;     ///< of the finest cells below the running surface
+    double fine_margin = 0;     ///< of finest cells around the expected patch
+    double approach    = 0;     ///< of wheel and rail under the load, expected
+    double distance    = 0;     ///< that the wheel rolls
+    bool   moving      = false; ///< the finest cells move with the wheel
+    double rail_length = 0;     ///< its middle lies under that of the rolled stretch
   };
 
   /// Lays out the sections, the strip of finest cells, and the stations along rail and wheel. The finest
   /// cells cover the rolled stretch and, before and behind it, the reach of the undeformed wheel
-  /// (half_length_bound) and the margin. Throws InputError when the rail is too short for them or a section
-  /// cannot be divided, RunError when a block would be folded.
+  /// (half_length_bound) and the margin. Those that move cover the way through one block in place of the
+  /// whole stretch, and reach further: 7.5 mm ahead and 12.5 mm behind are the least margins, so that cells
+  /// are divided and made coarse where fields are smooth. Throws InputError when the rail is too short for
+  /// them or a section cannot be divided, RunError when a block would be folded.
   SweepPlan
   make_sweep_plan(const TouchingProfiles &profiles, const WheelDimensions &wheel, const SweepSizes &sizes);
 } // namespace wheelrail

@@ -2,7 +2,9 @@
 
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/dynamics/time_loop.h>
+#include <wheelrail/mesh/fine_window.h>
 #include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/swept_mesh.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 #include <wheelrail/wheelset/axle.h>
@@ -16,14 +18,16 @@ namespace wheelrail
   /// Everything a run is made of, built from a scene: mesh, bodies, contact, axle.
   struct Model
   {
-    ContactGeometry          geometry;
-    std::unique_ptr<Forest>  forest;
-    Solid                    solid;
-    std::unique_ptr<Contact> contact;
-    AxleData                 axle;
-    double                   wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
-    double                   time_step         = 0; ///< [s]
-    double                   expected_approach = 0; ///< from Hertz' scaling with the load [m]
+    ContactGeometry            geometry;
+    std::unique_ptr<Forest>    forest; ///< of the start; none when the finest cells move
+    std::unique_ptr<SweptMesh> swept;  ///< makes the meshes of a moving window
+    FineWindow                 window;
+    Solid                      solid;
+    std::unique_ptr<Contact>   contact;
+    AxleData                   axle;
+    double                     wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
+    double                     time_step         = 0; ///< [s]
+    double                     expected_approach = 0; ///< from Hertz' scaling with the load [m]
   };
 
   /// Elastic constants of an input block.
@@ -42,10 +46,19 @@ namespace wheelrail
   SweepPlan
   sweep_plan(const Scene &scene, const SceneGeometry &geometry);
 
-  /// Prepares the bodies and the contact for the mesh that the forest has now, at rest: masses, stable step,
+  /// Prepares the bodies and the contact for the mesh that the model's window has now, at rest: masses,
   /// surfaces, added mass. The law of the contact stays that of the first mesh. Collective.
   void
-  prepare(const Scene &scene, Model &model, MPI_Comm communicator);
+  prepare_window(Model &model, MPI_Comm communicator);
+
+  /// The same on a forest of the same cells, which static solutions need.
+  void
+  prepare_window_forest(Model &model, MPI_Comm communicator);
+
+  /// Whether the window has to move on, when the wheel's contact is at these places of rail and wheel, see
+  /// follow(); moves it, and finds the columns that stay fine. Collective.
+  bool
+  move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator);
 
   /// Builds the model. Throws InputError when the scene cannot be built. Collective.
   Model

@@ -42,5 +42,5 @@ namespace wheelrail
 
   /// The figures of a run at its end or where it stopped, without `finished` and the reason. Collective.
   Summary
-  summary_of(const RunParts &run, const RunTally &tally, double averaging_distance);
+  summary_of(const RunParts &run, const RunTally &tally);
 } // namespace wheelrail

@@ -40,16 +40,21 @@ namespace wheelrail
       state_ = std::move(state);
     }
 
-    /// Means and standard deviations over the rows of the last `distance` [m], the number of separate patches
+    /// Means and standard deviations over the rows of a stretch of the way, the number of separate patches
     /// in the last one added ("patches"), the rolled distance from which all reported figures are steady
-    /// ("settled_after_m", null when one is not), and the largest swing of one of them in the last stretch
+    /// ("settled_after_m", null when one is not), and the largest swing of one of them in that stretch
     /// ("largest_swing", see settling()).
     void
-    fill(Summary &summary, double distance) const;
+    fill(Summary &summary, const Range &stretch) const;
+
+    /// The stretch that a scene takes its means over, of the rows so far [m]: around Run/Evaluate at as soon
+    /// as the wheel has come so far, else the last one.
+    Range
+    averaging_stretch(const Scene &scene) const;
 
   private:
     void
-    fill_settling(Summary &summary, double from) const;
+    fill_settling(Summary &summary, const Range &stretch) const;
 
     const Model &model_;
     State        state_;

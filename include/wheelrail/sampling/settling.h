@@ -1,16 +1,18 @@
 #pragma once
 
+#include <wheelrail/geometry/frame_profile.h>
+
 #include <vector>
 
 namespace wheelrail
 {
-  /// Mean and standard deviation of the values whose distance is at least `from`.
+  /// Mean and standard deviation of the values whose distance lies in a stretch, its ends included.
   struct Mean
   {
     double mean = 0, deviation = 0;
   };
   Mean
-  mean_from(const std::vector<double> &distance, const std::vector<double> &values, double from);
+  mean_over(const std::vector<double> &distance, const std::vector<double> &values, const Range &stretch);
 
   /// Distance from which the values, averaged over `window` behind each of them, stay within `tolerance`
   /// (in their unit) of `final_value`; the window takes out what repeats from cell to cell. Infinity when
@@ -26,18 +28,18 @@ namespace wheelrail
   struct Settling
   {
     double after = 0; ///< [m]; infinity when it swings too much to be called steady
-    double swing = 0; ///< standard deviation of its means over the window in the last stretch, over `scale`
+    double swing = 0; ///< standard deviation of its means over the window in that stretch, over `scale`
   };
 
-  /// Settling of a figure to its mean over the values at distance `from` and beyond. Judged are means over
+  /// Settling of a figure to its mean over a stretch of the distance. Judged are means over
   /// `window`. A figure is steady from where they stay within 1 % of `scale`, or within three of their own
-  /// standard deviations in the last stretch where those are larger, since noise that goes on to the end
+  /// standard deviations in that stretch where those are larger, since noise that goes on to the end
   /// belongs to the figure. A figure whose deviation there exceeds 2 % of `scale` is never steady.
   /// `scale` > 0 is what the figure is judged by: its mean, or something larger where that is about zero.
   Settling
   settling(const std::vector<double> &distance,
            const std::vector<double> &values,
-           double                     from,
+           const Range               &stretch,
            double                     scale,
            double                     window);
 } // namespace wheelrail

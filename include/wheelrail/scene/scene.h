@@ -41,6 +41,21 @@ namespace wheelrail
     normal_load         ///< none of the three
   };
 
+  /// Where the finest cells lie.
+  enum class MeshWindow
+  {
+    fixed, ///< all along the rolled distance
+    moving ///< around the wheel
+  };
+
+  /// What becomes of finest cells that the wheel has left behind.
+  enum class BehindWheel
+  {
+    automatic, ///< those that have flowed stay, the others are made coarse
+    coarsen,   ///< all are made coarse
+    keep       ///< all stay
+  };
+
   /// Where the rigid slip of the half-space contact comes from.
   enum class HalfspaceSpin
   {
@@ -102,12 +117,15 @@ namespace wheelrail
     double      fine_margin      = 3e-3; ///< fine cells beyond the expected patch [m] ("Fine margin")
     ElementForm element          = ElementForm::reduced;
     std::optional<ElementForm> rail_element, wheel_element; ///< none: as `element`
+    MeshWindow                 window       = MeshWindow::fixed;
+    BehindWheel                behind_wheel = BehindWheel::automatic;
     double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 
     // Run
     StartState start              = StartState::steady_rolling;
     double     rolling_distance   = 0.06;  ///< [m]
-    double     averaging_distance = 0.02;  ///< last stretch over which the figures are means [m]
+    double     averaging_distance = 0.02;  ///< stretch over which the figures are means [m]
+    double     evaluate_at        = 0;     ///< its middle [m]; 0: it is the last one
     double     time_step_factor   = 0.95;  ///< fraction of the stable step
     double     bulk_viscosity     = 0.06;  ///< linear bulk viscosity coefficient
     double     gravity            = 9.81;  ///< [m/s2]

@@ -56,8 +56,12 @@ namespace wheelrail
     PerBody<ElementBlocks>            blocks;
     PerBody<std::vector<std::size_t>> block_cells; ///< cell number of each packed element
 
-    AlignedVector<double> mass;         ///< n_nodes, lumped, summed over ranks; zero at hanging nodes [kg]
-    AlignedVector<double> added_mass;   ///< n_nodes, bipenalty mass of the contact surfaces [kg]
+    AlignedVector<double> mass;       ///< n_nodes, lumped, summed over ranks; zero at hanging nodes [kg]
+    AlignedVector<double> added_mass; ///< n_nodes, bipenalty mass of the contact surfaces [kg]
+    /// Share of each vertex in the mass of a cell, added mass included, before hanging nodes pass theirs on
+    /// to their parents [kg].
+    std::vector<std::array<double, 8>> cell_mass;
+
     AlignedVector<double> displacement; ///< 4 x n_nodes [m]
     AlignedVector<double> velocity;     ///< 4 x n_nodes, at the half step behind [m/s]
     AlignedVector<double> force;        ///< 4 x n_nodes [N]
@@ -81,6 +85,12 @@ namespace wheelrail
   void
   prepare(Solid &solid, LocalMesh mesh, MPI_Comm communicator);
 
+  /// Gives the running surfaces of both bodies, in the strip where contact can happen, an added mass of
+  /// `density` [kg/m2] all along: a quarter of a face's share to each of its nodes, be they fine or coarse,
+  /// so that it is carried from mesh to mesh as the mass of the material is. Collective.
+  void
+  add_band_mass(Solid &solid, double density, MPI_Comm communicator);
+
   /// Bodies of the materials `rail` and `wheel` and of elements of the `forms`, prepared for a mesh.
   /// Collective.
   Solid
@@ -95,10 +105,10 @@ namespace wheelrail
   MassProperties
   mass_properties(const Solid &solid, Body body, const Vector3 &about, MPI_Comm communicator);
 
-  /// Nodal displacement gradients, the volume-weighted means of the adjacent elements: 9 numbers a
-  /// node, row-major [1]. Collective.
+  /// Nodal gradients of a field (displacements, velocities; 4 numbers a node, with hanging nodes), the
+  /// volume-weighted means of the adjacent elements: 9 numbers a node, row-major. Collective.
   std::vector<double>
-  nodal_gradient(const Solid &solid, MPI_Comm communicator);
+  nodal_gradient(const Solid &solid, const double *field, MPI_Comm communicator);
 
   /// Nodal accumulated plastic strains by the same means: one number a node [1]. Collective.
   std::vector<double>

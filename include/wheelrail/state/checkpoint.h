@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/sampling/recorder.h>
+#include <wheelrail/solid/histories.h>
 
 #include <mpi.h>
 
@@ -11,13 +12,6 @@
 
 namespace wheelrail
 {
-  /// Numbers per node or cell, `components` each.
-  struct NumberedValues
-  {
-    unsigned int        components = 1;
-    std::vector<double> values;
-  };
-
   /// What a run needs to go on after a step, beyond the model, which the scene gives anew. Either the part
   /// of one rank, or the whole of all ranks. Nodes and cells go by the numbers of the mesh that do not
   /// depend on the partition.
@@ -29,6 +23,8 @@ namespace wheelrail
     double       time_step         = 0; ///< [s]
     double       prepared_distance = 0; ///< for which the mesh was made [m]
     double       fine_margin       = 0; ///< with which the mesh was made [m]
+
+    FineWindow window; ///< where the fine cells lie, when they move
 
     std::vector<std::uint32_t>                 node, cell;  ///< numbers of the nodes and cells that follow
     std::map<std::string, NumberedValues>      node_values; ///< position, displacement [m], velocity [m/s]

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <wheelrail/mesh/swept_grid.h>
+
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Stretches along the track, or around the wheel, where the finest cells lie [m].
+  using FineZone = std::vector<Range>;
+
+  /// Which cells of the forest are divided so that the box below the strip, wherever its zones are, is of the
+  /// finest level: the rule of refinement, in one place for both ways to make a mesh.
+  ///
+  /// All cells that overlap the box are of the finest level. Cells beside it grow with the distance, and are
+  /// not divided where the blocks are so thin that their parts would be thinner than the finest cells: those
+  /// alone should govern the stable time step. Neighbours, also over edges and corners, differ by one level
+  /// at most.
+  class CellTree
+  {
+  public:
+    CellTree(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const PerBody<FineZone> &zones);
+
+    bool
+    divided(const CellPlace &cell) const
+    {
+      return divided_.count(cell.key()) > 0;
+    }
+
+    /// The cells that are not divided: rail, then wheel, column by column (from `first_column` on), block by
+    /// block, parts of a block in the order of children.
+    std::vector<CellPlace>
+    leaves(const PerBody<int> &first_column) const;
+
+  private:
+    bool
+    wanted(const CellPlace &cell, const FineZone &zone) const;
+    void
+    divide(const CellPlace &cell);
+    void
+    divide_body(const SweptGrid &grid, const FineZone &zone);
+    void
+    balance();
+
+    const SweepPlan                    *plan_;
+    const PerBody<SweptGrid>           *grids_;
+    double                              finest_; ///< size of the finest cells [m]
+    std::vector<std::vector<CellPlace>> of_level_;
+    std::unordered_set<std::uint64_t>   divided_;
+  };
+} // namespace wheelrail

@@ -1,0 +1,154 @@
+#include <wheelrail/mesh/cell_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Distance of the stretch [a, b] from a zone; around a closed body of length `around` (0: not closed).
+    double
+    distance_along(const FineZone &zone, const double a, const double b, const double around)
+    {
+      double least = std::numeric_limits<double>::max();
+      for (const Range &range : zone)
+        {
+          const double middle = 0.5 * (range.s0 + range.s1), own = 0.5 * (a + b);
+          const double shift = around > 0 ? around * std::round((middle - own) / around) : 0;
+          least              = std::min(least, std::max(a + shift - range.s1, range.s0 - b - shift));
+        }
+      return least;
+    }
+
+    void
+    add_leaves(const CellTree &tree, const CellPlace &cell, std::vector<CellPlace> &leaves)
+    {
+      if (!tree.divided(cell))
+        leaves.push_back(cell);
+      else
+        for (unsigned int c = 0; c < 8; ++c)
+          add_leaves(tree, cell.child(c), leaves);
+    }
+  } // namespace
+
+
+  CellTree::CellTree(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const PerBody<FineZone> &zones)
+    : plan_(&plan)
+    , grids_(&grids)
+    , finest_((plan.strip.s.back() - plan.strip.s.front()) / (plan.strip.s.size() - 1) /
+              std::pow(2., plan.levels))
+    , of_level_(plan.levels)
+  {
+    for (const Body body : both_bodies)
+      divide_body(grids[body], zones[body]);
+    balance();
+  }
+
+
+  bool
+  CellTree::wanted(const CellPlace &cell, const FineZone &zone) const
+  {
+    const SweptGrid &grid    = (*grids_)[cell.body];
+    const double     overlap = -1e-3 * finest_; // distances below count as overlap with the box
+    // cells of 2^k finest sizes may reach up to 4 (2^k - 1) finest sizes from the finest ones
+    const unsigned int k     = plan_->levels - cell.level - 1;
+    const double       reach = 4 * finest_ * (std::pow(2., k) - 1) - 1e-3 * finest_;
+    const auto   ends  = std::minmax({grid.along(cell.level, cell.k), grid.along(cell.level, cell.k + 1)});
+    const double along = distance_along(
+      zone, ends.first, ends.second, grid.closed() ? grid.n_columns() * plan_->block_length() : 0.);
+    if (along >= reach)
+      return false;
+    const double distance = std::max(grid.section_distance(cell), along);
+    // a cell beside the box is not divided when its parts would be thinner than the finest cells
+    // and so cut the stable time step (0.95: tests/stable_step.cc finds no thinner ones in the box), or
+    // thinner than 0.6 of the wanted size: the whole, at most 1.2 of it, is then nearer
+    const double thinnest = finest_ * std::max(0.95, 0.6 * std::pow(2., k));
+    return distance < reach && (distance < overlap || 0.5 * grid.width(cell) > thinnest);
+  }
+
+
+  void
+  CellTree::divide(const CellPlace &cell)
+  {
+    if (divided_.insert(cell.key()).second)
+      of_level_[cell.level].push_back(cell);
+  }
+
+
+  void
+  CellTree::divide_body(const SweptGrid &grid, const FineZone &zone)
+  {
+    if (plan_->levels == 0)
+      return;
+    std::vector<CellPlace> divided, next;
+    CellPlace              coarse;
+    coarse.body = grid.body();
+    for (coarse.k = 0; coarse.k < grid.n_columns(); ++coarse.k)
+      for (coarse.block = 0; coarse.block < grid.n_blocks(); ++coarse.block)
+        if (wanted(coarse, zone))
+          divided.push_back(coarse);
+    for (unsigned int level = 0; !divided.empty(); ++level)
+      {
+        next.clear();
+        for (const CellPlace &cell : divided)
+          {
+            divide(cell);
+            if (level + 1 < plan_->levels)
+              for (unsigned int c = 0; c < 8; ++c)
+                if (wanted(cell.child(c), zone))
+                  next.push_back(cell.child(c));
+          }
+        divided.swap(next);
+      }
+  }
+
+
+  /// All cells that touch a divided one are of its level or finer: their parents are divided, too.
+  void
+  CellTree::balance()
+  {
+    for (unsigned int level = plan_->levels; level-- > 1;)
+      for (std::size_t n = 0; n < of_level_[level].size(); ++n)
+        {
+          const CellPlace  cell   = of_level_[level][n];
+          const SweptGrid &grid   = (*grids_)[cell.body];
+          const int        around = grid.n_columns() << level;
+          for (unsigned int v = 0; v < 4; ++v)
+            for (const auto &beside : grid.touching(level, cell.block, cell.i + (v & 1), cell.j + (v >> 1)))
+              for (int k = cell.k - 1; k <= cell.k + 1; ++k)
+                {
+                  if (!grid.closed() && (k < 0 || k >= around))
+                    continue;
+                  CellPlace other = cell;
+                  other.block     = beside.block;
+                  other.i         = static_cast<unsigned short>(beside.i);
+                  other.j         = static_cast<unsigned short>(beside.j);
+                  other.k         = (k + around) % around;
+                  divide(other.ancestor(static_cast<unsigned char>(level - 1)));
+                }
+        }
+  }
+
+
+  std::vector<CellPlace>
+  CellTree::leaves(const PerBody<int> &first_column) const
+  {
+    std::vector<CellPlace> leaves;
+    for (const Body body : both_bodies)
+      {
+        const SweptGrid &grid = (*grids_)[body];
+        const int        n    = grid.n_columns();
+        CellPlace        coarse;
+        coarse.body = body;
+        for (int column = 0; column < n; ++column)
+          for (coarse.block = 0; coarse.block < grid.n_blocks(); ++coarse.block)
+            {
+              coarse.k = ((first_column[body] + column) % n + n) % n;
+              add_leaves(*this, coarse, leaves);
+            }
+      }
+    return leaves;
+  }
+} // namespace wheelrail

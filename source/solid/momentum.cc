@@ -1,0 +1,231 @@
+#include <deal.II/base/tensor.h>
+
+#include <wheelrail/base/gather_all.h>
+#include <wheelrail/solid/momentum.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A velocity field of rigid motion.
+    struct RigidField
+    {
+      Vector3 centre{}, velocity{}, spin{};
+
+      Vector3
+      operator()(const Vector3 &x) const
+      {
+        return velocity + cross(spin, x - centre);
+      }
+    };
+
+    /// Sums over nodes, each with a mass: mass, first and second moments, linear and angular momentum about
+    /// the origin.
+    struct Moments
+    {
+      std::array<double, 16> sums{};
+
+      void
+      add(const double m, const Vector3 &x, const Vector3 &v)
+      {
+        const Vector3 l = cross(x, v);
+        sums[0] += m;
+        int k = 1;
+        for (int i = 0; i < 3; ++i)
+          {
+            sums[1 + i] += m * x[i];
+            sums[10 + i] += m * v[i];
+            sums[13 + i] += m * l[i];
+            for (int j = i; j < 3; ++j)
+              sums[3 + k++] += m * x[i] * x[j];
+          }
+      }
+
+      Vector3
+      three(const int first) const
+      {
+        return {sums[first], sums[first + 1], sums[first + 2]};
+      }
+      Vector3
+      momentum() const
+      {
+        return three(10);
+      }
+      Vector3
+      angular() const
+      {
+        return three(13);
+      }
+
+      /// The field of this mass that has a linear and an angular momentum (about the origin).
+      RigidField
+      field(const Vector3 &momentum, const Vector3 &angular) const
+      {
+        RigidField field;
+        if (!(sums[0] > 0))
+          return field;
+        const double M  = sums[0];
+        field.centre    = (1 / M) * three(1);
+        field.velocity  = (1 / M) * momentum;
+        const Vector3 l = angular - cross(field.centre, momentum);
+        // second moments about the centre: xx, xy, xz, yy, yz, zz
+        std::array<double, 6> s;
+        int                   k = 0;
+        for (int i = 0; i < 3; ++i)
+          for (int j = i; j < 3; ++j, ++k)
+            s[k] = sums[4 + k] - M * field.centre[i] * field.centre[j];
+        const double size    = s[0] + s[3] + s[5];
+        const double I[3][3] = {
+          {s[3] + s[5], -s[1], -s[2]}, {-s[1], s[0] + s[5], -s[4]}, {-s[2], -s[4], s[0] + s[3]}};
+        dealii::Tensor<2, 3> inertia;
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            inertia[i][j] = I[i][j] / size;
+        // nodes on a line cannot spin about it
+        if (!(size > 0) || dealii::determinant(inertia) < 1e-9)
+          return field;
+        const auto inverse = dealii::invert(inertia);
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            field.spin[i] += inverse[i][j] * l[j] / size;
+        return field;
+      }
+      RigidField
+      field() const
+      {
+        return field(momentum(), angular());
+      }
+    };
+
+    Vector3
+    velocity(const Solid &solid, const std::size_t node)
+    {
+      const double *v = &solid.velocity[4 * node];
+      return {v[0], v[1], v[2]};
+    }
+
+    /// Over the owned nodes that have mass in mass[4 node + part]; the free ones alone when `inertia` is
+    /// given.
+    Moments
+    moments(const Solid                    &solid,
+            const AlignedVector<double>    &mass,
+            const int                       part,
+            const std::vector<NodeInertia> *inertia,
+            MPI_Comm                        communicator)
+    {
+      Moments moments;
+      for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+        if (solid.mesh.owned[n] && mass[4 * n + part] > 0 && (!inertia || (*inertia)[n].inverse_mass > 0))
+          moments.add(mass[4 * n + part], solid.position(static_cast<unsigned int>(n)), velocity(solid, n));
+      ordered_sum(moments.sums, communicator);
+      return moments;
+    }
+
+    /// Mass at the nodes of the cells of a body that have changed: behind and ahead; of all its cells.
+    AlignedVector<double>
+    nodal_mass(const Solid                              &solid,
+               const Body                                body,
+               const std::function<bool(std::uint64_t)> &is_changed,
+               const double                              middle,
+               MPI_Comm                                  communicator)
+    {
+      AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
+      for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
+        if (solid.mesh.cell_body[c] == body)
+          {
+            const bool changed = is_changed(solid.mesh.cell_key[c]);
+            double     z       = 0;
+            for (const unsigned int n : solid.mesh.cells[c])
+              z += solid.position(n)[2] / 8;
+            for (unsigned int a = 0; a < 8; ++a)
+              {
+                double *at = &mass[4 * solid.mesh.cells[c][a]];
+                at[2] += solid.cell_mass[c][a];
+                if (changed)
+                  at[z > middle] += solid.cell_mass[c][a];
+              }
+          }
+      condense(solid.mesh, mass.data());
+      SharedSum sum(solid.mesh, communicator);
+      sum(mass.data());
+      return mass;
+    }
+
+    /// Both sides as one, where they touch or one of them has no cells.
+    void
+    join_sides(AlignedVector<double> &before, AlignedVector<double> &after, MPI_Comm communicator)
+    {
+      std::array<double, 3> have{};
+      for (std::size_t k = 0; k < after.size(); k += 4)
+        {
+          have[0] += after[k] > 0;
+          have[1] += after[k + 1] > 0;
+          have[2] += after[k] > 0 && after[k + 1] > 0;
+        }
+      ordered_sum(have, communicator);
+      if (have[0] > 0 && have[1] > 0 && have[2] == 0)
+        return;
+      for (AlignedVector<double> *mass : {&before, &after})
+        for (std::size_t k = 0; k < mass->size(); k += 4)
+          {
+            (*mass)[k] += (*mass)[k + 1];
+            (*mass)[k + 1] = 0;
+          }
+    }
+
+    /// Adds share x field to the free nodes that have mass in mass[4 node + part].
+    void
+    add_field(Solid                                         &solid,
+              const AlignedVector<double>                   &mass,
+              const int                                      part,
+              const std::vector<NodeInertia>                &inertia,
+              const std::function<Vector3(const Vector3 &)> &field)
+    {
+      for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+        if (inertia[n].inverse_mass > 0 && mass[4 * n + part] > 0)
+          {
+            const double  share = mass[4 * n + part] * inertia[n].inverse_mass;
+            const Vector3 v     = field(solid.position(static_cast<unsigned int>(n)));
+            for (int i = 0; i < 3; ++i)
+              solid.velocity[4 * n + i] += share * v[i];
+          }
+    }
+  } // namespace
+
+
+  void
+  conserve_momentum(const Solid                              &before,
+                    Solid                                    &after,
+                    const std::function<bool(std::uint64_t)> &is_changed,
+                    const double                              middle,
+                    const std::vector<NodeInertia>           &inertia,
+                    MPI_Comm                                  communicator)
+  {
+    constexpr int all = 2; // part of nodal_mass()
+    for (const Body body : both_bodies)
+      {
+        auto mass_before = nodal_mass(before, body, is_changed, middle, communicator);
+        auto mass        = nodal_mass(after, body, is_changed, middle, communicator);
+        join_sides(mass_before, mass, communicator);
+        for (int side = 0; side < 2; ++side)
+          {
+            const Moments was = moments(before, mass_before, side, nullptr, communicator),
+                          is  = moments(after, mass, side, nullptr, communicator);
+            if (!(was.sums[0] > 0 && is.sums[0] > 0))
+              continue;
+            const RigidField wanted = was.field(), have = is.field();
+            add_field(after, mass, side, inertia, [&](const Vector3 &x) { return wanted(x) - have(x); });
+          }
+        const Moments was        = moments(before, mass_before, all, nullptr, communicator),
+                      is         = moments(after, mass, all, nullptr, communicator),
+                      free       = moments(after, mass, all, &inertia, communicator);
+        const RigidField lacking = free.field(was.momentum() - is.momentum(), was.angular() - is.angular());
+        add_field(after, mass, all, inertia, lacking);
+      }
+    distribute(after.mesh, after.velocity.data());
+  }
+} // namespace wheelrail

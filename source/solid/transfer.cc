@@ -1,0 +1,360 @@
+#include <wheelrail/base/gather_all.h>
+#include <wheelrail/mesh/cell_place.h>
+#include <wheelrail/solid/elastic_meanwhile.h>
+#include <wheelrail/solid/momentum.h>
+#include <wheelrail/solid/transfer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_set>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    Vector3
+    times(const std::array<double, 9> &H, const Vector3 &x)
+    {
+      Vector3 y;
+      for (int i = 0; i < 3; ++i)
+        y[i] = H[3 * i] * x[0] + H[3 * i + 1] * x[1] + H[3 * i + 2] * x[2];
+      return y;
+    }
+
+    Vector3
+    three(const AlignedVector<double> &values, const std::size_t node)
+    {
+      return {values[4 * node], values[4 * node + 1], values[4 * node + 2]};
+    }
+
+    void
+    put(AlignedVector<double> &values, const std::size_t node, const Vector3 &v)
+    {
+      std::copy(v.begin(), v.end(), &values[4 * node]);
+    }
+
+    std::vector<char>
+    hanging_marks(const LocalMesh &mesh)
+    {
+      std::vector<char> hanging(mesh.n_nodes(), 0);
+      for (const unsigned int n : mesh.hanging)
+        hanging[n] = 1;
+      return hanging;
+    }
+  } // namespace
+
+
+  SolidTransfer::SolidTransfer(Solid before, const double middle, MPI_Comm communicator)
+    : before_(std::move(before))
+    , middle_(middle)
+    , communicator_(communicator)
+  {
+    distribute(before_.mesh, before_.displacement.data());
+    distribute(before_.mesh, before_.velocity.data());
+    gather_nodes();
+    gather_cells();
+  }
+
+
+  void
+  SolidTransfer::gather_nodes()
+  {
+    const LocalMesh           &mesh = before_.mesh;
+    const auto                 H    = nodal_gradient(before_, before_.displacement.data(), communicator_);
+    const auto                 D    = nodal_gradient(before_, before_.velocity.data(), communicator_);
+    std::vector<std::uint64_t> own_keys;
+    std::vector<Value>         own;
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      if (mesh.owned[n])
+        {
+          own_keys.push_back(mesh.node_key[n]);
+          Value &value = own.emplace_back();
+          value.X      = three(mesh.reference, n);
+          value.u      = three(before_.displacement, n);
+          value.v      = three(before_.velocity, n);
+          std::copy_n(&H[9 * n], 9, value.H.begin());
+          std::copy_n(&D[9 * n], 9, value.D.begin());
+        }
+    const auto keys = gather_all(own_keys, communicator_);
+    node_.reserve(2 * keys.size());
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      node_[keys[k]] = k;
+    values_ = gather_all(own, communicator_);
+  }
+
+
+  void
+  SolidTransfer::gather_cells()
+  {
+    const LocalMesh           &mesh = before_.mesh;
+    std::vector<std::uint64_t> corner_keys;
+    for (const auto &cell : mesh.cells)
+      for (const unsigned int node : cell)
+        corner_keys.push_back(mesh.node_key[node]);
+    const auto keys    = gather_all(mesh.cell_key, communicator_);
+    const auto corners = gather_all(corner_keys, communicator_);
+    cell_.reserve(2 * keys.size());
+    corners_.resize(keys.size());
+    for (std::size_t c = 0; c < keys.size(); ++c)
+      {
+        cell_[keys[c]] = c;
+        for (unsigned int v = 0; v < 8; ++v)
+          corners_[c][v] = static_cast<std::uint32_t>(node_.at(corners[8 * c + v]));
+      }
+    for (const auto &[name, own] : cell_histories(before_))
+      histories_[name] = {own.components, gather_all(own.values, communicator_)};
+  }
+
+
+  /// State of the old mesh at a vertex of a new cell; without a cell (of another rank), only a node that the
+  /// old mesh has too can be found.
+  bool
+  SolidTransfer::find(const Solid       &after,
+                      const std::size_t  node,
+                      const std::size_t  cell,
+                      const unsigned int vertex,
+                      Value             &value) const
+  {
+    if (const auto same = node_.find(after.mesh.node_key[node]); same != node_.end())
+      {
+        value = values_[same->second];
+        return true;
+      }
+    if (cell >= after.mesh.cells.size())
+      return false;
+    const CellPlace place = CellPlace::of_key(after.mesh.cell_key[cell]);
+    for (int level = place.level; level >= 0; --level)
+      {
+        const CellPlace whole = place.ancestor(static_cast<unsigned char>(level));
+        const auto      found = cell_.find(whole.key());
+        if (found == cell_.end())
+          continue;
+        const int    d    = place.level - level;
+        const double x[3] = {std::ldexp(place.i - (whole.i << d) + int(vertex & 1), -d),
+                             std::ldexp(place.j - (whole.j << d) + int(vertex >> 1 & 1), -d),
+                             std::ldexp(place.k - (whole.k << d) + int(vertex >> 2), -d)};
+        value             = Value();
+        for (unsigned int a = 0; a < 8; ++a)
+          {
+            const double weight =
+              (a & 1 ? x[0] : 1 - x[0]) * (a >> 1 & 1 ? x[1] : 1 - x[1]) * (a >> 2 ? x[2] : 1 - x[2]);
+            const Value &corner = values_[corners_[found->second][a]];
+            add(value.X, weight, corner.X);
+            add(value.u, weight, corner.u);
+            add(value.v, weight, corner.v);
+            for (int i = 0; i < 9; ++i)
+              {
+                value.H[i] += weight * corner.H[i];
+                value.D[i] += weight * corner.D[i];
+              }
+          }
+        return true;
+      }
+    throw std::logic_error("a vertex of the new mesh lies in no cell of the old one");
+  }
+
+
+  void
+  SolidTransfer::fill_nodes(Solid &after) const
+  {
+    const LocalMesh           &mesh    = after.mesh;
+    const std::vector<char>    hanging = hanging_marks(mesh);
+    constexpr std::uint32_t    none    = ~0u;
+    std::vector<std::uint32_t> corner(mesh.n_nodes(), none); ///< 8 cell + vertex of a cell that has the node
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+      for (unsigned int a = 0; a < 8; ++a)
+        if (corner[mesh.cells[c][a]] == none)
+          corner[mesh.cells[c][a]] = static_cast<std::uint32_t>(8 * c + a);
+    // ranks that find a node in cells of their own may differ by round-off: all take the mean
+    AlignedVector<double> found(4 * mesh.n_nodes(), 0.);
+    after.displacement.assign(4 * mesh.n_nodes(), 0.);
+    after.velocity.assign(4 * mesh.n_nodes(), 0.);
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      {
+        Value value;
+        if (hanging[n] ||
+            !find(after, n, corner[n] == none ? mesh.cells.size() : corner[n] / 8, corner[n] % 8, value))
+          continue;
+        const Vector3 off = three(mesh.reference, n) - value.X;
+        if (off != Vector3{0, 0, 0})
+          {
+            add(value.u, 1, times(value.H, off));
+            add(value.v, 1, times(value.D, off));
+          }
+        put(after.displacement, n, value.u);
+        put(after.velocity, n, value.v);
+        found[4 * n] = 1;
+      }
+    SharedSum sum(mesh, communicator_);
+    sum(found.data(), 1);
+    sum(after.displacement.data());
+    sum(after.velocity.data());
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      if (found[4 * n] > 1)
+        for (int i = 0; i < 3; ++i)
+          {
+            after.displacement[4 * n + i] /= found[4 * n];
+            after.velocity[4 * n + i] /= found[4 * n];
+          }
+    distribute(mesh, after.displacement.data());
+    distribute(mesh, after.velocity.data());
+  }
+
+
+  /// Whether each cell of the rank is one of the old mesh, too, with the same places and velocities.
+  std::vector<char>
+  SolidTransfer::unchanged_cells(const Solid &after) const
+  {
+    const LocalMesh  &mesh = after.mesh;
+    std::vector<char> same_node(mesh.n_nodes(), 0), same(mesh.cells.size(), 0);
+    const auto        near = [](const Vector3 &a, const Vector3 &b, const double tolerance) {
+      return std::abs(a[0] - b[0]) <= tolerance && std::abs(a[1] - b[1]) <= tolerance &&
+             std::abs(a[2] - b[2]) <= tolerance;
+    };
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      if (const auto found = node_.find(mesh.node_key[n]); found != node_.end())
+        {
+          const Value &old = values_[found->second];
+          same_node[n] =
+            near(old.X, three(mesh.reference, n), 1e-14) && near(old.v, three(after.velocity, n), 1e-13);
+        }
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+      same[c] = cell_.count(mesh.cell_key[c]) > 0 &&
+                std::all_of(mesh.cells[c].begin(), mesh.cells[c].end(), [&](const unsigned int n) {
+                  return same_node[n];
+                });
+    return same;
+  }
+
+
+  /// Keys of the cells of all ranks that have not changed.
+  std::unordered_set<std::uint64_t>
+  SolidTransfer::kept_cells(const Solid &after) const
+  {
+    const std::vector<char>    same = unchanged_cells(after);
+    std::vector<std::uint64_t> own;
+    for (std::size_t c = 0; c < same.size(); ++c)
+      if (same[c])
+        own.push_back(after.mesh.cell_key[c]);
+    const auto all = gather_all(own, communicator_);
+    return {all.begin(), all.end()};
+  }
+
+
+  void
+  SolidTransfer::fill_histories(Solid &after) const
+  {
+    std::vector<double> mean;
+    set_cell_histories(after, [&](const std::string &name, const std::size_t cell) -> const double * {
+      const NumberedValues &old   = histories_.at(name);
+      const auto            row   = [&](const std::size_t c) { return &old.values[c * old.components]; };
+      const CellPlace       place = CellPlace::of_key(after.mesh.cell_key[cell]);
+      // the cell itself, or the one that it is a part of; work is divided by the volume
+      for (int level = place.level; level >= 0; --level)
+        if (const auto found = cell_.find(place.ancestor(static_cast<unsigned char>(level)).key());
+            found != cell_.end())
+          {
+            if (level == place.level)
+              return row(found->second);
+            const double share = name == "plastic_work" ? std::ldexp(1., 3 * (level - place.level)) : 1.;
+            mean.assign(row(found->second), row(found->second) + old.components);
+            for (double &value : mean)
+              value *= share;
+            return mean.data();
+          }
+      // its parts: eight of the next level, and so on
+      mean.assign(old.components, 0.);
+      const auto add_parts = [&](const auto &self, const CellPlace &part, const double weight) -> void {
+        for (unsigned int c = 0; c < 8; ++c)
+          {
+            const CellPlace child = part.child(c);
+            const double    share = name == "plastic_work" ? 1. : weight / 8;
+            const auto      found = cell_.find(child.key());
+            if (found == cell_.end())
+              self(self, child, share);
+            else
+              for (unsigned int i = 0; i < old.components; ++i)
+                mean[i] += share * row(found->second)[i];
+          }
+      };
+      add_parts(add_parts, place, 1);
+      return mean.data();
+    });
+  }
+
+
+  /// Dilatations of the step behind, on cells that were not there.
+  void
+  SolidTransfer::fill_viscous(Solid &after, const double time_step) const
+  {
+    AlignedVector<double> behind = after.displacement, ignored(after.displacement.size(), 0.);
+    for (std::size_t k = 0; k < behind.size(); ++k)
+      behind[k] -= time_step * after.velocity[k];
+    for (const Body body : both_bodies)
+      {
+        ElementBlocks              &blocks    = after.blocks[body];
+        const AlignedVector<double> inherited = blocks.viscous;
+        ElementEnergy               energy;
+        {
+          const ElasticMeanwhile elastic(blocks);
+          subtract_internal_force(
+            blocks, behind.data(), ignored.data(), BulkViscosity{0, time_step}, false, energy);
+        }
+        const std::size_t W = blocks.width;
+        for (std::size_t e = 0; e < blocks.n_elements; ++e)
+          if (cell_.count(after.mesh.cell_key[after.block_cells[body][e]]) > 0)
+            for (std::size_t i = 0; i < 2; ++i)
+              {
+                const std::size_t k = (e / W * 2 + i) * W + e % W;
+                blocks.viscous[k]   = inherited[k];
+              }
+      }
+  }
+
+
+  void
+  SolidTransfer::fill(Solid &after, const std::vector<NodeInertia> &inertia, const double time_step) const
+  {
+    fill_nodes(after);
+    const auto kept = kept_cells(after);
+    conserve_momentum(
+      before_,
+      after,
+      [&](const std::uint64_t key) { return kept.count(key) == 0; },
+      middle_,
+      inertia,
+      communicator_);
+    fill_histories(after);
+    if (time_step > 0)
+      fill_viscous(after, time_step);
+  }
+
+
+  double
+  body_energy(Solid                          &solid,
+              const std::vector<NodeInertia> &inertia,
+              const double                    time_step,
+              MPI_Comm                        communicator)
+  {
+    distribute(solid.mesh, solid.velocity.data());
+    AlignedVector<double> force(4 * solid.mesh.n_nodes(), 0.);
+    ElementEnergy         energy;
+    subtract_internal_force(
+      solid.blocks, solid.displacement.data(), force.data(), BulkViscosity{}, true, energy);
+    condense(solid.mesh, force.data());
+    std::array<double, 1> sum{energy.strain + energy.stabilisation + energy.plastic_work};
+    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+      if (inertia[n].inverse_mass > 0)
+        {
+          const Vector3 v = three(solid.velocity, n);
+          sum[0] += 0.5 * time_step * (dot(three(force, n), v) - inertia[n].weight * v[1]);
+          sum[0] += inertia[n].weight * solid.displacement[4 * n + 1];
+          if (solid.mesh.owned[n])
+            sum[0] += 0.5 / inertia[n].inverse_mass * dot(v, v);
+        }
+    ordered_sum(sum, communicator);
+    return sum[0];
+  }
+} // namespace wheelrail

@@ -1,0 +1,264 @@
+// ranks: 1 2 3
+
+// Meshes of a moving window: the same as the forest makes, alike at all places, and the state that goes from
+// one to the next.
+
+#include <wheelrail/model/model.h>
+#include <wheelrail/solid/transfer.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  Scene
+  moving_scene()
+  {
+    Scene scene            = small_scene(2e-3);
+    scene.window           = MeshWindow::moving;
+    scene.rolling_distance = 40e-3;
+    scene.rail_length      = 0.5;
+    return scene;
+  }
+
+  double
+  largest(double value)
+  {
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    return value;
+  }
+
+  double
+  sum(double value)
+  {
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    return value;
+  }
+
+  Vector3
+  reference(const LocalMesh &mesh, const std::size_t node)
+  {
+    const double *X = &mesh.reference[4 * node];
+    return {X[0], X[1], X[2]};
+  }
+
+  /// Numbers of a mesh that do not depend on the partition or the order of its cells.
+  struct Totals
+  {
+    MeshQuality quality;
+    double      places = 0, masses = 0, hanging = 0, running = 0;
+  };
+
+  Totals
+  totals(const Solid &solid)
+  {
+    Totals           t;
+    const LocalMesh &mesh = solid.mesh;
+    t.quality             = solid.quality;
+    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+      if (mesh.owned[n])
+        {
+          const Vector3 X = reference(mesh, n);
+          t.places += X[0] + 2 * X[1] + 3 * X[2] * X[2];
+          t.masses += (solid.mass[n] + solid.added_mass[n]) * (1 + X[0] + X[1] * X[2]);
+        }
+    for (const BoundaryFace &face : mesh.faces)
+      t.running += (face.mark == Boundary::running) + 100. * face.finest + 1e4 * face.strip;
+    t.places  = sum(t.places);
+    t.masses  = sum(t.masses);
+    t.running = sum(t.running);
+    return t;
+  }
+
+  /// The mesh without the triangulation is that of the forest.
+  void
+  same_as_forest(Model &model)
+  {
+    const Totals                     forest = totals(model.solid);
+    std::map<std::uint64_t, Vector3> place;
+    for (std::size_t n = 0; n < model.solid.mesh.n_nodes(); ++n)
+      place[model.solid.mesh.node_key[n]] = reference(model.solid.mesh, n);
+    prepare_window(model, MPI_COMM_WORLD);
+    const Totals swept = totals(model.solid);
+    check(swept.quality.elements == forest.quality.elements, "as many cells as the forest has");
+    check(swept.quality.finest_elements == forest.quality.finest_elements, "as many of the finest level");
+    check(swept.quality.nodes == forest.quality.nodes, "as many nodes");
+    check_near(swept.places, forest.places, 1e-9, "places of the nodes");
+    check_near(swept.masses, forest.masses, 1e-9, "masses with hanging nodes and added mass");
+    check_near(swept.running, forest.running, 0, "marked faces");
+    check_near(swept.quality.worst_jacobian, forest.quality.worst_jacobian, 1e-9, "the worst cell");
+    double off = 0;
+    for (std::size_t n = 0; n < model.solid.mesh.n_nodes(); ++n)
+      if (const auto found = place.find(model.solid.mesh.node_key[n]); found != place.end())
+        off = std::max(off, norm(found->second - reference(model.solid.mesh, n)));
+    check_near(largest(off), 0, 1e-14, "nodes of one key lie at one place");
+  }
+
+  using Field = std::function<Vector3(const Vector3 &, Body)>;
+
+  /// A rotation of the wheel by more than half a turn and a linear field, and of the rail a linear field.
+  Vector3
+  linear_displacement(const Vector3 &X, const Body body)
+  {
+    const Vector3 axis = {1, 0, 0}, centre = {0.02, 0.45, 0};
+    const Vector3 strained = {
+      X[0] * 1.001 + 2e-4 * X[1], X[1] * 0.999 + 3e-4 * X[2], X[2] * 1.002 - 1e-4 * X[0]};
+    if (body == Body::rail)
+      return strained - X;
+    return centre + Vector3{0, -1e-4, 1.7} + rotated(strained - centre, axis, 3.7) - X;
+  }
+
+  Vector3
+  linear_velocity(const Vector3 &X, const Body body)
+  {
+    const Vector3 spin = {84, 0, 0}, x = X + linear_displacement(X, body);
+    if (body == Body::rail)
+      return {0.1 * X[1], 0.2 - 0.3 * X[2], 0.4 * X[0] + 0.1};
+    return Vector3{0, 0.1, 38.9} + cross(spin, x);
+  }
+
+  void
+  set(Solid &solid, const Field &displacement, const Field &velocity)
+  {
+    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+      {
+        const Vector3 X = reference(solid.mesh, n), u = displacement(X, solid.mesh.node_body[n]),
+                      v = velocity(X, solid.mesh.node_body[n]);
+        std::copy(u.begin(), u.end(), &solid.displacement[4 * n]);
+        std::copy(v.begin(), v.end(), &solid.velocity[4 * n]);
+      }
+    distribute(solid.mesh, solid.displacement.data());
+    distribute(solid.mesh, solid.velocity.data());
+  }
+
+  double
+  off(const Solid &solid, const AlignedVector<double> &values, const Field &field)
+  {
+    double error = 0;
+    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+      {
+        const double *v = &values[4 * n];
+        error           = std::max(
+          error, norm(Vector3{v[0], v[1], v[2]} - field(reference(solid.mesh, n), solid.mesh.node_body[n])));
+      }
+    return largest(error);
+  }
+
+  /// Linear and angular momentum of a body.
+  std::array<double, 6>
+  momentum(const Solid &solid, const Body body)
+  {
+    std::array<double, 6> p{};
+    for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+      if (solid.mesh.owned[n] && solid.mesh.node_body[n] == body)
+        {
+          const double  m = solid.mass[n] + solid.added_mass[n];
+          const double *v = &solid.velocity[4 * n];
+          const Vector3 l =
+            m * cross(solid.position(static_cast<unsigned int>(n)), Vector3{v[0], v[1], v[2]});
+          for (int i = 0; i < 3; ++i)
+            {
+              p[i] += m * v[i];
+              p[3 + i] += l[i];
+            }
+        }
+    MPI_Allreduce(MPI_IN_PLACE, p.data(), 6, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    return p;
+  }
+
+  /// All nodes move freely.
+  std::vector<NodeInertia>
+  free_nodes(const Solid &solid)
+  {
+    return node_inertia(solid);
+  }
+
+  void
+  change(Model &model, const FineWindow &window, const double time_step = 0)
+  {
+    const SolidChoice choice = model.solid.choice;
+    const double      middle = 16e-3 * window.column.rail;
+    SolidTransfer     transfer(std::move(model.solid), middle, MPI_COMM_WORLD);
+    model.solid.choice = choice;
+    model.window       = window;
+    prepare_window(model, MPI_COMM_WORLD);
+    transfer.fill(model.solid, free_nodes(model.solid), time_step);
+  }
+
+  void
+  linear_fields(Model &model)
+  {
+    const StableStep step = model.solid.stable;
+    for (const int column : {1, 2, 5, 0})
+      {
+        const std::string at = "column " + std::to_string(column) + ": ";
+        set(model.solid, linear_displacement, linear_velocity);
+        FineWindow window;
+        window.column.rail  = column;
+        window.column.wheel = column == 5 ? 176 : column; // some turn later the same place, and another one
+        change(model, window);
+        check_near(
+          off(model.solid, model.solid.displacement, linear_displacement), 0, 1e-13, at + "displacements");
+        // the correction of the momentum takes up what chords of coarse cells lack in mass
+        check_near(
+          off(model.solid, model.solid.velocity, linear_velocity), 0, 0.02, at + "velocities nearly");
+        check_near(model.solid.stable.step / step.step, 1, 1e-9, at + "the same stable step");
+        check(model.contact->rail().lattice.first_station != 0, at + "the contact has its lattice");
+      }
+  }
+
+  void
+  momentum_is_kept(Model &model)
+  {
+    const auto wave = [](const Vector3 &X, Body) {
+      return Vector3{
+        std::sin(300 * X[2]), std::cos(200 * X[2] + 100 * X[1]), std::sin(400 * X[0] + 250 * X[2])};
+    };
+    const auto small = [&](const Vector3 &X, const Body body) { return 1e-6 * wave(X, body); };
+    FineWindow window;
+    change(model, window);
+    set(model.solid, small, wave);
+    const PerBody<std::array<double, 6>> before = {momentum(model.solid, Body::rail),
+                                                   momentum(model.solid, Body::wheel)};
+    for (const int column : {1, 2, 3, 1})
+      {
+        window.column = {column, column};
+        change(model, window, 1e-7);
+        for (const Body body : both_bodies)
+          {
+            const auto after = momentum(model.solid, body);
+            double     lost  = 0;
+            for (int i = 0; i < 3; ++i)
+              lost = std::max(lost, std::abs(after[i] - before[body][i]));
+            check_near(lost,
+                       0,
+                       1e-10,
+                       std::string(body_name(body)) + ": momentum at column " + std::to_string(column));
+          }
+      }
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel    parallel(argc, argv);
+  const Scene scene = moving_scene();
+  Model       model = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
+  same_as_forest(model);
+  linear_fields(model);
+  momentum_is_kept(model);
+  return parallel.report();
+}
