@@ -21,11 +21,22 @@ namespace wheelrail
       std::array<Stress, 3> sd{}; ///< s times each component of d
     };
 
-    /// Sums over the elements around a node: gradients of stress, and G d.
+    /// Sums over the elements around a node: gradients of stress, G d, and where the gradients were taken,
+    /// from the node.
     struct GradientSum
     {
       std::array<Stress, 3> G{};
       Stress                Gd{};
+      Vector3               place{};
+    };
+
+    /// Sums over the elements around a node of what G changes from the middle of its patch to the centre, of
+    /// that times d, and of its change from the node to the mean centre.
+    struct BendSum
+    {
+      std::array<Stress, 3> G{};
+      Stress                Gd{};
+      std::array<Stress, 3> to_mean{};
     };
 
     constexpr int first_of[6] = {0, 1, 2, 1, 0, 0}, second_of[6] = {0, 1, 2, 2, 2, 1};
@@ -111,25 +122,33 @@ namespace wheelrail
       return moments;
     }
 
-    /// Moments about the point that lies -r from the one of `m`, added to `all`.
+    /// `share` of the moments about the point that lies -r from the one of `m`, added to `all`.
     void
-    add_moved(Moments &all, const Moments &m, const Vector3 &r)
+    add_moved(Moments &all, const Moments &m, const Vector3 &r, const double share)
     {
-      all.volume += m.volume;
-      add(all.d, 1, m.d);
-      add(all.d, m.volume, r);
+      all.volume += share * m.volume;
+      add(all.d, share, m.d);
+      add(all.d, share * m.volume, r);
       for (int k = 0; k < 6; ++k)
         {
           const int i = first_of[k], j = second_of[k];
-          all.dd[k] += m.dd[k] + m.d[i] * r[j] + r[i] * m.d[j] + m.volume * r[i] * r[j];
-          all.s[k] += m.s[k];
+          all.dd[k] += share * (m.dd[k] + m.d[i] * r[j] + r[i] * m.d[j] + m.volume * r[i] * r[j]);
+          all.s[k] += share * m.s[k];
           for (int l = 0; l < 3; ++l)
-            all.sd[l][k] += m.sd[l][k] + m.s[k] * r[l];
+            all.sd[l][k] += share * (m.sd[l][k] + m.s[k] * r[l]);
         }
     }
 
+    /// The gradient of one element by least squares over its patch, and where a gradient that changes evenly
+    /// has this value, from the element's centre.
+    struct ElementGradient
+    {
+      std::array<Stress, 3> G;
+      Vector3               place;
+    };
+
     /// Slope of the plane through the stresses by least squares; zero where all centres lie in one layer.
-    std::array<Stress, 3>
+    ElementGradient
     slope(const Moments &m)
     {
       // spread of the centres about their mean, of the size V^(5/3), with a trifle that keeps a single layer
@@ -143,48 +162,167 @@ namespace wheelrail
         C[i][i] += trifle;
       const Vector3 row[3] = {
         {C[0][0], C[0][1], C[0][2]}, {C[1][0], C[1][1], C[1][2]}, {C[2][0], C[2][1], C[2][2]}};
-      const double          det        = dot(row[0], cross(row[1], row[2]));
-      const Vector3         inverse[3] = {(1 / det) * cross(row[1], row[2]),
-                                          (1 / det) * cross(row[2], row[0]),
-                                          (1 / det) * cross(row[0], row[1])};
-      std::array<Stress, 3> G{};
+      const double    det        = dot(row[0], cross(row[1], row[2]));
+      const Vector3   inverse[3] = {(1 / det) * cross(row[1], row[2]),
+                                    (1 / det) * cross(row[2], row[0]),
+                                    (1 / det) * cross(row[0], row[1])};
+      ElementGradient gradient{{}, (1 / m.volume) * m.d};
       for (int k = 0; k < 6; ++k)
         {
           Vector3 rhs;
           for (int i = 0; i < 3; ++i)
             rhs[i] = m.sd[i][k] - m.s[k] * m.d[i] / m.volume;
           for (int i = 0; i < 3; ++i)
-            G[i][k] = dot(inverse[i], rhs);
+            gradient.G[i][k] = dot(inverse[i], rhs);
         }
-      return G;
+      return gradient;
     }
 
-    std::vector<GradientSum>
-    nodal_gradients(const Solid                &solid,
-                    const std::vector<Element> &elements,
-                    const std::vector<Moments> &moments,
-                    SharedSum                  &sum)
+    /// How much a node counts in the patch of an element: hardly, where its own elements lie to one side of
+    /// it. Below a surface the layers then weigh the same, and least squares give the slope in their middle.
+    double
+    share_of(const Moments &m, const Element &element)
     {
-      std::vector<GradientSum> sums(solid.mesh.n_nodes());
+      const double aside = norm(m.d) / (m.volume * std::cbrt(element.volume));
+      return std::max(1e-4, 1 - 2.5 * aside);
+    }
+
+    std::vector<ElementGradient>
+    element_gradients(const Solid                &solid,
+                      const std::vector<Element> &elements,
+                      const std::vector<Moments> &moments)
+    {
+      std::vector<ElementGradient> gradients;
+      gradients.reserve(elements.size());
       for (const Element &element : elements)
         {
           Moments around;
           for (const unsigned int node : *element.nodes)
-            add_moved(around, moments[node], reference_place(solid.mesh, node) - element.centre);
-          const std::array<Stress, 3> G = slope(around);
+            add_moved(around,
+                      moments[node],
+                      reference_place(solid.mesh, node) - element.centre,
+                      share_of(moments[node], element));
+          gradients.push_back(slope(around));
+        }
+      return gradients;
+    }
+
+    std::vector<GradientSum>
+    nodal_gradients(const Solid                        &solid,
+                    const std::vector<Element>         &elements,
+                    const std::vector<ElementGradient> &gradients,
+                    SharedSum                          &sum)
+    {
+      std::vector<GradientSum> sums(solid.mesh.n_nodes());
+      for (std::size_t e = 0; e < elements.size(); ++e)
+        for (const unsigned int node : *elements[e].nodes)
+          {
+            const Element &element = elements[e];
+            const Vector3  d       = element.centre - reference_place(solid.mesh, node);
+            GradientSum   &all     = sums[node];
+            add(all.place, element.volume, d + gradients[e].place);
+            for (int i = 0; i < 3; ++i)
+              for (int k = 0; k < 6; ++k)
+                {
+                  all.G[i][k] += element.volume * gradients[e].G[i][k];
+                  all.Gd[k] += element.volume * gradients[e].G[i][k] * d[i];
+                }
+          }
+      sum_over_ranks(sum, sums);
+      return sums;
+    }
+
+    /// How the gradient of stress changes in an element, H, by least squares from the means at its nodes and
+    /// the places where these are met; zero along directions in which they do not differ.
+    class Bend
+    {
+    public:
+      Bend(const Solid                    &solid,
+           const Element                  &element,
+           const std::vector<Moments>     &moments,
+           const std::vector<GradientSum> &gradients)
+      {
+        std::array<Vector3, 8> place;
+        Vector3                middle{};
+        for (int v = 0; v < 8; ++v)
+          {
+            const unsigned int n = (*element.nodes)[v];
+            place[v]             = reference_place(solid.mesh, n) - element.centre;
+            add(place[v], 1 / moments[n].volume, gradients[n].place);
+            add(middle, 0.125, place[v]);
+          }
+        const double trifle = 1e-6 * std::pow(element.volume, 2. / 3);
+        Vector3      row[3] = {{trifle, 0, 0}, {0, trifle, 0}, {0, 0, trifle}};
+        for (int v = 0; v < 8; ++v)
+          for (int i = 0; i < 3; ++i)
+            add(row[i], (place[v] - middle)[i], place[v] - middle);
+        const double  det        = dot(row[0], cross(row[1], row[2]));
+        const Vector3 inverse[3] = {(1 / det) * cross(row[1], row[2]),
+                                    (1 / det) * cross(row[2], row[0]),
+                                    (1 / det) * cross(row[0], row[1])};
+        for (int v = 0; v < 8; ++v)
+          {
+            const unsigned int n    = (*element.nodes)[v];
+            const Vector3      away = place[v] - middle;
+            for (int l = 0; l < 3; ++l)
+              {
+                const double share = dot(inverse[l], away) / moments[n].volume;
+                for (int i = 0; i < 3; ++i)
+                  for (int k = 0; k < 6; ++k)
+                    H_[l][i][k] += share * gradients[n].G[i][k];
+              }
+          }
+      }
+
+      /// H r.
+      std::array<Stress, 3>
+      along(const Vector3 &r) const
+      {
+        std::array<Stress, 3> change{};
+        for (int l = 0; l < 3; ++l)
+          for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 6; ++k)
+              change[i][k] += H_[l][i][k] * r[l];
+        return change;
+      }
+
+    private:
+      std::array<std::array<Stress, 3>, 3> H_{};
+    };
+
+    /// Of elements whose patch lies to one side of them, at surfaces and where cells of two sizes meet.
+    std::vector<BendSum>
+    nodal_bends(const Solid                        &solid,
+                const std::vector<Element>         &elements,
+                const std::vector<ElementGradient> &gradients,
+                const std::vector<Moments>         &moments,
+                const std::vector<GradientSum>     &sums,
+                SharedSum                          &sum)
+    {
+      constexpr double     aside = 0.02; // of the cell's size
+      std::vector<BendSum> bends(solid.mesh.n_nodes());
+      for (std::size_t e = 0; e < elements.size(); ++e)
+        {
+          const Element &element = elements[e];
+          if (norm(gradients[e].place) < aside * std::cbrt(element.volume))
+            continue;
+          const Bend                  bend(solid, element, moments, sums);
+          const std::array<Stress, 3> change = bend.along(-1. * gradients[e].place);
           for (const unsigned int node : *element.nodes)
             {
-              const Vector3 d = element.centre - reference_place(solid.mesh, node);
+              const Vector3 d       = element.centre - reference_place(solid.mesh, node);
+              const auto    to_mean = bend.along((1 / moments[node].volume) * moments[node].d);
               for (int i = 0; i < 3; ++i)
                 for (int k = 0; k < 6; ++k)
                   {
-                    sums[node].G[i][k] += element.volume * G[i][k];
-                    sums[node].Gd[k] += element.volume * G[i][k] * d[i];
+                    bends[node].G[i][k] += element.volume * change[i][k];
+                    bends[node].Gd[k] += element.volume * change[i][k] * d[i];
+                    bends[node].to_mean[i][k] += element.volume * to_mean[i][k];
                   }
             }
         }
-      sum_over_ranks(sum, sums);
-      return sums;
+      sum_over_ranks(sum, bends);
+      return bends;
     }
 
     /// Nodal stresses and gradients from the elements' stresses, and whether elements around a node have
@@ -195,8 +333,10 @@ namespace wheelrail
             SharedSum                  &sum,
             std::vector<char>          &flowed)
     {
-      const std::vector<Moments>     moments   = nodal_moments(solid, elements, sum);
-      const std::vector<GradientSum> gradients = nodal_gradients(solid, elements, moments, sum);
+      const std::vector<Moments>         moments     = nodal_moments(solid, elements, sum);
+      const std::vector<ElementGradient> of_elements = element_gradients(solid, elements, moments);
+      const std::vector<GradientSum>     gradients   = nodal_gradients(solid, elements, of_elements, sum);
+      const std::vector<BendSum> bends = nodal_bends(solid, elements, of_elements, moments, gradients, sum);
       flowed.resize(solid.mesh.n_nodes());
       NodalStress result;
       result.stress.resize(6 * solid.mesh.n_nodes());
@@ -210,14 +350,17 @@ namespace wheelrail
               result.stress[6 * node + k] = m.s[k] / m.volume;
               if (m.flowed > 0)
                 continue;
-              double slant = 0; // <G> <d>
+              double slant = 0, bend = 0; // <G> <d>, <d> <H> <d>
               for (int i = 0; i < 3; ++i)
                 {
-                  const double G                         = gradients[node].G[i][k] / m.volume;
-                  result.gradient[18 * node + 6 * i + k] = G;
+                  const double G       = (gradients[node].G[i][k] + bends[node].G[i][k]) / m.volume;
+                  const double to_mean = bends[node].to_mean[i][k] / m.volume;
+                  result.gradient[18 * node + 6 * i + k] = G - to_mean;
                   slant += G * m.d[i] / m.volume;
+                  bend += to_mean * m.d[i] / m.volume;
                 }
-              result.stress[6 * node + k] -= 0.5 * (slant + gradients[node].Gd[k] / m.volume);
+              const double Gd = (gradients[node].Gd[k] + bends[node].Gd[k]) / m.volume;
+              result.stress[6 * node + k] -= 0.5 * (slant + Gd - bend);
             }
         }
       return result;

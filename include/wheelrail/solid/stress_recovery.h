@@ -27,8 +27,10 @@ namespace wheelrail
   /// with the element, as over the patches of Zienkiewicz and Zhu (Int. J. Numer. Meth. Eng. 33, 1992, 1331).
   /// The last term takes out what a mean of centres flattens: h^2/8 times the Laplacian, a tenth of the
   /// stress below the edge of a contact on thirteen cells.
-  /// What is still flattened is sought where the centres are given back from the nodes and added once more.
-  /// Nodes of elements that have flowed keep mean(s), which stays within the yield surface. Collective.
+  /// Below surfaces, where the elements around one lie to one side of it, G is moved to its centre by the
+  /// slope of the G around it, and quadratic stresses come out exactly at surfaces, too. What is still
+  /// flattened is sought where the centres are given back from the nodes and added once more. Nodes of
+  /// elements that have flowed keep mean(s), which stays within the yield surface. Collective.
   NodalStress
   recovered_stress(const Solid                                       &solid,
                    const PerBody<std::vector<std::array<double, 6>>> &stress,
