@@ -46,6 +46,12 @@ main()
   const Settling wild = settling(distance, stick_slip, {0.06, 1}, 2.8e-3, 2e-3);
   check(std::isinf(wild.after), "a creepage between 0 and 5.6e-3 is never steady");
   check_near(wild.swing, 0.70, 0.02, "its swing, 1/sqrt(2) less what the window takes");
+  std::vector<double> leaves = smooth;
+  for (std::size_t k = 0; k < leaves.size(); ++k)
+    leaves[k] += distance[k] > 0.07 ? 5 : 0;
+  check(settling(distance, leaves, {0.05, 0.07}, 100, 2e-3).after < 0.05,
+        "what comes after the stretch of the means does not count");
+  check(std::isinf(settling(distance, leaves, {0.05, 0.1}, 100, 2e-3).after), "within it, it does");
   const Mean mean = mean_over(distance, ripple, {0.09, 1});
   check_near(mean.mean, 100, 2e-3, "mean over the last tenth");
   check_near(mean.deviation, 3 / std::sqrt(2.), 5e-3, "deviation of the ripple");

@@ -77,7 +77,10 @@ namespace wheelrail
     if (!(swing <= 0.02))
       return {std::numeric_limits<double>::infinity(), swing};
     const double final = mean_over(distance, values, stretch).mean;
-    return {settled_after(distance, values, final, std::max(0.01 * scale, 3 * noise.deviation), window),
-            swing};
+    // what comes after the stretch does not speak against it
+    const auto end = std::upper_bound(distance.begin(), distance.end(), stretch.s1) - distance.begin();
+    std::vector<double> till(distance.begin(), distance.begin() + end),
+      so_far(values.begin(), values.begin() + end);
+    return {settled_after(till, so_far, final, std::max(0.01 * scale, 3 * noise.deviation), window), swing};
   }
 } // namespace wheelrail
