@@ -62,9 +62,20 @@ namespace wheelrail
             const unsigned int components,
             const Function    &value)
       {
+        field_of(name, unit, components, [&](const std::size_t k, double *v) { value(nodes_[k], v); });
+      }
+
+      /// The same by a function of the place in nodes().
+      template <typename Function>
+      void
+      field_of(const std::string &name,
+               const std::string &unit,
+               const unsigned int components,
+               const Function    &value)
+      {
         PointField field{name, unit, components, std::vector<double>(components * nodes_.size())};
         for (std::size_t k = 0; k < nodes_.size(); ++k)
-          value(nodes_[k], &field.values[components * k]);
+          value(k, &field.values[components * k]);
         mesh_.fields.push_back(std::move(field));
       }
 
@@ -174,12 +185,14 @@ namespace wheelrail
     void
     add_contact_fields(FieldBuilder &builder, const Solid &solid, const Contact &contact)
     {
-      const ContactValues values(solid, contact);
-      builder.field("pressure", "Pa", 1, [&](unsigned int n, double *v) { *v = values.at(n).pressure; });
-      builder.field(
-        "shear_traction", "Pa", 3, [&](unsigned int n, double *v) { copy(values.at(n).traction, v); });
-      builder.field(
-        "slip_velocity", "m/s", 3, [&](unsigned int n, double *v) { copy(values.at(n).slip, v); });
+      const ContactValues      values(solid, contact);
+      std::vector<ContactNode> found;
+      for (const unsigned int n : builder.nodes())
+        found.push_back(values.at(n));
+      builder.field_of("pressure", "Pa", 1, [&](std::size_t k, double *v) { *v = found[k].pressure; });
+      builder.field_of(
+        "shear_traction", "Pa", 3, [&](std::size_t k, double *v) { copy(found[k].traction, v); });
+      builder.field_of("slip_velocity", "m/s", 3, [&](std::size_t k, double *v) { copy(found[k].slip, v); });
     }
 
     /// Six components of the nodes' `stress`, in VTK's order.

@@ -35,11 +35,12 @@ namespace wheelrail
     std::vector<double>       own_;    ///< the rank's own parts of them
   };
 
-  /// Moves the values of hanging nodes to their parents: parent += weight x value; value = 0.
+  /// Moves the values of hanging nodes to their parents: parent += weight x value; value = 0. Four numbers a
+  /// node, which are taken at once: the first one stands at a multiple of 32 bytes (AlignedVector).
   void
   condense(const LocalMesh &mesh, double *values);
 
-  /// Gives hanging nodes the weighted mean of their parents.
+  /// Gives hanging nodes the weighted mean of their parents; values as for condense().
   void
   distribute(const LocalMesh &mesh, double *values);
 } // namespace wheelrail
