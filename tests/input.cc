@@ -93,7 +93,7 @@ namespace
       {"Mesh/Fine depth", "7 mm"},
       {"Mesh/Fine margin", "6 mm"},
       {"Mesh/Prepared distance", "300 mm"},
-      {"Mesh/Window", "moving"},
+      {"Mesh/Window", "fixed"},
       {"Mesh/Behind the wheel", "keep"},
       {"Mesh/Element", "full"},
       {"Mesh/Rail element", "reduced"},

@@ -26,10 +26,21 @@ namespace
       "Run/Evaluate at = 55 mm",
       "--set: Run/Evaluate at = 55 mm: half of Run/Averaging distance = 20 mm on either side of it must "
       "lie on the way, from 0 mm to Run/Rolling distance = 60 mm");
-    check_set(
-      "Mesh/Prepared distance = 50 mm",
-      "--set: Mesh/Prepared distance = 50 mm: shorter than Run/Rolling distance = 60 mm; write auto, or "
-      "a longer distance for a run that is to be resumed with more");
+    const auto prepared = [](const std::string &window) {
+      return message_of([&]() {
+        require_computable(
+          scene_from_text("", "x.prm", {"Mesh/Window = " + window, "Mesh/Prepared distance = 50 mm"}));
+      });
+    };
+    check_text(
+      prepared("fixed"),
+      "--set: Mesh/Prepared distance = 50 mm: shorter than Run/Rolling distance = 60 mm; write auto, "
+      "or a longer distance for a run that is to be resumed with more",
+      "a prepared distance that is too short");
+    check_text(prepared("moving"),
+               "--set: Mesh/Prepared distance = 50 mm: not needed with Mesh/Window = moving, where a resumed "
+               "run may roll on as far as the rail goes; leave it out, or set Mesh/Window = fixed",
+               "a prepared distance with a moving window");
     check_set(
       "Run/Rolling distance = 1.7 m",
       "--set: Run/Rolling distance = 1700 mm: with 100 mm of free rail at each end this needs a rail of 1900 "
@@ -180,22 +191,26 @@ namespace
                   "turns, which is slower than fewer ranks",
                   {8, 2, 0, 0});
     check_warning({"Run/Rolling distance = 100 mm"},
-                  "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 97000 "
-                  "cells and may need some 2.5 GB of memory, 1 GB are free; take larger cells, a shorter "
+                  "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 50000 "
+                  "cells and may need some 0.9 GB of memory, 0.5 GB are free; take larger cells, a shorter "
                   "rolling distance or a smaller fine depth or margin",
-                  {2, 2, 16e9, 1e9});
-    check_error({"Run/Rolling distance = 100 mm"},
-                "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 97000 "
-                "cells and needs some 2.5 GB of memory, this machine has 1 GB; take larger cells, a shorter "
-                "rolling distance or a smaller fine depth or margin",
-                {2, 2, 1e9, 1e9});
+                  {2, 2, 16e9, 0.5e9});
+    check_error(
+      {"Run/Rolling distance = 100 mm"},
+      "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 50000 "
+      "cells and needs some 0.9 GB of memory, this machine has 0.4 GB; take larger cells, a shorter "
+      "rolling distance or a smaller fine depth or margin",
+      {2, 2, 0.4e9, 0.4e9});
     check_error(
       {"Mesh/Solution cell size = 5 mm", "Mesh/Coarse cell size = 20 mm", "Mesh/Fine margin = 5 mm"},
       "Mesh/Solution cell size = 5 mm: too coarse; a patch of about 20 mm x 14 mm (width x length) is "
       "expected and needs three cells in length, so at most 4.7 mm is accepted, and a tenth of the patch for "
       "figures that can be trusted");
     check_error(
-      {"Mesh/Solution cell size = 0.1 mm", "Mesh/Coarse cell size = 1.6 mm", "Run/Rolling distance = 1 m"},
+      {"Mesh/Solution cell size = 0.1 mm",
+       "Mesh/Coarse cell size = 1.6 mm",
+       "Run/Rolling distance = 1 m",
+       "Mesh/Window = fixed"},
       "Mesh/Solution cell size = 0.1 mm: with Mesh/Coarse cell size = 1.6 mm this makes about 61 million "
       "cells, and 50 million are possible; take larger cells, a shorter rolling distance or a smaller fine "
       "depth or margin");

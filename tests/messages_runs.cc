@@ -135,11 +135,14 @@ namespace
 
   /// What --resume answers in runs/saved for a scene with these entries and this distance [m].
   std::string
-  answer(const std::string &entries, const double distance = 0.03)
+  answer(const std::string &entries,
+         const double       distance = 0.03,
+         const MeshWindow   window   = MeshWindow::fixed)
   {
     Scene scene;
     scene.folder           = "runs/saved";
     scene.rolling_distance = distance;
+    scene.window           = window;
     return message_of([&]() { read_checkpoint(scene, entries, MPI_COMM_WORLD); });
   }
 
@@ -156,6 +159,7 @@ namespace
     Checkpoint state;
     state.parameters                   = parameters;
     state.prepared_distance            = 0.03;
+    state.longest_distance             = 0.03;
     state.axle.travelled               = 0.01;
     state.works["viscous_dissipation"] = {0.};
     return state;
@@ -176,7 +180,11 @@ namespace
     check_state(
       answer(parameters, 0.04),
       "Run/Rolling distance = 40 mm: the mesh of the saved state was made for 30 mm of rolling; give "
-      "at most that, or start anew with Mesh/Prepared distance = 40 mm");
+      "at most that, or start anew with Mesh/Prepared distance = 40 mm or Mesh/Window = moving");
+    check_state(
+      answer(parameters, 0.04, MeshWindow::moving),
+      "Run/Rolling distance = 40 mm: on the rail of the saved state the wheel can roll 30 mm; give at "
+      "most that, or start anew with it or with a longer Track/Rail length");
     check_state(answer(parameters, 0.01),
                 "Run/Rolling distance = 10 mm: the saved state has rolled 10 mm; give more than that, and at "
                 "most 30 mm");

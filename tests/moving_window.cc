@@ -3,6 +3,7 @@
 // Meshes of a moving window: the same as the forest makes, alike at all places, and the state that goes from
 // one to the next.
 
+#include <wheelrail/mesh/fine_window.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/solid/transfer.h>
 
@@ -219,6 +220,70 @@ namespace
       }
   }
 
+  /// At the start, cells reach no further than those of a fixed mesh.
+  void
+  ends_of_path(Model &model)
+  {
+    const SweepPlan &plan = model.swept->plan();
+    const double     path = 10e-3, block = plan.block_length(), step = model.solid.stable.step;
+    FineWindow       window;
+    window.path_end = {path, path};
+    check_near(window_range(plan, window, Body::rail).s0, -plan.reach, 1e-12, "begin of the path [m]");
+    check_near(window_range(plan, window, Body::wheel).s1, path + plan.reach, 1e-12, "end of the path [m]");
+    change(model, window);
+    check_near(model.solid.stable.step / step, 1, 1e-9, "the same stable step with cells cut off");
+    check(!follow(window, plan, {path, path + 1e-3}), "a wheel that creeps stays");
+    check(follow(window, plan, {path, path + 5e-3}),
+          "a wheel that spins beyond the path takes cells with it");
+    check_near(
+      window_range(plan, window, Body::wheel).s1, plan.around_block.s1, 1e-12, "as far as anywhere [m]");
+    check_near(
+      window_range(plan, window, Body::rail).s1, path + plan.reach, 1e-12, "those of the rail stay [m]");
+    check(!follow(window, plan, {path, path + 5e-3}), "once");
+    // a resumed run with a longer way
+    model.window = window;
+    check(!lengthen_path(model, path), "the same path");
+    check(lengthen_path(model, 4 * path), "a longer path");
+    check_near(window_range(plan, model.window, Body::rail).s1,
+               plan.around_block.s1,
+               1e-12,
+               "the rail's cells, too, reach on [m]");
+    model.window  = FineWindow();
+    window.column = {2, 2};
+    check_near(window_range(plan, window, Body::rail).s0,
+               2 * block + plan.around_block.s0,
+               1e-12,
+               "behind the wheel later on [m]");
+    check_near(
+      window_range(plan, window, Body::rail).s1, 2 * block + plan.around_block.s1, 1e-12, "ahead of it [m]");
+  }
+
+  /// Blocks of a rail of 10 m: even where the wheel can roll, long at the ends.
+  void
+  long_rail()
+  {
+    Scene scene                      = moving_scene();
+    scene.rail_length                = 10;
+    const SweepPlan            plan  = sweep_plan(scene, make_geometry(scene));
+    const std::vector<double> &z     = plan.rail_stations;
+    double                     worst = 0;
+    const double               block = plan.block_length();
+    unsigned int               even  = 0;
+    for (std::size_t k = 0; k + 1 < z.size(); ++k)
+      {
+        const double length = z[k + 1] - z[k];
+        even += std::abs(length / block - 1) < 1e-9;
+        check(length > 0.99 * block && length < 4.01 * block, "length of a block");
+        if (k > 0)
+          worst = std::max(worst, std::max(length / (z[k] - z[k - 1]), (z[k] - z[k - 1]) / length));
+      }
+    check_near(z.front(), 0.02 - 5, 1e-12, "begin of the rail [m]");
+    check_near(z.back(), 0.02 + 5, 1e-12, "its end [m]");
+    check(worst < 1.26, "blocks grow slowly");
+    check(even * block > 2 && z.size() < 310, "even over two metres, fewer than half as many in all");
+    check(plan.longest_path > 0.9 && plan.longest_path < 1.1, "about a metre more can be rolled");
+  }
+
   void
   momentum_is_kept(Model &model)
   {
@@ -259,6 +324,8 @@ main(int argc, char **argv)
   Model       model = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
   same_as_forest(model);
   linear_fields(model);
+  ends_of_path(model);
+  long_rail();
   momentum_is_kept(model);
   return parallel.report();
 }

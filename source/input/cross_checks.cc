@@ -191,7 +191,11 @@ namespace wheelrail
   void
   check_distances(const Scene &scene, Findings &found)
   {
-    if (scene.mesh_distance() < scene.rolling_distance)
+    if (scene.prepared_distance > 0 && scene.window == MeshWindow::moving)
+      found.errors.push_back(entry_text(scene, "Mesh", "Prepared distance") +
+                             ": not needed with Mesh/Window = moving, where a resumed run may roll on as far "
+                             "as the rail goes; leave it out, or set Mesh/Window = fixed");
+    else if (scene.mesh_distance() < scene.rolling_distance)
       found.errors.push_back(entry_text(scene, "Mesh", "Prepared distance") + ": shorter than " +
                              entry_text(scene, "Run", "Rolling distance") +
                              "; write auto, or a longer distance for a run that is to be resumed with more");

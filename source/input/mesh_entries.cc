@@ -68,8 +68,8 @@ namespace wheelrail
     list.push_back(
       length_or_auto({"Mesh",
                       "Prepared distance",
-                      "The mesh is made for rolling that far, so that a run can be resumed with a "
-                      "longer Run/Rolling distance; auto: Run/Rolling distance."},
+                      "With Window = fixed: the mesh is made for rolling that far, so that a run can be "
+                      "resumed with a longer Run/Rolling distance; auto: Run/Rolling distance."},
                      B::above("0 mm", "10 m"),
                      field(&S::prepared_distance)));
     list.push_back(choice_entry<MeshWindow>(

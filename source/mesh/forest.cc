@@ -77,7 +77,7 @@ namespace wheelrail
 
 
   Forest::Forest(MPI_Comm communicator, const SweepPlan &plan)
-    : Forest(communicator, plan, {{{plan.fine_begin, plan.fine_end}}, {{plan.fine_begin, plan.fine_end}}})
+    : Forest(communicator, plan, {{plan.fine}, {plan.fine}})
   {
   }
 

@@ -13,33 +13,66 @@ namespace wheelrail
 {
   namespace
   {
-    /// Block borders along the rail: the wheel's spacing where it rolls, stretched to the given ends
-    /// elsewhere.
+    /// Lengths of blocks that fill a stretch [m] beside blocks of the length `spacing`: one, where there is
+    /// only room for one, else growing ones.
     std::vector<double>
-    rail_stations(const double begin,
-                  const double end,
-                  const double fine_begin,
-                  const double fine_end,
-                  const double spacing)
+    growing_blocks(const double stretch, const double spacing)
     {
-      const long first = static_cast<long>(std::floor(fine_begin / spacing)) - 1;
-      const long last  = static_cast<long>(std::ceil(fine_end / spacing)) + 1;
-      if (first * spacing < begin + spacing || last * spacing > end - spacing)
+      constexpr double growth = 1.25, longest = 4;
+      if (stretch < 2 * spacing)
+        return {stretch};
+      std::vector<double> lengths;
+      double              sum = 0;
+      for (double length = spacing; sum < stretch; sum += length)
+        {
+          length = std::min(growth * length, longest * spacing);
+          lengths.push_back(length);
+        }
+      for (double &length : lengths)
+        length *= stretch / sum;
+      return lengths;
+    }
+
+    /// Borders of even blocks along the rail [m], in multiples of the spacing: first and last.
+    struct EvenBlocks
+    {
+      long first, last;
+    };
+
+    /// The wheel's spacing over the range that is needed and a metre beyond, as far as the rail goes.
+    EvenBlocks
+    even_blocks(const Range &rail, const Range &needed, const double spacing)
+    {
+      constexpr double beyond = 1;
+      const auto       up     = [&](const double z) { return static_cast<long>(std::ceil(z / spacing)); };
+      const auto       down   = [&](const double z) { return static_cast<long>(std::floor(z / spacing)); };
+      const EvenBlocks even{up(std::max(needed.s0 - beyond, rail.s0 + spacing)),
+                            down(std::min(needed.s1 + beyond, rail.s1 - spacing))};
+      const long       first = down(needed.s0) - 1, last = up(needed.s1) + 1;
+      if (first < even.first || last > even.last)
         throw InputError(
           "Track/Rail length is too short: the rolled stretch with its fine cells reaches from " +
-          in_mm(first * spacing) + " to " + in_mm(last * spacing) + ", the rail from " + in_mm(begin) +
-          " to " + in_mm(end) + "; take a longer rail or a shorter Run/Rolling distance");
+          in_mm(first * spacing) + " to " + in_mm(last * spacing) + ", the rail from " + in_mm(rail.s0) +
+          " to " + in_mm(rail.s1) + "; take a longer rail or a shorter Run/Rolling distance");
+      return even;
+    }
+
+    std::vector<double>
+    rail_stations(const Range &rail, const EvenBlocks &even, const double spacing)
+    {
       std::vector<double> stations;
-      const auto          fill = [&](const double from, const double to) {
-        const int n = std::max(1, static_cast<int>(std::lround((to - from) / spacing)));
-        for (int k = 0; k < n; ++k)
-          stations.push_back(from + (to - from) * k / n);
-      };
-      fill(begin, first * spacing);
-      for (long k = first; k < last; ++k)
+      for (long k = even.first; k <= even.last; ++k)
         stations.push_back(k * spacing);
-      fill(last * spacing, end);
-      stations.push_back(end);
+      std::vector<double> before;
+      double              z = stations.front();
+      for (const double length : growing_blocks(stations.front() - rail.s0, spacing))
+        before.push_back(z -= length);
+      z = stations.back();
+      for (const double length : growing_blocks(rail.s1 - stations.back(), spacing))
+        stations.push_back(z += length);
+      stations.insert(stations.begin(), before.rbegin(), before.rend());
+      stations.front() = rail.s0;
+      stations.back()  = rail.s1;
       return stations;
     }
 
@@ -105,24 +138,24 @@ namespace wheelrail
       contact, profiles.wheel_heights, profiles.rail_heights, sizes.approach, sizes.fine_margin, block);
     plan.surfaces = surfaces_of_strip(profiles, plan.strip, wheel.nominal_radius, sizes.cell);
 
-    plan.sectors        = std::lround(2 * M_PI * contact.rolling_radius / block);
-    const double reach  = half_length_bound(sizes.approach, contact.rolling_radius) + sizes.fine_margin;
-    plan.moving         = sizes.moving;
-    plan.fine_begin     = -reach;
-    plan.fine_end       = sizes.distance + reach;
-    plan.fine_depth     = sizes.fine_depth;
-    const double middle = 0.5 * sizes.distance;
-    plan.rail_stations  = rail_stations(middle - 0.5 * sizes.rail_length,
-                                       middle + 0.5 * sizes.rail_length,
-                                       plan.fine_begin - (sizes.moving ? plan.block_length() : 0),
-                                       plan.fine_end + (sizes.moving ? plan.block_length() : 0),
-                                       plan.block_length());
+    plan.sectors                 = std::lround(2 * M_PI * contact.rolling_radius / block);
+    const double     spacing     = plan.block_length();
+    const double     length      = half_length_bound(sizes.approach, contact.rolling_radius);
+    constexpr double least_ahead = 7.5e-3, least_behind = 12.5e-3, free_rail = 0.1;
+    plan.reach         = length + sizes.fine_margin;
+    plan.around_block  = {-length - std::max(least_behind, sizes.fine_margin),
+                          spacing + length + std::max(least_ahead, sizes.fine_margin)};
+    plan.fine          = {-plan.reach, sizes.distance + plan.reach};
+    plan.fine_depth    = sizes.fine_depth;
+    const Range rail   = {0.5 * (sizes.distance - sizes.rail_length),
+                          0.5 * (sizes.distance + sizes.rail_length)};
+    const auto  even   = even_blocks(rail, plan.fine, spacing);
+    plan.rail_stations = rail_stations(rail, even, spacing);
+    plan.longest_path =
+      std::max(sizes.distance,
+               std::min((even.last - 1) * spacing - plan.reach, rail.s1 - std::max(free_rail, 3 * spacing)));
     if (sizes.moving)
-      {
-        constexpr double least_ahead = 7.5e-3, least_behind = 12.5e-3;
-        plan.fine_begin -= std::max(0., least_behind - sizes.fine_margin);
-        plan.fine_end = plan.block_length() + reach + std::max(0., least_ahead - sizes.fine_margin);
-      }
+      plan.fine.s1 = std::min(plan.fine.s1, plan.around_block.s1);
 
     plan.rail  = make_rail_section(profiles.rail, contact.rail, plan.strip, block);
     plan.wheel = make_wheel_section(profiles.wheel, wheel, contact.wheel, plan.strip, block);

@@ -6,6 +6,7 @@
 #include <wheelrail/model/model.h>
 #include <wheelrail/solid/highest_frequency.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -102,11 +103,10 @@ namespace wheelrail
     prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
     {
       const SweepPlan &plan = model.forest->plan();
-      const Range      fine = {plan.fine_begin, plan.fine_end};
       prepare(model.solid, model.forest->local_mesh(), communicator);
       lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
       model.contact = make_contact(scene, model, communicator);
-      prepare_contact(model, plan, {fine, fine}, communicator);
+      prepare_contact(model, plan, {plan.fine, plan.fine}, communicator);
     }
 
     /// Where a column of blocks lies along: those of the wheel are counted against its arc coordinate, from
@@ -122,14 +122,14 @@ namespace wheelrail
     {
       PerBody<FineZone> zones;
       for (const Body body : both_bodies)
-        zones[body] = window_zone(plan, window.column[body], window.kept[body]);
+        zones[body] = window_zone(plan, window, body);
       return zones;
     }
 
     PerBody<Range>
     ranges_of(const SweepPlan &plan, const FineWindow &window)
     {
-      return {window_range(plan, window.column.rail), window_range(plan, window.column.wheel)};
+      return {window_range(plan, window, Body::rail), window_range(plan, window, Body::wheel)};
     }
 
     /// Columns of blocks in which a body has flowed, over all ranks, ascending.
@@ -149,18 +149,18 @@ namespace wheelrail
       return {columns.begin(), columns.end()};
     }
 
-    /// Columns that the window of a body covers, at least in part.
-    void
-    add_covered(std::vector<int> &kept, const SweepPlan &plan, const int column, const Body body)
+    /// Columns that the window of a body covers, at least in part, and those that are kept already.
+    std::vector<int>
+    covered(const SweepPlan &plan, const FineWindow &window, const Body body)
     {
-      const Range   range = window_range(plan, column);
+      const Range   range = window_range(plan, window, body);
       const int     n     = static_cast<int>(plan.sectors);
-      std::set<int> all(kept.begin(), kept.end());
+      std::set<int> all(window.kept[body].begin(), window.kept[body].end());
       for (int k = static_cast<int>(std::floor(range.s0 / plan.block_length()));
            k * plan.block_length() < range.s1;
            ++k)
         all.insert(body == Body::wheel ? (k % n + n) % n : k);
-      kept.assign(all.begin(), all.end());
+      return {all.begin(), all.end()};
     }
   } // namespace
 
@@ -215,7 +215,10 @@ namespace wheelrail
     model.solid.choice      = bodies_of(scene);
     prepare_start(scene, model, communicator);
     if (scene.window == MeshWindow::moving)
-      model.swept = std::make_unique<SweptMesh>(model.forest->plan());
+      {
+        model.swept           = std::make_unique<SweptMesh>(model.forest->plan());
+        model.window.path_end = {scene.mesh_distance(), scene.mesh_distance()};
+      }
     model.axle = make_axle(scene, geometry.contact);
     const double unsprung =
       scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
@@ -263,7 +266,21 @@ namespace wheelrail
       if (scene.behind_wheel == BehindWheel::automatic)
         model.window.kept[body] = flowed_columns(model.solid, body, communicator);
       else if (scene.behind_wheel == BehindWheel::keep)
-        add_covered(model.window.kept[body], plan, before.column[body], body);
+        model.window.kept[body] = covered(plan, before, body);
     return true;
+  }
+
+
+  bool
+  lengthen_path(Model &model, const double distance)
+  {
+    bool longer = false;
+    for (const Body body : both_bodies)
+      {
+        const double before         = window_range(model.swept->plan(), model.window, body).s1;
+        model.window.path_end[body] = std::max(model.window.path_end[body], distance);
+        longer = longer || window_range(model.swept->plan(), model.window, body).s1 > before;
+      }
+    return longer;
   }
 } // namespace wheelrail

@@ -218,6 +218,8 @@ namespace wheelrail
         }
       make_rolling(0, 0);
       restore_checkpoint(whole, model_, *axle_, *rolling_, *recorder_, communicator_);
+      if (model_.swept && lengthen_path(model_, scene_.rolling_distance))
+        rolling_->change_mesh([&]() { prepare_window(model_, communicator_); }, axle_->travelled());
       first_step_     = rolling_->steps();
       first_distance_ = axle_->travelled();
       wall_before_    = whole.wall_time;

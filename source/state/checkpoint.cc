@@ -208,6 +208,7 @@ namespace wheelrail
     whole.ticks             = part.ticks;
     whole.time_step         = part.time_step;
     whole.prepared_distance = part.prepared_distance;
+    whole.longest_distance  = part.longest_distance;
     whole.fine_margin       = part.fine_margin;
     whole.window            = part.window;
     whole.contact           = part.contact;

@@ -24,6 +24,7 @@ namespace wheelrail
       visit("ticks", c.ticks);
       visit("time_step", c.time_step);
       visit("prepared_distance", c.prepared_distance);
+      visit("longest_distance", c.longest_distance);
       visit("fine_margin", c.fine_margin);
       visit("time", c.rolling.time);
       visit("steps", c.rolling.steps);
@@ -44,6 +45,8 @@ namespace wheelrail
       visit("hold_work", c.axle.work.hold_work);
       visit("rail_column", c.window.column.rail);
       visit("wheel_column", c.window.column.wheel);
+      visit("rail_path_end", c.window.path_end.rail);
+      visit("wheel_path_end", c.window.path_end.wheel);
       visit("rail_first", c.contact.window.rail.first);
       visit("rail_last", c.contact.window.rail.last);
       visit("wheel_first", c.contact.window.wheel.first);

@@ -2,6 +2,7 @@
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/state/checkpoint_checks.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -56,16 +57,21 @@ namespace wheelrail
       return "entries differ from those of the saved state, which must not change: " + differences +
              "; set them back, or start anew in another Output/Folder";
 
-    const double rolled = saved.axle.travelled;
-    if (scene.rolling_distance > saved.prepared_distance * (1 + 1e-12))
-      return "Run/Rolling distance = " + rounded_mm(scene.rolling_distance) +
-             ": the mesh of the saved state was made for " + rounded_mm(saved.prepared_distance) +
-             " of rolling; give at most that, or start anew with Mesh/Prepared distance = " +
-             rounded_mm(scene.rolling_distance);
+    const double      rolled = saved.axle.travelled;
+    const std::string wanted = "Run/Rolling distance = " + rounded_mm(scene.rolling_distance);
+    if (scene.rolling_distance > saved.longest_distance * (1 + 1e-12))
+      return scene.window == MeshWindow::moving
+               ? wanted + ": on the rail of the saved state the wheel can roll " +
+                   rounded_mm(std::floor(1e3 * saved.longest_distance) / 1e3) +
+                   "; give at most that, or start anew with it or with a longer Track/Rail length"
+               : wanted + ": the mesh of the saved state was made for " +
+                   rounded_mm(saved.prepared_distance) +
+                   " of rolling; give at most that, or start anew with Mesh/Prepared distance = " +
+                   rounded_mm(scene.rolling_distance) + " or Mesh/Window = moving";
     if (scene.rolling_distance <= rolled)
-      return "Run/Rolling distance = " + rounded_mm(scene.rolling_distance) +
-             ": the saved state has rolled " + rounded_mm(rolled) + "; give more than that, and at most " +
-             rounded_mm(saved.prepared_distance);
+      return wanted + ": the saved state has rolled " + rounded_mm(rolled) +
+             "; give more than that, and at most " +
+             rounded_mm(std::floor(1e3 * saved.longest_distance) / 1e3);
     return "";
   }
 } // namespace wheelrail

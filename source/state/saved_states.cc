@@ -23,7 +23,6 @@ namespace wheelrail
                            MPI_Comm     communicator)
     : folder_(scene.folder)
     , parameters_(std::move(parameters))
-    , prepared_distance_(scene.mesh_distance())
     , interval_(interval)
     , communicator_(communicator)
     , last_end_(seconds())
@@ -39,12 +38,13 @@ namespace wheelrail
       return;
     kept_                   = std::move(part);
     kept_.parameters        = parameters_;
-    kept_.prepared_distance = prepared_distance_;
-    kept_.fine_margin       = run.scene.fine_margin;
-    kept_.ticks             = ticks;
-    kept_.wall_time         = wall_time;
-    any_                    = true;
-    on_disk_                = false;
+    kept_.prepared_distance = run.scene.mesh_distance();
+    kept_.longest_distance = run.model.swept ? run.model.swept->plan().longest_path : kept_.prepared_distance;
+    kept_.fine_margin      = run.scene.fine_margin;
+    kept_.ticks            = ticks;
+    kept_.wall_time        = wall_time;
+    any_                   = true;
+    on_disk_               = false;
   }
 
 

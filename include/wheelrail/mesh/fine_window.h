@@ -2,6 +2,7 @@
 
 #include <wheelrail/mesh/cell_tree.h>
 
+#include <limits>
 #include <vector>
 
 namespace wheelrail
@@ -13,20 +14,24 @@ namespace wheelrail
   {
     PerBody<int>              column; ///< of blocks, that the contact was in at the last move
     PerBody<std::vector<int>> kept;   ///< columns that stay fine, ascending
+
+    /// How far the contact is to come on each body [m]: in the first block, what lies further than
+    /// SweepPlan::reach beyond that needs no fine cells, nor what lies so far behind the start.
+    PerBody<double> path_end = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   };
 
-  /// Finest cells of a body in the window of a plan, columns that are kept left out [m].
+  /// Finest cells of a body in a window, columns that are kept left out [m].
   Range
-  window_range(const SweepPlan &plan, int column);
+  window_range(const SweepPlan &plan, const FineWindow &window, Body body);
 
   /// All of them.
   FineZone
-  window_zone(const SweepPlan &plan, int column, const std::vector<int> &kept);
+  window_zone(const SweepPlan &plan, const FineWindow &window, Body body);
 
   /// Moves the columns with the places of the contact on both bodies, Z of the rail and the arc coordinate of
   /// the wheel, which goes on after a turn [m]. True when a body has come to another block. The other body
   /// goes with it when it is less than a quarter of a block before its next one, so that the mesh changes
-  /// once for both.
+  /// once for both. A wheel that spins beyond the end of the path has no end any more.
   bool
   follow(FineWindow &window, const SweepPlan &plan, const PerBody<double> &place);
 } // namespace wheelrail

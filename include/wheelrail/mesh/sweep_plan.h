@@ -25,11 +25,12 @@ namespace wheelrail
 
     FineStrip       strip;
     RunningSurfaces surfaces;
-    unsigned int    levels     = 4;     ///< refinements from the coarse blocks to the finest cells
-    double          fine_depth = 5e-3;  ///< of the finest cells below the running surface [m]
-    double          fine_begin = 0;     ///< range of Z and of the arc coordinate with finest cells [m]
-    double          fine_end   = 0;     ///< at the start, when they move with the wheel
-    bool            moving     = false; ///< they do, see FineWindow
+    unsigned int    levels     = 4;    ///< refinements from the coarse blocks to the finest cells
+    double          fine_depth = 5e-3; ///< of the finest cells below the running surface [m]
+    Range           fine;              ///< of Z and of the arc coordinate with finest cells, at the start [m]
+    double          reach = 0;         ///< of finest cells at both ends of the rolled stretch, beyond it [m]
+    Range           around_block;     ///< finest cells that move, with the contact in the block from 0 on [m]
+    double          longest_path = 0; ///< that the rail lets the wheel roll when they move [m]
 
     /// Length of a coarse block on the running circle [m]; where the wheel rolls, the stations of the rail
     /// are its multiples, too.
@@ -54,8 +55,10 @@ namespace wheelrail
   /// cells cover the rolled stretch and, before and behind it, the reach of the undeformed wheel
   /// (half_length_bound) and the margin. Those that move cover the way through one block in place of the
   /// whole stretch, and reach further: 7.5 mm ahead and 12.5 mm behind are the least margins, so that cells
-  /// are divided and made coarse where fields are smooth. Throws InputError when the rail is too short for
-  /// them or a section cannot be divided, RunError when a block would be folded.
+  /// are divided and made coarse where fields are smooth; at the start they reach no further than
+  /// those that do not move. Blocks of the rail are even under the stretch and a metre beyond it; from there
+  /// on each is a quarter longer than the one before, up to four times as long. Throws InputError when the
+  /// rail is too short for them or a section cannot be divided, RunError when a block would be folded.
   SweepPlan
   make_sweep_plan(const TouchingProfiles &profiles, const WheelDimensions &wheel, const SweepSizes &sizes);
 } // namespace wheelrail

@@ -60,6 +60,10 @@ namespace wheelrail
   bool
   move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator);
 
+  /// Gives the window a longer path [m]; whether that changes the range of the finest cells.
+  bool
+  lengthen_path(Model &model, double distance);
+
   /// Builds the model. Throws InputError when the scene cannot be built. Collective.
   Model
   make_model(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator);

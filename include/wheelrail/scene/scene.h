@@ -117,7 +117,7 @@ namespace wheelrail
     double      fine_margin      = 3e-3; ///< fine cells beyond the expected patch [m] ("Fine margin")
     ElementForm element          = ElementForm::reduced;
     std::optional<ElementForm> rail_element, wheel_element; ///< none: as `element`
-    MeshWindow                 window       = MeshWindow::fixed;
+    MeshWindow                 window       = MeshWindow::moving;
     BehindWheel                behind_wheel = BehindWheel::automatic;
     double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 

@@ -22,6 +22,7 @@ namespace wheelrail
     unsigned int ticks             = 0; ///< number of ticks written so far
     double       time_step         = 0; ///< [s]
     double       prepared_distance = 0; ///< for which the mesh was made [m]
+    double       longest_distance  = 0; ///< to which the run may be gone on with [m]
     double       fine_margin       = 0; ///< with which the mesh was made [m]
 
     FineWindow window; ///< where the fine cells lie, when they move

@@ -57,7 +57,7 @@ namespace wheelrail
 
   private:
     std::string folder_, parameters_;
-    double      prepared_distance_, interval_;
+    double      interval_;
     MPI_Comm    communicator_;
     Checkpoint  kept_;
     bool        any_ = false, on_disk_ = false; ///< whether a state is kept, and on the disk
