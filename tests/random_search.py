@@ -140,8 +140,9 @@ def sentence_of(screen):
 
 # what a run says of a peak pressure that is not that of its half-spaces: "the peak pressure is 30 % below ..."
 CAUSES = {
-    "turn": r"surfaces turn by \d+ degrees across the patch",
-    "flow": r"the bodies yield",
+    "turn": r"the surfaces turn by \d+ degrees across the patch",
+    "flow": r"steel has flowed",
+    "patches": r"the run has \d+ patches",
     "penalty": r"the penalty contact sinks in by [\d.]+ % of the approach",
     "forces": r"the forces vary by [\d.]+ % of the load",
     "noise": r"swings by [\d.]+ % of its mean",
