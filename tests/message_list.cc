@@ -181,6 +181,10 @@ namespace
     // penalty scales of 200 and more, where 50 is the most that is accepted
     " N of the wheel load are missing; lower Contact/Penalty scale or refine the mesh",
     "the static start did not converge: conjugate gradients stopped after ",
+    // half a minute of computing; tests/static_progress.cc has the rule
+    " N left at a node; bodies may be too soft for this load, or the contact too stiff: look at Young's "
+    "modulus, "
+    "Yield stress, Tangent modulus and Contact/Penalty scale",
     // its forces are those of the bodies themselves
     " % of the forces are left, and residual stresses stay unknown",
   };

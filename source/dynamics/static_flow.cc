@@ -1,4 +1,5 @@
 #include <wheelrail/dynamics/static_flow.h>
+#include <wheelrail/dynamics/static_progress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,11 +92,18 @@ namespace wheelrail
   static_flow(StaticSearch &search, const double tolerance, const unsigned int most_steps)
   {
     constexpr std::size_t memory = 10;
+    constexpr double      near   = 1e-2; // of the wheel load: from here on slow steps are worth making
     StaticFlow            flow;
     std::deque<Secant>    secants;
+    StaticProgress        progress;
     flow.balance = search.balance();
     while (flow.steps < most_steps && !balanced(search, flow.balance, tolerance))
       {
+        const double missing = search.wheel_load() - flow.balance.sums.force[1];
+        flow.stuck           = progress.stuck(std::hypot(flow.balance.residual.l2_norm(), missing)) &&
+                     !balanced(search, flow.balance, near);
+        if (flow.stuck)
+          break;
         // nodes that close have springs that the preconditioner should know
         if (flow.steps % 5 == 0)
           search.renew_springs();

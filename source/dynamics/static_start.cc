@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/dynamics/static_flow.h>
+#include <wheelrail/dynamics/static_progress.h>
 #include <wheelrail/solid/elastic_meanwhile.h>
 
 #include <algorithm>
@@ -31,6 +32,20 @@ namespace wheelrail
       double before_ = 0;
     };
 
+    constexpr double nearly =
+      1e-4; ///< of the wheel load: less than what the passing of cells excites in a run
+
+    [[noreturn]] void
+    throw_stuck(const double residual, const double missing)
+    {
+      throw RunError(
+        "the static start finds no equilibrium: over " + std::to_string(StaticProgress::patience) +
+        " steps what is out of balance did not fall, with " + std::to_string(std::lround(std::abs(missing))) +
+        " N of the wheel load missing and " + std::to_string(std::lround(residual)) +
+        " N left at a node; bodies may be too soft for this load, or the contact too stiff: look "
+        "at Young's modulus, Yield stress, Tangent modulus and Contact/Penalty scale");
+    }
+
     /// Newton's steps of elastic bodies until no nodal force out of balance exceeds `tolerance` times the
     /// wheel load and the tractions no longer change. Counts the steps in the result, and says there when
     /// they ended close to the equilibrium only, or at the border of the lattice.
@@ -40,12 +55,12 @@ namespace wheelrail
                         const double  tolerance,
                         StaticResult &result)
     {
-      constexpr int    most_steps = 60;
-      constexpr double nearly     = 1e-4; // less than what the passing of cells excites in a run
+      constexpr int most_steps = 60;
       // rounds of tractions still to come: they change the pressures that bound them
-      int           rounds  = frictionless ? 0 : 12;
-      StaticBalance balance = search.balance();
-      StepTolerance step_tolerance;
+      int            rounds  = frictionless ? 0 : 12;
+      StaticBalance  balance = search.balance();
+      StepTolerance  step_tolerance;
+      StaticProgress progress;
       for (int step = 0;; ++step)
         {
           const double residual = balance.residual.linfty_norm() / result.wheel_load;
@@ -57,17 +72,22 @@ namespace wheelrail
               if (settled && !changed)
                 return balance;
               --rounds;
-              balance = search.balance();
+              balance  = search.balance();
+              progress = StaticProgress();
             }
           const bool close = residual < nearly && std::abs(missing) < 10 * nearly * result.wheel_load;
           // a patch that presses on the edge of the lattice for so long finds no equilibrium there
-          const bool pressed_out = step >= 20 && balance.sums.at_border && !close;
-          if (pressed_out || (step == most_steps && close))
+          const bool   pressed_out = step >= 20 && balance.sums.at_border && !close;
+          const double norm        = std::hypot(balance.residual.l2_norm(), missing);
+          const bool   stuck       = progress.stuck(norm);
+          if (pressed_out || ((step == most_steps || stuck) && close))
             {
               result.converged = false;
               result.at_border = pressed_out;
               return balance;
             }
+          if (stuck)
+            throw_stuck(residual * result.wheel_load, missing);
           if (step == most_steps)
             throw RunError(
               "the static start did not converge: after " + std::to_string(most_steps) + " steps " +
@@ -77,7 +97,6 @@ namespace wheelrail
             throw RunError(
               "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
               "Mesh/Solution cell size");
-          const double norm = std::hypot(balance.residual.l2_norm(), missing);
           balance = search.search_along(search.newton_step(balance, step_tolerance.next(norm)), balance);
           result.newton_steps = step + 1;
         }
@@ -97,6 +116,11 @@ namespace wheelrail
       // differs by a hundredth, the lateral force by 0.1 % of the load
       flow = static_flow(search, 2e-5, 60);
       result.flow_steps += flow.steps;
+      const double residual = flow.balance.residual.linfty_norm();
+      if (flow.stuck)
+        throw_stuck(residual, result.wheel_load - flow.balance.sums.force[1]);
+      if (!(residual < 10 * nearly * result.wheel_load))
+        result.converged = false;
       return std::move(flow.balance);
     }
   } // namespace

@@ -34,7 +34,7 @@ namespace wheelrail
 
     /// z = the displacements under the forces, to a fifth; not quite linear in them. Collective.
     void
-    solve(const StaticVector &forces, StaticVector &z) const;
+    solve(const StaticVector &forces, StaticVector &z);
 
   private:
     struct Matrix;
@@ -51,10 +51,13 @@ namespace wheelrail
     assemble();
     void
     make_preconditioner();
+    void
+    conjugate_gradients();
 
     const LocalMesh           &mesh_;
     std::vector<unsigned char> held_;
     MPI_Comm                   communicator_;
     std::unique_ptr<Matrix>    matrix_;
+    bool                       factorised_ = true; ///< smoothed by incomplete factors, else by Chebyshev
   };
 } // namespace wheelrail
