@@ -112,22 +112,22 @@ def state_sentence(summary):
     return f"<p class=bad>The run did not finish. {reason}</p>"
 
 
-def smaller(path):
-    """The bytes of a picture with 256 colours where that is smaller, as it goes into the page."""
+def smaller(path, colors=256):
+    """The bytes of a picture with so many colours where that is smaller, as it goes into the page."""
     from PIL import Image
 
     with open(path, "rb") as file:
         whole = file.read()
     packed = io.BytesIO()
     with Image.open(path) as image:
-        image.convert("RGB").quantize(256, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(
+        image.convert("RGB").quantize(colors, method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(
             packed, "PNG", optimize=True)
     return min(whole, packed.getvalue(), key=len)
 
 
-def picture(caption, path, kind=""):
+def picture(caption, path, kind="", colors=256):
     """A picture; kind: print (only there and without script), broad (over the whole width), or both."""
-    data = base64.b64encode(smaller(path)).decode()
+    data = base64.b64encode(smaller(path, colors)).decode()
     caption = html.escape(caption)
     return (f'<figure class="{kind}"><img alt="{caption}" src="data:image/png;base64,{data}">'
             f"<figcaption>{caption}</figcaption></figure>")
@@ -153,7 +153,7 @@ def plotly_script():
 
 
 def packed(text):
-    return base64.b64encode(gzip.compress(text.encode(), 6, mtime=0)).decode()
+    return base64.b64encode(gzip.compress(text.encode(), 9, mtime=0)).decode()
 
 
 def views_html(views):

@@ -174,8 +174,9 @@ async function drawCuts(view) {
       const pressure = line("pressure");
       traces.push({x, y: pressure, name: "pressure" + name, ...style});
       traces.push({x, y: line("shear"), name: "shear traction" + name, ...style, yaxis: "y2"});
-      if (view.friction !== null)
-        traces.push({x, y: pressure.map(p => view.friction * p), name: "bound" + name, yaxis: "y2", mode: "lines", line: {color: COLORS[k], dash: "dash", width: 1.2}, hovertemplate: style.hovertemplate});
+      const friction = t.friction ?? view.friction;  // of a study each case has its own
+      if (friction !== null)
+        traces.push({x, y: pressure.map(p => friction * p), name: "bound" + name, yaxis: "y2", mode: "lines", line: {color: COLORS[k], dash: "dash", width: 1.2}, hovertemplate: style.hovertemplate});
     });
     const layout = {font: FONT, height: 520, margin: {l: 60, r: 20, t: 20, b: 50}, legend: {orientation: "h", y: -0.14},
       xaxis: {title: AA ? "along the rail, rolling direction \u2192 [mm]" : "lateral s (G.C. on the left) [mm]", range: AA ? range.along : range.s, anchor: "y2"},
@@ -189,9 +190,9 @@ async function drawCuts(view) {
 }
 
 async function drawSlices(view) {
-  const names = Object.keys(view.planes);
+  const names = Object.keys(view.planes), cases = view.cases ?? [view];  // of a study, one after the other
   const redraw = () => {
-    const plane = view.planes[planeChoice.value], kind = fieldChoice.value, AA = planeChoice.value[0] === "A", n = plane.sources.length, traces = [];
+    const plane = cases[Number(caseSlider.value)].planes[planeChoice.value], kind = fieldChoice.value, AA = planeChoice.value[0] === "A", n = plane.sources.length, traces = [];
     const layout = {font: FONT, margin: {l: 55, r: 20, t: 50, b: 50}, annotations: [], shapes: []};
     const top = plane.top[kind], ends = AA ? plane.view : [plane.view[1], plane.view[0]];
     plane.sources.forEach((source, k) => {
@@ -211,6 +212,7 @@ async function drawSlices(view) {
     return Plotly.react(plotOf(view), traces, layout, CONFIG);
   };
   const planeChoice = choice(view, "plane", "Plane", names.map(name => [name, name.replace("_peak", " through the peak")]), redraw);
+  const caseSlider = slider(view, "case", 0, cases.length - 1, 1, 0, k => cases[k].label, redraw);
   const fieldChoice = choice(view, "field", "Field", [["von Mises", "von Mises stress"], ["shear", "shear stress"]], redraw);
   return redraw();
 }
@@ -218,9 +220,12 @@ async function drawSlices(view) {
 async function drawCurves(view) {
   const redraw = () => {
     const group = view.groups[Number(groupChoice.value)];
-    const traces = group.curves.map((curve, k) => ({x: curve.x, y: curve.y, name: curve.name, mode: "lines", line: {color: COLORS[k % COLORS.length], width: 1.4}, hovertemplate: "%{x} mm: %{y}<extra>%{fullData.name}</extra>"}));
+    const unit = view.unit ?? " mm";
+    const traces = group.curves.map((curve, k) => ({x: curve.x, y: curve.y, name: curve.name, mode: view.marks ? "lines+markers" : "lines",
+      marker: {size: 7, symbol: curve.symbol ?? "circle"}, line: {color: COLORS[(curve.color ?? k) % COLORS.length], width: 1.4, dash: curve.dash ?? "solid"},
+      hovertemplate: `%{x}${unit}: %{y}<extra>%{fullData.name}</extra>`}));
     return Plotly.react(plotOf(view), traces, {font: FONT, height: 380, margin: {l: 70, r: 20, t: 20, b: 50}, legend: {orientation: "h", y: -0.2}, showlegend: true,
-      xaxis: {title: "rolled distance [mm]"}, yaxis: {title: group.label, exponentformat: "power"}}, CONFIG);
+      xaxis: {title: view.abscissa ?? "rolled distance [mm]"}, yaxis: {title: group.label, exponentformat: "power"}}, CONFIG);
   };
   const groupChoice = choice(view, "group", "Show", view.groups.map((group, k) => [String(k), group.title]), redraw);
   return redraw();

@@ -38,7 +38,7 @@ def edge_lines(fields):
     return [s, along]
 
 
-def patch_tick(tick, label):
+def patch_tick(tick, label, digits=6):
     """One tick of a patch for a view; None where nothing is loaded."""
     if not tick["pressure"].max() > 0 or min(tick["pressure"].shape) < 2:
         return None
@@ -48,7 +48,7 @@ def patch_tick(tick, label):
         array = getattr(fields, key)
         if array is not None:
             inside = np.where(fields.loaded, factor * array, 0 if key == "state" else np.nan)
-            values[key] = plain(inside)
+            values[key] = plain(inside, digits)
     return {"label": label, "s": plain(fields.lateral[0]), "along": plain(fields.along[:, 0]), "fields": values,
             "edge": edge_lines(fields), "places": {name: round(float(v), 4) for name, v in fields.places().items()}}
 
@@ -82,20 +82,21 @@ def patch_views(sources, friction, start):
              "friction": friction, "start": start}]
 
 
-def slice_views(ticks):
-    """Stresses below the contact; `ticks`: name -> tick of slices."""
+def slice_views(ticks, names=("AA", "BB", "AA_peak", "BB_peak"), digits=6, most_depths=1000):
+    """Stresses below the contact in these planes, at so many depths at most; `ticks`: name -> tick of slices."""
     import subsurface_pictures as below
 
     planes = {}
-    for plane in ("AA", "BB", "AA_peak", "BB_peak"):
+    for plane in names:
         sources = []
         for who, tick in ticks.items():
             if f"{plane}_rail" not in tick:
                 continue
             cut = below.Cut(tick, plane)
+            step = -(-len(cut.bodies[0][2]) // most_depths)
             sources.append({"name": who, "offset": round(cut.offset + 0.0, 4), "bodies": [
-                {"name": body, "position": plain(position), "depth": plain(depth),
-                 "fields": {"von Mises": plain(values["von Mises"].T, 5), "shear": plain(values["shear"].T, 5)}}
+                {"name": body, "position": plain(position), "depth": plain(depth[::step]),
+                 "fields": {kind: plain(values[kind].T[::step], digits) for kind in ("von Mises", "shear")}}
                 for body, position, depth, values in cut.bodies]})
         if len(sources) == len(ticks):
             cuts = [below.Cut(tick, plane) for tick in ticks.values()]

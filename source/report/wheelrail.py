@@ -194,6 +194,11 @@ class Run:
         return Ticks(self.path("slices.h5"), "a run")
 
     @functools.cached_property
+    def residual(self):
+        """Residual stresses of the unloaded rail as one tick in the form of `slices`; of a run that may yield."""
+        return Ticks(self.path("residual.h5"), "a run of bodies with a yield stress")
+
+    @functools.cached_property
     def halfspace(self):
         """The half-space solution as one tick in the form of `patch`."""
         return Ticks(self.path("halfspace.h5"), "./wheelrail compare")

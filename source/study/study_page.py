@@ -12,7 +12,7 @@ import family_pictures
 import page
 import style
 import study_table
-from study_folder import replace
+import study_views
 
 import matplotlib.pyplot as plt  # after style, which chooses the backend
 
@@ -23,6 +23,8 @@ CURVES = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "longit
 
 # errors drawn over the time that they cost
 ERRORS = ["max_pressure", "contact_area", "max_shear_traction", "creepage"]
+# of the pictures with all cases in the page, which is to stay below 5 MB; those in pictures/ have all of theirs
+COLORS = 32
 # cases that are drawn side by side at most
 MOST_CASES = 16
 
@@ -149,8 +151,8 @@ class Place:
         self.pictures_folder = study.path("pictures")
 
 
-def draw_family(study):
-    """All cases side by side; of many, some at equal steps."""
+def members_of(study):
+    """The cases that are drawn side by side; of many, some at equal steps."""
     members = []
     step = -(-len(study.cases) // MOST_CASES)
     for case in study.cases[::step]:
@@ -158,7 +160,7 @@ def draw_family(study):
         run, halfspace = (folder if os.path.exists(os.path.join(folder, "summary.json")) else None for folder in folders)
         if run or halfspace:
             members.append(family_pictures.Case(study.label(case), run, halfspace))
-    return family_pictures.draw_all(Place(study), members)
+    return members
 
 
 def write(study, failures):
@@ -169,23 +171,27 @@ def write(study, failures):
     x, curves = Axis(study, 0), curves_of(study)
     pictures = [picture for picture in (draw_curves(study, columns, key, x, curves) for key in CURVES) if picture]
     errors = draw_errors(study, x, curves) if any(axis["entry"].startswith("Mesh/") for axis in study.axes) else []
-    family = draw_family(study)
-    title = html.escape(study.title)
+    members = members_of(study)
+    family = family_pictures.draw_all(Place(study), members)
+    script = page.plotly_script()
+    shown = study_views.make(columns, CURVES, x, curves, members) if script else []
     varied = ", ".join(axis["entry"] for axis in study.axes)
-    parts = ["<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
-             f"<title>{title}</title><style>{page.STYLE}</style></head><body>", f"<h1>{title}</h1>",
-             f"<p>{len(study.cases)} cases over {html.escape(varied)}; from {html.escape(study.plan['file'])}, "
+    parts = [f"<p>{len(study.cases)} cases over {html.escape(varied)}; from {html.escape(study.plan['file'])}, "
              f"version {html.escape(study.version)}.</p>"]
+    if script is None:
+        parts.append("<p class=remark>Python's plotly is not installed (package python3-plotly); the page shows pictures alone.</p>")
     parts += [f"<p class=bad>{html.escape(study.label(case))}: {html.escape(state.word)}: {html.escape(state.sentence)}</p>"
               for case, state in zip(study.cases, states) if state.sentence]
-    parts += ["<h2>Figures</h2>", table(study, columns, states)]
-    for head, list_of in (("Curves", pictures), ("Error and cost", errors)):
+    parts += ["<h2>Figures</h2><div class=wide>", table(study, columns, states), "</div>"]
+    if shown:
+        parts += ["<h2>Views</h2>", page.views_html(shown)]
+    covered = "print" if any(view["id"] == "view-figures" for view in shown) else ""
+    for head, list_of, kind in (("Curves", pictures, covered), ("Error and cost", errors, "")):
         if list_of:
-            parts += [f"<h2>{head}</h2>", "<div class=pictures>", *[page.picture(*item) for item in list_of], "</div>"]
+            parts += [f'<div class="{kind}"><h2>{head}</h2>', "<div class=pictures>", *[page.picture(*item) for item in list_of],
+                      "</div></div>"]
     if family:
         parts += ["<h2>Cases side by side</h2><p>Last tick of each run. Tractions act on the rail; maps show the right-hand rail "
                   "from above, rolling direction up. G.C.: side of the gauge corner (track centre), F.S.: field side.</p>",
-                  "<div class=pictures>", *[page.picture(*item, "broad") for item in family], "</div>"]
-    path = study.path("study.html")
-    replace(path, "\n".join(parts + ["</body></html>"]))
-    return path
+                  "<div class=pictures>", *[page.picture(*item, "broad", COLORS) for item in family], "</div>"]
+    return page.write(study.path("study.html"), study.title, parts, shown, script)

@@ -4,10 +4,10 @@ slider over them, cuts through them, stresses below the contact."""
 import numpy as np
 
 import family_pictures
-import subsurface_pictures
 import views
 
-PLANES = ("AA", "BB")
+# what a page under 5 MB holds of nine cases: digits of the patches; planes, depths and digits of the stresses below
+PATCH_DIGITS, PLANES, DEPTHS, DIGITS = 5, ("AA", "BB"), 26, 4
 
 
 def curve_view(columns, keys, x, curves):
@@ -39,7 +39,7 @@ def case_views(members):
     """Patches, cuts and stresses of the cases that have all that is shown."""
     shown = []
     kinds = family_pictures.kinds_of(members, lambda case, kind: case.patches[kind])
-    ticks = {case: [views.patch_tick(case.patches[kind], case.label) if case.patches[kind] is not None else None
+    ticks = {case: [views.patch_tick(case.patches[kind], case.label, PATCH_DIGITS) if case.patches[kind] is not None else None
                     for kind in kinds] for case in members}
     there = [case for case in members if kinds and all(tick is not None for tick in ticks[case])]
     for case in there:
@@ -49,7 +49,7 @@ def case_views(members):
     shown += views.patch_views(sources, None, 0)
     kinds = family_pictures.kinds_of(members, lambda case, kind: case.slices[kind])
     there = [case for case in members if kinds and all(case.slices[kind] is not None for kind in kinds)]
-    stresses = [(case.label, views.slice_views({kind: case.slices[kind] for kind in kinds}, PLANES)) for case in there]
+    stresses = [(case.label, views.slice_views({kind: case.slices[kind] for kind in kinds}, PLANES, DIGITS, DEPTHS)) for case in there]
     stresses = [(label, view[0]["planes"]) for label, view in stresses if view]
     if stresses:
         same_scales(stresses)
