@@ -254,8 +254,8 @@ namespace
     check(error.find("Title") == std::string::npos && error.find("Ticks") == std::string::npos,
           "title and ticks may differ");
     other                  = saved;
-    other.rolling_distance = 7e-3;
-    check_refusal(other, "was made for 6 mm of rolling; give at most that", "no fine cells for a longer way");
+    other.rolling_distance = 80e-3;
+    check_refusal(other, "on the rail of the saved state the wheel can roll 5", "no rail for a longer way");
     other.rolling_distance = 3e-3;
     check_refusal(other, "has rolled", "a distance that is behind");
     damaged(saved);
@@ -272,5 +272,8 @@ main(int argc, char **argv)
   gone_back(base, one_go);
   stopped_by_limit(base, one_go);
   refusals(base, one_go);
+  Scene longer            = copy(base, "longer");
+  longer.rolling_distance = 7e-3;
+  check(run(longer, true) == 0, "a run that goes on with a longer way");
   return parallel.report();
 }
