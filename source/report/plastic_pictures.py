@@ -23,9 +23,11 @@ class Triangles:
         self.x, self.y, self.z = (1e3 * places[:, i] for i in range(3))
         self.residual, self.strain = 1e-6 * fields[RESIDUAL], 1e3 * fields[STRAIN]
         flowed = self.z[np.unique(corners[(self.strain[corners] > 0).any(axis=1)])]
+        self.along = None  # what pictures show of the rail's length
         if len(flowed) > 0:
             z = self.z[corners]
-            corners = corners[(z.max(axis=1) > flowed.min() - BEFORE) & (z.min(axis=1) < flowed.max() + BEFORE)]
+            self.along = max(z.min(), flowed.min() - BEFORE), min(z.max(), flowed.max() + BEFORE)
+            corners = corners[(z.max(axis=1) > self.along[0]) & (z.min(axis=1) < self.along[1])]
         self.corners = corners if len(flowed) > 0 else corners[:0]
 
 
@@ -76,13 +78,13 @@ PANELS = (("residual", "residual von Mises stress [MPa]", "viridis"),
 
 def draw_above(run, band):
     """The running band, rolling direction up, gauge corner on the left as in the maps of the patch."""
-    length, width = np.ptp(band.z[band.corners]), np.ptp(band.x[band.corners])
+    length, width = np.ptp(band.along), np.ptp(band.x[band.corners])
     figure, rows = plt.subplots(1, 2, figsize=(11, 1.6 + 3.6 * min(max(length / width, 0.4), 2.2)),
                                 gridspec_kw={"wspace": 0.5})
     for axes, (name, label, colors) in zip(rows, PANELS):
         panel(axes, band.x, band.z, band, getattr(band, name), label, colors)
         axes.set_xlim(band.x[band.corners].max(), band.x[band.corners].min())  # X to the left
-        axes.set_ylim(band.z[band.corners].min(), band.z[band.corners].max())
+        axes.set_ylim(*band.along)
         axes.set_xlabel("lateral X [mm]")
         axes.set_ylabel("along the rail [mm]")
         style.sides(axes)
@@ -92,13 +94,13 @@ def draw_above(run, band):
 
 def draw_section(run, section):
     """The plane along the rail below the band, rolling direction to the right."""
-    length = np.ptp(section.z[section.corners])
+    length, top = np.ptp(section.along), section.y[section.corners].max()
     figure, rows = plt.subplots(2, 1, figsize=(9.5, 1.2 + min(4 * DEPTH * 9.5 / length, 8)), sharex=True,
                                 gridspec_kw={"hspace": 0.3})
     for axes, (name, label, colors) in zip(rows, PANELS):
         panel(axes, section.z, section.y, section, getattr(section, name), label.replace(" stress", "\nstress"), colors, 2)
-        axes.set_xlim(section.z[section.corners].min(), section.z[section.corners].max())
-        axes.set_ylim(section.y[section.corners].min(), section.y[section.corners].max())
+        axes.set_xlim(*section.along)
+        axes.set_ylim(top - DEPTH, top)
         axes.set_ylabel("height Y [mm]\n(twice as large)")
     rows[1].set_xlabel("along the rail [mm]   (rolling direction to the right)")
     return style.save(run, figure, "residual_section")
@@ -129,8 +131,8 @@ def draw_all(run):
         return pictures
     if len(section.corners) == 0:
         return pictures
-    height = section.y[section.corners].mean(axis=1)
-    section.corners = section.corners[height > height.max() - DEPTH]
+    height = section.y[section.corners].max(axis=1)
+    section.corners = section.corners[height > height.max() - DEPTH]  # coarse cells reach farther down
     pictures.append((f"Plane AA below the band at X = {middle:.1f} mm, upper {DEPTH} mm of the rail",
                      draw_section(run, section)))
     return pictures
