@@ -314,6 +314,57 @@ namespace
           }
       }
   }
+
+  /// Finest cells of the rail's block between 0 and the block's length.
+  double
+  finest_of_first_block(const Model &model)
+  {
+    const SweepPlan &plan  = model.swept->plan();
+    double           count = 0;
+    for (std::size_t c = 0; c < model.solid.mesh.cells.size(); ++c)
+      {
+        const double z = 0.5 * (reference(model.solid.mesh, model.solid.mesh.cells[c][0])[2] +
+                                reference(model.solid.mesh, model.solid.mesh.cells[c][7])[2]);
+        if (model.solid.mesh.cell_body[c] == Body::rail && z > 0 && z < plan.block_length() &&
+            CellPlace::of_key(model.solid.mesh.cell_key[c]).level == plan.levels)
+          ++count;
+      }
+    return sum(count);
+  }
+
+  /// Where the rail has flowed its cells stay fine behind the wheel.
+  void
+  flowed_cells_stay()
+  {
+    Scene scene                      = moving_scene();
+    scene.rail_material.yield_stress = 480e6;
+    Model        model               = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
+    const double block               = model.swept->plan().block_length();
+    prepare_window(model, MPI_COMM_WORLD);
+    const double   fine = finest_of_first_block(model);
+    ElementBlocks &rail = model.solid.blocks.rail;
+    for (std::size_t e = 0; e < rail.n_elements; ++e)
+      {
+        const auto  &cell = model.solid.mesh.cells[model.solid.block_cells.rail[e]];
+        const double z =
+          0.5 * (reference(model.solid.mesh, cell[0])[2] + reference(model.solid.mesh, cell[7])[2]);
+        if (z > 0 && z < block)
+          {
+            rail.plastic_work[e]        = 1e-3;
+            rail.flowed[e / rail.width] = 1;
+          }
+      }
+    check(fine > 0, "fine cells at the start");
+    check(move_window(scene, model, {3.5 * block, 3.5 * block}, MPI_COMM_WORLD),
+          "the wheel comes to another block");
+    check(model.window.kept.rail == std::vector<int>{0}, "the block that has flowed is kept");
+    check(model.window.kept.wheel.empty(), "none of the wheel");
+    prepare_window(model, MPI_COMM_WORLD);
+    check_near(finest_of_first_block(model), fine, 0, "its fine cells");
+    model.window.kept.rail.clear();
+    prepare_window(model, MPI_COMM_WORLD);
+    check(finest_of_first_block(model) < 0.1 * fine, "which else would be gone");
+  }
 } // namespace
 
 int
@@ -327,5 +378,6 @@ main(int argc, char **argv)
   ends_of_path(model);
   long_rail();
   momentum_is_kept(model);
+  flowed_cells_stay();
   return parallel.report();
 }

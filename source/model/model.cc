@@ -109,12 +109,19 @@ namespace wheelrail
       prepare_contact(model, plan, {plan.fine, plan.fine}, communicator);
     }
 
-    /// Where a column of blocks lies along: those of the wheel are counted against its arc coordinate, from
-    /// the contact of the start on. The other way round it is the same.
+    /// Where a column of the wheel's blocks lies along: they are counted against its arc coordinate, from the
+    /// contact of the start on. The other way round it is the same.
     int
-    column_along(const Body body, const int column)
+    wheel_column(const int column)
     {
-      return body == Body::wheel ? -1 - column : column;
+      return -1 - column;
+    }
+
+    /// The same for the rail, whose blocks are counted from its begin.
+    int
+    rail_column(const SweepPlan &plan, const int column)
+    {
+      return static_cast<int>(std::lround(plan.rail_stations[column] / plan.block_length()));
     }
 
     PerBody<FineZone>
@@ -134,7 +141,7 @@ namespace wheelrail
 
     /// Columns of blocks in which a body has flowed, over all ranks, ascending.
     std::vector<int>
-    flowed_columns(const Solid &solid, const Body body, MPI_Comm communicator)
+    flowed_columns(const SweepPlan &plan, const Solid &solid, const Body body, MPI_Comm communicator)
     {
       const ElementBlocks &blocks = solid.blocks[body];
       std::set<int>        columns;
@@ -142,7 +149,8 @@ namespace wheelrail
         if (blocks.plastic() && blocks.flowed[e / blocks.width] && blocks.plastic_work[e] > 0)
           {
             const CellPlace place = CellPlace::of_key(solid.mesh.cell_key[solid.block_cells[body][e]]);
-            columns.insert(column_along(body, place.ancestor(0).k));
+            const int       k     = place.ancestor(0).k;
+            columns.insert(body == Body::wheel ? wheel_column(k) : rail_column(plan, k));
           }
       const auto all = gather_all(std::vector<int>(columns.begin(), columns.end()), communicator);
       columns.insert(all.begin(), all.end());
@@ -237,8 +245,7 @@ namespace wheelrail
     const SweepPlan  &plan   = model.swept->plan();
     const FineWindow &window = model.window;
     // the list of the wheel's cells begins opposite to the contact
-    const PerBody<int> first{
-      0, column_along(Body::wheel, window.column.wheel) + static_cast<int>(plan.sectors) / 2};
+    const PerBody<int> first{0, wheel_column(window.column.wheel) + static_cast<int>(plan.sectors) / 2};
     prepare(model.solid, model.swept->make(zones_of(plan, window), first, communicator), communicator);
     prepare_contact(model, plan, ranges_of(plan, window), communicator);
   }
@@ -264,7 +271,7 @@ namespace wheelrail
       return false;
     for (const Body body : both_bodies)
       if (scene.behind_wheel == BehindWheel::automatic)
-        model.window.kept[body] = flowed_columns(model.solid, body, communicator);
+        model.window.kept[body] = flowed_columns(plan, model.solid, body, communicator);
       else if (scene.behind_wheel == BehindWheel::keep)
         model.window.kept[body] = covered(plan, before, body);
     return true;
