@@ -27,7 +27,7 @@ namespace wheelrail
     // wheel disc, and all finer levels wait for it.
     constexpr unsigned int most_steps = 10;
     constexpr double       tolerance  = 0.2;
-    constexpr double       failure    = 0.5; ///< what is left of the residual where ILU is of no use
+    constexpr unsigned int patience   = 3; // of solutions that leave more than they began with
 
     using NodePair = std::pair<std::uint32_t, std::uint32_t>;
     using Block    = std::array<double, 9>;
@@ -239,7 +239,7 @@ namespace wheelrail
     list.set("aggregation: threshold", 0.);
     // On flat cells whose Poisson's ratio is high the incomplete factors need not be definite: 144 thousand
     // unknowns were not solved in 150 steps. Elsewhere they take half of Chebyshev's time.
-    if (factorised_)
+    if (failures_ < patience)
       {
         list.set("smoother: type", "IFPACK");
         list.set("smoother: ifpack type", "ILU");
@@ -272,9 +272,8 @@ namespace wheelrail
     dealii::SolverCG<Vector>       cg(control);
     m.out = 0;
     cg.solve(m.matrix, m.out, m.in, *m.preconditioner);
-    if (factorised_ && !(control.last_value() <= failure * norm))
+    if (!(control.last_value() <= norm) && ++failures_ == patience)
       {
-        factorised_ = false;
         m.preconditioner.reset();
         make_preconditioner();
         conjugate_gradients();

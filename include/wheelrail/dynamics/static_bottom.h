@@ -58,6 +58,6 @@ namespace wheelrail
     std::vector<unsigned char> held_;
     MPI_Comm                   communicator_;
     std::unique_ptr<Matrix>    matrix_;
-    bool                       factorised_ = true; ///< smoothed by incomplete factors, else by Chebyshev
+    unsigned int               failures_ = 0; ///< of incomplete factors as smoother, until Chebyshev's turn
   };
 } // namespace wheelrail
