@@ -97,10 +97,11 @@ with h5py.File("run/slices.h5") as slices:
     cell = lateral[1] - lateral[0]
     middle, half = (flowed[0] + flowed[-1]) / 2, (flowed[-1] - flowed[0] + cell) / 2
     for end in (0, -1):
-        rest, far = np.nanmax(aside[end]), abs(lateral[end] - middle)
-        check(rest < (half / far)**2 * np.nanmax(aside),
+        # from half a cell below the surface on: at the edge of the strip that is carried there from 4 mm cells
+        rest, far = np.nanmax(aside[end, 1:]), abs(lateral[end] - middle)
+        check(rest < (half / far)**2 * np.nanmax(aside[:, 1:]),
               f"{1e3 * far:.0f} mm from the middle of a band {2e3 * half:.0f} mm wide: {1e-6 * rest:.0f} MPa of "
-              f"{1e-6 * np.nanmax(aside):.0f}")
+              f"{1e-6 * np.nanmax(aside[:, 1:]):.0f}")
 
     # the loads taken off: what the wheel does to the rail behind it is gone, what flow has left stays
     with h5py.File("run/residual.h5") as residual:

@@ -155,56 +155,72 @@ namespace wheelrail
       return place;
     }
 
-    /// The row of points along the rolled rail from the start to `unloaded` behind the axle.
-    Line
-    line_behind(const Contact &contact, const double travelled, const double s, const double unloaded)
+    /// A row of points on the undeformed surface of the rail that was rolled over: position as in a slice,
+    /// place [m].
+    struct RailRow
     {
-      const Lattice &lattice = contact.lattice();
-      const Line     whole   = line_along(contact, travelled, s);
-      Line           line;
-      line.weight = whole.weight, line.offset = s;
-      const int j = static_cast<int>(whole.nodes.front()[0] % lattice.n_lateral);
-      for (unsigned int i = 0; i < lattice.n_along; ++i)
-        {
-          const double station = (lattice.first_station + static_cast<int>(i)) * lattice.spacing_along;
-          if (station >= 0 && station < travelled - unloaded)
-            {
-              line.position.push_back(station - travelled);
-              line.nodes.push_back({lattice.index(i, j), lattice.index(i, j + 1)});
-            }
-        }
-      return line;
+      Line                 line;
+      std::vector<Vector3> top;
+    };
+
+    /// Surface of the mesh between rows j and j + 1 of the lattice, at Z: the same all along the rail.
+    Vector3
+    rail_top(const Contact &contact, const int j, const double weight, const double z)
+    {
+      const auto    &X    = contact.rail().reference;
+      const Lattice &rows = contact.lattice();
+      Vector3        top  = X[rows.index(0, j)];
+      if (weight > 0)
+        top = (1 - weight) * top + weight * X[rows.index(0, j + 1)];
+      top[2] = z;
+      return top;
     }
 
-    /// The row of points across the rail at the last station of a row along it.
-    Line
-    line_across_end(const Contact &contact, const Line &behind)
+    /// Along the rolled rail from the start to `unloaded` behind the axle, by the spacing of the lattice,
+    /// which itself may have gone on with the wheel.
+    RailRow
+    row_behind(const Contact &contact, const double travelled, const double s, const double unloaded)
     {
       const Lattice &lattice = contact.lattice();
-      const auto     i       = static_cast<unsigned int>(behind.nodes.back()[0] / lattice.n_lateral);
-      Line           line;
-      line.offset = behind.position.back();
+      const Line     here    = line_along(contact, travelled, s);
+      const int      j       = static_cast<int>(here.nodes.front()[0] % lattice.n_lateral);
+      RailRow        row;
+      row.line.offset = s;
+      for (int i = 0; i * lattice.spacing_along < travelled - unloaded; ++i)
+        {
+          row.line.position.push_back(i * lattice.spacing_along - travelled);
+          row.top.push_back(rail_top(contact, j, here.weight, i * lattice.spacing_along));
+        }
+      return row;
+    }
+
+    /// Across the rail at the last point of a row along it.
+    RailRow
+    row_across_end(const Contact &contact, const RailRow &along)
+    {
+      const Lattice &lattice = contact.lattice();
+      RailRow        row;
+      row.line.offset = along.line.position.back();
       for (unsigned int j = 0; j < lattice.n_lateral; ++j)
         {
-          line.position.push_back(lattice.s_begin + j * lattice.spacing_lateral);
-          line.nodes.push_back({lattice.index(i, j), lattice.index(i, j)});
+          row.line.position.push_back(lattice.s_begin + j * lattice.spacing_lateral);
+          row.top.push_back(rail_top(contact, static_cast<int>(j), 0, along.top.back()[2]));
         }
-      return line;
+      return row;
     }
 
     /// The points of a slice of the unloaded rail: from its undeformed surface down. The first ones lie a
     /// twentieth of a spacing deep, since the fine zone is lower than that surface.
     std::vector<Vector3>
-    points_behind(const Contact &contact, const Line &line)
+    points_behind(const Contact &contact, const RailRow &row)
     {
       const Point2         n      = contact.surfaces().frame.normal();
       const Vector3        normal = {n.x, n.y, 0};
       const double         least  = 0.05 * contact.lattice().spacing_along;
-      const auto          &X      = contact.rail().reference;
       std::vector<Vector3> points;
-      for (const auto &[a, b] : line.nodes)
+      for (const Vector3 &top : row.top)
         for (const double depth : depths(contact))
-          points.push_back((1 - line.weight) * X[a] + line.weight * X[b] - std::max(depth, least) * normal);
+          points.push_back(top - std::max(depth, least) * normal);
       return points;
     }
   } // namespace
@@ -244,15 +260,16 @@ namespace wheelrail
   {
     const Contact     &contact = *model.contact;
     const double       s       = place_of_peak(contact, travelled)[0];
-    const Line         along   = line_behind(contact, travelled, s, behind);
+    const RailRow      along   = row_behind(contact, travelled, s, behind);
     std::vector<Slice> slices;
-    if (along.position.size() < 2)
+    if (along.top.size() < 2)
       return slices;
-    const Line        across = line_across_end(contact, along);
+    const RailRow     across = row_across_end(contact, along);
     const ProbeSource source = probe_source(model.solid, nodal);
-    for (const auto &[name, line] : {std::make_pair("AA_behind_rail", &along), {"BB_behind_rail", &across}})
+    for (const auto &[name, row] : {std::make_pair("AA_behind_rail", &along), {"BB_behind_rail", &across}})
       {
-        slices.push_back(cut(model, *line, Body::rail, points_behind(contact, *line), source, communicator));
+        slices.push_back(
+          cut(model, row->line, Body::rail, points_behind(contact, *row), source, communicator));
         slices.back().name     = name;
         slices.back().unloaded = true;
       }
