@@ -1,6 +1,7 @@
 // The full hexahedron: patch test, finite rotation, exact gradient of its energy, SIMD widths, linearisation,
 // rigid modes, plastic flow.
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <wheelrail/solid/exchange.h>
