@@ -139,6 +139,24 @@ namespace wheelrail
         }
     }
 
+    /// Rows of a symmetric 3 x 3 matrix.
+    using Rows = std::array<Vector3, 3>;
+
+    double
+    determinant(const Rows &row)
+    {
+      return dot(row[0], cross(row[1], row[2]));
+    }
+
+    Rows
+    inverse(const Rows &row)
+    {
+      const double det = determinant(row);
+      return {(1 / det) * cross(row[1], row[2]),
+              (1 / det) * cross(row[2], row[0]),
+              (1 / det) * cross(row[0], row[1])};
+    }
+
     /// The gradient of one element by least squares over its patch, and where a gradient that changes evenly
     /// has this value, from the element's centre.
     struct ElementGradient
@@ -153,19 +171,14 @@ namespace wheelrail
     {
       // spread of the centres about their mean, of the size V^(5/3), with a trifle that keeps a single layer
       // regular: half way between round-off and what would change a slope in the sixth digit
-      double C[3][3];
+      Rows C;
       for (int k = 0; k < 6; ++k)
         C[first_of[k]][second_of[k]] = C[second_of[k]][first_of[k]] =
           m.dd[k] - m.d[first_of[k]] * m.d[second_of[k]] / m.volume;
       const double trifle = 1e-10 * std::pow(m.volume, 5. / 3);
       for (int i = 0; i < 3; ++i)
         C[i][i] += trifle;
-      const Vector3 row[3] = {
-        {C[0][0], C[0][1], C[0][2]}, {C[1][0], C[1][1], C[1][2]}, {C[2][0], C[2][1], C[2][2]}};
-      const double    det        = dot(row[0], cross(row[1], row[2]));
-      const Vector3   inverse[3] = {(1 / det) * cross(row[1], row[2]),
-                                    (1 / det) * cross(row[2], row[0]),
-                                    (1 / det) * cross(row[0], row[1])};
+      const Rows      of_spread = inverse(C);
       ElementGradient gradient{{}, (1 / m.volume) * m.d};
       for (int k = 0; k < 6; ++k)
         {
@@ -173,7 +186,7 @@ namespace wheelrail
           for (int i = 0; i < 3; ++i)
             rhs[i] = m.sd[i][k] - m.s[k] * m.d[i] / m.volume;
           for (int i = 0; i < 3; ++i)
-            gradient.G[i][k] = dot(inverse[i], rhs);
+            gradient.G[i][k] = dot(of_spread[i], rhs);
         }
       return gradient;
     }
@@ -252,23 +265,20 @@ namespace wheelrail
             add(middle, 0.125, place[v]);
           }
         const double trifle = 1e-6 * std::pow(element.volume, 2. / 3);
-        Vector3      row[3] = {{trifle, 0, 0}, {0, trifle, 0}, {0, 0, trifle}};
+        Rows         spread = {{{trifle, 0, 0}, {0, trifle, 0}, {0, 0, trifle}}};
         for (int v = 0; v < 8; ++v)
           for (int i = 0; i < 3; ++i)
-            add(row[i], (place[v] - middle)[i], place[v] - middle);
-        const double det = dot(row[0], cross(row[1], row[2]));
-        if (det < least_spread * element.volume * element.volume)
+            add(spread[i], (place[v] - middle)[i], place[v] - middle);
+        if (determinant(spread) < least_spread * element.volume * element.volume)
           return;
-        const Vector3 inverse[3] = {(1 / det) * cross(row[1], row[2]),
-                                    (1 / det) * cross(row[2], row[0]),
-                                    (1 / det) * cross(row[0], row[1])};
+        const Rows of_spread = inverse(spread);
         for (int v = 0; v < 8; ++v)
           {
             const unsigned int n    = (*element.nodes)[v];
             const Vector3      away = place[v] - middle;
             for (int l = 0; l < 3; ++l)
               {
-                const double share = dot(inverse[l], away) / moments[n].volume;
+                const double share = dot(of_spread[l], away) / moments[n].volume;
                 for (int i = 0; i < 3; ++i)
                   for (int k = 0; k < 6; ++k)
                     H_[l][i][k] += share * gradients[n].G[i][k];
