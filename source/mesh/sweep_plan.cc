@@ -138,19 +138,19 @@ namespace wheelrail
       contact, profiles.wheel_heights, profiles.rail_heights, sizes.approach, sizes.fine_margin, block);
     plan.surfaces = surfaces_of_strip(profiles, plan.strip, wheel.nominal_radius, sizes.cell);
 
-    plan.sectors                 = std::lround(2 * M_PI * contact.rolling_radius / block);
-    const double     spacing     = plan.block_length();
-    const double     length      = half_length_bound(sizes.approach, contact.rolling_radius);
-    constexpr double least_ahead = 7.5e-3, least_behind = 12.5e-3, free_rail = 0.1;
-    plan.reach         = length + sizes.fine_margin;
-    plan.around_block  = {-length - std::max(least_behind, sizes.fine_margin),
-                          spacing + length + std::max(least_ahead, sizes.fine_margin)};
-    plan.fine          = {-plan.reach, sizes.distance + plan.reach};
-    plan.fine_depth    = sizes.fine_depth;
-    const Range rail   = {0.5 * (sizes.distance - sizes.rail_length),
-                          0.5 * (sizes.distance + sizes.rail_length)};
-    const auto  even   = even_blocks(rail, plan.fine, spacing);
-    plan.rail_stations = rail_stations(rail, even, spacing);
+    plan.sectors               = std::lround(2 * M_PI * contact.rolling_radius / block);
+    const double     spacing   = plan.block_length();
+    const double     length    = half_length_bound(sizes.approach, contact.rolling_radius);
+    constexpr double free_rail = 0.1;
+    plan.reach                 = length + sizes.fine_margin;
+    plan.around_block          = {-length - std::max(least_behind, sizes.fine_margin),
+                                  spacing + length + std::max(least_ahead, sizes.fine_margin)};
+    plan.fine                  = {-plan.reach, sizes.distance + plan.reach};
+    plan.fine_depth            = sizes.fine_depth;
+    const Range rail           = {0.5 * (sizes.distance - sizes.rail_length),
+                                  0.5 * (sizes.distance + sizes.rail_length)};
+    const auto  even           = even_blocks(rail, plan.fine, spacing);
+    plan.rail_stations         = rail_stations(rail, even, spacing);
     plan.longest_path =
       std::max(sizes.distance,
                std::min((even.last - 1) * spacing - plan.reach, rail.s1 - std::max(free_rail, 3 * spacing)));

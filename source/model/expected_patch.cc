@@ -1,5 +1,6 @@
 #include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/mesh/sweep_plan.h>
 #include <wheelrail/model/expected_patch.h>
 
 #include <algorithm>
@@ -89,8 +90,8 @@ namespace wheelrail
     // profiles are parabolas, about 1.3 across on the flattening tread
     const double width = std::ceil((1.3 * patch.width + 2 * scene.fine_margin) / coarse) * coarse;
     const double bound = 1.35 * patch.length, whole = scene.mesh_distance() + bound + 2 * scene.fine_margin,
-                 part = coarse + bound + std::max(scene.fine_margin, 7.5e-3) +
-                        std::max(scene.fine_margin, 12.5e-3),
+                 part = coarse + bound + std::max(scene.fine_margin, least_ahead) +
+                        std::max(scene.fine_margin, least_behind),
                  length = scene.window == MeshWindow::moving ? std::min(part, whole) : whole;
     const double layers = std::ceil(scene.depth_of_fine_cells() / h);
     const double fine   = coarse > h ? 2 * (length / h) * (width / h) * layers : 0;
