@@ -74,14 +74,9 @@ namespace wheelrail
   StaticBalance
   StaticSearch::balance()
   {
-    AlignedVector<double> force(solid_.force.size(), 0.);
-    ElementEnergy         ignored;
     for (const Body body : both_bodies)
       forget_flow(solid_.blocks[body]);
-    subtract_internal_force(
-      solid_.blocks, solid_.displacement.data(), force.data(), BulkViscosity(), false, ignored);
-    condense(solid_.mesh, force.data());
-    sum_(force.data());
+    AlignedVector<double> force = element_forces_at_rest(solid_, sum_);
     add_wheel_loads(solid_, loads_.axle, rate_, force);
     contact_.gather(solid_.displacement.data(), solid_.velocity.data());
     StaticBalance balance;

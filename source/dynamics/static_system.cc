@@ -220,4 +220,17 @@ namespace wheelrail
     product(response_, image);
     approach_stiffness_ = dot(response_, image);
   }
+
+
+  AlignedVector<double>
+  element_forces_at_rest(Solid &solid, SharedSum &sum)
+  {
+    AlignedVector<double> force(solid.force.size(), 0.);
+    ElementEnergy         ignored;
+    subtract_internal_force(
+      solid.blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
+    condense(solid.mesh, force.data());
+    sum(force.data());
+    return force;
+  }
 } // namespace wheelrail

@@ -57,14 +57,8 @@ namespace wheelrail
     StaticVector
     out_of_balance(Solid &solid, const KeptFlow &flow, const StaticSystem &system, SharedSum &sum)
     {
-      AlignedVector<double> force(solid.force.size(), 0.);
-      ElementEnergy         ignored;
       flow.restore(solid.blocks);
-      subtract_internal_force(
-        solid.blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
-      condense(solid.mesh, force.data());
-      sum(force.data());
-      return system.right_hand_side(force);
+      return system.right_hand_side(element_forces_at_rest(solid, sum));
     }
   } // namespace
 

@@ -104,4 +104,9 @@ namespace wheelrail
     Unknowns                         response_;      ///< about, to a lift of the bore by 1 m
     double                           approach_stiffness_ = 0; ///< energy of the response, twice [N/m]
   };
+
+  /// Forces of the elements of bodies at rest in their present position [N], those of hanging nodes handed to
+  /// their parents, summed over ranks. Elements that may flow take the step to this position. Collective.
+  AlignedVector<double>
+  element_forces_at_rest(Solid &solid, SharedSum &sum);
 } // namespace wheelrail
