@@ -1,9 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/trust.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_texts.h>
-#include <wheelrail/sampling/fields.h>
+#include <wheelrail/sampling/body_figures.h>
 
 #include <sys/resource.h>
 
@@ -107,27 +108,27 @@ namespace wheelrail
       if (scene.traction_coefficient != 0 && summary.stick_fraction < 1e-3)
         summary.note = sliding_note(scene.traction_coefficient);
     }
+
+    /// Holds the peak pressure against that of half-spaces, and adds both figures.
+    PeakMiss
+    compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
+    {
+      try
+        {
+          const HalfspacePressure halfspace =
+            halfspace_pressure(scene, geometry, summary.normal_force, offsets_of_run(summary));
+          const Trust trust = trust_of(scene, summary, halfspace);
+          set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
+          set_figure(summary, "relative_difference_max_pressure", trust.peak_difference);
+          return peak_miss(scene, trust);
+        }
+      catch (const InputError &error)
+        {
+          return {std::string("the peak pressure could not be held against half-spaces: ") + error.what(),
+                  true};
+        }
+    }
   } // namespace
-
-
-  PeakMiss
-  compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
-  {
-    try
-      {
-        const HalfspacePressure halfspace =
-          halfspace_pressure(scene, geometry, summary.normal_force, offsets_of_run(summary));
-        const Trust trust = trust_of(scene, summary, halfspace);
-        set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
-        set_figure(summary, "relative_difference_max_pressure", trust.peak_difference);
-        return peak_miss(scene, trust);
-      }
-    catch (const InputError &error)
-      {
-        return {std::string("the peak pressure could not be held against half-spaces: ") + error.what(),
-                true};
-      }
-  }
 
 
   std::vector<std::string>
@@ -147,7 +148,7 @@ namespace wheelrail
 
 
   Summary
-  summary_of(const RunParts &run, const RunTally &tally)
+  summary_of(const RunParts &run, const RunTally &tally, const NodalStress &stress)
   {
     const Model &model = run.model;
     Summary      summary;
@@ -157,7 +158,7 @@ namespace wheelrail
     add_drive(summary, run.scene);
     summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
     const PlasticFigures plastic = plastic_figures(model.solid, model.contact->surfaces(), run.communicator);
-    set_figure(summary, "max_von_mises_nodal_Pa", largest_nodal_von_mises(model.solid, run.communicator));
+    set_figure(summary, "max_von_mises_nodal_Pa", largest_von_mises(stress, run.communicator));
     summary.max_plastic_strain = plastic.max_strain;
     for (const Body body : both_bodies)
       if (model.solid.blocks[body].plastic())

@@ -46,9 +46,8 @@ namespace wheelrail
 
 
   void
-  RunOutput::volume(const std::string &name, const NodalStress *residual)
+  RunOutput::volume(const std::string &name, const NodalStress &stress, const NodalStress *residual)
   {
-    const auto stress = nodal_stress(parts_.model.solid, parts_.communicator);
     write_mesh(name, Selection::all, stress, volume_series_.get(), residual);
   }
 

@@ -6,6 +6,7 @@
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
+#include <wheelrail/run/moving_mesh.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_output.h>
 #include <wheelrail/run/run_start.h>
@@ -111,10 +112,8 @@ namespace wheelrail
       roll();
       void
       end(const Stop &stop);
-      void
-      use_window();
-      void
-      follow_wheel();
+      MovingParts
+      moving();
       void
       record();
       void
@@ -123,8 +122,6 @@ namespace wheelrail
       tick();
       bool
       must_stop() const;
-      std::optional<Residual>
-      taken_off();
       void
       finish(const std::string &stop_reason);
       void
@@ -196,9 +193,9 @@ namespace wheelrail
     {
       const RunStart start = start_on_wide_mesh(scene_, geometry_, model_, log_, communicator_);
       make_rolling(start.lift, start.rate);
-      use_window();
+      use_window(moving());
       if (scene_.volume_fields)
-        output_->volume("volume_start");
+        output_->volume("volume_start", nodal_stress(model_.solid, communicator_));
       keep_state();
       states_.save();
     }
@@ -218,8 +215,7 @@ namespace wheelrail
         }
       make_rolling(0, 0);
       restore_checkpoint(whole, model_, *axle_, *rolling_, *recorder_, communicator_);
-      if (model_.swept && lengthen_path(model_, scene_.rolling_distance))
-        rolling_->change_mesh([&]() { prepare_window(model_, communicator_); }, axle_->travelled());
+      lengthen_way(moving());
       first_step_     = rolling_->steps();
       first_distance_ = axle_->travelled();
       wall_before_    = whole.wall_time;
@@ -244,6 +240,13 @@ namespace wheelrail
     }
 
 
+    MovingParts
+    Simulation::moving()
+    {
+      return {scene_, model_, *rolling_, *axle_, communicator_};
+    }
+
+
     bool
     Simulation::must_stop() const
     {
@@ -263,7 +266,7 @@ namespace wheelrail
       loop_start_ = seconds();
       for (unsigned long n = first_step_ + 1; n <= n_steps && stop.reason.empty(); ++n)
         {
-          follow_wheel();
+          mesh_changes_ += follow_wheel(moving());
           const bool record_now = n % every == 0 || n == 1 || n == n_steps;
           rolling_->step(record_now);
           if (record_now)
@@ -287,31 +290,6 @@ namespace wheelrail
             }
         }
       return stop;
-    }
-
-
-    /// From the mesh of the start to the same cells of a moving window.
-    void
-    Simulation::use_window()
-    {
-      if (!model_.swept)
-        return;
-      model_.forest.reset();
-      rolling_->change_mesh([&]() { prepare_window(model_, communicator_); }, axle_->travelled());
-    }
-
-
-    /// Moves the window on when the wheel comes to another block.
-    void
-    Simulation::follow_wheel()
-    {
-      if (!model_.swept)
-        return;
-      const PerBody<double> place{axle_->travelled(), model_.geometry.rolling_radius * axle_->pitch_angle()};
-      if (!move_window(scene_, model_, place, communicator_))
-        return;
-      rolling_->change_mesh([&]() { prepare_window(model_, communicator_); }, axle_->travelled());
-      ++mesh_changes_;
     }
 
 
@@ -366,45 +344,17 @@ namespace wheelrail
     }
 
 
-    /// What the run leaves in bodies that may yield, once the loads are taken off; nothing of elastic ones,
-    /// or when that fails.
-    std::optional<Residual>
-    Simulation::taken_off()
-    {
-      if (!model_.solid.blocks.rail.plastic() && !model_.solid.blocks.wheel.plastic())
-        return {};
-      const double begin = seconds();
-      try
-        {
-          if (model_.swept)
-            rolling_->change_mesh([&]() { prepare_window_forest(model_, communicator_); },
-                                  axle_->travelled());
-          Residual residual = find_residual(model_, *axle_, communicator_);
-          log_.value("unloading",
-                     text("%u Newton steps, %u CG steps, %s",
-                          residual.way.steps,
-                          residual.way.cg_steps,
-                          format_duration(seconds() - begin).c_str()));
-          return residual;
-        }
-      catch (const RunError &error)
-        {
-          log_.warning(error.what());
-          return {};
-        }
-    }
-
-
     void
     Simulation::finish(const std::string &stop_reason)
     {
       const RunTally tally{wall_before_ + seconds() - start_, seconds() - loop_start_, first_step_};
-      const std::optional<Residual> residual = stop_reason.empty() ? taken_off() : std::nullopt;
+      const auto     residual = stop_reason.empty() ? take_loads_off(moving(), log_) : std::nullopt;
+      const auto     stress   = nodal_stress(model_.solid, communicator_);
       if (scene_.volume_fields)
-        output_->volume("volume_end", residual ? &residual->stress : nullptr);
+        output_->volume("volume_end", stress, residual ? &residual->stress : nullptr);
       if (residual)
         output_->residual(*residual);
-      Summary summary = summary_of(*parts_, tally);
+      Summary summary = summary_of(*parts_, tally, stress);
       if (residual)
         summary.max_residual_von_mises = residual->largest;
       summary.program_version = options_.program_version;

@@ -1,8 +1,9 @@
 #pragma once
 
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/summary.h>
-#include <wheelrail/reference/trust.h>
 #include <wheelrail/sampling/run_parts.h>
+#include <wheelrail/solid/stress_recovery.h>
 #include <wheelrail/state/stop.h>
 
 #include <string>
@@ -30,17 +31,14 @@ namespace wheelrail
   std::string
   doubts_about(const Summary &summary, double from);
 
-  /// Holds the peak pressure of a finished run against that of half-spaces under its normal force and in its
-  /// pose, which takes some hundredths of a second, and adds both figures to the summary.
-  PeakMiss
-  compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary);
-
-  /// Adds to the summary of a finished run the doubts of doubts_about() and compare_peak(). Returns what is
-  /// to be said on the screen.
+  /// Adds to the summary of a finished run the doubts of doubts_about(), and those that its peak pressure
+  /// raises: it is held against that of half-spaces under its normal force and in its pose, which takes some
+  /// hundredths of a second, and both figures are added too. Returns what is to be said on the screen.
   std::vector<std::string>
   judge(const Scene &scene, const SceneGeometry &geometry, double from, Summary &summary);
 
-  /// The figures of a run at its end or where it stopped, without `finished` and the reason. Collective.
+  /// The figures of a run at its end or where it stopped, without `finished` and the reason; `stress`: of the
+  /// moment, see nodal_stress(). Collective.
   Summary
-  summary_of(const RunParts &run, const RunTally &tally);
+  summary_of(const RunParts &run, const RunTally &tally, const NodalStress &stress);
 } // namespace wheelrail

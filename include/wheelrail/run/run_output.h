@@ -24,10 +24,10 @@ namespace wheelrail
     void
     tick(unsigned int tick);
 
-    /// Writes the whole mesh into `name`.vtu and adds it to volume.pvd, with residual stresses where they are
-    /// given. Collective; throws RunError on all ranks.
+    /// Writes the whole mesh into `name`.vtu and adds it to volume.pvd, with the stresses of the moment
+    /// (nodal_stress()), and residual ones where they are given. Collective; throws RunError on all ranks.
     void
-    volume(const std::string &name, const NodalStress *residual = nullptr);
+    volume(const std::string &name, const NodalStress &stress, const NodalStress *residual = nullptr);
 
     /// Writes what a passage has left: slices into residual.h5, the running surfaces into
     /// residual_surface.vtu. Collective; throws RunError on all ranks.

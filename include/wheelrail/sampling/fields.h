@@ -22,7 +22,7 @@ namespace wheelrail
 
   /// Positions, displacement against the rigid motion of the body, and for cells the von Mises stress,
   /// the stress components, for surfaces the contact tractions. Where a body may yield, both show the
-  /// accumulated plastic strain and the residual stress too: von Mises' equivalent of the stress in the
+  /// accumulated plastic strain, and von Mises' equivalent of the stress in the
   /// rail that the wheel left at least `unloaded` [m] behind, NaN elsewhere. `nodal`: see nodal_stress(),
   /// made once for all files of a moment since it costs as much as a file. `residual`: the stresses of the
   /// unloaded bodies, shown besides where they are known (Residual). Collective.
@@ -39,29 +39,4 @@ namespace wheelrail
   /// How far behind the wheel its own stress has faded, some patch lengths [m].
   double
   unloaded_distance(const Model &model);
-
-  /// What plastic flow left behind, over all ranks; NaN where there is nothing to tell.
-  struct PlasticFigures
-  {
-    double          max_strain; ///< largest accumulated plastic strain of both bodies; NaN: both elastic [1]
-    PerBody<double> work;       ///< plastic work [J]
-    double          band_width; ///< lateral extent of the rail's nodes above band_strain, along s [m]
-    double band_depth;  ///< of the deepest of them below the undeformed surface, along the contact normal [m]
-    double band_centre; ///< middle of that extent, s [m]
-  };
-
-  /// The accumulated plastic strain from which steel counts as belonging to the band that flowed [1].
-  constexpr double band_strain = 1e-4;
-
-  /// Collective.
-  PlasticFigures
-  plastic_figures(const Solid &solid, const RunningSurfaces &surfaces, MPI_Comm communicator);
-
-  /// Largest von Mises stress over the elements of all ranks [Pa]. Collective.
-  double
-  largest_von_mises(const Solid &solid, MPI_Comm communicator);
-
-  /// Largest von Mises stress over the nodes of all ranks, recovered as in the VTU files [Pa]. Collective.
-  double
-  largest_nodal_von_mises(const Solid &solid, MPI_Comm communicator);
 } // namespace wheelrail
