@@ -4,16 +4,15 @@
 // All start from one static start: a second one in the same process agrees within its tolerance only.
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/input/listing.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
-#include <wheelrail/run/simulation.h>
 #include <wheelrail/state/checkpoint_files.h>
 
 #include "parallel.h"
 #include "small_scene.h"
+#include "stopped_runs.h"
 
 #include <cstring>
 #include <filesystem>
@@ -36,20 +35,6 @@ namespace
     scene.checkpoint_interval = 0.05;
     scene.folder              = "checkpoint_" + std::to_string(size) + "_" + name;
     return scene;
-  }
-
-  int
-  run(const Scene &scene, const bool resume, const unsigned long stop_after_steps = 0)
-  {
-    RunOptions options;
-    options.overwrite        = !resume;
-    options.resume           = resume;
-    options.stop_after_steps = stop_after_steps;
-    options.prm_text         = "# a test\n";
-    options.parameters_text  = print_parameters(scene);
-    const int code           = run_simulation(scene, make_geometry(scene), options);
-    MPI_Barrier(MPI_COMM_WORLD); // rank 0 has written
-    return code;
   }
 
   /// The text of the error of a run that is refused or stops.

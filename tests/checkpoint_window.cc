@@ -3,13 +3,12 @@
 // Runs with a moving window that are interrupted before and after a change of the mesh and go on: the same
 // bits.
 
-#include <wheelrail/input/listing.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
-#include <wheelrail/run/simulation.h>
 
 #include "parallel.h"
 #include "small_scene.h"
+#include "stopped_runs.h"
 
 #include <filesystem>
 #include <string>
@@ -32,20 +31,6 @@ namespace
     scene.checkpoint_interval = 1e4;
     scene.folder              = "checkpoint_window_" + std::to_string(size) + "_" + name;
     return scene;
-  }
-
-  int
-  run(const Scene &scene, const bool resume, const unsigned long stop_after_steps = 0)
-  {
-    RunOptions options;
-    options.overwrite        = !resume;
-    options.resume           = resume;
-    options.stop_after_steps = stop_after_steps;
-    options.prm_text         = "# a test\n";
-    options.parameters_text  = print_parameters(scene);
-    const int code           = run_simulation(scene, make_geometry(scene), options);
-    MPI_Barrier(MPI_COMM_WORLD); // rank 0 has written
-    return code;
   }
 } // namespace
 

@@ -15,6 +15,30 @@ subsection Mesh
 end
 """
 
+
+def small_study(axes, *, compute="both", distance="4 mm", ticks=2, more=""):
+    """The text of a family of small runs, with half-spaces on coarse elements. `more`: lines of subsection Output."""
+    return f"""set Title = small
+{SMALL_SCENE}
+subsection Run
+  set Rolling distance = {distance}
+  set Averaging distance = 2 mm
+end
+subsection Half-space
+  set Element size = 1 mm
+end
+subsection Output
+  set Ticks = {ticks}
+  set Volume fields = false
+{more}
+end
+subsection Study
+  set Axes = {axes}
+  set Compute = {compute}
+end
+"""
+
+
 _failures = 0
 
 

@@ -12,33 +12,13 @@ import subprocess
 import sys
 
 from browser import find_browser
-from checks import SMALL_SCENE, check, finish
+from checks import check, finish, small_study
 from page_checks import check_page, close, plot, set_control
 
 PROGRAM = sys.argv[1]
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "source", "report"))
 sys.dont_write_bytecode = True
 import wheelrail  # noqa: E402
-
-STUDY = f"""set Title = small
-{SMALL_SCENE}
-subsection Run
-  set Rolling distance = 4 mm
-  set Averaging distance = 2 mm
-end
-subsection Half-space
-  set Element size = 1 mm
-end
-subsection Output
-  set Folder = study
-  set Ticks = 2
-  set Volume fields = false
-end
-subsection Study
-  set Axes = Contact/Friction coefficient: 0.3, 0.5
-  set Compute = both
-end
-"""
 
 
 def check_figures(page, row_of):
@@ -70,7 +50,7 @@ if find_browser() is None or shutil.which("snakemake") is None:
     print("skipped: Chromium (package chromium) and Snakemake (package snakemake) are needed")
     sys.exit(77)
 with open("study.prm", "w") as file:
-    file.write(STUDY)
+    file.write(small_study("Contact/Friction coefficient: 0.3, 0.5", more="  set Folder = study"))
 done = subprocess.run([PROGRAM, "study", "study.prm", "--jobs", "2"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                       text=True)
 check(done.returncode == 0, f"the study is computed {done.stdout[-300:] if done.returncode else ''}")

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import time
 
-from checks import SMALL_SCENE, check, finish
+from checks import check, finish, small_study
 
 PROGRAM = sys.argv[1]
 SKIPPED = 77
@@ -30,27 +30,9 @@ def skip(reason):
 
 
 def write_study(axes, compute="both", distance="6 mm"):
-    """A family of small runs; half-spaces on coarse elements."""
+    """Into study.prm, with states saved all the time."""
     with open("study.prm", "w") as file:
-        file.write(f"""set Title = small
-{SMALL_SCENE}
-subsection Run
-  set Rolling distance = {distance}
-  set Averaging distance = 2 mm
-end
-subsection Half-space
-  set Element size = 1 mm
-end
-subsection Output
-  set Ticks = 3
-  set Volume fields = false
-  set Checkpoint interval = 0.1 s
-end
-subsection Study
-  set Axes = {axes}
-  set Compute = {compute}
-end
-""")
+        file.write(small_study(axes, compute=compute, distance=distance, ticks=3, more="  set Checkpoint interval = 0.1 s"))
 
 
 def command(folder, *options):
@@ -91,7 +73,7 @@ def fresh(*names):
 
 def kill():
     """kill -9 at random moments, and at last the same table; an added value computes only what is new."""
-    kills = int(sys.argv[4]) if len(sys.argv) > 4 else 2
+    kills = int(sys.argv[4]) if len(sys.argv) > 4 else 1
     fresh("whole", "killed")
     write_study(FRICTION + "0.3, 0.5")
     code, text = study("whole", "--dry-run")
@@ -114,7 +96,7 @@ def kill():
         process.send_signal(signal.SIGKILL)
         process.wait()
     code, text = study("killed")
-    check(code == 0, f"goes on after {kills} kills {text[-500:] if code else ''}")
+    check(code == 0, f"goes on after kill -9, {kills} times {text[-500:] if code else ''}")
     check(text_of("killed/table.csv") == text_of("whole/table.csv"), "and gives the same table")
 
     calls = logs("whole")

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from checks import SMALL_SCENE, check, finish
+from checks import check, finish, small_study
 
 PROGRAM = sys.argv[1]
 SKIPPED = 77
@@ -102,28 +102,6 @@ PartitionName=all Nodes={self.host} Default=YES MaxTime=INFINITE State=UP
             daemon.wait()
 
 
-def write_study():
-    with open("study.prm", "w") as file:
-        file.write(f"""set Title = on a cluster
-{SMALL_SCENE}
-subsection Run
-  set Rolling distance = 4 mm
-  set Averaging distance = 2 mm
-end
-subsection Half-space
-  set Element size = 1 mm
-end
-subsection Output
-  set Folder = cluster
-  set Ticks = 2
-  set Volume fields = false
-end
-subsection Study
-  set Axes = Contact/Friction coefficient: 0.3, 0.5
-end
-""")
-
-
 def main():
     if os.geteuid() != 0:
         skip("only root can start daemons that run jobs")
@@ -131,7 +109,8 @@ def main():
         if not shutil.which(program):
             skip(f"{program} is not installed")
     shutil.rmtree("cluster", ignore_errors=True)
-    write_study()
+    with open("study.prm", "w") as file:
+        file.write(small_study("Contact/Friction coefficient: 0.3, 0.5", more="  set Folder = cluster"))
     with Slurm("slurm") as slurm:
         done = subprocess.run([PROGRAM, "study", "study.prm", "--profile", "slurm", "--jobs", "2", "--ranks", "2"],
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
