@@ -227,7 +227,12 @@ namespace
     const SweepPlan &plan = model.swept->plan();
     const double     path = 10e-3, block = plan.block_length(), step = model.solid.stable.step;
     FineWindow       window;
-    window.path_end = {path, path};
+    window.path_end    = {path, path};
+    const double bound = half_length_bound(model.expected_approach, model.geometry.rolling_radius);
+    check_near(plan.reach - bound,
+               3 * moving_scene().cell_size,
+               1e-12,
+               "three cells beyond the patch, where a margin of two is given [m]");
     check_near(window_range(plan, window, Body::rail).s0, -plan.reach, 1e-12, "begin of the path [m]");
     check_near(window_range(plan, window, Body::wheel).s1, path + plan.reach, 1e-12, "end of the path [m]");
     change(model, window);

@@ -142,15 +142,18 @@ namespace wheelrail
     const double     spacing   = plan.block_length();
     const double     length    = half_length_bound(sizes.approach, contact.rolling_radius);
     constexpr double free_rail = 0.1;
-    plan.reach                 = length + sizes.fine_margin;
-    plan.around_block          = {-length - std::max(least_behind, sizes.fine_margin),
-                                  spacing + length + std::max(least_ahead, sizes.fine_margin)};
-    plan.fine                  = {-plan.reach, sizes.distance + plan.reach};
-    plan.fine_depth            = sizes.fine_depth;
-    const Range rail           = {0.5 * (sizes.distance - sizes.rail_length),
-                                  0.5 * (sizes.distance + sizes.rail_length)};
-    const auto  even           = even_blocks(rail, plan.fine, spacing);
-    plan.rail_stations         = rail_stations(rail, even, spacing);
+    // pressure must not come to the outer two stations (Contact::at_border()), and stations lie up to a cell
+    // within the stretch that is wanted
+    const double margin = std::max(sizes.fine_margin, 3 * sizes.cell);
+    plan.reach          = length + margin;
+    plan.around_block   = {-length - std::max(least_behind, margin),
+                           spacing + length + std::max(least_ahead, margin)};
+    plan.fine           = {-plan.reach, sizes.distance + plan.reach};
+    plan.fine_depth     = sizes.fine_depth;
+    const Range rail    = {0.5 * (sizes.distance - sizes.rail_length),
+                           0.5 * (sizes.distance + sizes.rail_length)};
+    const auto  even    = even_blocks(rail, plan.fine, spacing);
+    plan.rail_stations  = rail_stations(rail, even, spacing);
     plan.longest_path =
       std::max(sizes.distance,
                std::min((even.last - 1) * spacing - plan.reach, rail.s1 - std::max(free_rail, 3 * spacing)));

@@ -56,9 +56,9 @@ namespace wheelrail
 
   /// Lays out the sections, the strip of finest cells, and the stations along rail and wheel. The finest
   /// cells cover the rolled stretch and, before and behind it, the reach of the undeformed wheel
-  /// (half_length_bound) and the margin. Those that move cover the way through one block in place of the
-  /// whole stretch, and reach further, by least_ahead and least_behind at least, so that cells are divided
-  /// and made coarse where fields are smooth; at the start they reach no further than
+  /// (half_length_bound) and the margin, at least three cells. Those that move cover the way through one
+  /// block in place of the whole stretch, and reach further, by least_ahead and least_behind at least, so
+  /// that cells are divided and made coarse where fields are smooth; at the start they reach no further than
   /// those that do not move. Blocks of the rail are even under the stretch and a metre beyond it; from there
   /// on each is a quarter longer than the one before, up to four times as long. Throws InputError when the
   /// rail is too short for them or a section cannot be divided, RunError when a block would be folded.
