@@ -57,7 +57,7 @@ namespace
         const auto            number = [&](const int column) { return std::stod(row[column]); };
         const double          sign   = row[2] == "left" ? 1 : -1;
         const RollMode        mode   = row[0] == "no_roll" ? RollMode::none : RollMode::from_contact;
-        const ContactGeometry c      = find_contact(rail, wheel, track, sign * 1e-3 * number(1), mode);
+        const ContactGeometry c      = find_contact(rail, wheel, track, {sign * 1e-3 * number(1), mode});
         point                        = std::max({point,
                                                  std::abs(1e3 * c.wheel_x - number(5)),
                                                  std::abs(1e3 * c.wheel_y - number(6)),
@@ -108,8 +108,8 @@ namespace
         const double shift      = 1e-3 * std::stod(row[0]);
         const auto   difference = [&](const RollMode mode) {
           // The table's right wheel is ours with the shift reversed.
-          return 1e3 * (find_contact(rail, wheel, track, -shift, mode).rolling_radius -
-                        find_contact(rail, wheel, track, shift, mode).rolling_radius);
+          return 1e3 * (find_contact(rail, wheel, track, {-shift, mode}).rolling_radius -
+                        find_contact(rail, wheel, track, {shift, mode}).rolling_radius);
         };
         none = std::max(none, std::abs(difference(RollMode::none) - std::stod(row[1])));
         both = std::max(both, std::abs(difference(RollMode::from_contact) - std::stod(row[2])));
@@ -126,7 +126,7 @@ namespace
     for (const double shift : {0., -5.5e-3, 3.5e-3})
       {
         const std::string     where = " at shift " + std::to_string(shift * 1e3) + " mm";
-        const ContactGeometry c     = find_contact(rail, wheel, TrackDimensions(), shift, RollMode::none);
+        const ContactGeometry c     = find_contact(rail, wheel, TrackDimensions(), {shift, RollMode::none});
         const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
         check_near(undeformed_distance(w, r, 0), 0, round_off, "distance at the contact point [m]" + where);
         check_near(
@@ -176,7 +176,7 @@ namespace
         check(holds_contact, "the contact point lies in the interpenetration" + where);
       }
 
-    const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), 0, RollMode::none);
+    const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), {0, RollMode::none});
     const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
     const double          kappa = c.rail_curvature + c.wheel_curvature;
     check_near(undeformed_distance(w, r, 1e-4) / (0.5e-8 * kappa),
@@ -190,7 +190,7 @@ namespace
       sum += undeformed_distance(w, r, -0.02 + 4e-7 * i);
     const auto middle = std::clock();
     for (int i = 0; i < 10; ++i)
-      sum += find_contact(rail, wheel, TrackDimensions(), 1e-4 * i, RollMode::from_contact).rolling_radius;
+      sum += find_contact(rail, wheel, TrackDimensions(), {1e-4 * i, RollMode::from_contact}).rolling_radius;
     const auto end = std::clock();
     check(std::isfinite(sum), "speed loops give numbers");
     check_near(static_cast<double>(middle - start) / CLOCKS_PER_SEC,
@@ -208,7 +208,7 @@ namespace
   {
     try
       {
-        find_contact(rail_profile("54E1"), wheel_profile("S1002"), TrackDimensions(), shift, mode);
+        find_contact(rail_profile("54E1"), wheel_profile("S1002"), TrackDimensions(), {shift, mode});
         check(false, "a shift of " + std::to_string(1e3 * shift) + " mm is refused");
       }
     catch (const InputError &e)
@@ -231,7 +231,7 @@ namespace
     for (int i = -12; i <= 12; ++i)
       for (const RollMode mode : {RollMode::none, RollMode::from_contact})
         {
-          const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), 0.5e-3 * i, mode);
+          const ContactGeometry c = find_contact(rail, wheel, TrackDimensions(), {0.5e-3 * i, mode});
           const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
           worst = std::max(
             worst, norm(c.wheel.to_track({c.wheel_x, c.wheel_y}) - c.rail.to_track({c.rail_x, c.rail_y})));
@@ -280,9 +280,10 @@ namespace
           double before     = 0;
           for (int i = -8; i <= 8; ++i)
             {
-              const ContactGeometry c = find_contact(rail, wheel, track, 0.5e-3 * i, RollMode::from_contact);
-              const FrameProfile    w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
-              const double low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
+              const ContactGeometry c =
+                find_contact(rail, wheel, track, {0.5e-3 * i, RollMode::from_contact});
+              const FrameProfile w(wheel.tread, c.wheel, c.frame), r(rail.head, c.rail, c.frame);
+              const double       low = std::max(w.s_min(), r.s_min()), high = std::min(w.s_max(), r.s_max());
               for (int k = 0; k <= 400; ++k)
                 lowest = std::min(lowest, undeformed_distance(w, r, low + (high - low) * k / 400));
               // To the field side the contact moves to smaller radii, by steps of either size.

@@ -254,7 +254,7 @@ namespace
     const RailProfile     rail  = rail_profile(rail_name);
     const WheelProfile    wheel = wheel_profile("S1002");
     const WheelDimensions dimensions;
-    const ContactGeometry contact = find_contact(rail, wheel, TrackDimensions(), shift, RollMode::none);
+    const ContactGeometry contact = find_contact(rail, wheel, TrackDimensions(), {shift, RollMode::none});
     const FrameProfile    wheel_top(wheel.tread, contact.wheel, contact.frame),
       rail_top(rail.head, contact.rail, contact.frame);
     const FineStrip strip = make_fine_strip(contact, wheel_top, rail_top, 1e-4, 0.004, block);
@@ -321,7 +321,7 @@ namespace
   {
     const RailProfile     rail    = rail_profile("54E1");
     const WheelProfile    wheel   = wheel_profile("S1002");
-    const ContactGeometry contact = find_contact(rail, wheel, TrackDimensions(), 0, RollMode::none);
+    const ContactGeometry contact = find_contact(rail, wheel, TrackDimensions(), {0, RollMode::none});
     const FineStrip       good{contact.frame, {-0.01, 0.006}}, wide{contact.frame, {-0.09, 0.006}};
 
     const auto refused = [](const std::function<void()> &action) {

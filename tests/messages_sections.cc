@@ -29,7 +29,7 @@ namespace
   struct Pair
   {
     explicit Pair(const double shift = 0)
-      : contact(find_contact(rail, wheel, track, shift, RollMode::none))
+      : contact(find_contact(rail, wheel, track, {shift, RollMode::none}))
     {
     }
 

@@ -232,9 +232,9 @@ namespace
                             notes.end(),
                             [](const std::string &n) { return n.find("body of the rail: 60E1") == 0; }),
                 "the head is known as that of a 60E1");
-          const ContactGeometry exact = find_contact(rail, wheel, TrackDimensions(), shift, RollMode::none);
+          const ContactGeometry exact = find_contact(rail, wheel, TrackDimensions(), {shift, RollMode::none});
           const ContactGeometry ours =
-            find_contact(measured_r, measured_w, TrackDimensions(), shift, RollMode::none);
+            find_contact(measured_r, measured_w, TrackDimensions(), {shift, RollMode::none});
           const std::string name = std::string(c.what) + ", shift " + std::to_string(1e3 * shift) + " mm: ";
           check_near(ours.rail_x, exact.rail_x, c.place, name + "contact point on the rail [m]");
           check_near(ours.wheel_x, exact.wheel_x, c.place, name + "contact point on the wheel [m]");

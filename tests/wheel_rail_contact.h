@@ -19,7 +19,7 @@ namespace test
     using namespace wheelrail;
     const RailProfile     rail  = rail_profile("54E1");
     const WheelProfile    wheel = wheel_profile("S1002");
-    const ContactGeometry c     = find_contact(rail, wheel, TrackDimensions(), 0, RollMode::none);
+    const ContactGeometry c     = find_contact(rail, wheel, TrackDimensions(), {0, RollMode::none});
     ContactFrame          frame;
     frame.origin = {4.2698e-3, -0.3191e-3};
     frame.angle  = -0.0509;

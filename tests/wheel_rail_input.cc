@@ -87,8 +87,8 @@ namespace
     const auto rail = measured_rail(read_profile_text(files.rail, "r.txt", exact), "54E1", notes);
     const auto wheel =
       measured_wheel(read_profile_text(files.wheel, "w.txt", wheel_options), scene.wheel.rim_width, notes);
-    const auto read = find_contact(rail, wheel, scene.track, 0, scene.roll),
-               own  = find_contact(rail_profile("54E1"), wheel_profile("S1002"), scene.track, 0, scene.roll);
+    const auto read = find_contact(rail, wheel, scene.track, {0, scene.roll}),
+               own = find_contact(rail_profile("54E1"), wheel_profile("S1002"), scene.track, {0, scene.roll});
     check_near(read.rolling_radius, own.rolling_radius, 2e-6, "rolling radius of the profiles read back [m]");
     check_near(read.angle, own.angle, 1e-3, "contact angle of the profiles read back");
     // CONTACT wants the rail from the gauge side to the field side and the wheel the other way, z down

@@ -110,8 +110,8 @@ namespace
   {
     const RailProfile  rail  = rail_profile("54E1");
     const WheelProfile wheel = wheel_profile("S1002");
-    const auto before        = find_contact(rail, wheel, TrackDimensions(), -4.35e-3, RollMode::from_contact);
-    const auto after         = find_contact(rail, wheel, TrackDimensions(), -4.36e-3, RollMode::from_contact);
+    const auto before = find_contact(rail, wheel, TrackDimensions(), {-4.35e-3, RollMode::from_contact});
+    const auto after  = find_contact(rail, wheel, TrackDimensions(), {-4.36e-3, RollMode::from_contact});
     check(!before.further.empty() && !after.further.empty(), "next to a jump there are further points");
     if (before.further.empty() || after.further.empty())
       return;
@@ -131,8 +131,8 @@ namespace
     const WheelProfile wheel = wheel_profile("S1002");
     for (const double shift : {-5e-3, -1e-3, 3e-3})
       {
-        const auto here  = find_contact(rail, wheel, TrackDimensions(), shift, RollMode::from_contact);
-        const auto there = find_contact(rail, wheel, TrackDimensions(), -shift, RollMode::from_contact);
+        const auto here  = find_contact(rail, wheel, TrackDimensions(), {shift, RollMode::from_contact});
+        const auto there = find_contact(rail, wheel, TrackDimensions(), {-shift, RollMode::from_contact});
         check_near(here.roll, -there.roll, 1e-12, "the two wheels of a wheelset have opposite rolls [rad]");
         // the middle of the axle lies half the distance of the running circles from the wheel's axle point
         const auto middle = [](const ContactGeometry &c) {

@@ -32,7 +32,7 @@ namespace wheelrail
     {
       try
         {
-          return find_contact(pair.rail, pair.wheel, pair.track, shift, pair.roll);
+          return find_contact(pair.rail, pair.wheel, pair.track, {shift, pair.roll});
         }
       catch (const InputError &error)
         {

@@ -34,8 +34,8 @@ namespace wheelrail
         {
           const double y = i * step;
           // the modelled wheel comes to its own rail with a negative shift
-          const double here  = find_contact(rail, wheel, track, -y, roll).rolling_radius;
-          const double there = find_contact(rail, wheel, track, y, roll).rolling_radius;
+          const double here  = find_contact(rail, wheel, track, {-y, roll}).rolling_radius;
+          const double there = find_contact(rail, wheel, track, {y, roll}).rolling_radius;
           result.displacement.push_back(y);
           result.value.push_back(here - there);
         }

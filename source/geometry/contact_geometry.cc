@@ -249,10 +249,11 @@ namespace wheelrail
     }
 
     std::string
-    try_contact(const Pair &pair, const double shift, const RollMode mode, ContactGeometry &contact)
+    try_contact(const Pair &pair, const WheelsetPose &pose, ContactGeometry &contact)
     {
-      std::optional<double> roll = 0.;
-      if (mode == RollMode::from_contact)
+      const double          shift = pose.lateral_shift;
+      std::optional<double> roll  = 0.;
+      if (pose.roll == RollMode::from_contact)
         roll = roll_from_contact(pair, shift);
       if (!roll)
         return "no roll of the wheelset lets both wheels touch their rails";
@@ -267,11 +268,13 @@ namespace wheelrail
     /// The largest shift of one sign, to 0.1 mm, up to which there is contact from zero on; or
     /// nothing.
     std::optional<double>
-    last_possible(const Pair &pair, const RollMode mode, const double sign)
+    last_possible(const Pair &pair, const WheelsetPose &pose, const double sign)
     {
       ContactGeometry ignored;
       const auto      possible = [&](const int tenths) {
-        return try_contact(pair, sign * 1e-4 * tenths, mode, ignored).empty();
+        WheelsetPose moved  = pose;
+        moved.lateral_shift = sign * 1e-4 * tenths;
+        return try_contact(pair, moved, ignored).empty();
       };
       int good = 0, bad = 20;
       if (!possible(good))
@@ -289,8 +292,7 @@ namespace wheelrail
   find_contact(const RailProfile     &rail,
                const WheelProfile    &wheel,
                const TrackDimensions &track,
-               const double           lateral_shift,
-               const RollMode         roll)
+               const WheelsetPose    &pose)
   {
     const Placement placed = place_rail(rail, track);
     const Pair      pair{rail,
@@ -301,16 +303,16 @@ namespace wheelrail
                     find_flank_end(wheel.tread)};
 
     ContactGeometry   contact;
-    const std::string reason = std::isfinite(lateral_shift) ? try_contact(pair, lateral_shift, roll, contact)
-                                                            : "the shift is not a finite number";
+    const std::string reason = std::isfinite(pose.lateral_shift) ? try_contact(pair, pose, contact)
+                                                                 : "the shift is not a finite number";
     if (reason.empty())
       return contact;
 
     std::ostringstream text;
     text << "Wheel '" << wheel.name << "' and rail '" << rail.name
-         << "' have no contact point at a lateral shift of " << 1e3 * lateral_shift << " mm: " << reason
+         << "' have no contact point at a lateral shift of " << 1e3 * pose.lateral_shift << " mm: " << reason
          << ". ";
-    const auto most = last_possible(pair, roll, 1.), least = last_possible(pair, roll, -1.);
+    const auto most = last_possible(pair, pose, 1.), least = last_possible(pair, pose, -1.);
     if (most && least)
       text << "With this track, shifts from " << 1e3 * *least << " to " << 1e3 * *most
            << " mm are possible; set Wheelset/Lateral shift within them.";

@@ -8,10 +8,9 @@ namespace wheelrail
   touching_profiles(RailProfile            rail,
                     WheelProfile           wheel,
                     const TrackDimensions &track,
-                    const double           lateral_shift,
-                    const RollMode         roll)
+                    const WheelsetPose    &pose)
   {
-    ContactGeometry contact = find_contact(rail, wheel, track, lateral_shift, roll);
+    ContactGeometry contact = find_contact(rail, wheel, track, pose);
     FrameProfile    rail_heights(rail.head, contact.rail, contact.frame);
     FrameProfile    wheel_heights(wheel.tread, contact.wheel, contact.frame);
     return {std::move(rail),

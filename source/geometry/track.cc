@@ -15,6 +15,13 @@ namespace wheelrail
   }
 
 
+  WheelsetPose
+  mirrored(const WheelsetPose &pose)
+  {
+    return {-pose.lateral_shift, pose.roll};
+  }
+
+
   Placement
   place_rail(const RailProfile &rail, const TrackDimensions &track)
   {

@@ -76,10 +76,9 @@ namespace wheelrail
   SceneGeometry
   make_geometry(const Scene &scene, SceneProfiles profiles)
   {
-    return {
-      touching_profiles(
-        std::move(profiles.rail), std::move(profiles.wheel), scene.track, scene.lateral_shift, scene.roll),
-      std::move(profiles.notes)};
+    return {touching_profiles(
+              std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
+            std::move(profiles.notes)};
   }
 
 

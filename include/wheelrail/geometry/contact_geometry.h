@@ -54,6 +54,5 @@ namespace wheelrail
   find_contact(const RailProfile     &rail,
                const WheelProfile    &wheel,
                const TrackDimensions &track,
-               double                 lateral_shift,
-               RollMode               roll);
+               const WheelsetPose    &pose);
 } // namespace wheelrail

@@ -23,6 +23,5 @@ namespace wheelrail
   touching_profiles(RailProfile            rail,
                     WheelProfile           wheel,
                     const TrackDimensions &track,
-                    double                 lateral_shift,
-                    RollMode               roll);
+                    const WheelsetPose    &pose);
 } // namespace wheelrail

@@ -21,6 +21,17 @@ namespace wheelrail
     from_contact ///< both wheels touch their rails
   };
 
+  /// Where a wheelset stands in its track.
+  struct WheelsetPose
+  {
+    double   lateral_shift = 0; ///< along X, at the axle [m]
+    RollMode roll          = RollMode::none;
+  };
+
+  /// Where the other wheel of a wheelset stands, seen as the modelled one: its mirror image.
+  WheelsetPose
+  mirrored(const WheelsetPose &pose);
+
   /// Distance of the nominal running circle from the track centre [m]: half the flange-back
   /// distance plus the 70 mm between flange back and running circle (EN 13715).
   double

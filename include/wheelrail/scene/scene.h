@@ -169,6 +169,13 @@ namespace wheelrail
     }
   };
 
+  /// Where the wheelset of a scene stands in its track.
+  inline WheelsetPose
+  wheelset_pose(const Scene &scene)
+  {
+    return {scene.lateral_shift, scene.roll};
+  }
+
   /// The friction law of a scene.
   inline FrictionLaw
   friction_law(const Scene &scene)
