@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace wheelrail
 {
@@ -101,27 +102,42 @@ namespace wheelrail
       return minima;
     }
 
-    /// All local minima of the gap, lowest first, with the axle at the height of the nominal
-    /// radius; none when tread and rail head are not above each other.
-    std::vector<GapMinimum>
-    minima_at(const Pair &pair, const double shift, const double roll)
+    /// A wheel above its rail, with the axle at the height of the nominal radius.
+    struct PlacedWheel
     {
-      const Placement wheel = place_wheel(pair.track, shift, roll, pair.track.nominal_radius);
-      const auto     &zones = pair.wheel.tread.segments();
-      const double    first = wheel.to_track(zones.front().start).x;
-      const double    last  = wheel.to_track(zones.back().end).x;
+      double       shift, roll, yaw;
+      WheelOutline outline;
+      Placement    placement;
+
+      PlacedWheel(const Pair &pair, const WheelsetPose &pose, const double roll)
+        : shift(pose.lateral_shift)
+        , roll(roll)
+        , yaw(pose.yaw)
+        , outline(wheel_outline(pair.wheel, pair.track, roll, yaw))
+        , placement(place_wheel(pair.track, shift, roll, pair.track.nominal_radius))
+      {
+      }
+    };
+
+    /// All local minima of the gap, lowest first; none when tread and rail head are not above each other.
+    std::vector<GapMinimum>
+    minima_at(const Pair &pair, const PlacedWheel &wheel)
+    {
+      const auto  &zones = wheel.outline.curve.segments();
+      const double first = wheel.placement.to_track(zones.front().start).x;
+      const double last  = wheel.placement.to_track(zones.back().end).x;
       // A margin for the last, vertical micrometres of the flange back, which are left out.
       if (first > -5e-3 || last < 5e-3)
         return {};
-      return gap_minima(FrameProfile(pair.wheel.tread, wheel, ContactFrame(), steepest_slope),
+      return gap_minima(FrameProfile(wheel.outline.curve, wheel.placement, ContactFrame(), steepest_slope),
                         pair.rail_heights);
     }
 
     /// Height of the axle's middle above Y = 0 when the wheel touches.
     std::optional<double>
-    axle_height(const Pair &pair, const double shift, const double roll)
+    axle_height(const Pair &pair, const WheelsetPose &pose, const double roll)
     {
-      const auto minima = minima_at(pair, shift, roll);
+      const auto minima = minima_at(pair, PlacedWheel(pair, pose, roll));
       if (minima.empty())
         return {};
       return pair.track.nominal_radius - minima.front().gap;
@@ -130,10 +146,10 @@ namespace wheelrail
     /// The roll at which both wheels touch: root of the difference of the two axle heights, which
     /// grows with the roll by about the distance of the running circles.
     std::optional<double>
-    roll_from_contact(const Pair &pair, const double shift)
+    roll_from_contact(const Pair &pair, const WheelsetPose &pose)
     {
       const auto difference = [&](const double roll) -> std::optional<double> {
-        const auto a = axle_height(pair, shift, roll), b = axle_height(pair, -shift, -roll);
+        const auto a = axle_height(pair, pose, roll), b = axle_height(pair, mirrored(pose), -roll);
         if (!a || !b)
           return {};
         return *a - *b;
@@ -187,53 +203,70 @@ namespace wheelrail
       return 0.5 * (low + high);
     }
 
-    /// Fills the contact of one wheel; returns why there is none, or an empty text.
-    std::string
-    touch(const Pair &pair, const double shift, const double roll, ContactGeometry &contact)
+    /// Fills what is known of the contact at X, where wheel and rail have a common tangent.
+    void
+    describe_point(const Pair &pair, const FrameProfile &outline, const double X, ContactGeometry &contact)
     {
-      const auto minima = minima_at(pair, shift, roll);
-      if (minima.empty())
-        return "the tread and the rail head do not lie above each other";
-      const GapMinimum &first = minima.front();
-
-      contact.lateral_shift = shift;
-      contact.roll          = roll;
-      contact.rail          = pair.rail_placement;
-      contact.wheel         = place_wheel(pair.track, shift, roll, pair.track.nominal_radius - first.gap);
-      contact.axle          = contact.wheel.to_track({0, pair.track.nominal_radius});
-
-      const FrameProfile wheel_heights(pair.wheel.tread, contact.wheel, ContactFrame(), steepest_slope);
-      const double wheel_t = wheel_heights.parameter(first.X), rail_t = pair.rail_heights.parameter(first.X);
-      if (wheel_t > pair.flank_end + 1e-6)
-        return "the flange stands on the rail";
-      if (!first.smooth)
-        return "the wheel rests on an edge of its profile or of the rail head";
-
+      const double              wheel_t  = contact.outline.on_tread(outline.parameter(X));
+      const double              rail_t   = pair.rail_heights.parameter(X);
       const CurvePoint          on_wheel = pair.wheel.tread.at(wheel_t), on_rail = pair.rail.head.at(rail_t);
-      const FrameProfile::Value height = pair.rail_heights.at(first.X);
-      contact.frame                    = {{first.X, height.n}, std::atan(height.slope)};
+      const FrameProfile::Value height = pair.rail_heights.at(X);
+      contact.frame                    = {{X, height.n}, std::atan(height.slope)};
       contact.rail_x                   = on_rail.position.x;
       contact.rail_y                   = on_rail.position.y;
       contact.wheel_x                  = on_wheel.position.x;
       contact.wheel_y                  = on_wheel.position.y;
       contact.angle                    = -contact.frame.angle;
-      contact.rolling_radius           = pair.track.nominal_radius - contact.wheel_y;
-      contact.rail_curvature           = on_rail.curvature;
-      contact.wheel_curvature          = -on_wheel.curvature; // the wheel's steel lies to the right
-      contact.rail_segment             = pair.rail.head.segments()[on_rail.segment].name;
-      contact.wheel_segment            = pair.wheel.tread.segments()[on_wheel.segment].name;
+      contact.axis                     = axle_line(contact.wheel, pair.track, contact.yaw);
+      const AxleLine::SurfacePoint point =
+        contact.axis.surface_point(contact.frame.origin, contact.frame.angle);
+      contact.along           = point.along;
+      contact.ahead           = point.ahead;
+      contact.rolling_radius  = pair.track.nominal_radius - contact.wheel_y;
+      contact.rail_curvature  = on_rail.curvature;
+      contact.wheel_curvature = -on_wheel.curvature; // the wheel's steel lies to the right
+      contact.rail_segment    = pair.rail.head.segments()[on_rail.segment].name;
+      contact.wheel_segment   = pair.wheel.tread.segments()[on_wheel.segment].name;
+    }
 
+    /// Fills the contact of one wheel; returns why there is none, or an empty text.
+    std::string
+    touch(const Pair &pair, const WheelsetPose &pose, const double roll, ContactGeometry &contact)
+    {
+      PlacedWheel wheel(pair, pose, roll);
+      const auto  minima = minima_at(pair, wheel);
+      if (minima.empty())
+        return "the tread and the rail head do not lie above each other";
+      const GapMinimum &first = minima.front();
+
+      contact.lateral_shift = wheel.shift;
+      contact.roll          = roll;
+      contact.yaw           = wheel.yaw;
+      contact.rail          = pair.rail_placement;
+      contact.wheel   = place_wheel(pair.track, wheel.shift, roll, pair.track.nominal_radius - first.gap);
+      contact.axle    = contact.wheel.to_track({0, pair.track.nominal_radius});
+      contact.outline = std::move(wheel.outline);
+
+      const FrameProfile outline(contact.outline.curve, contact.wheel, ContactFrame(), steepest_slope);
+      if (contact.outline.on_tread(outline.parameter(first.X)) > pair.flank_end + 1e-6)
+        return "the flange stands on the rail";
+      if (!first.smooth)
+        return "the wheel rests on an edge of its profile or of the rail head";
+      describe_point(pair, outline, first.X, contact);
+
+      ContactGeometry there = contact;
       for (std::size_t i = 1; i < minima.size(); ++i)
         if (minima[i].smooth)
           {
-            const double              X     = minima[i].X;
-            const FrameProfile::Value there = pair.rail_heights.at(X);
-            const double              slope = std::atan(there.slope);
-            contact.further.push_back({(minima[i].gap - first.gap) * std::cos(slope),
-                                       pair.rail.head.at(pair.rail_heights.parameter(X)).position.x,
-                                       pair.wheel.tread.at(wheel_heights.parameter(X)).position.x,
-                                       -slope,
-                                       {X, there.n}});
+            describe_point(pair, outline, minima[i].X, there);
+            contact.further.push_back({(minima[i].gap - first.gap) * std::cos(there.angle),
+                                       there.rail_x,
+                                       there.wheel_x,
+                                       there.angle,
+                                       there.ahead,
+                                       there.rail_curvature,
+                                       there.wheel_curvature,
+                                       there.frame.origin});
           }
       std::sort(contact.further.begin(), contact.further.end(), [](const auto &a, const auto &b) {
         return a.gap < b.gap;
@@ -251,15 +284,15 @@ namespace wheelrail
     std::string
     try_contact(const Pair &pair, const WheelsetPose &pose, ContactGeometry &contact)
     {
-      const double          shift = pose.lateral_shift;
-      std::optional<double> roll  = 0.;
+      std::optional<double> roll = pose.roll == RollMode::given ? pose.roll_angle : 0.;
       if (pose.roll == RollMode::from_contact)
-        roll = roll_from_contact(pair, shift);
+        roll = roll_from_contact(pair, pose);
       if (!roll)
         return "no roll of the wheelset lets both wheels touch their rails";
       ContactGeometry   other;
-      const std::string here = touch(pair, shift, *roll, contact), there = touch(pair, -shift, -*roll, other);
-      contact.other_radius = other.rolling_radius;
+      const std::string here  = touch(pair, pose, *roll, contact),
+                        there = touch(pair, mirrored(pose), -*roll, other);
+      contact.other_radius    = other.rolling_radius;
       if (!here.empty() || there.empty())
         return here;
       return "at the other wheel of the wheelset (shift of opposite sign) " + there;

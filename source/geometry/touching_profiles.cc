@@ -12,7 +12,7 @@ namespace wheelrail
   {
     ContactGeometry contact = find_contact(rail, wheel, track, pose);
     FrameProfile    rail_heights(rail.head, contact.rail, contact.frame);
-    FrameProfile    wheel_heights(wheel.tread, contact.wheel, contact.frame);
+    FrameProfile    wheel_heights(contact.outline.curve, contact.wheel, contact.frame);
     return {std::move(rail),
             std::move(wheel),
             std::move(contact),

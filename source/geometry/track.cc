@@ -18,7 +18,7 @@ namespace wheelrail
   WheelsetPose
   mirrored(const WheelsetPose &pose)
   {
-    return {-pose.lateral_shift, pose.roll};
+    return {-pose.lateral_shift, pose.roll, -pose.roll_angle, -pose.yaw};
   }
 
 

@@ -17,8 +17,9 @@ namespace wheelrail
   /// How the roll of the wheelset is found.
   enum class RollMode
   {
-    none,        ///< roll is zero, the wheel is lowered onto its own rail
-    from_contact ///< both wheels touch their rails
+    none,         ///< roll is zero, the wheel is lowered onto its own rail
+    from_contact, ///< both wheels touch their rails
+    given         ///< an angle
   };
 
   /// Where a wheelset stands in its track.
@@ -26,6 +27,8 @@ namespace wheelrail
   {
     double   lateral_shift = 0; ///< along X, at the axle [m]
     RollMode roll          = RollMode::none;
+    double   roll_angle    = 0; ///< with RollMode::given: about +Z, from X to Y [rad]
+    double   yaw = 0; ///< about +Y through the middle of the wheelset, from Z to X, after the roll [rad]
   };
 
   /// Where the other wheel of a wheelset stands, seen as the modelled one: its mirror image.

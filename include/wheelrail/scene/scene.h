@@ -87,6 +87,9 @@ namespace wheelrail
     WheelDimensions    wheel;                    ///< Wheelset/Rim width, ... [m]
     double             lateral_shift        = 0; ///< [m]
     RollMode           roll                 = RollMode::none;
+    double             roll_angle           = 0; ///< with RollMode::given, from X to Y [rad]
+    double             yaw                  = 0; ///< angle of attack, from Z to X [rad]
+    double             lateral_creepage     = 0; ///< lateral velocity of the wheelset along X over `velocity`
     double             sprung_mass          = 10000;     ///< [kg]
     double             wheel_load           = 0;         ///< [N], 0: from the sprung mass
     double             axle_mass            = 180;       ///< half axle, rigid [kg]
@@ -173,7 +176,7 @@ namespace wheelrail
   inline WheelsetPose
   wheelset_pose(const Scene &scene)
   {
-    return {scene.lateral_shift, scene.roll};
+    return {scene.lateral_shift, scene.roll, scene.roll_angle, scene.yaw};
   }
 
   /// The friction law of a scene.
