@@ -11,180 +11,20 @@ namespace wheelrail
 {
   namespace
   {
-    /// Section turned by `roll` about `centre` and moved by `lateral` along X.
-    Placement
-    moved(const Placement &placement, const Point2 &centre, const double roll, const double lateral)
-    {
-      const Point2 d = placement.origin - centre;
-      const double c = std::cos(roll), s = std::sin(roll);
-      return {{centre.x + c * d.x - s * d.y + lateral, centre.y + s * d.x + c * d.y}, placement.angle + roll};
-    }
-
-    /// Both profiles in the frame of 2D-Geo.
-    struct Sections
-    {
-      ContactGeometry geometry;
-      Placement       spinning; ///< of the wheel section whose axis is that of the axle
-      FrameProfile    rail, wheel;
-      double          lowest = 0, lowest_s = 0; ///< smallest distance of the profiles, and its place
-
-      Sections(const TouchingProfiles &profiles, const SectionOffsets &offsets)
-        : geometry(profiles.contact)
-        , spinning(moved(geometry.wheel, geometry.frame.origin, 0, offsets.lateral))
-        , rail(profiles.rail.head,
-               moved(geometry.rail, geometry.frame.origin, offsets.rail_roll, 0),
-               geometry.frame)
-        , wheel(profiles.wheel.tread,
-                moved(geometry.wheel, geometry.frame.origin, offsets.wheel_roll, offsets.lateral),
-                geometry.frame)
-      {
-        lowest = undeformed_distance(wheel, rail, 0);
-        // every 10 um: between two such places a profile of 10 mm radius moves by less than 2 nm
-        for (double s = s_min(); s <= s_max(); s += 1e-5)
-          if (const double d = undeformed_distance(wheel, rail, s); d < lowest)
-            {
-              lowest   = d;
-              lowest_s = s;
-            }
-      }
-
-      double
-      s_min() const
-      {
-        return std::max(rail.s_min(), wheel.s_min());
-      }
-      double
-      s_max() const
-      {
-        return std::min(rail.s_max(), wheel.s_max());
-      }
-
-      /// Distance of the wheel's surface from the axle [m].
-      double
-      radius(const Scene &scene, const double s) const
-      {
-        return scene.track.nominal_radius -
-               spinning.to_section(geometry.frame.to_track({s, wheel.at(s).n})).y;
-      }
-
-      /// Of the wheel's surface against the axle [rad].
-      double
-      angle_to_axle(const double s) const
-      {
-        return geometry.frame.angle + std::atan(wheel.at(s).slope) - spinning.angle;
-      }
-    };
-
-    /// A grid that covers the interpenetration at the approach.
-    HalfspaceGrid
-    grid_for(const Sections &sections, const double approach, const double element)
-    {
-      double low = sections.lowest_s, high = sections.lowest_s;
-      for (double s = sections.s_min(); s <= sections.s_max(); s += 1e-5)
-        if (undeformed_distance(sections.wheel, sections.rail, s) - sections.lowest < approach)
-          {
-            low  = std::min(low, s);
-            high = std::max(high, s);
-          }
-      const double half = std::sqrt(2 * sections.geometry.rolling_radius * approach);
-      const int    nx = int(std::ceil(half / element)) + 2, y0 = int(std::floor(low / element)) - 2,
-                y1 = int(std::ceil(high / element)) + 2;
-      return {2 * nx + 1, y1 - y0 + 1, element, element, -nx * element, y0 * element};
-    }
-
-    void
-    set_distance(const Scene &scene, const Sections &sections, HalfspaceProblem &problem)
-    {
-      constexpr double far = 0.1; // where there is no profile: farther than any approach [m]
-      problem.undeformed_distance.assign(problem.grid.size(), far);
-      for (int j = 0; j < problem.grid.my; ++j)
-        {
-          const double s = problem.grid.y(j);
-          if (s < sections.s_min() || s > sections.s_max())
-            continue;
-          // The tread rises by x^2 / (2 r) perpendicularly to the axle; the distance along n at fixed s
-          // follows from its slope.
-          const double slope = std::atan(sections.wheel.at(s).slope);
-          const double curvature =
-            std::cos(sections.angle_to_axle(s)) / std::cos(slope) / sections.radius(scene, s);
-          const double d = undeformed_distance(sections.wheel, sections.rail, s) - sections.lowest;
-          for (int i = 0; i < problem.grid.mx; ++i)
-            problem.undeformed_distance[i + problem.grid.mx * j] =
-              d + 0.5 * curvature * problem.grid.x(i) * problem.grid.x(i);
-        }
-    }
-
-    /// Means over the pressure.
-    struct PressureMeans
-    {
-      double s = 0, rail_angle = 0, wheel_angle = 0; ///< [m], against X, against the axle [rad]
-    };
-
-    PressureMeans
-    pressure_means(const Sections &sections, const HalfspaceSolution &solution)
-    {
-      PressureMeans means;
-      double        sum = 0;
-      for (int j = 0; j < solution.grid.my; ++j)
-        {
-          double p = 0;
-          for (int i = 0; i < solution.grid.mx; ++i)
-            p += solution.pressure[i + solution.grid.mx * j];
-          if (!(p > 0))
-            continue;
-          const double s = solution.grid.y(j);
-          sum += p;
-          means.s += p * s;
-          means.rail_angle += p * (sections.geometry.frame.angle + std::atan(sections.rail.at(s).slope));
-          means.wheel_angle += p * sections.angle_to_axle(s);
-        }
-      return {means.s / sum, means.rail_angle / sum, means.wheel_angle / sum};
-    }
-
-    /// Rigid slip of the rail against the wheel over V, for the creepage 0 at the rolling radius R of
-    /// 2D-Geo. The small product of creepage and r / R - 1 is left out.
-    void
-    set_slip(const Scene         &scene,
-             const Sections      &sections,
-             const PressureMeans &means,
-             HalfspaceProblem    &problem)
-    {
-      const HalfspaceGrid &grid = problem.grid;
-      const double         R    = sections.geometry.rolling_radius;
-      problem.rigid_slip_x.assign(grid.size(), 0.);
-      problem.rigid_slip_y.assign(grid.size(), 0.);
-      if (scene.halfspace_spin == HalfspaceSpin::contact)
-        {
-          const double radius = sections.radius(scene, means.s);
-          problem.phi         = std::sin(means.wheel_angle) / radius;
-          problem.rigid_slip_x.assign(grid.size(), radius / R - 1 + problem.phi * means.s);
-          return;
-        }
-      const double offset = problem.spin_offset * grid.dx;
-      for (int j = 0; j < grid.my; ++j)
-        {
-          const double s     = std::clamp(grid.y(j), sections.s_min(), sections.s_max());
-          const double along = sections.radius(scene, s) / R - 1,
-                       turn  = std::sin(sections.angle_to_axle(s)) / R;
-          for (int i = 0; i < grid.mx; ++i)
-            {
-              problem.rigid_slip_x[i + grid.mx * j] = along;
-              problem.rigid_slip_y[i + grid.mx * j] = turn * (grid.x(i) + offset);
-            }
-        }
-    }
-
     /// The normal problem alone, on a grid that is enlarged until the contact keeps off its edge.
     HalfspaceSolution
-    solve_pressure(const Scene &scene, const Sections &sections, HalfspaceProblem &problem, int &enlargements)
+    solve_pressure(const Scene           &scene,
+                   const ContactSections &sections,
+                   HalfspaceProblem      &problem,
+                   int                   &enlargements)
     {
       // a first grid: interpenetration at 0.55 of the approach has about the size of the patch (Kik and
       // Piotrowski, 1996), the rest is room for it to grow
-      const double approach = 0.75 * expected_approach(scene, sections.geometry.rolling_radius) *
+      const double approach = 0.75 * expected_approach(scene, sections.geometry().rolling_radius) *
                               std::pow(std::max(1., problem.normal_force / expected_load(scene)), 2. / 3);
       const auto lay_grid = [&](const double reached, const double element) {
-        problem.grid = grid_for(sections, reached, element);
-        set_distance(scene, sections, problem);
+        problem.grid = sections.grid(reached, element);
+        sections.set_distance(problem);
       };
       return solve_on_growing_grid(
         problem, approach, scene.halfspace_element_size, 6, lay_grid, enlargements);
@@ -192,9 +32,9 @@ namespace wheelrail
 
     /// Between the edges of the patch [rad].
     double
-    turn_across(const Sections &sections, const PatchMeasures &measures)
+    turn_across(const ContactSections &sections, const PatchMeasures &measures)
     {
-      const auto   angle  = [&](const double place) { return std::atan(sections.rail.at(place).slope); };
+      const auto   angle  = [&](const double place) { return std::atan(sections.rail().at(place).slope); };
       const double middle = measures.centre_lateral, half = 0.5 * measures.width;
       return std::abs(angle(middle + half) - angle(middle - half));
     }
@@ -227,15 +67,16 @@ namespace wheelrail
                    const WheelRailLoad  &load,
                    const SectionOffsets &offsets)
   {
-    const auto       begin = std::chrono::steady_clock::now();
-    const Sections   sections(geometry, offsets);
-    HalfspaceProblem problem = halfspace_problem(scene);
-    problem.normal_force     = load.force;
+    const auto            begin = std::chrono::steady_clock::now();
+    const ContactSections sections(geometry, offsets);
+    HalfspaceProblem      problem = halfspace_problem(scene);
+    problem.normal_force          = load.force;
 
     WheelRailSolution   result;
     const PressureMeans means =
       pressure_means(sections, solve_pressure(scene, sections, problem, result.enlargements));
-    set_slip(scene, sections, means, problem);
+    const WheelMotion motion{scene.halfspace_spin == HalfspaceSpin::contact, std::nan(""), 0};
+    set_slip(sections, means, motion, load.creepage, problem);
     problem.motion                   = HalfspaceMotion::steady;
     problem.longitudinal_force_given = !load.rate_held;
     // a force that no friction carries, where all of the patch is known to slide
@@ -275,7 +116,7 @@ namespace wheelrail
       }
     result.angle    = means.rail_angle;
     result.problem  = problem;
-    result.spin     = std::sin(means.wheel_angle) / sections.geometry.rolling_radius;
+    result.spin     = std::sin(means.wheel_angle) / sections.geometry().rolling_radius;
     result.lateral  = -result.solution.fn * s - result.solution.fy * c;
     result.vertical = result.solution.fn * c - result.solution.fy * s;
     result.patch    = halfspace_patch(result.solution);
@@ -292,9 +133,9 @@ namespace wheelrail
                      const double          normal_force,
                      const SectionOffsets &offsets)
   {
-    const Sections   sections(geometry, offsets);
-    HalfspaceProblem problem = halfspace_problem(scene);
-    problem.normal_force     = normal_force;
+    const ContactSections sections(geometry, offsets);
+    HalfspaceProblem      problem = halfspace_problem(scene);
+    problem.normal_force          = normal_force;
     int                     ignored;
     const HalfspaceSolution solution = solve_pressure(scene, sections, problem, ignored);
     const PatchMeasures     measures = measure_patch(halfspace_patch(solution));

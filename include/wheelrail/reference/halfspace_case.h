@@ -3,20 +3,12 @@
 #include <wheelrail/halfspace/problem.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/reference/contact_sections.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/scene/scene.h>
 
 namespace wheelrail
 {
-  /// Where rail head and wheel rim stand against the rigid placement of 2D-Geo (signs of
-  /// doc/manual/signs.md).
-  struct SectionOffsets
-  {
-    double lateral    = 0; ///< wheel moved against the rail to the track centre [m]
-    double rail_roll  = 0; ///< about the contact point, from X to Y [rad]
-    double wheel_roll = 0; ///< [rad]
-  };
-
   /// What presses and drives the wheel.
   struct WheelRailLoad
   {

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <wheelrail/geometry/frame_profile.h>
+#include <wheelrail/geometry/touching_profiles.h>
+#include <wheelrail/halfspace/problem.h>
+
+namespace wheelrail
+{
+  /// Where rail head and wheel rim stand against the rigid placement of 2D-Geo (signs of
+  /// doc/manual/signs.md).
+  struct SectionOffsets
+  {
+    double lateral    = 0; ///< wheel moved against the rail to the track centre [m]
+    double rail_roll  = 0; ///< about the contact point, from X to Y [rad]
+    double wheel_roll = 0; ///< [rad]
+  };
+
+  /// Wheel and rail before they deform, in the contact frame of 2D-Geo: x along the rail from the first
+  /// contact point, s across. Each slice of the wheel at fixed s is lowest where its normal lies across the
+  /// track.
+  class ContactSections
+  {
+  public:
+    /// The profiles must outlive it.
+    ContactSections(const TouchingProfiles &profiles, const SectionOffsets &offsets);
+
+    /// The wheel at s.
+    struct Slice
+    {
+      double  along         = 0;           ///< x of its lowest place [m]
+      double  radius        = 0;           ///< distance from the axle there [m]
+      double  rail_angle    = 0;           ///< of the rail's surface against X [rad]
+      double  wheel_angle   = 0;           ///< of the wheel's surface against the axle [rad]
+      double  curvature     = 0;           ///< of its distance from the rail over x [1/m]
+      Vector3 from_middle   = {{0, 0, 0}}; ///< that place from the middle of the axle, in the track frame [m]
+      Vector3 rolling       = {{0, 0, 0}}; ///< velocity there over the pitch rate, in the track frame [m]
+      double  wheel_tangent = 0;           ///< angle of the wheel's surface against X [rad]
+    };
+    Slice
+    slice(double s) const;
+
+    /// Distance of the surfaces at the lowest place of the slice at s, counted from the least one [m].
+    double
+    distance(double s) const;
+
+    double
+    s_min() const;
+    double
+    s_max() const;
+
+    const ContactGeometry &
+    geometry() const
+    {
+      return profiles_.contact;
+    }
+    const FrameProfile &
+    rail() const
+    {
+      return rail_;
+    }
+
+    /// A grid of square elements [m] that covers the interpenetration at the approach [m].
+    HalfspaceGrid
+    grid(double approach, double element) const;
+
+    /// Sets the undeformed distance on the problem's grid: exact at the lowest place of each slice, a
+    /// parabola along the rail.
+    void
+    set_distance(HalfspaceProblem &problem) const;
+
+  private:
+    const TouchingProfiles &profiles_;
+    AxleLine                axle_; ///< of the wheel that turns
+    FrameProfile            rail_, wheel_;
+    double                  lowest_ = 0, lowest_s_ = 0; ///< smallest distance of the profiles, and its place
+  };
+
+  /// Means over the pressure of a solution.
+  struct PressureMeans
+  {
+    double s = 0, rail_angle = 0, wheel_angle = 0; ///< [m], against X, against the axle [rad]
+  };
+  PressureMeans
+  pressure_means(const ContactSections &sections, const HalfspaceSolution &solution);
+
+  /// What the wheelset does besides rolling at the rolling radius R of 2D-Geo.
+  struct WheelMotion
+  {
+    bool   one_spin         = false; ///< one creepage and one spin in place of those of every slice
+    double spin             = 0;     ///< the one [1/m]; NaN: that of the wheel
+    double lateral_creepage = 0;     ///< velocity of the wheelset along X over V
+  };
+
+  /// Rigid slip of the rail against the wheel over V, with the pitch rate V (1 + creepage) / (R cos(yaw)), at
+  /// the lowest place of a slice: along the rail for the creepage 0, and along s.
+  struct RigidSlip
+  {
+    double along = 0, lateral = 0;
+  };
+  RigidSlip
+  rigid_slip(const ContactSections        &sections,
+             const ContactSections::Slice &slice,
+             const WheelMotion            &motion,
+             double                        creepage);
+
+  /// Sets the fields of rigid slip, spin and lateral creepage of a problem whose bodies roll with `creepage`
+  /// (or, where it is to be found, nearly so). The small product of creepage and r / R - 1 is left out.
+  void
+  set_slip(const ContactSections &sections,
+           const PressureMeans   &means,
+           const WheelMotion     &motion,
+           double                 creepage,
+           HalfspaceProblem      &problem);
+} // namespace wheelrail
