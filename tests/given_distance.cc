@@ -56,6 +56,13 @@ namespace
     back.halfspace_approach     = s.approach;
     check_near(
       solve(back).solution.fn / 100e3, 1, 1e-5, "normal force of the same approach over the given one");
+    Scene yawed = hertz_scene();
+    yawed.yaw   = 1e-3;
+    check_text(
+      test::message_of([&]() { solve(yawed); }),
+      "Wheelset/Yaw: without effect where Half-space/Undeformed distance is not that of the profiles; give "
+      "Wheelset/Lateral creepage (about minus the yaw in rad), or set Undeformed distance = profiles",
+      "yaw without profiles");
     back.halfspace_normal_force = 100e3;
     check_text(
       message_of([&]() { solve(back); }),

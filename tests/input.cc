@@ -49,6 +49,7 @@ namespace
       {"Wheelset/Flange back distance", "1361 mm"},
       {"Wheelset/Lateral shift", "-3.5 mm"},
       {"Wheelset/Roll", "from contact"},
+      {"Wheelset/Yaw", "5 mrad"},
       {"Wheelset/Rim width", "136 mm"},
       {"Wheelset/Rim inner radius", "365 mm"},
       {"Wheelset/Disc thickness", "25 mm"},
@@ -68,6 +69,7 @@ namespace
       {"Wheelset/Drive", "rate"},
       {"Wheelset/Traction coefficient", "-0.2"},
       {"Wheelset/Creepage", "0.001"},
+      {"Wheelset/Lateral creepage", "-0.002"},
       {"Contact/Friction coefficient", "0.3"},
       {"Contact/Friction law", "rational"},
       {"Contact/Dynamic friction coefficient", "0.25"},
@@ -110,6 +112,7 @@ namespace
       {"Output/Volume fields", "false"},
       {"Half-space/Element size", "0.25 mm"},
       {"Half-space/Spin", "contact"},
+      {"Half-space/Given spin", "0.1 1/m"},
       {"Half-space/Lateral offset", "-0.1 mm"},
       {"Half-space/Extra inclination", "1 mrad"},
       {"Half-space/Undeformed distance", "hertz"},
@@ -138,7 +141,10 @@ namespace
     for (const auto &value : other_values())
       sets.push_back(value.first + " = " + value.second);
     SceneInput input = scene_from_text("", "none", sets);
-    require_computable(input);
+    SceneInput straight             = input; // runs know neither
+    straight.scene.yaw              = 0;
+    straight.scene.lateral_creepage = 0;
+    require_computable(straight);
     return input.scene;
   }
 

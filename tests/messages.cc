@@ -42,7 +42,14 @@ namespace
     check_set(
       "Wheelset/Drive = torqe",
       "--set: Wheelset/Drive = torqe: not known here; torque or rate is accepted, perhaps torque is meant");
-    check_set("Wheelset/Roll =", "--set: Wheelset/Roll = : no value; none or from contact is accepted");
+    check_set(
+      "Wheelset/Roll =",
+      "--set: Wheelset/Roll = : no value; none, from contact, or an angle from -50 mrad to 50 mrad is "
+      "accepted");
+    check_set(
+      "Wheelset/Roll = form contact",
+      "--set: Wheelset/Roll = form contact: not known here, perhaps from contact is meant; none, from "
+      "contact, or an angle from -50 mrad to 50 mrad is accepted");
     check_set(
       "Profiles/Rail = UIC 60",
       "--set: Profiles/Rail = UIC 60: not known here; 54E1, 60E1 or a profile file (with its ending, such as "

@@ -117,7 +117,14 @@ namespace
     check_text(message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
                "--contact-wheel-rail-input writes wheelsets without roll only: set Wheelset/Roll = none",
                "roll");
-    scene.roll               = RollMode::none;
+    scene.roll = RollMode::none;
+    scene.yaw  = 1e-3;
+    check_text(
+      message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
+      "--contact-wheel-rail-input writes wheelsets that roll straight on only: set Wheelset/Yaw = 0 mrad, "
+      "Wheelset/Lateral creepage = 0 and Half-space/Given spin = auto",
+      "yaw");
+    scene.yaw                = 0;
     scene.halfspace_distance = "hertz";
     check_text(
       message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),

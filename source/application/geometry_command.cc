@@ -23,8 +23,19 @@ namespace wheelrail
       RailProfile     rail;
       WheelProfile    wheel;
       TrackDimensions track;
-      RollMode        roll;
+      WheelsetPose    pose; ///< but for the shift
     };
+
+    /// "none", "from contact" or the angle; and the yaw, if any.
+    std::string
+    pose_text(const WheelsetPose &pose)
+    {
+      const std::string roll = pose.roll == RollMode::none ? "none"
+                               : pose.roll == RollMode::from_contact
+                                 ? "from contact"
+                                 : format_quantity(pose.roll_angle, "mrad");
+      return roll + (pose.yaw == 0 ? "" : ", yaw " + format_quantity(pose.yaw, "mrad"));
+    }
 
     /// The contact at a shift, or nothing; `reason` then tells why.
     std::optional<ContactGeometry>
@@ -32,7 +43,9 @@ namespace wheelrail
     {
       try
         {
-          return find_contact(pair.rail, pair.wheel, pair.track, {shift, pair.roll});
+          WheelsetPose pose  = pair.pose;
+          pose.lateral_shift = shift;
+          return find_contact(pair.rail, pair.wheel, pair.track, pose);
         }
       catch (const InputError &error)
         {
@@ -124,7 +137,7 @@ namespace wheelrail
     print_table(const Pair &pair, const std::vector<double> &shifts, std::ostream &out)
     {
       out
-        << "\nRoll " << (pair.roll == RollMode::none ? "none" : "from contact")
+        << "\nRoll " << pose_text(pair.pose)
         << " (a star marks a jump of the contact point since the line above; + the gap in mm and the rail's "
            "x\nof further points that 0.1 mm of approach would close)\n\n";
       print_row(out,
@@ -181,10 +194,10 @@ namespace wheelrail
     {
       const double           e = 2 * running_circle_distance(pair.track), r0 = pair.track.nominal_radius;
       const RadiusDifference difference =
-        radius_difference(pair.rail, pair.wheel, pair.track, pair.roll, 8e-3, 1e-4);
+        radius_difference(pair.rail, pair.wheel, pair.track, pair.pose.roll, 8e-3, 1e-4);
       out << "\nEquivalent conicity (EN 15302, UIC 519: cone with the same wavelength of Klingel's "
              "movement), roll "
-          << (pair.roll == RollMode::none ? "none" : "from contact") << "\n\n";
+          << pose_text(pair.pose) << "\n\n";
       for (int amplitude = 1; amplitude <= 8; ++amplitude)
         {
           const double conicity = equivalent_conicity(difference, 1e-3 * amplitude, e, r0);
@@ -205,7 +218,7 @@ namespace wheelrail
         out << "  " << std::left << std::setw(37) << name << std::right << value << '\n';
       };
       out << "\nThe scene's own shift: " << fixed(1e3 * c.lateral_shift, 3) << " mm, roll "
-          << (pair.roll == RollMode::none ? "none" : "from contact") << "\n\n";
+          << pose_text(pair.pose) << "\n\n";
       line("roll", fixed(1e3 * c.roll, 5) + " mrad");
       line("point on the wheel (x, y)",
            fixed(1e3 * c.wheel_x, 4) + ", " + fixed(1e3 * c.wheel_y, 4) + " mm, zone " + c.wheel_segment);
@@ -213,6 +226,12 @@ namespace wheelrail
            fixed(1e3 * c.rail_x, 4) + ", " + fixed(1e3 * c.rail_y, 4) + " mm, " + c.rail_segment);
       line("point in the track plane (X, Y)",
            fixed(1e3 * c.frame.origin.x, 4) + ", " + fixed(1e3 * c.frame.origin.y, 4) + " mm");
+      if (c.yaw != 0)
+        {
+          line("yaw", fixed(1e3 * c.yaw, 5) + " mrad");
+          line("point ahead of the axle", fixed(1e3 * c.ahead, 4) + " mm");
+          line("point ahead of the wheelset's middle", fixed(1e3 * c.along, 4) + " mm");
+        }
       line("contact angle", fixed(c.angle / degree, 4) + " deg");
       line("rolling radius", fixed(1e3 * c.rolling_radius, 4) + " mm");
       line("lateral curvature of the rail",
@@ -222,7 +241,9 @@ namespace wheelrail
       for (const FurtherPoint &p : c.further)
         line("further minimum of the gap",
              fixed(1e3 * p.gap, 4) + " mm at rail x " + fixed(1e3 * p.rail_x, 3) + ", wheel x " +
-               fixed(1e3 * p.wheel_x, 3) + " mm, angle " + fixed(p.angle / degree, 2) + " deg" +
+               fixed(1e3 * p.wheel_x, 3) + " mm, angle " + fixed(p.angle / degree, 2) + " deg, radii " +
+               radius_text(p.rail_curvature) + " on " + radius_text(p.wheel_curvature) +
+               (c.yaw == 0 ? "" : ", " + fixed(1e3 * p.ahead, 2) + " mm ahead of the axle") +
                (p.gap < loaded_gap ? ": touches under load" : ""));
 
       const FrameProfile wheel(pair.wheel.tread, c.wheel, c.frame), rail(pair.rail.head, c.rail, c.frame);
@@ -259,7 +280,8 @@ namespace wheelrail
                        const std::vector<double> &shifts,
                        std::ostream              &out)
   {
-    Pair pair{profiles.rail, profiles.wheel, scene.track, RollMode::none};
+    Pair pair{profiles.rail, profiles.wheel, scene.track, {}};
+    pair.pose.yaw = scene.yaw;
     for (const std::string &note : profiles.notes)
       out << "note: " << note << '\n';
     out << "Wheel " << pair.wheel.name << " on rail " << pair.rail.name << ", gauge "
@@ -281,12 +303,14 @@ namespace wheelrail
 
     for (const RollMode mode : {RollMode::none, RollMode::from_contact})
       {
-        pair.roll = mode;
+        pair.pose.roll = mode;
         print_table(pair, shifts.empty() ? default_geometry_shifts() : shifts, out);
-        print_conicity(pair, out);
+        // a wheelset that swings has no lasting yaw
+        if (scene.yaw == 0)
+          print_conicity(pair, out);
       }
 
-    pair.roll = scene.roll;
+    pair.pose = wheelset_pose(scene);
     std::string reason;
     const auto  own = contact_at(pair, scene.lateral_shift, reason);
     if (own)

@@ -52,7 +52,8 @@ namespace wheelrail
         {"kNs/m", D::damping, 1e3, 1},   {"kg m2", D::mass_moment, 1, 1},
         {"kgm2", D::mass_moment, 1, 1},  {"t m2", D::mass_moment, 1e3, 1},
         {"rad", D::angle, 1, 1},         {"mrad", D::angle, 1, 1e3},
-        {"deg", D::angle, pi, 180},
+        {"deg", D::angle, pi, 180},      {"1/m", D::spin, 1, 1},
+        {"1/mm", D::spin, 1e3, 1},       {"rad/m", D::spin, 1, 1},
       };
       return table;
     }
@@ -81,6 +82,7 @@ namespace wheelrail
         {D::damping, "a", "damping", "2500 N s/m"},
         {D::mass_moment, "a", "moment of inertia", "1.5 kg m2"},
         {D::angle, "an", "angle", "2 mrad"},
+        {D::spin, "a", "spin", "0.1 1/m"},
       };
       for (const DimensionText &words : table)
         if (words.dimension == dimension)

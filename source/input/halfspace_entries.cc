@@ -1,6 +1,7 @@
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -130,6 +131,21 @@ namespace wheelrail
        "one creepage and one spin, as the program CONTACT has it."},
       {{"local radius", HalfspaceSpin::local_radius}, {"contact", HalfspaceSpin::contact}},
       field(&S::halfspace_spin)));
+    const auto spin = field(&S::halfspace_given_spin);
+    list.push_back(with_word(
+      number_entry(
+        {"Half-space",
+         "Given spin",
+         "One spin in place of the wheel's own, with one creepage for the whole patch: the rail's turning "
+         "against the wheel about the normal out of the rail, for each metre rolled; auto: as Spin "
+         "says."},
+        D::spin,
+        "1/m",
+        B::between("-20 1/m", "20 1/m"),
+        spin),
+      "auto",
+      std::numeric_limits<double>::infinity(),
+      spin));
     list.push_back(length_entry(
       {"Half-space",
        "Lateral offset",

@@ -1,7 +1,10 @@
+#include <wheelrail/base/choices.h>
+#include <wheelrail/base/errors.h>
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -26,6 +29,43 @@ namespace wheelrail
       entry.set        = [set](Scene &scene, const std::string &text) {
         set(scene, text);
         scene.wheel.nominal_radius = scene.track.nominal_radius;
+      };
+      return entry;
+    }
+
+    /// A word or an angle.
+    Entry
+    roll_entry()
+    {
+      const EntryHead head{
+        "Wheelset",
+        "Roll",
+        "Roll of the wheelset; from contact: the one at which both wheels touch; an angle is "
+        "positive when the modelled wheel goes down."};
+      Entry entry =
+        number_entry(head, D::angle, "mrad", B::between("-50 mrad", "50 mrad"), field(&S::roll_angle));
+      const std::vector<std::pair<std::string, RollMode>> words = {{"none", RollMode::none},
+                                                                   {"from contact", RollMode::from_contact}};
+      entry.accepted                                            = "none, from contact, or " + entry.accepted;
+      entry.set = [words, set = entry.set, accepted = entry.accepted](Scene &scene, const std::string &text) {
+        for (const auto &word : words)
+          if (word.first == text)
+            {
+              scene.roll       = word.second;
+              scene.roll_angle = 0;
+              return;
+            }
+        if (text.find_first_of("0123456789") == std::string::npos)
+          throw InputError((text.empty() ? "no value" : "not known here") +
+                           perhaps(text, {"none", "from contact"}) + "; " + accepted + " is accepted");
+        set(scene, text);
+        scene.roll = RollMode::given;
+      };
+      entry.get = [words, get = entry.get](const Scene &scene) {
+        for (const auto &word : words)
+          if (scene.roll == word.second)
+            return word.first;
+        return get(scene);
       };
       return entry;
     }
@@ -86,10 +126,17 @@ namespace wheelrail
                      "mm",
                      B::between("-12 mm", "12 mm"),
                      field(&S::lateral_shift)));
-      list.push_back(choice_entry<RollMode>(
-        {"Wheelset", "Roll", "Roll of the wheelset; from contact: the one at which both wheels touch."},
-        {{"none", RollMode::none}, {"from contact", RollMode::from_contact}},
-        field(&S::roll)));
+      list.push_back(roll_entry());
+      list.push_back(number_entry(
+        {"Wheelset",
+         "Yaw",
+         "Angle of attack, for the commands geometry and halfspace: the wheelset turned about the vertical "
+         "through its middle; positive when its nose turns to the track centre, away from the flange of the "
+         "modelled wheel."},
+        D::angle,
+        "mrad",
+        B::between("-50 mrad", "50 mrad"),
+        field(&S::yaw)));
       add_wheel_section(list);
       list.push_back(number_entry({"Wheelset", "Sprung mass", "Mass that the suspension carries, per wheel."},
                                   D::mass,
@@ -161,6 +208,13 @@ namespace wheelrail
                     "drives."},
                    B::between("-0.1", "0.1"),
                    field(&S::creepage)));
+      list.push_back(
+        pure_entry({"Wheelset",
+                    "Lateral creepage",
+                    "Lateral velocity of the wheelset over velocity, besides that of its yaw, for "
+                    "the command halfspace; positive to the track centre."},
+                   B::between("-0.1", "0.1"),
+                   field(&S::lateral_creepage)));
     }
   } // namespace
 

@@ -68,6 +68,13 @@ namespace wheelrail
   }
 
 
+  Point2
+  ContactSections::rail_place(const double s) const
+  {
+    return geometry().frame.to_track({s, rail_.at(s).n});
+  }
+
+
   ContactSections::Slice
   ContactSections::slice(const double s) const
   {
@@ -181,6 +188,14 @@ namespace wheelrail
   }
 
 
+  double
+  wheel_spin(const ContactSections &sections, const ContactSections::Slice &slice, const double creepage)
+  {
+    const ContactGeometry &geometry = sections.geometry();
+    return (1 + creepage) * std::sin(slice.wheel_angle) / (geometry.rolling_radius * std::cos(geometry.yaw));
+  }
+
+
   void
   set_slip(const ContactSections &sections,
            const PressureMeans   &means,
@@ -203,14 +218,13 @@ namespace wheelrail
         problem.rigid_slip_y.assign(grid.size(), -problem.phi * centre.along);
         return;
       }
-    const double R = sections.geometry().rolling_radius, yaw = sections.geometry().yaw,
-                 offset = problem.spin_offset * grid.dx;
+    const double offset = problem.spin_offset * grid.dx;
     for (int j = 0; j < grid.my; ++j)
       {
         const double                 s     = std::clamp(grid.y(j), sections.s_min(), sections.s_max());
         const ContactSections::Slice slice = sections.slice(s);
         const RigidSlip              slip  = rigid_slip(sections, slice, motion, creepage);
-        const double                 turn  = std::sin(slice.wheel_angle) / (R * std::cos(yaw));
+        const double                 turn  = wheel_spin(sections, slice, 0);
         for (int i = 0; i < grid.mx; ++i)
           {
             problem.rigid_slip_x[i + grid.mx * j] = slip.along;

@@ -179,6 +179,11 @@ namespace wheelrail
       throw InputError(
         "Half-space/Normal force = auto: no wheel load presses rollers together; give the force, or "
         "Half-space/Approach");
+    if (scene.yaw != 0)
+      throw InputError(
+        "Wheelset/Yaw: without effect where Half-space/Undeformed distance is not that of the "
+        "profiles; give Wheelset/Lateral creepage (about minus the yaw in rad), or set "
+        "Undeformed distance = profiles");
     const GivenSurfaces surfaces = surfaces_of(scene);
     WheelRailSolution   result;
     HalfspaceProblem   &problem = result.problem;
@@ -191,7 +196,10 @@ namespace wheelrail
 
     const HalfspaceSolution normal   = solve_normal_problem(scene, surfaces, problem, result.enlargements);
     problem.motion                   = HalfspaceMotion::steady;
-    problem.phi                      = std::sin(scene.halfspace_contact_angle) / surfaces.radius_along;
+    problem.phi                      = std::isfinite(scene.halfspace_given_spin)
+                                         ? scene.halfspace_given_spin
+                                         : std::sin(scene.halfspace_contact_angle) / surfaces.radius_along;
+    problem.eta                      = -scene.lateral_creepage;
     problem.longitudinal_force_given = scene.drive == Drive::torque;
     problem.fx                       = -scene.traction_coefficient * normal.fn;
     problem.xi                       = scene.drive == Drive::rate ? scene.creepage : 0;

@@ -30,6 +30,88 @@ namespace wheelrail
         problem, approach, scene.halfspace_element_size, 6, lay_grid, enlargements);
     }
 
+    WheelMotion
+    wheel_motion(const Scene &scene)
+    {
+      const bool given = std::isfinite(scene.halfspace_given_spin);
+      return {given || scene.halfspace_spin == HalfspaceSpin::contact,
+              given ? scene.halfspace_given_spin : std::nan(""),
+              scene.lateral_creepage};
+    }
+
+    /// Forces on the wheel along X and upwards [N]. The contact plane is inclined by the mean angle of the
+    /// rail.
+    double
+    lateral_force(const HalfspaceSolution &solution, const PressureMeans &means)
+    {
+      return -solution.fn * std::sin(means.rail_angle) - solution.fy * std::cos(means.rail_angle);
+    }
+    double
+    vertical_force(const HalfspaceSolution &solution, const PressureMeans &means)
+    {
+      return solution.fn * std::cos(means.rail_angle) - solution.fy * std::sin(means.rail_angle);
+    }
+
+    /// Solves the problem under its load. The lateral traction carries a part of a vertical load: on the
+    /// tread it hardly depends on the normal force, on the flange it grows with it, so that secants have to
+    /// find the balance. What drives acts along the wheelset, so that with yaw the lateral force takes a part
+    /// of it.
+    HalfspaceSolution
+    solve_loaded(const ContactSections &sections,
+                 const PressureMeans   &means,
+                 const WheelMotion     &motion,
+                 const WheelRailLoad   &load,
+                 HalfspaceProblem      &problem)
+    {
+      constexpr int    most_rounds = 12;
+      constexpr double enough = 1e-3, enough_driven = 1e-4; // of the load
+      const double     c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
+      const double     yaw             = sections.geometry().yaw;
+      problem.motion                   = HalfspaceMotion::steady;
+      problem.longitudinal_force_given = !load.rate_held;
+      problem.xi                       = load.rate_held ? load.creepage : 0;
+      HalfspaceSolution solution;
+      double            before = 0, missed_before = 0, missed = 0, not_driven = 0;
+      for (int round = 0; round < (load.vertical || yaw != 0 ? most_rounds : 1); ++round)
+        {
+          const double now = problem.normal_force;
+          if (load.vertical && round < 2)
+            problem.normal_force = (load.force + solution.fy * s) / c;
+          else if (load.vertical && std::abs(missed) >= 0.1 * enough * load.force)
+            problem.normal_force = now - missed * (now - before) / (missed - missed_before);
+          before        = now;
+          missed_before = missed;
+          // a force that no friction carries, where all of the patch is known to slide
+          problem.fx = load.slides ? -std::copysign(10 * load.force, load.longitudinal)
+                                   : -(load.longitudinal - lateral_force(solution, means) * std::sin(yaw)) /
+                                       std::cos(yaw);
+          set_slip(sections, means, motion, problem.xi, problem);
+          solution = solve_carried(problem);
+          if (solution.within_friction)
+            problem.xi = solution.xi;
+          missed     = vertical_force(solution, means) - load.force;
+          not_driven = load.rate_held || !solution.within_friction
+                         ? 0
+                         : -solution.fx * std::cos(yaw) + lateral_force(solution, means) * std::sin(yaw) -
+                             load.longitudinal;
+          if (round > 0 && (!load.vertical || std::abs(missed) < enough * load.force) &&
+              std::abs(not_driven) < enough_driven * load.force)
+            break;
+        }
+      if (!solution.within_friction)
+        {
+          problem.longitudinal_force_given = false;
+          problem.xi                       = solution.xi;
+        }
+      if ((load.vertical && std::abs(missed) > 10 * enough * load.force) ||
+          std::abs(not_driven) > 10 * enough * load.force)
+        {
+          solution.coupling_converged = false;
+          solution.not_reached += "The normal force that carries the wheel load was not found. ";
+        }
+      return solution;
+    }
+
     /// Between the edges of the patch [rad].
     double
     turn_across(const ContactSections &sections, const PatchMeasures &measures)
@@ -75,54 +157,19 @@ namespace wheelrail
     WheelRailSolution   result;
     const PressureMeans means =
       pressure_means(sections, solve_pressure(scene, sections, problem, result.enlargements));
-    const WheelMotion motion{scene.halfspace_spin == HalfspaceSpin::contact, std::nan(""), 0};
-    set_slip(sections, means, motion, load.creepage, problem);
-    problem.motion                   = HalfspaceMotion::steady;
-    problem.longitudinal_force_given = !load.rate_held;
-    // a force that no friction carries, where all of the patch is known to slide
-    problem.fx     = load.slides ? -std::copysign(10 * load.force, load.longitudinal) : -load.longitudinal;
-    problem.xi     = load.rate_held ? load.creepage : 0;
-    const double c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
-    // the lateral traction carries a part of a vertical load: on the tread it hardly depends on the normal
-    // force, on the flange it grows with it, so that secants have to find the balance
-    constexpr int    most_rounds = 12;
-    constexpr double enough      = 1e-3; // of the load
-    double           before = 0, missed_before = 0, missed = 0;
-    for (int round = 0; round < (load.vertical ? most_rounds : 1); ++round)
-      {
-        const double now = problem.normal_force;
-        if (load.vertical && round < 2)
-          problem.normal_force = (load.force + result.solution.fy * s) / c;
-        else if (load.vertical)
-          problem.normal_force = now - missed * (now - before) / (missed - missed_before);
-        before          = now;
-        missed_before   = missed;
-        result.solution = solve_carried(problem);
-        if (result.solution.within_friction)
-          problem.xi = result.solution.xi;
-        missed = result.solution.fn * c - result.solution.fy * s - load.force;
-        if (round > 0 && std::abs(missed) < enough * load.force)
-          break;
-      }
-    if (!result.solution.within_friction)
-      {
-        problem.longitudinal_force_given = false;
-        problem.xi                       = result.solution.xi;
-      }
-    if (load.vertical && std::abs(missed) > 10 * enough * load.force)
-      {
-        result.solution.coupling_converged = false;
-        result.solution.not_reached += "The normal force that carries the wheel load was not found. ";
-      }
-    result.angle    = means.rail_angle;
-    result.problem  = problem;
-    result.spin     = std::sin(means.wheel_angle) / sections.geometry().rolling_radius;
-    result.lateral  = -result.solution.fn * s - result.solution.fy * c;
-    result.vertical = result.solution.fn * c - result.solution.fy * s;
-    result.patch    = halfspace_patch(result.solution);
-    result.measures = measure_patch(result.patch);
-    result.turn     = turn_across(sections, result.measures);
-    result.time     = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    result.solution  = solve_loaded(sections, means, wheel_motion(scene), load, problem);
+    result.angle     = means.rail_angle;
+    result.problem   = problem;
+    result.spin      = std::sin(means.wheel_angle) / sections.geometry().rolling_radius;
+    result.lateral   = lateral_force(result.solution, means);
+    result.vertical  = vertical_force(result.solution, means);
+    result.roll      = geometry.contact.roll;
+    result.ahead     = geometry.contact.ahead;
+    result.reference = contact_reference(sections, means, wheel_motion(scene), result.solution);
+    result.patch     = halfspace_patch(result.solution);
+    result.measures  = measure_patch(result.patch);
+    result.turn      = turn_across(sections, result.measures);
+    result.time      = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
   }
 
@@ -158,6 +205,39 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    void
+    add_reference(const Scene             &scene,
+                  const WheelRailSolution &result,
+                  const bool               determined,
+                  Summary                 &summary)
+    {
+      if (!result.reference)
+        return;
+      const ContactReference &at = *result.reference;
+      const auto   set       = [&](const char *key, const double value) { set_figure(summary, key, value); };
+      const double of_motion = determined ? 1 : Summary::none;
+      set("yaw_rad", scene.yaw);
+      set("wheelset_roll_rad", result.roll);
+      set("reference_lateral_m", at.place.x);
+      set("reference_vertical_m", at.place.y);
+      set("reference_along_m", at.along);
+      set("reference_ahead_of_axle_m", at.ahead);
+      set("reference_angle_rad", at.angle);
+      set("reference_creepage", of_motion * at.creepage);
+      set("reference_lateral_creepage", of_motion * at.lateral_creepage);
+      set("reference_spin_per_m", of_motion * at.spin);
+      set("reference_spin_moment_Nm", at.spin_moment);
+      set("tangential_lateral_force_N", at.traction);
+      set("wheelset_longitudinal_force_N", at.driving);
+      set("wheelset_lateral_force_N", at.across);
+      set("drive_torque_Nm", at.torque);
+      set("yaw_moment_Nm", at.yaw_moment);
+    }
+  } // namespace
+
+
   Summary
   halfspace_summary(const Scene &scene, const WheelRailSolution &result)
   {
@@ -175,7 +255,7 @@ namespace wheelrail
     summary.patch_lateral             = result.measures.width;
     summary.patch_longitudinal        = result.measures.length;
     summary.patch_centre_lateral      = result.measures.centre_lateral;
-    summary.patch_centre_longitudinal = result.measures.centre_along;
+    summary.patch_centre_longitudinal = result.measures.centre_along + result.ahead;
     summary.max_shear_traction        = result.measures.max_traction;
     summary.stick_fraction            = result.measures.stick_fraction;
     // a wheel that spins up has no steady creepage, and without friction there is none to find
@@ -192,6 +272,7 @@ namespace wheelrail
                                     {"grid_spacing_m", s.grid.dx},
                                     {"grid_elements_along", double(s.grid.mx)},
                                     {"grid_elements_lateral", double(s.grid.my)}};
+    add_reference(scene, result, determined, summary);
     // a wheel that spins up slides as fast as it likes
     const bool   at_rest = frictionless(result.problem.friction);
     const double t_gamma = determined || at_rest ? s.creepage_work : Summary::none;

@@ -8,19 +8,28 @@ namespace wheelrail
 {
   namespace
   {
+    /// The section of the centred wheelset.
+    Section
+    centred_section(const Scene &scene, const SceneGeometry &geometry)
+    {
+      Scene centred         = scene;
+      centred.lateral_shift = 0;
+      centred.yaw           = 0;
+      return sweep_plan(centred, make_geometry(centred, {geometry.rail, geometry.wheel, {}})).wheel;
+    }
+
     /// The section that a run would mesh, or that of the centred wheelset.
     Section
     wheel_section(const Scene &scene, const SceneGeometry &geometry)
     {
       try
         {
-          return sweep_plan(scene, geometry).wheel;
+          // the weight does not depend on where the wheel stands
+          return scene.yaw == 0 ? sweep_plan(scene, geometry).wheel : centred_section(scene, geometry);
         }
       catch (const InputError &)
         {
-          Scene centred         = scene;
-          centred.lateral_shift = 0;
-          return sweep_plan(centred, make_geometry(centred, {geometry.rail, geometry.wheel, {}})).wheel;
+          return centred_section(scene, geometry);
         }
     }
   } // namespace

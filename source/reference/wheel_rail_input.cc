@@ -28,6 +28,11 @@ namespace wheelrail
         refuse("constant friction only: set Contact/Friction law = constant");
       if (scene.roll != RollMode::none)
         refuse("wheelsets without roll only: set Wheelset/Roll = none");
+      if (scene.yaw != 0 || scene.lateral_creepage != 0 || std::isfinite(scene.halfspace_given_spin))
+        refuse(
+          "wheelsets that roll straight on only: set Wheelset/Yaw = 0 mrad, Wheelset/Lateral creepage = 0 "
+          "and "
+          "Half-space/Given spin = auto");
       if (distance_is_given(scene))
         refuse("profiles only: set Half-space/Undeformed distance = profiles");
     }

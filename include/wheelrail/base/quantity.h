@@ -19,7 +19,8 @@ namespace wheelrail
     stiffness,
     damping,
     mass_moment, ///< moment of inertia of a mass
-    angle
+    angle,
+    spin ///< angle per length
   };
 
   /// The value of `text` in SI units: a decimal number, then for every dimension but `none` a unit

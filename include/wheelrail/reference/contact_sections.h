@@ -59,6 +59,10 @@ namespace wheelrail
       return rail_;
     }
 
+    /// The rail's surface at s, in the track plane [m].
+    Point2
+    rail_place(double s) const;
+
     /// A grid of square elements [m] that covers the interpenetration at the approach [m].
     HalfspaceGrid
     grid(double approach, double element) const;
@@ -102,6 +106,11 @@ namespace wheelrail
              const ContactSections::Slice &slice,
              const WheelMotion            &motion,
              double                        creepage);
+
+  /// Spin of the rail against the wheel at a slice, about the normal out of the rail, for each metre of V
+  /// [1/m].
+  double
+  wheel_spin(const ContactSections &sections, const ContactSections::Slice &slice, double creepage);
 
   /// Sets the fields of rigid slip, spin and lateral creepage of a problem whose bodies roll with `creepage`
   /// (or, where it is to be found, nearly so). The small product of creepage and r / R - 1 is left out.

@@ -3,9 +3,12 @@
 #include <wheelrail/halfspace/problem.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/reference/contact_reference.h>
 #include <wheelrail/reference/contact_sections.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/scene/scene.h>
+
+#include <optional>
 
 namespace wheelrail
 {
@@ -26,15 +29,19 @@ namespace wheelrail
   {
     HalfspaceProblem  problem; ///< as it was solved
     HalfspaceSolution solution;
-    PatchFields       patch;            ///< in the form and with the signs of a run's patch
-    PatchMeasures     measures;         ///< of `patch`: area and extents from the edge line
-    double            angle        = 0; ///< of the surfaces against X, mean over the pressure [rad]
-    double            spin         = 0; ///< d w_y / dx at the centre of pressure [1/m]
-    double            turn         = 0; ///< of the surfaces across the patch, edge to edge [rad]
-    double            lateral      = 0; ///< force on the wheel along X [N]
-    double            vertical     = 0; ///< force on the wheel upwards [N]
-    double            time         = 0; ///< computing time [s]
-    int               enlargements = 0; ///< of the grid, until the contact did not touch its edge
+    PatchFields       patch;        ///< in the form and with the signs of a run's patch
+    PatchMeasures     measures;     ///< of `patch`: area and extents from the edge line
+    double            angle    = 0; ///< of the surfaces against X, mean over the pressure [rad]
+    double            spin     = 0; ///< d w_y / dx at the centre of pressure [1/m]
+    double            turn     = 0; ///< of the surfaces across the patch, edge to edge [rad]
+    double            lateral  = 0; ///< force on the wheel along X [N]
+    double            vertical = 0; ///< force on the wheel upwards [N]
+    double            roll     = 0; ///< of the wheelset, from X to Y [rad]
+    double            ahead =
+      0; ///< of the first contact point, from which places along the rail count, ahead of the axle [m]
+    std::optional<ContactReference> reference; ///< of wheel and rail; none where the distance is given
+    double                          time = 0;  ///< computing time [s]
+    int enlargements                     = 0;  ///< of the grid, until the contact did not touch its edge
   };
 
   /// The normal contact of wheel and rail without what friction adds to it.

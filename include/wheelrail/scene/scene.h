@@ -143,17 +143,18 @@ namespace wheelrail
     // Half-space
     double        halfspace_element_size = 0.4e-3; ///< [m]
     HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
-    double        halfspace_lateral     = 0; ///< wheel section moved against the rail to the track centre [m]
-    double        halfspace_inclination = 0; ///< rail head turned to the track centre [rad]
-    std::string   halfspace_distance    = "profiles"; ///< profiles, hertz, rollers, or a file of distances
-    double        halfspace_radius_along  = 0.46;     ///< Hertzian distance: relative radii [m]
-    double        halfspace_radius_across = 0.3;
-    RollerShape   wheel_roller{0.46}; ///< the rollers of a test rig
-    RollerShape   rail_roller;
-    double        roller_width            = 10e-3; ///< of the narrower one [m]
-    double        halfspace_normal_force  = 0;     ///< [N], 0: the static wheel load
-    double        halfspace_approach      = 0;     ///< [m], 0: found from the normal force
-    double        halfspace_contact_angle = 0;     ///< of the axle to the contact plane: the spin [rad]
+    double halfspace_given_spin  = std::numeric_limits<double>::infinity(); ///< [1/m]; infinite: of the wheel
+    double halfspace_lateral     = 0; ///< wheel section moved against the rail to the track centre [m]
+    double halfspace_inclination = 0; ///< rail head turned to the track centre [rad]
+    std::string halfspace_distance      = "profiles"; ///< profiles, hertz, rollers, or a file of distances
+    double      halfspace_radius_along  = 0.46;       ///< Hertzian distance: relative radii [m]
+    double      halfspace_radius_across = 0.3;
+    RollerShape wheel_roller{0.46}; ///< the rollers of a test rig
+    RollerShape rail_roller;
+    double      roller_width            = 10e-3; ///< of the narrower one [m]
+    double      halfspace_normal_force  = 0;     ///< [N], 0: the static wheel load
+    double      halfspace_approach      = 0;     ///< [m], 0: found from the normal force
+    double      halfspace_contact_angle = 0;     ///< of the axle to the contact plane: the spin [rad]
 
     Study study; ///< the family that this scene stands for, for the command study
 
