@@ -279,7 +279,7 @@ namespace
                "first:last:step or values with commas, in mm, such as -6:6:0.5");
     check_line(
       {"geometry", "--shifts", "0:1e9:1"},
-      "--shifts 0:1e9:1: more than 100000 shifts; write first:last:step or values with commas, in mm, "
+      "--shifts 0:1e9:1: more than 100000 values; write first:last:step or values with commas, in mm, "
       "such as -6:6:0.5");
     check_line(
       {"geometry", "--shifts", "1,two"},

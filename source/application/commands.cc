@@ -1,5 +1,6 @@
 #include <wheelrail/application/commands.h>
 #include <wheelrail/application/compare_command.h>
+#include <wheelrail/application/creep_curve_command.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/halfspace_command.h>
@@ -149,6 +150,12 @@ namespace wheelrail
         geometry = require_touching(input);
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
+      if (!file("creep-curve").empty())
+        return run_creep_curve_command(input.scene,
+                                       geometry ? &*geometry : nullptr,
+                                       parse_creep_curve(file("creep-curve")),
+                                       !options.count("no-pictures"),
+                                       out);
       return run_halfspace_command(input.scene,
                                    geometry ? &*geometry : nullptr,
                                    {file("contact-input"), file("contact-wheel-rail-input")},
@@ -288,6 +295,11 @@ namespace wheelrail
        [](po::options_description &options) {
          add_set_option(options);
          add_no_pictures_option(options);
+         options.add_options()(
+           "creep-curve",
+           po::value<std::string>(),
+           "forces over creepages or spin instead: \"longitudinal -2:2:0.1 %\", \"lateral ...\", "
+           "\"spin -1:1:0.1 1/m\"");
          options.add_options()("contact-input",
                                po::value<std::string>(),
                                "also write the problem as input of the program CONTACT, basic module");

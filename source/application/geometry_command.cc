@@ -1,6 +1,7 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/base/value_list.h>
 #include <wheelrail/geometry/conicity.h>
 
 #include <algorithm>
@@ -329,34 +330,11 @@ namespace wheelrail
       throw InputError("--shifts " + text + ": " + why +
                        "; write first:last:step or values with commas, in mm, such as -6:6:0.5");
     };
-    const bool          is_range = text.find(':') != std::string::npos;
-    std::vector<double> numbers;
-    std::istringstream  parts(text);
-    for (std::string part; std::getline(parts, part, is_range ? ':' : ',');)
-      try
-        {
-          numbers.push_back(parse_quantity(part, Dimension::none));
-        }
-      catch (const InputError &)
-        {
-          fail("\"" + part + "\" is not a number");
-        }
-    if (numbers.empty() || (is_range && numbers.size() != 3))
-      fail("not understood");
-    if (is_range)
-      {
-        const double first = numbers[0], last = numbers[1], step = numbers[2];
-        if (!(step > 0) || last < first)
-          fail("the step must be positive and the last value not below the first");
-        const double count = std::floor((last - first) / step * (1 + 1e-12) + 1e-9);
-        if (count > 100000)
-          fail("more than 100000 shifts");
-        numbers.clear();
-        for (double i = 0; i <= count; ++i)
-          numbers.push_back(first + i * step);
-      }
-    for (double &number : numbers)
-      number /= 1e3;
-    return numbers;
+    ValueList list = parse_value_list(text, 100000);
+    if (!list.fault.empty())
+      fail(list.fault);
+    for (double &shift : list.values)
+      shift /= 1e3;
+    return list.values;
   }
 } // namespace wheelrail

@@ -58,6 +58,19 @@ namespace wheelrail
   } // namespace
 
 
+  std::filesystem::path
+  halfspace_folder(const Scene &scene)
+  {
+    std::filesystem::path folder = scene.folder;
+    if (!folder.has_filename())
+      folder = folder.parent_path();
+    folder += "-halfspace";
+    std::error_code ignored; // a folder that cannot be made shows when its first file is written
+    std::filesystem::create_directories(folder, ignored);
+    return folder;
+  }
+
+
   int
   run_halfspace_command(const Scene             &scene,
                         const SceneGeometry     *geometry,
@@ -99,12 +112,7 @@ namespace wheelrail
     print_summary(figures, out);
     print_stresses(stresses, out);
 
-    std::filesystem::path folder = scene.folder;
-    if (!folder.has_filename())
-      folder = folder.parent_path();
-    folder += "-halfspace";
-    std::error_code ignored; // a folder that cannot be made shows when its first file is written
-    std::filesystem::create_directories(folder, ignored);
+    const std::filesystem::path folder = halfspace_folder(scene);
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     TickFile patches((folder / "halfspace.h5").string(), false, 0);
     append_patch(patches, result.patch);

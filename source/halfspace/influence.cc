@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace wheelrail
 {
@@ -76,6 +77,12 @@ namespace wheelrail
     return c;
   }
 
+  namespace
+  {
+    /// FFTW makes and destroys plans on one thread at a time; executing them is free.
+    std::mutex planning;
+  } // namespace
+
   struct InfluenceProducts::Plans
   {
     double       *real     = nullptr;
@@ -90,6 +97,7 @@ namespace wheelrail
     , ny_(fft_size(2 * grid.my))
     , plans_(std::make_unique<Plans>())
   {
+    const std::lock_guard<std::mutex> guard(planning);
     plans_->real     = fftw_alloc_real(std::size_t(nx_) * ny_);
     plans_->complex  = fftw_alloc_complex(spectrum_size());
     plans_->forward  = fftw_plan_dft_r2c_2d(ny_, nx_, plans_->real, plans_->complex, FFTW_ESTIMATE);
@@ -98,6 +106,7 @@ namespace wheelrail
 
   InfluenceProducts::~InfluenceProducts()
   {
+    const std::lock_guard<std::mutex> guard(planning);
     fftw_destroy_plan(plans_->forward);
     fftw_destroy_plan(plans_->backward);
     fftw_free(plans_->real);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace wheelrail
+{
+  /// Calls work(i) for i from 0 to n - 1 on `threads` threads (0: as many as the machine has processors),
+  /// each taking the next index that is free. An exception of `work` ends the loop and is thrown again here.
+  void
+  parallel_for(std::size_t n, const std::function<void(std::size_t)> &work, unsigned int threads = 0);
+} // namespace wheelrail

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <wheelrail/output/summary.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Figures of several cases: one column a figure, under its key of summary.json.
+  struct FigureTable
+  {
+    std::vector<std::string>         keys;
+    std::vector<std::vector<double>> columns; ///< [SI], one value a case; NaN where there is none
+
+    /// A column of values under a key.
+    void
+    add(const std::string &key, std::vector<double> values);
+
+    /// The columns of those of `wanted` that at least one of the summaries has.
+    void
+    add_figures(const std::vector<std::string> &wanted, const std::vector<Summary> &summaries);
+
+    /// The column with that key, or null.
+    const std::vector<double> *
+    find(const std::string &key) const;
+
+    std::size_t
+    rows() const;
+
+    /// Commas between, keys first; empty where there is no value. Throws RunError when it cannot be written.
+    void
+    write_csv(const std::string &path) const;
+  };
+} // namespace wheelrail

@@ -1,0 +1,126 @@
+#include <wheelrail/application/creep_curve_command.h>
+#include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/report_script.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/given_distance.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    void
+    print_table(const CreepCurve &curve, const FigureTable &table, std::ostream &out)
+    {
+      const bool spin = curve.axis == CreepAxis::spin;
+      char       text[160];
+      const auto value = [&](const char *key, const std::size_t row) {
+        const auto *const column = table.find(key);
+        return column ? (*column)[row] : Summary::none;
+      };
+      std::snprintf(text,
+                    sizeof(text),
+                    "%12s %14s %14s %14s %12s %10s\n",
+                    spin ? "spin" : "creepage",
+                    "longitudinal",
+                    "lateral",
+                    "normal",
+                    "spin moment",
+                    "stick");
+      out << "Forces on the wheel over the " << (spin ? "spin" : creep_axis_name(curve.axis) + " creepage")
+          << " (in the contact plane)\n\n"
+          << text;
+      std::snprintf(text,
+                    sizeof(text),
+                    "%12s %14s %14s %14s %12s %10s\n",
+                    spin ? "1/m" : "%",
+                    "kN",
+                    "kN",
+                    "kN",
+                    "N m",
+                    "%");
+      out << text;
+      for (std::size_t row = 0; row < table.rows(); ++row)
+        {
+          std::snprintf(text,
+                        sizeof(text),
+                        "%12.4f %14.4f %14.4f %14.3f %12.3f %10.1f\n",
+                        (spin ? 1 : 100) * curve.values[row],
+                        1e-3 * value("longitudinal_force_N", row),
+                        1e-3 * value("tangential_lateral_force_N", row),
+                        1e-3 * value("normal_force_N", row),
+                        value("reference_spin_moment_Nm", row),
+                        100 * value("stick_fraction", row));
+          out << text;
+        }
+    }
+  } // namespace
+
+
+  int
+  run_creep_curve_command(const Scene         &scene,
+                          const SceneGeometry *geometry,
+                          const CreepCurve    &curve,
+                          const bool           draws,
+                          std::ostream        &out)
+  {
+    const bool given  = distance_is_given(scene);
+    const auto points = solve_creep_curve(scene, curve, [&](const Scene &point) {
+      return given ? solve_given_distance(point, geometry)
+                   : solve_wheel_rail(point, *geometry, scene_load(point, *geometry), scene_offsets(point));
+    });
+
+    std::vector<Summary> summaries;
+    std::size_t          failed = 0;
+    for (const WheelRailSolution &point : points)
+      {
+        summaries.push_back(halfspace_summary(scene, point));
+        failed += summaries.back().finished ? 0 : 1;
+      }
+    FigureTable table;
+    table.add(curve.axis == CreepAxis::spin ? "given_spin_per_m"
+                                            : "given_" + creep_axis_name(curve.axis) + "_creepage",
+              curve.values);
+    table.add_figures({"reference_creepage",
+                       "reference_lateral_creepage",
+                       "reference_spin_per_m",
+                       "creepage",
+                       "longitudinal_force_N",
+                       "tangential_lateral_force_N",
+                       "reference_spin_moment_Nm",
+                       "normal_force_N",
+                       "vertical_force_N",
+                       "lateral_force_N",
+                       "wheelset_longitudinal_force_N",
+                       "wheelset_lateral_force_N",
+                       "max_pressure_Pa",
+                       "max_shear_traction_Pa",
+                       "area_of_whole_elements_m2",
+                       "stick_fraction",
+                       "t_gamma_N"},
+                      summaries);
+    print_table(curve, table, out);
+    const std::filesystem::path folder = halfspace_folder(scene);
+    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+    table.write_csv((folder / "creep_curve.csv").string());
+    if (failed > 0)
+      out << failed << " of " << points.size() << " points could not be solved as they should; the first: " <<
+        [&]() {
+          for (const Summary &summary : summaries)
+            if (!summary.finished)
+              return summary.stop_reason;
+          return std::string();
+        }()
+          << '\n';
+    out << "Table in " << (folder / "creep_curve.csv").string() << std::endl;
+    if (draws)
+      run_script("creep_curve.py", {folder.string()});
+    return failed == 0 ? 0 : 2;
+  }
+} // namespace wheelrail

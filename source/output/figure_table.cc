@@ -1,0 +1,67 @@
+#include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/replace_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace wheelrail
+{
+  void
+  FigureTable::add(const std::string &key, std::vector<double> values)
+  {
+    keys.push_back(key);
+    columns.push_back(std::move(values));
+  }
+
+
+  void
+  FigureTable::add_figures(const std::vector<std::string> &wanted, const std::vector<Summary> &summaries)
+  {
+    for (const std::string &key : wanted)
+      {
+        std::vector<double> values;
+        for (const Summary &summary : summaries)
+          values.push_back(get_figure(summary, key));
+        if (std::any_of(values.begin(), values.end(), [](const double v) { return std::isfinite(v); }))
+          add(key, std::move(values));
+      }
+  }
+
+
+  const std::vector<double> *
+  FigureTable::find(const std::string &key) const
+  {
+    const auto at = std::find(keys.begin(), keys.end(), key);
+    return at == keys.end() ? nullptr : &columns[at - keys.begin()];
+  }
+
+
+  std::size_t
+  FigureTable::rows() const
+  {
+    return columns.empty() ? 0 : columns.front().size();
+  }
+
+
+  void
+  FigureTable::write_csv(const std::string &path) const
+  {
+    std::string text;
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      text += (k > 0 ? "," : "") + keys[k];
+    text += '\n';
+    char number[32];
+    for (std::size_t row = 0; row < rows(); ++row)
+      {
+        for (std::size_t k = 0; k < keys.size(); ++k)
+          {
+            std::snprintf(number, sizeof(number), "%.9g", columns[k][row]);
+            text += (k > 0 ? "," : "") + std::string(std::isfinite(columns[k][row]) ? number : "");
+          }
+        text += '\n';
+      }
+    replace_file(path, text);
+  }
+} // namespace wheelrail

@@ -1,0 +1,69 @@
+#!/usr/bin/python3
+"""Draws a creep curve: forces in the contact plane and spin moment over creepage or spin.
+
+Usage: creep_curve.py FOLDER
+
+FOLDER holds creep_curve.csv of the command halfspace --creep-curve; the picture is FOLDER/pictures/creep_curve.png.
+"""
+
+import csv
+import os
+import sys
+
+sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import style
+
+
+def read(path):
+    """Columns of the table by name."""
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    return {name: np.array([float(row[name]) if row[name] else np.nan for row in rows]) for name in rows[0]}
+
+
+def draw(table, path):
+    given = next(iter(table))
+    spin = given.endswith("spin_per_m")
+    x = table[given] * (1 if spin else 100)
+    figure, axes = plt.subplots(figsize=(7.6, 4.4))
+    for name, label, color in (("longitudinal_force_N", "longitudinal", style.BLUE),
+                               ("tangential_lateral_force_N", "lateral", style.RED)):
+        if name in table:
+            axes.plot(x, 1e-3 * table[name], marker=".", color=color, label=label)
+    axes.set_xlabel("spin [1/m]" if spin else f"{given.split('_')[1]} creepage [%]")
+    axes.set_ylabel("force on the wheel, in the contact plane [kN]")
+    axes.grid(True)
+    if "reference_spin_moment_Nm" in table:
+        other = axes.twinx()
+        other.plot(x, table["reference_spin_moment_Nm"], color=style.GREY, linestyle="--", linewidth=1,
+                   label="spin moment on the rail (right)")
+        other.set_ylabel("N m")
+        lines = axes.get_lines() + other.get_lines()
+        axes.legend(lines, [line.get_label() for line in lines], loc="best")
+    else:
+        axes.legend(loc="best")
+    figure.tight_layout()
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    figure.savefig(path)
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print(__doc__, file=sys.stderr)
+        return 1
+    path = os.path.join(arguments[0], "pictures", "creep_curve.png")
+    try:
+        draw(read(os.path.join(arguments[0], "creep_curve.csv")), path)
+    except OSError as error:
+        print(error, file=sys.stderr)
+        return 1
+    print(f"Picture in {path}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
