@@ -5,6 +5,7 @@
 
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/output/vtu.h>
 
 #include "parallel.h"
 #include "small_scene.h"
@@ -26,6 +27,7 @@ namespace
     scene.title               = "stopped around a change of the mesh";
     scene.window              = MeshWindow::moving;
     scene.rolling_distance    = 18e-3;
+    scene.evaluate_at         = 9e-3;
     scene.rail_length         = 0.4;
     scene.ticks               = 5;
     scene.checkpoint_interval = 1e4;
@@ -60,6 +62,11 @@ main(int argc, char **argv)
   for (std::size_t c = 0; c < a.names.size(); ++c)
     if (a.names[c] == "mesh_change_work")
       check(a.columns[c].front() != a.columns[c].back(), "the mesh has changed");
+  PvdSeries volumes(base.folder + "/volume.pvd");
+  volumes.load();
+  check(volumes.entries().size() == 3 && volumes.entries()[1].second == "volume_evaluated.vtu" &&
+          fs::exists(base.folder + "/volume_evaluated.vtu"),
+        "the mesh at the start, at the place of evaluation and at the end");
   const Summary stopped = read_summary(base.folder + "/summary.json");
   for (const char *key :
        {"normal_force_N", "max_pressure_Pa", "creepage", "energy_error", "max_von_mises_Pa"})

@@ -5,6 +5,9 @@ import os
 import shutil
 import subprocess
 import sys
+import xml.etree.ElementTree
+
+import numpy as np
 
 PACKAGES = "python3-vtk9, xvfb, xauth"
 
@@ -20,8 +23,20 @@ def missing():
     return ""
 
 
+def files_of(run):
+    """The files of the whole mesh in volume.pvd, each with the distance rolled."""
+    files = []
+    for entry in xml.etree.ElementTree.parse(run.data.path("volume.pvd")).iter("DataSet"):
+        rolled = "start"
+        if run.history is not None and float(entry.get("timestep")) > 0:
+            place = np.interp(float(entry.get("timestep")), run.history["time"], run.history["rolled_distance"])
+            rolled = f"{1e3 * place:.0f} mm rolled"
+        files += [run.data.path(entry.get("file")), rolled]
+    return files
+
+
 def draw_all(run):
-    """Both pictures, a list of (caption, path); a remark where they cannot be drawn."""
+    """All pictures, a list of (caption, path); a remark where they cannot be drawn."""
     name = "volume_end.vtu"
     if run.is_halfspace or run.patch is None:
         return []
@@ -33,12 +48,13 @@ def draw_all(run):
         run.remarks.append(f"The pictures of wheel and rail are left out: {reason} (packages {PACKAGES}).")
         return []
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "body_scene.py")
-    command = ["/usr/bin/python3", script, run.data.path(name), run.pictures_folder]
+    command = ["/usr/bin/python3", script, run.pictures_folder, *files_of(run)]
     if shutil.which("xvfb-run"):
         command = ["xvfb-run", "-a", "-s", "-screen 0 1400x1000x24", *command]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     pictures = [("Wheel and rail with their mesh, von Mises stress, at the end of the run", "bodies.png"),
-                ("Cut across the track through the contact: mesh and von Mises stress", "bodies_cut.png")]
+                ("Cut across the track through the contact: mesh and von Mises stress", "bodies_cut.png"),
+                ("The mesh along the path: cut across and along the track through the contact", "mesh_places.png")]
     drawn = [(caption, os.path.join(run.pictures_folder, file)) for caption, file in pictures
              if os.path.exists(os.path.join(run.pictures_folder, file))]
     if done.returncode != 0:

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Draws wheel and rail of a VTU file in three dimensions with VTK: body_scene.py FILE.vtu FOLDER
+"""Draws wheel and rail of VTU files in three dimensions with VTK: body_scene.py FOLDER FILE.vtu TITLE...
 
-Writes FOLDER/bodies.png (both bodies, from the track centre and behind) and FOLDER/bodies_cut.png (cut across the track
-through the contact, seen in the rolling direction, which has the gauge corner of the right-hand rail on
-the left).
+Writes FOLDER/bodies.png (both bodies of the last file, from the track centre and behind), FOLDER/bodies_cut.png (cut across
+the track through the contact, seen in the rolling direction, which has the gauge corner of the right-hand rail on the left)
+and FOLDER/mesh_places.png (the meshes of all files, up to three, under their titles: cut across and along the track).
 """
 
 import os
@@ -80,11 +80,11 @@ def skin(grid):
     return faces.GetOutput()
 
 
-def behind(grid, z):
-    """Whole cells at z and beyond, so that the cut shows faces of the mesh."""
+def behind(grid, place, axis):
+    """Whole cells at `place` and beyond along the axis (0 lateral, 2 along), so that the cut shows faces of the mesh."""
     plane = vtkPlane()
-    plane.SetOrigin(0, 0, z)
-    plane.SetNormal(0, 0, -1)
+    plane.SetOrigin(*place)
+    plane.SetNormal(*[-float(k == axis) for k in range(3)])
     part = vtkExtractGeometry()
     part.SetInputData(grid)
     part.SetImplicitFunction(plane)
@@ -123,24 +123,15 @@ def bar(table):
     return actor
 
 
-def draw(path, actors, table, words, camera):
-    """One picture: the bodies on the left, scale and words on white around them."""
-    scene, around = vtkRenderer(), vtkRenderer()
-    scene.SetViewport(0, 0.06, 0.85, 0.94)
-    for actor in actors:
-        scene.AddActor(actor)
-    around.AddViewProp(bar(table))
-    for actor in words:
-        around.AddViewProp(actor)
+def write(path, renderers, size):
+    """One picture of all renderers, on white."""
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(4)
-    window.SetSize(1200, 850)
-    for renderer in (around, scene):
+    window.SetSize(*size)
+    for renderer in renderers:
         renderer.SetBackground(1, 1, 1)
         window.AddRenderer(renderer)
-    camera(scene.GetActiveCamera())
-    scene.ResetCameraClippingRange()
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
@@ -151,14 +142,62 @@ def draw(path, actors, table, words, camera):
     writer.Write()
 
 
+def scene_of(actor, viewport, camera):
+    scene = vtkRenderer()
+    scene.SetViewport(*viewport)
+    scene.AddActor(actor)
+    camera(scene.GetActiveCamera())
+    scene.ResetCameraClippingRange()
+    return scene
+
+
+def draw(path, actor, table, words, camera):
+    """One picture: the bodies on the left, scale and words on white around them."""
+    around = vtkRenderer()
+    around.AddViewProp(bar(table))
+    for word in words:
+        around.AddViewProp(word)
+    write(path, (around, scene_of(actor, (0, 0.06, 0.85, 0.94), camera)), (1200, 850))
+
+
+def onto_cut(middle, axis, height):
+    """A camera that looks along the axis onto a cut, over a stretch of this height [m]."""
+    def set_up(camera):
+        camera.SetFocalPoint(*middle)
+        camera.SetPosition(*(middle - np.eye(3)[axis]))
+        camera.SetViewUp(0, 1, 0)
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale(0.5 * height)
+    return set_up
+
+
+def draw_places(path, grids, titles):
+    """A column for each file: cut across the track (44 mm high) and along it (100 mm)."""
+    width, scenes, around = 1 / len(grids), [], vtkRenderer()
+    top = max(contact_of(grid)[1] for grid in grids)
+    table = colors(max(np.ceil(top / 100) * 100, 100))
+    columns = 420
+    for number, (grid, title) in enumerate(zip(grids, titles)):
+        place = contact_of(grid)[0]
+        left = number * width + 0.005
+        for axis, height, low, high in ((2, 0.044, 0.50, 0.93), (0, 0.1, 0.04, 0.47)):
+            actor = actor_of(skin(behind(grid, place, axis)), table, 1.0)
+            scenes.append(scene_of(actor, (left, low, left + width - 0.01, high), onto_cut(place, axis, height)))
+        around.AddViewProp(text(title, columns * number + 10, 790, 20, True))
+        around.AddViewProp(text("across the track, 44 mm high", columns * number + 10, 391, 15))
+        around.AddViewProp(text("along the track, 100 mm high, rolling to the right", columns * number + 10, 10, 15))
+    write(path, (around, *scenes), (columns * len(grids), 825))
+
+
 def main(arguments):
-    if len(arguments) != 2:
+    if len(arguments) < 3 or len(arguments) % 2 == 0:
         print(__doc__, file=sys.stderr)
         return 1
-    grid = read(arguments[0])
+    folder, files, titles = arguments[0], arguments[1::2], arguments[2::2]
+    grids = [read(file) for file in files]
+    grid = grids[-1]
     place, largest = contact_of(grid)
-    top = max(np.ceil(largest / 100) * 100, 100)
-    table = colors(top)
+    table = colors(max(np.ceil(largest / 100) * 100, 100))
     bounds = grid.GetBounds()
     height = bounds[3] - bounds[2]
 
@@ -169,22 +208,13 @@ def main(arguments):
         camera.SetViewUp(0, 1, 0)
         camera.SetViewAngle(26)
 
-    whole = [actor_of(skin(grid), table, 0.6)]
-    draw(os.path.join(arguments[1], "bodies.png"), whole, table,
+    draw(os.path.join(folder, "bodies.png"), actor_of(skin(grid), table, 0.6), table,
          [text("seen from the track centre and from behind, rolling direction away from the eye", 20, 14)], from_afar)
-
-    def on_the_cut(camera):
-        middle = np.array([place[0] - 0.006, place[1], place[2]])
-        camera.SetFocalPoint(*middle)
-        camera.SetPosition(*(middle - np.array([0, 0, 1.0])))
-        camera.SetViewUp(0, 1, 0)
-        camera.ParallelProjectionOn()
-        camera.SetParallelScale(0.022)
-
-    cut = [actor_of(skin(behind(grid, place[2])), table, 1.0)]
-    draw(os.path.join(arguments[1], "bodies_cut.png"), cut, table,
+    draw(os.path.join(folder, "bodies_cut.png"), actor_of(skin(behind(grid, place, 2)), table, 1.0), table,
          [text("G.C.", 20, 810, 24, True), text("F.S.", 960, 810, 24, True),
-          text("seen in the rolling direction; the picture is 44 mm high", 20, 14)], on_the_cut)
+          text("seen in the rolling direction; the picture is 44 mm high", 20, 14)],
+         onto_cut(place - np.array([0.006, 0, 0]), 2, 0.044))
+    draw_places(os.path.join(folder, "mesh_places.png"), grids, titles)
     return 0
 
 

@@ -7,7 +7,10 @@
 
 namespace wheelrail
 {
-  RunOutput::RunOutput(const RunParts &parts, const bool resume, const unsigned int ticks)
+  RunOutput::RunOutput(const RunParts    &parts,
+                       const bool         resume,
+                       const unsigned int ticks,
+                       const unsigned int volumes)
     : parts_(parts)
   {
     on_root(parts_.communicator, [&]() {
@@ -21,7 +24,7 @@ namespace wheelrail
         if (resume)
           series->load(ticks);
       if (resume)
-        volume_series_->load(1); // the start; the end is written anew
+        volume_series_->load(volumes);
     });
   }
 

@@ -236,7 +236,10 @@ namespace wheelrail
       recorder_ = std::make_unique<Recorder>(model_);
       parts_ =
         std::make_unique<RunParts>(RunParts{scene_, model_, *axle_, *rolling_, *recorder_, communicator_});
-      output_ = std::make_unique<RunOutput>(*parts_, resume_point_.has_value(), tick_);
+      // the start and the place of evaluation stay, the end is written anew
+      const bool evaluated =
+        resume_point_ && scene_.evaluate_at > 0 && resume_point_->whole.axle.travelled >= scene_.evaluate_at;
+      output_ = std::make_unique<RunOutput>(*parts_, resume_point_.has_value(), tick_, evaluated ? 2 : 1);
     }
 
 
@@ -267,8 +270,11 @@ namespace wheelrail
       for (unsigned long n = first_step_ + 1; n <= n_steps && stop.reason.empty(); ++n)
         {
           mesh_changes_ += follow_wheel(moving());
-          const bool record_now = n % every == 0 || n == 1 || n == n_steps;
+          const bool   record_now = n % every == 0 || n == 1 || n == n_steps;
+          const double before     = axle_->travelled();
           rolling_->step(record_now);
+          if (before < scene_.evaluate_at && axle_->travelled() >= scene_.evaluate_at && scene_.volume_fields)
+            output_->volume("volume_evaluated", nodal_stress(model_.solid, communicator_));
           if (record_now)
             {
               record();

@@ -16,9 +16,9 @@ namespace wheelrail
   class RunOutput
   {
   public:
-    /// With `resume` the first `ticks` ticks that the files hold are kept. Throws RunError on all ranks
-    /// when they cannot be read. Collective.
-    RunOutput(const RunParts &parts, bool resume, unsigned int ticks);
+    /// With `resume` the first `ticks` ticks that the files hold are kept, and the first `volumes` files of
+    /// the whole mesh. Throws RunError on all ranks when they cannot be read. Collective.
+    RunOutput(const RunParts &parts, bool resume, unsigned int ticks, unsigned int volumes);
 
     /// Writes the state of the moment as tick number `tick`. Collective; throws RunError on all ranks.
     void
