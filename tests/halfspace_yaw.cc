@@ -60,6 +60,31 @@ namespace
     test::check(std::abs(solved(scene).lateral - moved.lateral) > 2e3,
                 "spin of opposite sign changes the force");
   }
+
+  /// The left wheel of a wheelset is the right one of its mirror image.
+  void
+  test_sides()
+  {
+    Scene scene;
+    scene.wheel_load       = 100e3;
+    scene.lateral_shift    = 2e-3;
+    scene.yaw              = 4e-3;
+    scene.roll             = RollMode::from_contact;
+    scene.lateral_creepage = 1e-3;
+    scene.left_wheel       = true;
+    const auto left        = solved(scene);
+    scene.left_wheel       = false;
+    const auto right       = solved(scene);
+    check_near(left.roll, -right.roll, 1e-12, "roll of the wheelset, seen from its other wheel [rad]");
+    test::check(std::abs(left.lateral - right.lateral) > 1e3, "both wheels have other forces");
+    scene.lateral_shift *= -1;
+    scene.yaw *= -1;
+    scene.lateral_creepage *= -1;
+    const auto mirror = solved(scene);
+    check_near(left.lateral, mirror.lateral, 1e-6, "lateral force of the mirror image [N]");
+    check_near(
+      left.solution.peak_pressure / mirror.solution.peak_pressure, 1, 1e-12, "peak of the mirror image");
+  }
 } // namespace
 
 int
@@ -70,5 +95,6 @@ main()
     test::check_yaw_row(rows.at(row));
   test_frictionless();
   test_lateral_creepage();
+  test_sides();
   return test::report();
 }

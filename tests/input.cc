@@ -49,6 +49,7 @@ namespace
       {"Wheelset/Flange back distance", "1361 mm"},
       {"Wheelset/Lateral shift", "-3.5 mm"},
       {"Wheelset/Roll", "from contact"},
+      {"Wheelset/Side", "left"},
       {"Wheelset/Yaw", "5 mrad"},
       {"Wheelset/Rim width", "136 mm"},
       {"Wheelset/Rim inner radius", "365 mm"},
@@ -140,10 +141,11 @@ namespace
     std::vector<std::string> sets;
     for (const auto &value : other_values())
       sets.push_back(value.first + " = " + value.second);
-    SceneInput input = scene_from_text("", "none", sets);
+    SceneInput input                = scene_from_text("", "none", sets);
     SceneInput straight             = input; // runs know neither
     straight.scene.yaw              = 0;
     straight.scene.lateral_creepage = 0;
+    straight.scene.left_wheel       = false; // the mesh at the other shift needs other sizes
     require_computable(straight);
     return input.scene;
   }

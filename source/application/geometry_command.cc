@@ -282,7 +282,7 @@ namespace wheelrail
                        std::ostream              &out)
   {
     Pair pair{profiles.rail, profiles.wheel, scene.track, {}};
-    pair.pose.yaw = scene.yaw;
+    pair.pose.yaw = wheelset_pose(scene).yaw;
     for (const std::string &note : profiles.notes)
       out << "note: " << note << '\n';
     out << "Wheel " << pair.wheel.name << " on rail " << pair.rail.name << ", gauge "
@@ -294,7 +294,8 @@ namespace wheelrail
       out << fixed(scene.track.inclination, 4);
     out << ", flange-back distance " << fixed(1e3 * scene.track.flange_back_distance, 2)
         << " mm, nominal radius " << fixed(1e3 * scene.track.nominal_radius, 2) << " mm\n"
-        << "\nModelled is the wheel on the right-hand rail. Shift: of the wheelset towards the track centre, "
+        << "\nModelled is the wheel on the " << (scene.left_wheel ? "left" : "right")
+        << "-hand rail. Shift: of the wheelset towards the track centre, "
            "negative\n"
            "brings the flange root to the gauge corner. x: positive to the field side, from the running "
            "circle and\n"
@@ -313,7 +314,7 @@ namespace wheelrail
 
     pair.pose = wheelset_pose(scene);
     std::string reason;
-    const auto  own = contact_at(pair, scene.lateral_shift, reason);
+    const auto  own = contact_at(pair, pair.pose.lateral_shift, reason);
     if (own)
       print_details(pair, *own, out);
     else

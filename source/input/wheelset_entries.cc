@@ -118,6 +118,15 @@ namespace wheelrail
         "mm",
         B::between("400 mm", "1950 mm"),
         field(&S::track, &TrackDimensions::flange_back_distance)));
+      list.push_back(choice_entry<bool>({"Wheelset",
+                                         "Side",
+                                         "The modelled wheel, on the right-hand or the left-hand rail; "
+                                         "lateral shift, roll, yaw and lateral creepage "
+                                         "are those of the wheelset, with the signs for its right-hand "
+                                         "wheel; results count to the track centre of "
+                                         "the modelled wheel."},
+                                        {{"right", false}, {"left", true}},
+                                        field(&S::left_wheel)));
       list.push_back(
         length_entry({"Wheelset",
                       "Lateral shift",

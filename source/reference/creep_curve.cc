@@ -14,10 +14,10 @@ namespace wheelrail
   {
     /// How far the creepage of a solution is from the value, in that of the scene's entry.
     double
-    missing(const CreepAxis axis, const ContactReference &at, const double value)
+    missing(const CreepAxis axis, const ContactReference &at, const double value, const double side)
     {
       if (axis == CreepAxis::lateral)
-        return (value - at.lateral_creepage) * at.speed / std::cos(at.angle);
+        return (value - at.lateral_creepage) * at.speed / std::cos(at.angle) * side;
       const auto over_velocity = [](const double creepage) { return creepage / (1 - 0.5 * creepage); };
       return over_velocity(value) - over_velocity(at.creepage);
     }
@@ -36,14 +36,14 @@ namespace wheelrail
       if (axis == CreepAxis::longitudinal)
         scene.drive = Drive::rate;
       double &entry = axis == CreepAxis::longitudinal ? scene.creepage : scene.lateral_creepage;
-      entry         = value;
+      entry         = axis == CreepAxis::lateral && scene.left_wheel ? -value : value;
       // the reference point moves by some micrometres with the forces
       constexpr double  enough = 1e-7;
       constexpr int     most   = 4;
       WheelRailSolution result = solve(scene);
       for (int round = 1; round < most && result.reference; ++round)
         {
-          const double step = missing(axis, *result.reference, value);
+          const double step = missing(axis, *result.reference, value, scene.left_wheel ? -1 : 1);
           if (!(std::abs(step) > enough))
             break;
           entry += step;

@@ -199,7 +199,7 @@ namespace wheelrail
     problem.phi                      = std::isfinite(scene.halfspace_given_spin)
                                          ? scene.halfspace_given_spin
                                          : std::sin(scene.halfspace_contact_angle) / surfaces.radius_along;
-    problem.eta                      = -scene.lateral_creepage;
+    problem.eta                      = -lateral_creepage(scene);
     problem.longitudinal_force_given = scene.drive == Drive::torque;
     problem.fx                       = -scene.traction_coefficient * normal.fn;
     problem.xi                       = scene.drive == Drive::rate ? scene.creepage : 0;

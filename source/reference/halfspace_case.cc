@@ -36,7 +36,7 @@ namespace wheelrail
       const bool given = std::isfinite(scene.halfspace_given_spin);
       return {given || scene.halfspace_spin == HalfspaceSpin::contact,
               given ? scene.halfspace_given_spin : std::nan(""),
-              scene.lateral_creepage};
+              lateral_creepage(scene)};
     }
 
     /// Forces on the wheel along X and upwards [N]. The contact plane is inclined by the mean angle of the
@@ -218,7 +218,7 @@ namespace wheelrail
       const ContactReference &at = *result.reference;
       const auto   set       = [&](const char *key, const double value) { set_figure(summary, key, value); };
       const double of_motion = determined ? 1 : Summary::none;
-      set("yaw_rad", scene.yaw);
+      set("yaw_rad", wheelset_pose(scene).yaw);
       set("wheelset_roll_rad", result.roll);
       set("reference_lateral_m", at.place.x);
       set("reference_vertical_m", at.place.y);

@@ -108,8 +108,9 @@ namespace wheelrail
     text += row({1e3 * scene.track.flange_back_distance, -70, 1e3 * scene.track.nominal_radius},
                 "FBDIST, FBPOS, NOMRAD");
     text += " '" + wheel_file + "' 0 1.0 0.0   WFNAME, MIRRORY, SCALE, SMOOTH\n";
-    text += row({0, 0. - 1e3 * (scene.lateral_shift + scene.halfspace_lateral), vertical_load, 0, 0, 0},
-                "S, Y, FZ, ROLL, YAW, PITCH");
+    text +=
+      row({0, 0. - 1e3 * (geometry.contact.lateral_shift + scene.halfspace_lateral), vertical_load, 0, 0, 0},
+          "S, Y, FZ, ROLL, YAW, PITCH");
     // the wheel turns about an axis that points to the left; the force is that on the rail
     text += row({1e3 * scene.velocity,
                  0,

@@ -83,9 +83,10 @@ namespace wheelrail
     ProfileFileOptions rail_file{ProfileKind::rail};
     std::string        rail_body = "auto"; ///< standard rail below a measured head
     TrackDimensions    track; ///< flange-back distance and nominal radius belong to Wheelset in the file
-    double             rail_length = 1.8;        ///< [m]
-    WheelDimensions    wheel;                    ///< Wheelset/Rim width, ... [m]
-    double             lateral_shift        = 0; ///< [m]
+    double             rail_length = 1.8;            ///< [m]
+    WheelDimensions    wheel;                        ///< Wheelset/Rim width, ... [m]
+    bool               left_wheel           = false; ///< the modelled one; seen as its mirror image
+    double             lateral_shift        = 0;     ///< [m]
     RollMode           roll                 = RollMode::none;
     double             roll_angle           = 0; ///< with RollMode::given, from X to Y [rad]
     double             yaw                  = 0; ///< angle of attack, from Z to X [rad]
@@ -173,11 +174,20 @@ namespace wheelrail
     }
   };
 
-  /// Where the wheelset of a scene stands in its track.
+  /// Where the wheelset of a scene stands in its track, seen from the modelled wheel: a left one as its
+  /// mirror image, in which X points to the track centre again.
   inline WheelsetPose
   wheelset_pose(const Scene &scene)
   {
-    return {scene.lateral_shift, scene.roll, scene.roll_angle, scene.yaw};
+    const WheelsetPose pose{scene.lateral_shift, scene.roll, scene.roll_angle, scene.yaw};
+    return scene.left_wheel ? mirrored(pose) : pose;
+  }
+
+  /// Lateral velocity of the wheelset over its velocity, seen likewise.
+  inline double
+  lateral_creepage(const Scene &scene)
+  {
+    return scene.left_wheel ? -scene.lateral_creepage : scene.lateral_creepage;
   }
 
   /// The friction law of a scene.
