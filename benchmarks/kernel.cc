@@ -1,10 +1,11 @@
 // Speed of the element kernels alone: internal forces of a block of n^3 cubes, one thread. Elastic;
-// elastic-plastic with no cell, and with every cell in plastic flow. Both elements, three SIMD widths in
-// turns. Arguments: n of the blocks, 31 46 65 without.
+// bilinear and with Chaboche's three back stresses, with no cell, and with every cell in plastic flow. Both
+// elements, three SIMD widths in turns. Arguments: n of the blocks, 31 46 65 without.
 
 #include <wheelrail/solid/kernel.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -17,7 +18,9 @@ namespace
   {
     elastic,
     no_yield,
-    all_yield
+    all_yield,
+    cyclic_no_yield,
+    cyclic_all_yield
   };
 
   MaterialLaw
@@ -25,7 +28,16 @@ namespace
   {
     if (kind == Case::elastic)
       return ElasticLaw();
-    return BilinearLaw(Elasticity(), {kind == Case::no_yield ? 1e12 : 1e3, 21e9, 1});
+    const double yield = kind == Case::no_yield || kind == Case::cyclic_no_yield ? 1e12 : 100e6;
+    if (kind == Case::no_yield || kind == Case::all_yield)
+      return BilinearLaw(Elasticity(), {yield, 21e9, 1});
+    CyclicHardening hardening;
+    hardening.yield_stress   = yield;
+    hardening.isotropic      = 50e6;
+    hardening.isotropic_rate = 10;
+    hardening.moduli         = {100e9, 20e9, 4e9};
+    hardening.rates          = {1000, 200, 10};
+    return ChabocheLaw(Elasticity(), hardening);
   }
 
   /// CPU time of this process [s].
@@ -78,9 +90,19 @@ namespace
     int                 calls = 0;
   };
 
+  /// Displacements with strains of some thousandths, whose direction goes round with the phase: a step of
+  /// 0.01 strains by some hundred-thousandths, as time steps of a passage do, and what yields flows in every
+  /// step.
+  void
+  turn(const double phase, AlignedVector<double> &u)
+  {
+    const double c = 1e-9 * std::cos(phase), s = 1e-9 * std::sin(phase);
+    for (std::size_t k = 0; k < u.size(); ++k)
+      u[k] = c * double((k * 2654435761u) % 1000) + s * double((k * 2246822519u + 7) % 1000);
+  }
+
   /// Median times of one update [ns], one for each width. The widths take turns, so that what else the
-  /// machine does hits all of them. Two displacements take turns, too, so that in `all_yield` every cell
-  /// flows in every call.
+  /// machine does hits all of them.
   std::array<double, widths.size()>
   nanoseconds(const Block &block, const Case kind, const ElementForm form)
   {
@@ -89,25 +111,22 @@ namespace
       {
         runs[w].blocks = pack_elements(block.geometry, block.cells, law_of(kind), widths[w], form);
       }
-    AlignedVector<double> u[2], f(4 * block.n_nodes, 0.);
-    u[0].assign(4 * block.n_nodes, 0.);
-    u[1] = u[0];
-    for (std::size_t k = 0; k < f.size(); ++k)
-      {
-        u[0][k] = 1e-9 * ((k * 2654435761u) % 1000);
-        u[1][k] = -2 * u[0][k];
-      }
-    const BulkViscosity viscosity{0.06, 1e-7};
-    ElementEnergy       energy;
-    const int           repeat = std::max<int>(1, 300000 / block.cells.size());
+    AlignedVector<double> u(4 * block.n_nodes, 0.), f(u);
+    const BulkViscosity   viscosity{0.06, 1e-7};
+    ElementEnergy         energy;
+    const int             repeat = std::max<int>(1, 300000 / block.cells.size());
     for (int sample = 0; sample < 11; ++sample)
       for (Run &run : runs)
         {
-          const double start = cpu_seconds();
+          double taken = 0;
           for (int r = 0; r < repeat; ++r)
-            subtract_internal_force(
-              run.blocks, u[run.calls++ % 2].data(), f.data(), viscosity, false, energy);
-          run.times.push_back(cpu_seconds() - start);
+            {
+              turn(1e-2 * run.calls++, u);
+              const double start = cpu_seconds();
+              subtract_internal_force(run.blocks, u.data(), f.data(), viscosity, false, energy);
+              taken += cpu_seconds() - start;
+            }
+          run.times.push_back(taken);
         }
     std::array<double, widths.size()> result;
     for (std::size_t w = 0; w < widths.size(); ++w)
@@ -126,7 +145,7 @@ namespace
   bytes(const ElementBlocks &blocks, const Case kind)
   {
     std::size_t sum = blocks.rows * sizeof(double) + 32 + 16 + 3 * 32;
-    if (kind == Case::all_yield)
+    if (kind == Case::all_yield || kind == Case::cyclic_all_yield)
       sum += 2 * (blocks.history_rows() + 1) * sizeof(double);
     return sum;
   }
@@ -135,8 +154,9 @@ namespace
   void
   measure(const Block &block, const Case kind, const ElementForm form)
   {
-    const char *names[] = {"elastic", "plastic, no yield", "plastic, all yield"};
-    const auto  ns      = nanoseconds(block, kind, form);
+    const char *names[] = {
+      "elastic", "bilinear, no yield", "bilinear, all yield", "Chaboche, no yield", "Chaboche, all yield"};
+    const auto ns = nanoseconds(block, kind, form);
     for (std::size_t w = 0; w < widths.size(); ++w)
       {
         const ElementBlocks one =
@@ -174,7 +194,8 @@ main(int argc, char **argv)
     {
       const Block block = cubes(n);
       for (const ElementForm form : {ElementForm::reduced, ElementForm::full})
-        for (const Case kind : {Case::elastic, Case::no_yield, Case::all_yield})
+        for (const Case kind :
+             {Case::elastic, Case::no_yield, Case::all_yield, Case::cyclic_no_yield, Case::cyclic_all_yield})
           measure(block, kind, form);
     }
 }

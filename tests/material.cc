@@ -73,7 +73,7 @@ namespace
   {
     const Elasticity             steel;
     const ElasticLaw             law(steel);
-    ElasticLaw::History<Simd<1>> nothing;
+    ElasticLaw::History<Simd<1>> nothing(law);
     const Simd<1>                strain[6] = {0.01, 0., 0., 0., 0., 0.02};
     Simd<1>                      S[6], work = 0.;
     const double                 nu = steel.poissons_ratio, G = steel.youngs_modulus / (2 + 2 * nu);

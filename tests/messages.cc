@@ -64,6 +64,13 @@ namespace
       "Wheel material/Yield stress = 480",
       "--set: Wheel material/Yield stress = 480: a bare number; a stress with its unit is needed, such as "
       "480 MPa");
+    check_set(
+      "Rail material/Kinematic rates = 1, 2, 3, 4, 5, 6, 7, 8, 9",
+      "--set: Rail material/Kinematic rates = 1, 2, 3, 4, 5, 6, 7, 8, 9: 9 values; at most 8 are accepted");
+    check_set("Material test/Axial = 0.01, 500 MPa",
+              "--set: Material test/Axial = 0.01, 500 MPa: strains and stresses together; write all values "
+              "as strains (0.01) "
+              "or all as stresses (500 MPa)");
     check_set("Output/Ticks = 2.5",
               "--set: Output/Ticks = 2.5: not a whole number; a whole number from 1 to 10000 is needed");
     check_set("Output/Ticks = 0",
@@ -101,7 +108,7 @@ namespace
     check_set(
       "Sleepers/Spacing = 600 mm",
       "--set: Sleepers/Spacing: no such subsection; there are Profiles, Track, Wheelset, Contact, Rail "
-      "material, Wheel material, Mesh, Run, Output, Half-space, Study");
+      "material, Wheel material, Mesh, Run, Output, Half-space, Material test, Study");
   }
 
   void
@@ -240,12 +247,14 @@ namespace
       check_text(message_of([&]() { execute(arguments, run, std::cout); }), expected, "wheelrail" + line);
     };
     check_line({"simulate"},
-               "\"simulate\" is no command; there are run, geometry, halfspace, parameters, compare, report, "
+               "\"simulate\" is no command; there are run, geometry, halfspace, material, parameters, "
+               "compare, report, "
                "study, version and help");
     check_line({"compare", "nowhere"}, "nowhere: no such folder; compare needs the output folder of a run");
     check_line({"run"}, "run needs a parameter file, such as ./wheelrail run prm/rolling.prm");
     check_line({"geometri"},
-               "\"geometri\" is no command; there are run, geometry, halfspace, parameters, compare, report, "
+               "\"geometri\" is no command; there are run, geometry, halfspace, material, parameters, "
+               "compare, report, "
                "study, version and help, perhaps geometry is meant");
     check_line({"run", "a.prm", "--overwrit"},
                "run: --overwrit is no option; there are --set, --overwrite, --resume, --validate and --help, "

@@ -115,6 +115,31 @@ namespace
       "--set: Rail material/Tangent modulus = 210 GPa: not smaller than Rail material/Young's modulus = "
       "210 GPa; beyond yield the stress rises less than before",
       "materials are looked at");
+    const std::string cyclic = "Rail material/Law = Chaboche", yield = "Rail material/Yield stress = 400 MPa";
+    check_text(answer({cyclic}),
+               "x.prm: Rail material/Yield stress = none: Law = Chaboche needs one, such as 380 MPa",
+               "a yield stress is asked for");
+    check_text(
+      answer({cyclic,
+              yield,
+              "Rail material/Kinematic moduli = 20 GPa, 5 GPa",
+              "Rail material/Kinematic rates = 50"}),
+      "--set: Rail material/Kinematic rates = 50: 1 for the 2 moduli of Rail material/Kinematic moduli = "
+      "20000 MPa, 5000 MPa; each back stress needs both",
+      "lists are compared");
+    check_text(answer({cyclic, yield, "Rail material/Isotropic hardening = -399 MPa"}),
+               "--set: Rail material/Isotropic hardening = -399 MPa: softens the steel to nothing; at least "
+               "a hundredth of "
+               "Rail material/Yield stress = 400 MPa must be left",
+               "softening is bounded");
+    check_text(answer({cyclic,
+                       yield,
+                       "Rail material/Isotropic hardening = -300 MPa",
+                       "Rail material/Isotropic rate = 1000"}),
+               "--set: Rail material/Isotropic rate = 1000: with Rail material/Isotropic hardening = -300 "
+               "MPa the stress "
+               "falls faster than elastic unloading, which no state follows; take a smaller rate",
+               "and so is its rate");
   }
 
   void
@@ -169,6 +194,17 @@ namespace
                   "Wheelset/Sprung mass = 9 t: without effect, since Wheelset/Wheel load = 100 kN is set");
     check_warning({"Rail material/Young's modulus = 21 GPa", "Rail material/Tangent modulus = 2 GPa"},
                   "Rail material/Young's modulus = 21 GPa: steel has about 210 GPa");
+    check_warning(
+      {"Rail material/Kinematic moduli = 20 GPa", "Rail material/Kinematic rates = 50"},
+      "Rail material/Law = bilinear: without effect are Isotropic hardening, Kinematic moduli and Kinematic "
+      "rates, which belong to Chaboche");
+    check_warning({"Wheel material/Law = Chaboche",
+                   "Wheel material/Yield stress = 400 MPa",
+                   "Wheel material/Kinematic moduli = 20 GPa, 5 GPa",
+                   "Wheel material/Kinematic rates = 50, 100000"},
+                  "Wheel material/Kinematic rates = 50, 100000: back stress 2 is bounded by C / gamma = 0.05 "
+                  "MPa, next to "
+                  "nothing beside the yield stress");
     check_warning({"Wheel material/Density = 790 kg/m3"},
                   "Wheel material/Density = 790 kg/m3: steel has about 7900 kg/m3");
     check_warning({"Rail material/Poisson's ratio = 0.48"},

@@ -4,6 +4,7 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/material_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/base/errors.h>
@@ -164,6 +165,18 @@ namespace wheelrail
     }
 
     int
+    act_material(const po::variables_map &options, const RunFunction &, std::ostream &out)
+    {
+      require_file(options, "material");
+      const SceneInput input = input_of(options);
+      const Findings   found = contact_checks(input.scene);
+      require_none(found.errors, input);
+      for (const std::string &warning : found.warnings)
+        out << "warning: " << warning << "\n";
+      return run_material_command(input.scene, !options.count("no-pictures"), out);
+    }
+
+    int
     act_parameters(const po::variables_map &options, const RunFunction &, std::ostream &out)
     {
       if (options.count("validate"))
@@ -309,6 +322,14 @@ namespace wheelrail
            "also write the scene as input of CONTACT's wheel-rail module, with two profile files");
        },
        act_halfspace},
+      {"material",
+       "FILE.prm",
+       "one point of a steel of the scene, driven through cycles of strain or stress",
+       [](po::options_description &options) {
+         add_set_option(options);
+         add_no_pictures_option(options);
+       },
+       act_material},
       {"parameters",
        "[FILE.prm]",
        "print all entries with their values, meaning and defaults, as a parameter file",

@@ -8,6 +8,7 @@ namespace wheelrail
     strain_        = &book.term("strain_energy", EnergyKind::stored);
     stabilisation_ = &book.term("stabilisation_energy", EnergyKind::stored);
     plastic_       = &book.term("plastic_work", EnergyKind::dissipated);
+    hardening_     = &book.term("hardening_energy", EnergyKind::noted);
     viscous_       = &book.term("viscous_dissipation", EnergyKind::dissipated);
   }
 
@@ -25,5 +26,6 @@ namespace wheelrail
     strain_->here += energy.strain;
     stabilisation_->here += energy.stabilisation;
     plastic_->here += energy.plastic_work;
+    hardening_->here += energy.hardening;
   }
 } // namespace wheelrail

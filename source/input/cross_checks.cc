@@ -106,6 +106,49 @@ namespace wheelrail
                         "; the flanges run between the rails, with 1435 mm the distance is about 1360 mm");
     }
 
+    /// The constants of Chaboche's law.
+    void
+    check_hardening(const Scene        &scene,
+                    const std::string  &section,
+                    const MaterialData &material,
+                    Findings           &found)
+    {
+      const auto             entry  = [&](const char *name) { return entry_text(scene, section, name); };
+      const CyclicHardening &cyclic = material.cyclic;
+      if (material.law != SteelLaw::chaboche)
+        {
+          if (!cyclic.moduli.empty() || !cyclic.rates.empty() || cyclic.isotropic != 0)
+            found.warnings.push_back(
+              entry("Law") +
+              ": without effect are Isotropic hardening, Kinematic moduli and Kinematic rates, which "
+              "belong to Chaboche");
+          return;
+        }
+      if (!material.yields())
+        found.errors.push_back(entry("Yield stress") + ": Law = Chaboche needs one, such as 380 MPa");
+      if (cyclic.moduli.size() != cyclic.rates.size())
+        found.errors.push_back(entry("Kinematic rates") + ": " + std::to_string(cyclic.rates.size()) +
+                               " for the " + std::to_string(cyclic.moduli.size()) + " moduli of " +
+                               entry("Kinematic moduli") + "; each back stress needs both");
+      if (material.yields() && material.yield_stress + cyclic.isotropic <= 0.01 * material.yield_stress)
+        found.errors.push_back(entry("Isotropic hardening") +
+                               ": softens the steel to nothing; at least a "
+                               "hundredth of " +
+                               entry("Yield stress") + " must be left");
+      if (cyclic.isotropic * cyclic.isotropic_rate <
+          -1.5 * material.youngs_modulus / (1 + material.poissons_ratio))
+        found.errors.push_back(
+          entry("Isotropic rate") + ": with " + entry("Isotropic hardening") +
+          " the stress falls faster than elastic unloading, which no state follows; take a "
+          "smaller rate");
+      for (std::size_t i = 0; i < std::min(cyclic.moduli.size(), cyclic.rates.size()); ++i)
+        if (cyclic.rates[i] > 0 && cyclic.moduli[i] / cyclic.rates[i] < 1e-3 * material.yield_stress)
+          found.warnings.push_back(
+            entry("Kinematic rates") + ": back stress " + std::to_string(i + 1) +
+            " is bounded by C / gamma = " + digits(1e-6 * cyclic.moduli[i] / cyclic.rates[i]) +
+            " MPa, next to nothing beside the yield stress");
+    }
+
     void
     check_material(const Scene        &scene,
                    const std::string  &section,
@@ -113,7 +156,9 @@ namespace wheelrail
                    Findings           &found)
     {
       const auto entry = [&](const char *name) { return entry_text(scene, section, name); };
-      if (std::isfinite(material.yield_stress) && material.tangent_modulus >= material.youngs_modulus)
+      check_hardening(scene, section, material, found);
+      if (material.law == SteelLaw::bilinear && material.yields() &&
+          material.tangent_modulus >= material.youngs_modulus)
         found.errors.push_back(entry("Tangent modulus") + ": not smaller than " + entry("Young's modulus") +
                                "; beyond yield the stress rises less than before");
       if (material.youngs_modulus < 50e9 || material.youngs_modulus > 400e9)

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/input/entry_kinds.h>
 
@@ -69,6 +70,39 @@ namespace wheelrail
   pure_entry(const EntryHead &head, const Bounds &bounds, const Field<double> &place)
   {
     return number_entry(head, Dimension::none, "", bounds, place);
+  }
+
+  Entry
+  list_entry(const EntryHead                  &head,
+             const Dimension                   dimension,
+             const std::string                &unit,
+             const Bounds                     &bounds,
+             const std::size_t                 most,
+             const Field<std::vector<double>> &place)
+  {
+    const std::string accepted = "none, or up to " + std::to_string(most) +
+                                 " with commas between them, each " + in_words(dimension, bounds);
+    Entry entry{head.section, head.name, head.meaning, accepted, {}, {}, {}, {}};
+    entry.set = [=](Scene &scene, const std::string &text) {
+      std::vector<double> values;
+      for (const std::string &part : text == "none" ? std::vector<std::string>() : split_list(text, ','))
+        {
+          values.push_back(parse_quantity(part, dimension));
+          require_bounds(values.back(), dimension, bounds);
+        }
+      if (values.size() > most)
+        throw InputError(std::to_string(values.size()) + " values; at most " + std::to_string(most) +
+                         " are accepted");
+      place(scene) = values;
+    };
+    entry.get = [=](const Scene &scene) {
+      Scene       copy = scene;
+      std::string text;
+      for (const double value : place(copy))
+        text += (text.empty() ? "" : ", ") + format_quantity(value, unit);
+      return text.empty() ? "none" : text;
+    };
+    return entry;
   }
 
   Entry

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/section_entries.h>
 
@@ -16,20 +17,6 @@ namespace wheelrail
     {
       const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
       return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-    }
-
-    /// The trimmed parts of a text between separators.
-    std::vector<std::string>
-    split(const std::string &text, const char separator)
-    {
-      std::vector<std::string> parts;
-      for (std::size_t begin = 0; begin <= text.size();)
-        {
-          const std::size_t end = std::min(text.find(separator, begin), text.size());
-          parts.push_back(trim(text.substr(begin, end - begin)));
-          begin = end + 1;
-        }
-      return parts;
     }
 
     /// The entry of an axis. Throws InputError when there is none, or when it cannot vary.
@@ -60,7 +47,7 @@ namespace wheelrail
       StudyAxis         axis;
       axis.section = slash == std::string::npos ? "" : trim(path.substr(0, slash));
       axis.name    = slash == std::string::npos ? path : trim(path.substr(slash + 1));
-      axis.values  = split(text.substr(colon + 1), ',');
+      axis.values  = split_list(text.substr(colon + 1), ',');
       std::string at;
       try
         {
@@ -83,7 +70,7 @@ namespace wheelrail
     parse_axes(const std::string &text)
     {
       std::vector<StudyAxis> axes;
-      for (const std::string &part : split(text, ';'))
+      for (const std::string &part : split_list(text, ';'))
         {
           if (part.empty()) // a semicolon at the end, or no axes
             continue;

@@ -183,8 +183,16 @@ namespace wheelrail
   MaterialLaw
   material_law(const MaterialData &material)
   {
-    return material_law(elasticity(material),
-                        {material.yield_stress, material.tangent_modulus, material.kinematic_hardening});
+    if (!material.yields())
+      return ElasticLaw(elasticity(material));
+    if (material.law == SteelLaw::chaboche)
+      {
+        CyclicHardening hardening = material.cyclic;
+        hardening.yield_stress    = material.yield_stress;
+        return ChabocheLaw(elasticity(material), hardening);
+      }
+    return BilinearLaw(elasticity(material),
+                       {material.yield_stress, material.tangent_modulus, material.kinematic_hardening});
   }
 
 

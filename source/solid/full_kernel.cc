@@ -74,8 +74,8 @@ namespace wheelrail
             Simd<W>       &work,
             LaneEnergy<W> &energy)
     {
-      double *rows = call.blocks.history.data() + (batch * 8 + g) * Law::history_rows * W;
-      typename Law::template History<Simd<W>> history;
+      double *rows = call.blocks.history.data() + (batch * 8 + g) * call.law.history_rows() * W;
+      typename Law::template History<Simd<W>> history(call.law);
       Simd<W>                                 density(0.);
       if (flowed)
         history.load(rows);
@@ -86,7 +86,11 @@ namespace wheelrail
           work += point.weight * density;
         }
       if constexpr (with_energy)
-        energy.strain += point.weight * call.law.stored_energy(point.E, history, S);
+        {
+          energy.strain += point.weight * call.law.stored_energy(point.E, history, S);
+          if constexpr (has_history<Law>)
+            energy.hardening += point.weight * call.law.hardening_energy(history);
+        }
       return flows;
     }
 

@@ -9,17 +9,17 @@ namespace wheelrail
     /// What one point remembers, out of the lanes of its batch.
     template <typename Law>
     typename Law::template History<Simd<1>>
-    point_history(const ElementBlocks &blocks, const std::size_t element, const int point)
+    point_history(const Law &law, const ElementBlocks &blocks, const std::size_t element, const int point)
     {
-      typename Law::template History<Simd<1>> history;
+      typename Law::template History<Simd<1>> history(law);
       if constexpr (has_history<Law>)
         {
-          const std::size_t W = blocks.width, batch = element / W, lane = element % W;
-          const std::size_t first = batch * blocks.history_rows() + Law::history_rows * point;
-          double            rows[Law::history_rows];
-          for (int row = 0; row < Law::history_rows; ++row)
+          const std::size_t   W = blocks.width, batch = element / W, lane = element % W;
+          const std::size_t   first = batch * blocks.history_rows() + law.history_rows() * point;
+          std::vector<double> rows(law.history_rows());
+          for (int row = 0; row < law.history_rows(); ++row)
             rows[row] = blocks.history[(first + row) * W + lane];
-          history.load(rows);
+          history.load(rows.data());
         }
       return history;
     }
@@ -34,7 +34,7 @@ namespace wheelrail
                Simd<1> (&S)[6])
   {
     const auto of_law = [&](const auto &law) {
-      law.stress(E, point_history<std::decay_t<decltype(law)>>(blocks, element, point), S);
+      law.stress(E, point_history(law, blocks, element, point), S);
     };
     std::visit(of_law, blocks.law);
   }
@@ -50,7 +50,7 @@ namespace wheelrail
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
           for (int point = 0; point < blocks.n_points(); ++point)
             {
-              const auto history = point_history<Law>(blocks, e, point);
+              const auto history = point_history(law, blocks, e, point);
               strain[e]          = std::max<double>(strain[e], history.accumulated[0]);
             }
     };

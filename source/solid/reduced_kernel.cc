@@ -23,7 +23,7 @@ namespace wheelrail
                     CellHistory<Law, W> &history,
                     V3<W> (&Q)[4])
     {
-      constexpr int  n_rows = Law::history_rows + ElementBlocks::amplitude_rows;
+      const int      n_rows = call.law.history_rows() + ElementBlocks::amplitude_rows;
       double        *rows   = call.blocks.history.data() + batch * n_rows * W;
       double        *work   = call.blocks.plastic_work.data() + batch * W;
       unsigned char &flowed = call.blocks.flowed[batch];
@@ -53,7 +53,7 @@ namespace wheelrail
                   V3<W> (&Q)[4],
                   LaneEnergy<W> &energy)
     {
-      CellHistory<Law, W> history;
+      CellHistory<Law, W> history(call.law);
       if constexpr (has_history<Law>)
         if (!advance_history<W>(call, batch, g, E, p, history, Q) && !with_energy)
           {
@@ -73,7 +73,15 @@ namespace wheelrail
           energy.strain += g.volume() * call.law.stored_energy(E, history.point, S);
           energy.stabilisation += stabilisation;
           if constexpr (has_history<Law>)
-            energy.plastic_work += Simd<W>(call.blocks.plastic_work.data() + batch * W, stdx::vector_aligned);
+            {
+              energy.plastic_work +=
+                Simd<W>(call.blocks.plastic_work.data() + batch * W, stdx::vector_aligned);
+              V3<W>         back[4];
+              const Simd<W> of_patterns =
+                hourglass_stress<W>(g, history.p, call.law.elasticity, back, square);
+              energy.hardening +=
+                g.volume() * call.law.hardening_energy(history.point) + call.law.back_ratio * of_patterns;
+            }
         }
     }
 

@@ -21,6 +21,7 @@ namespace wheelrail
   // GCC 12 takes the undefined operand inside its own AVX-512 square root for a mistake (bug 105593).
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#pragma GCC diagnostic ignored "-Wuninitialized"
   template <typename T>
   inline T
   square_root(const T &x)

@@ -5,6 +5,8 @@
 namespace wheelrail
 {
   /// Internal forces of the elements of both bodies, with the linear bulk viscosity, and their energies.
+  /// `plastic_work` is all that goes into plastic flow, the noted `hardening_energy` the part of it that
+  /// hardening stores; the rest is heat.
   class ElementForces
   {
   public:
@@ -17,6 +19,7 @@ namespace wheelrail
     add_shares(const Instant &now, double bulk_viscosity, Solid &solid);
 
   private:
-    EnergyTerm *strain_ = nullptr, *stabilisation_ = nullptr, *plastic_ = nullptr, *viscous_ = nullptr;
+    EnergyTerm *strain_ = nullptr, *stabilisation_ = nullptr, *plastic_ = nullptr, *hardening_ = nullptr,
+               *viscous_ = nullptr;
   };
 } // namespace wheelrail

@@ -4,6 +4,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/scene/scene.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <utility>
@@ -99,6 +100,15 @@ namespace wheelrail
   /// A pure number.
   Entry
   pure_entry(const EntryHead &head, const Bounds &bounds, const Field<double> &place);
+
+  /// At most `most` numbers as number_entry() reads them, with commas between them; `none` for no number.
+  Entry
+  list_entry(const EntryHead                  &head,
+             Dimension                         dimension,
+             const std::string                &unit,
+             const Bounds                     &bounds,
+             std::size_t                       most,
+             const Field<std::vector<double>> &place);
 
   /// A whole number from `low` to `high`.
   Entry

@@ -39,5 +39,8 @@ namespace wheelrail
   halfspace_entries();
 
   std::vector<Entry>
+  material_test_entries();
+
+  std::vector<Entry>
   study_entries();
 } // namespace wheelrail

@@ -53,15 +53,24 @@ namespace wheelrail
       tangent_ratio       = H / (3 * shear + H);
     }
 
-    /// Five of the plastic strain, whose trace is zero (xx, yy, yz, xz, xy), and the accumulated
-    /// plastic strain.
-    static constexpr int history_rows = 6;
+    static constexpr bool flows = true;
+
+    static constexpr int
+    history_rows()
+    {
+      return 6;
+    }
 
     template <typename T>
     struct History
     {
-      T strain[5]   = {0., 0., 0., 0., 0.};
-      T accumulated = 0.; ///< integral of sqrt(2/3 dE_p : dE_p)
+      T strain[5]   = {0., 0., 0., 0., 0.}; ///< plastic strain, whose trace is zero: xx, yy, yz, xz, xy
+      T accumulated = 0.;                   ///< integral of sqrt(2/3 dE_p : dE_p)
+
+      History() = default;
+      explicit History(const BilinearLaw &)
+      {
+      }
 
       void
       load(const double *rows)
@@ -125,35 +134,39 @@ namespace wheelrail
       return yield_stress + isotropic_hardening * history.accumulated;
     }
 
-    /// Along the radius, so that the deviator is not asked for.
-    template <typename T>
-    PlasticFlow<T>
-    flow(const T &equivalent, const T (&)[6], const History<T> &history) const
-    {
-      namespace stdx        = std::experimental;
-      const T        before = limit(history);
-      PlasticFlow<T> result;
-      result.accumulated  = stdx::max(equivalent - before, T(0.)) * flow_compliance;
-      const T denominator = stdx::max(equivalent, before); // differs from it where nothing flows
-      result.part         = (3 * shear) * result.accumulated / denominator;
-      result.middle       = (before + (0.5 * isotropic_hardening) * result.accumulated) / denominator;
-      return result;
-    }
-
-    /// The work is that of the stress in the middle of the flow; the part of it that hardening stores is
-    /// not told apart.
+    /// f H / 3 E_p : E_p and (1 - f) H a^2 / 2 [J/m3].
     template <typename T>
     T
-    apply(const T (&deviator)[6], const PlasticFlow<T> &flow, History<T> &history) const
+    hardening_energy(const History<T> &history) const
     {
-      T back = 0.; // the back stress over 2 mu in the middle of the flow, times the deviator
+      T strain[6];
       for (int k = 0; k < 6; ++k)
-        back += (k < 3 ? 1. : 2.) * (history.component(k) + 0.5 * flow.part * deviator[k]) * deviator[k];
-      const T work = 2 * shear * flow.part * (flow.middle * contract(deviator, deviator) + back_ratio * back);
+        strain[k] = history.component(k);
+      return (back_ratio * shear) * contract(strain, strain) +
+             (0.5 * isotropic_hardening) * history.accumulated * history.accumulated;
+    }
+
+    /// Along the radius. The work is that of the stress in the middle of the flow.
+    template <typename T>
+    PlasticFlow<T>
+    flow(const T &equivalent, const T (&deviator)[6], History<T> &history) const
+    {
+      namespace stdx             = std::experimental;
+      const T        before      = limit(history);
+      const T        accumulated = stdx::max(equivalent - before, T(0.)) * flow_compliance;
+      const T        denominator = stdx::max(equivalent, before); // differs from it where nothing flows
+      PlasticFlow<T> result;
+      result.part   = (3 * shear) * accumulated / denominator;
+      result.middle = (before + (0.5 * isotropic_hardening) * accumulated) / denominator;
+      T back        = 0.; // the back stress over 2 mu in the middle of the flow, times the deviator
+      for (int k = 0; k < 6; ++k)
+        back += (k < 3 ? 1. : 2.) * (history.component(k) + 0.5 * result.part * deviator[k]) * deviator[k];
+      result.work =
+        2 * shear * result.part * (result.middle * contract(deviator, deviator) + back_ratio * back);
       for (int k = 0; k < 5; ++k)
-        history.strain[k] += flow.part * deviator[k < 2 ? k : k + 1];
-      history.accumulated += flow.accumulated;
-      return work;
+        history.strain[k] += result.part * deviator[k < 2 ? k : k + 1];
+      history.accumulated += accumulated;
+      return result;
     }
   };
 } // namespace wheelrail

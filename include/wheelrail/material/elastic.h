@@ -27,11 +27,20 @@ namespace wheelrail
     {
     }
 
-    static constexpr int history_rows = 0;
+    static constexpr bool flows = false;
+
+    static constexpr int
+    history_rows()
+    {
+      return 0;
+    }
 
     template <typename T>
     struct History
     {
+      explicit History(const ElasticLaw &)
+      {
+      }
       void
       load(const double *)
       {

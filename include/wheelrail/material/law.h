@@ -10,10 +10,11 @@
 // points (Simd<W>), and see Green's strain E and the second Piola-Kirchhoff stress S as xx, yy, zz, yz, xz,
 // xy. It provides
 //
-//   static constexpr int history_rows;  numbers that a point remembers; 0 makes the law elastic
+//   static constexpr bool flows;  whether points remember anything; false makes the law elastic
+//   int history_rows();           numbers that a point remembers
 //   template <typename T> struct History;
-//     What points remember; all zero at the start. load(rows) and store(rows) move it from and to
-//     history_rows x T::size() aligned numbers.
+//     What points remember, made from the law; all zero at the start. load(rows) and store(rows) move it
+//     from and to history_rows() x T::size() aligned numbers.
 //   void stress(E, history, S)             stress of a strain with the history given [Pa]
 //   T    stored_energy(E, history, S)      what unloading gives back [J/m3]
 //
@@ -25,10 +26,9 @@
 //     Returns the square of its von Mises equivalent [Pa2].
 //   T limit(history)                       radius of the yield surface as an equivalent stress [Pa]
 //   PlasticFlow<T> flow(equivalent, deviator, history)
-//     The flow that takes `equivalent` back to the yield surface. In cells with hourglass stresses it
-//     is larger than that of `deviator` [Pa].
-//   T apply(deviator, flow, history)
-//     Brings the history up to date; returns the plastic work, the integral of S : dE_p [J/m3].
+//     Brings the history up to date by the flow that takes `equivalent` back to the yield surface. In cells
+//     with hourglass stresses it is larger than that of `deviator` [Pa].
+//   T hardening_energy(history)   what hardening stores of the plastic work [J/m3]
 //   double back_ratio                      back stress over 2 mu E_p, for the hourglass stresses that flow
 //
 // A new law is one header in material/, one more name in MaterialLaw (material/material_law.h), and the
@@ -38,15 +38,15 @@ namespace wheelrail
 {
   /// Whether points remember anything: whether a material of this law can flow.
   template <typename Law>
-  constexpr bool has_history = Law::history_rows > 0;
+  constexpr bool has_history = Law::flows;
 
   /// Plastic flow of one step; all of it is zero in lanes that do not yield.
   template <typename T>
   struct PlasticFlow
   {
-    T accumulated; ///< increment of the accumulated plastic strain
-    T part;        ///< the plastic strain grows by `part` times the trial deviator
+    T part;   ///< plastic amplitudes of hourglass patterns grow by `part` times the trial amplitudes
     T middle; ///< mean of the relative stresses at the begin and the end of the flow over the trial stress
+    T work;   ///< plastic work, the integral of S : dE_p [J/m3]
   };
 
   /// Stress of points after a step to the strain E, with the history brought up to date.
@@ -69,7 +69,7 @@ namespace wheelrail
         const T limit  = law.limit(history);
         yielded        = std::experimental::any_of(square > limit * limit);
         if (yielded)
-          work += law.apply(deviator, law.flow(square_root(square), deviator, history), history);
+          work += law.flow(square_root(square), deviator, history).work;
       }
     law.stress(E, history, S);
     return yielded;

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <wheelrail/material/bilinear.h>
+#include <wheelrail/material/chaboche.h>
 
 #include <variant>
 
 namespace wheelrail
 {
   /// All laws that a body may be made of: the one list of them. std::visit picks.
-  using MaterialLaw = std::variant<ElasticLaw, BilinearLaw>;
+  using MaterialLaw = std::variant<ElasticLaw, BilinearLaw, ChabocheLaw>;
 
   /// A bilinear steel; elastic where the yield stress is infinite.
   inline MaterialLaw
@@ -29,6 +30,6 @@ namespace wheelrail
   inline int
   history_rows(const MaterialLaw &law)
   {
-    return std::visit([](const auto &of) { return of.history_rows; }, law);
+    return std::visit([](const auto &of) { return of.history_rows(); }, law);
   }
 } // namespace wheelrail

@@ -2,26 +2,47 @@
 
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/material/cyclic_hardening.h>
 #include <wheelrail/material/friction.h>
 #include <wheelrail/mesh/wheel_section.h>
+#include <wheelrail/scene/material_test.h>
 #include <wheelrail/scene/study.h>
 #include <wheelrail/solid/element_form.h>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 
 namespace wheelrail
 {
-  /// Steel [SI], elastic or bilinear elastic-plastic.
+  /// How steel answers beyond yield.
+  enum class SteelLaw
+  {
+    elastic,  ///< it does not yield
+    bilinear, ///< linear hardening; elastic while there is no yield stress
+    chaboche  ///< cyclic hardening
+  };
+
+  /// Steel [SI].
   struct MaterialData
   {
-    double youngs_modulus      = 210e9;
-    double poissons_ratio      = 0.3;
-    double density             = 7900;
-    double yield_stress        = std::numeric_limits<double>::infinity(); ///< infinite: elastic
-    double tangent_modulus     = 21e9;
-    double kinematic_hardening = 0; ///< fraction, 0 isotropic, 1 kinematic
+    SteelLaw law                 = SteelLaw::bilinear;
+    double   youngs_modulus      = 210e9;
+    double   poissons_ratio      = 0.3;
+    double   density             = 7900;
+    double   yield_stress        = std::numeric_limits<double>::infinity(); ///< infinite: elastic
+    double   tangent_modulus     = 21e9;
+    double   kinematic_hardening = 0; ///< fraction, 0 isotropic, 1 kinematic
+    /// Of the law of Chaboche; its yield stress is the one above.
+    CyclicHardening cyclic;
+
+    /// Whether the steel may yield.
+    bool
+    yields() const
+    {
+      return law != SteelLaw::elastic && std::isfinite(yield_stress);
+    }
   };
 
   /// What turns the wheel.
@@ -156,6 +177,8 @@ namespace wheelrail
     double      halfspace_normal_force  = 0;     ///< [N], 0: the static wheel load
     double      halfspace_approach      = 0;     ///< [m], 0: found from the normal force
     double      halfspace_contact_angle = 0;     ///< of the axle to the contact plane: the spin [rad]
+
+    MaterialTest material_test; ///< for the command material
 
     Study study; ///< the family that this scene stands for, for the command study
 

@@ -11,7 +11,7 @@ namespace wheelrail
   template <int W>
   struct LaneEnergy
   {
-    Simd<W> strain = 0., stabilisation = 0., plastic_work = 0., viscous_power = 0.;
+    Simd<W> strain = 0., stabilisation = 0., plastic_work = 0., hardening = 0., viscous_power = 0.;
   };
 
   /// What one call of a kernel works on, and by which material law (material/law.h).
@@ -39,6 +39,7 @@ namespace wheelrail
     energy.strain += std::experimental::reduce(sum.strain);
     energy.stabilisation += std::experimental::reduce(sum.stabilisation);
     energy.plastic_work += std::experimental::reduce(sum.plastic_work);
+    energy.hardening += std::experimental::reduce(sum.hardening);
     energy.viscous_power += std::experimental::reduce(sum.viscous_power);
   }
 

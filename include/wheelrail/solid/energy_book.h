@@ -14,7 +14,7 @@ namespace wheelrail
     stored,     ///< a state: comes back
     dissipated, ///< gone, a sum over time
     supplied,   ///< brought in by forces from outside, a sum over time
-    noted       ///< no part of the balance: where a part of the residual comes from
+    noted       ///< no part of the balance: a part of another term, or where one of the residual comes from
   };
 
   /// One named energy [J]: what parts add to it on this rank, and its value over all ranks.

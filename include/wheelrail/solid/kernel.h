@@ -14,6 +14,7 @@ namespace wheelrail
     double strain        = 0; ///< elastic, of the one-point field
     double stabilisation = 0; ///< elastic, of the hourglass patterns
     double plastic_work  = 0; ///< done on plastic strains since the start, patterns included
+    double hardening     = 0; ///< part of that which hardening stores
     double viscous_power = 0; ///< dissipated by the bulk viscosity, mean of the last step
   };
 

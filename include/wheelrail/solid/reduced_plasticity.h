@@ -13,21 +13,28 @@ namespace wheelrail::reduced
   struct CellHistory
   {
     typename Law::template History<Simd<W>> point;                         ///< at the centre
+    int                                     point_rows;                    ///< numbers of that
     V3<W> p[4] = {{0., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}, {0., 0., 0.}}; ///< plastic amplitudes
+
+    explicit CellHistory(const Law &law)
+      : point(law)
+      , point_rows(law.history_rows())
+    {
+    }
 
     void
     load(const double *rows)
     {
       point.load(rows);
       for (int k = 0; k < ElementBlocks::amplitude_rows; ++k)
-        p[k / 3][k % 3].copy_from(rows + (Law::history_rows + k) * W, std::experimental::vector_aligned);
+        p[k / 3][k % 3].copy_from(rows + (point_rows + k) * W, std::experimental::vector_aligned);
     }
     void
     store(double *rows) const
     {
       point.store(rows);
       for (int k = 0; k < ElementBlocks::amplitude_rows; ++k)
-        p[k / 3][k % 3].copy_to(rows + (Law::history_rows + k) * W, std::experimental::vector_aligned);
+        p[k / 3][k % 3].copy_to(rows + (point_rows + k) * W, std::experimental::vector_aligned);
     }
   };
 
@@ -74,8 +81,8 @@ namespace wheelrail::reduced
     if (!stdx::any_of(equivalent > limit))
       return false;
 
-    const PlasticFlow<Simd<W>> flow = law.flow(equivalent, deviator, history.point);
-    Simd<W> relative(0.), back(0.); // works of Q by stress relative to back stress and by the latter
+    const auto flow = law.flow(equivalent, deviator, history.point);
+    Simd<W>    relative(0.), back(0.); // works of Q by stress relative to back stress and by the latter
     for (int m = 0; m < 4; ++m)
       for (int k = 0; k < 3; ++k)
         {
@@ -83,8 +90,7 @@ namespace wheelrail::reduced
           back += Q[m][k] * (history.p[m][k] + 0.5 * flow.part * trial[m][k]);
           history.p[m][k] += flow.part * trial[m][k];
         }
-    work += g.volume() * law.apply(deviator, flow, history.point) +
-            flow.part * (flow.middle * relative + law.back_ratio * back);
+    work += g.volume() * flow.work + flow.part * (flow.middle * relative + law.back_ratio * back);
     return true;
   }
 } // namespace wheelrail::reduced

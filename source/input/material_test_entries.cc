@@ -1,0 +1,108 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/split_list.h>
+#include <wheelrail/input/entry_kinds.h>
+#include <wheelrail/input/section_entries.h>
+
+#include <cctype>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Numbers, all strains or all stresses with their units.
+    Stations
+    parse_stations(const std::string &text)
+    {
+      Stations stations;
+      if (text == "none")
+        return stations;
+      bool strain = false;
+      for (const std::string &part : split_list(text, ','))
+        {
+          const bool has_unit = !part.empty() && std::isalpha(static_cast<unsigned char>(part.back()));
+          (has_unit ? stations.of_stress : strain) = true;
+          stations.values.push_back(parse_quantity(part, has_unit ? Dimension::stress : Dimension::none));
+        }
+      if (strain && stations.of_stress)
+        throw InputError(
+          "strains and stresses together; write all values as strains (0.01) or all as stresses "
+          "(500 MPa)");
+      return stations;
+    }
+
+    std::string
+    stations_text(const Stations &stations)
+    {
+      std::string text;
+      for (const double value : stations.values)
+        text += (text.empty() ? "" : ", ") + format_quantity(value, stations.of_stress ? "MPa" : "");
+      return text.empty() ? "none" : text;
+    }
+
+    Entry
+    stations_entry(const std::string &name, const std::string &meaning, Stations MaterialTest::*place)
+    {
+      Entry entry{"Material test",
+                  name,
+                  meaning,
+                  "none, or strains (0.01, -0.01) or stresses (700 MPa, -500 MPa) with commas between them",
+                  {},
+                  {},
+                  {},
+                  {}};
+      entry.set = [place](Scene &scene, const std::string &text) {
+        scene.material_test.*place = parse_stations(text);
+      };
+      entry.get = [place](const Scene &scene) { return stations_text(scene.material_test.*place); };
+      return entry;
+    }
+
+    template <typename T>
+    Field<T>
+    test_field(T MaterialTest::*member)
+    {
+      return field(&Scene::material_test, member);
+    }
+  } // namespace
+
+
+  std::vector<Entry>
+  material_test_entries()
+  {
+    std::vector<Entry> list;
+    list.push_back(choice_entry<Body>({"Material test", "Body", "Whose steel the command material drives."},
+                                      {{"rail", Body::rail}, {"wheel", Body::wheel}},
+                                      test_field(&MaterialTest::body)));
+    list.push_back(
+      stations_entry("Axial",
+                     "Values that the strain or stress along x goes through in each cycle; a single one "
+                     "is held; none: free of stress.",
+                     &MaterialTest::axial));
+    list.push_back(
+      stations_entry("Shear",
+                     "The same for the shear in the plane xy, as of a thin tube in torsion; strains are "
+                     "changes of the angle.",
+                     &MaterialTest::shear));
+    list.push_back(
+      text_entry({"Material test",
+                  "File",
+                  "Rows of strains and stresses to go through instead of Axial and Shear: CSV, first a line "
+                  "of names out of E_xx ... E_xy (tensor components) and S_xx_MPa ... S_xy_MPa; what has no "
+                  "column is free of stress."},
+                 test_field(&MaterialTest::file)));
+    list.push_back(count_entry({"Material test", "Cycles", "How often the path is gone through."},
+                               1,
+                               100000,
+                               test_field(&MaterialTest::cycles)));
+    list.push_back(
+      count_entry({"Material test",
+                   "Steps",
+                   "Steps of the law from one value to the next; errors fall with their number."},
+                  1,
+                  100000,
+                  test_field(&MaterialTest::steps)));
+    return list;
+  }
+} // namespace wheelrail

@@ -1,0 +1,192 @@
+// The command material: paths from entries and files, tables, and what it says of faults.
+
+#include <wheelrail/application/material_command.h>
+#include <wheelrail/application/material_path.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/input/parameters.h>
+
+#include "check.h"
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_text;
+
+namespace
+{
+  const std::string folder = "material_command_test";
+
+  Scene
+  scene_of(const std::string &entries)
+  {
+    return scene_from_text(
+             "subsection Rail material\n  set Law = Chaboche\n  set Yield stress = 379 MPa\n"
+             "  set Kinematic moduli = 24750 MPa\n  set Kinematic rates = 55\nend\n"
+             "subsection Material test\n" +
+               entries + "end\nsubsection Output\n  set Folder = " + folder + "\nend\n",
+             "test",
+             {})
+      .scene;
+  }
+
+  /// The message of a path, empty when there is none.
+  std::string
+  fault(const MaterialTest &test)
+  {
+    try
+      {
+        material_path(test);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  MaterialTest
+  with_file(const std::string &text)
+  {
+    std::ofstream("material_path_test.csv") << text;
+    MaterialTest test;
+    test.file = "material_path_test.csv";
+    return test;
+  }
+
+  /// Rows of numbers below the head of a table.
+  std::vector<std::vector<double>>
+  rows_of(const std::string &path)
+  {
+    std::ifstream                    file(path);
+    std::vector<std::vector<double>> rows;
+    std::string                      line;
+    std::getline(file, line);
+    while (std::getline(file, line))
+      {
+        std::istringstream  words(line);
+        std::string         word;
+        std::vector<double> row;
+        while (std::getline(words, word, ','))
+          row.push_back(std::stod(word));
+        rows.push_back(row);
+      }
+    return rows;
+  }
+
+  void
+  ratcheting()
+  {
+    const Scene scene = scene_of("  set Axial = 700 MPa, -500 MPa\n  set Cycles = 4\n  set Steps = 4000\n");
+    std::ostringstream out;
+    check(run_material_command(scene, false, out) == 0, "the command ends well");
+    const auto cycles = rows_of(folder + "-material/cycles.csv");
+    check(cycles.size() == 4 && rows_of(folder + "-material/material.csv").size() == 4 * 2 * 4000,
+          "tables have all rows");
+    check_near(cycles[3][3] / 0.0115627, 1, 3e-3, "ratcheting of a cycle over the closed form");
+    check_near(cycles[3][5], 700, 1e-6, "largest stress [MPa]");
+    check(out.str().find("Ratcheting of the last cycle") != std::string::npos, "and it is told");
+    std::filesystem::remove_all(folder + "-material");
+  }
+
+  /// A tube that is pulled by a steady stress while it is twisted to and fro lengthens.
+  void
+  tension_torsion()
+  {
+    const Scene scene =
+      scene_of("  set Axial = 100 MPa\n  set Shear = 0.01, -0.01\n  set Cycles = 3\n  set Steps = 200\n");
+    const auto path = material_path(scene.material_test);
+    check(path.size() == 2 && path[1].of_stress[0] && !path[1].of_stress[5] && path[1].value[0] == 100e6 &&
+            path[1].value[5] == -0.005,
+          "a stress that is held, and a change of the angle");
+    std::ostringstream out;
+    run_material_command(scene, false, out);
+    const auto cycles = rows_of(folder + "-material/cycles.csv");
+    check(cycles[2][3] > 1e-4, "a tube that is twisted lengthens under a steady pull");
+    check_near(cycles[2][7], 0.01, 1e-12, "change of the angle");
+    std::filesystem::remove_all(folder + "-material");
+  }
+
+  void
+  files()
+  {
+    const auto path =
+      material_path(with_file("# strains and a stress\nE_xx, S_xy_MPa\n0.001, 50\n-0.002, 0\n"));
+    check(path.size() == 2 && path[0].value[0] == 0.001 && !path[0].of_stress[0] && path[0].of_stress[5] &&
+            path[0].value[5] == 50e6 && path[0].of_stress[1],
+          "rows of a file");
+    check_text(
+      fault(with_file("E_xx, strain\n0.001, 50\n")),
+      "material_path_test.csv:1: \"strain\" is no column; names are E_xx, E_yy, E_zz, E_yz, E_xz, E_xy and "
+      "S_xx_MPa, ... S_xy_MPa",
+      "a column of another name");
+    check_text(fault(with_file("E_xx, S_xx_MPa\n0.001, 50\n")),
+               "material_path_test.csv:1: two columns for the component xx; a strain and its stress cannot "
+               "both be given",
+               "a component twice");
+    check_text(fault(with_file("E_xx, E_yy\n0.001\n")),
+               "material_path_test.csv:2: 1 values for 2 columns",
+               "a short row");
+    check_text(
+      fault(with_file("E_xx\n1 %\n")), "material_path_test.csv:2: \"1 %\" is no number", "no number");
+    check_text(fault(with_file("E_xx\n")),
+               "material_path_test.csv: no rows; a line of names and rows of numbers are needed",
+               "no rows");
+    std::filesystem::remove("material_path_test.csv");
+    MaterialTest test;
+    test.file = "missing.csv";
+    check_text(fault(test),
+               "missing.csv: the file cannot be read; rows of strains and stresses are needed",
+               "no file");
+    test.axial.values = {0.01};
+    check_text(
+      fault(test),
+      "Material test/File = missing.csv: Axial and Shear say how to go, too; leave them out, or the file",
+      "file and lists");
+  }
+
+  void
+  faults()
+  {
+    MaterialTest test;
+    check_text(fault(test),
+               "Material test says nothing: set Material test/Axial, such as 0.01, -0.01 or 700 MPa, -500 "
+               "MPa, or Shear, "
+               "or File",
+               "no path");
+    test.axial.values = {0.01, -0.01};
+    test.shear.values = {0.01, 0, -0.01};
+    check_text(fault(test),
+               "Material test/Axial has 2 values and Shear 3; as many of both are needed, or a single one "
+               "that is held",
+               "lists of unequal length");
+    try
+      {
+        std::ostringstream out;
+        run_material_command(scene_of("  set Axial = 900 MPa\n"), false, out);
+        check(false, "a stress that the steel does not bear is told");
+      }
+    catch (const RunError &error)
+      {
+        check(std::string(error.what()).rfind("no strain gives the stresses that are asked for: ", 0) == 0,
+              error.what());
+      }
+  }
+} // namespace
+
+int
+main()
+{
+  ratcheting();
+  tension_torsion();
+  files();
+  faults();
+  return test::report();
+}
