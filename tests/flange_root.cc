@@ -22,7 +22,7 @@ main(int argc, char **argv)
   Model               model    = make_model(scene, geometry, MPI_COMM_WORLD);
   const auto          narrow   = model.contact->lattice();
   Log                 log;
-  const auto          start = start_on_wide_mesh(scene, geometry, model, log, MPI_COMM_WORLD);
+  const auto          start = start_on_wide_mesh(scene, geometry, model, nullptr, log, MPI_COMM_WORLD);
   check(!start.at_border, "the patch keeps off the edge of the fine cells");
   check_near(scene.fine_margin / given.fine_margin, 2, 1e-12, "the fine margin is doubled");
   check(model.contact->lattice().n_lateral > narrow.n_lateral + 4, "the lattice is wider");

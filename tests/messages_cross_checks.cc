@@ -49,6 +49,14 @@ namespace
       "Mesh/Coarse cell size = 12 mm",
       "--set: Mesh/Coarse cell size = 12 mm: 12 times the solution cell size of 1 mm; cells are halved from "
       "coarse to fine, so the ratio must be about 1, 2, 4, 8, 16, ...: take 16 mm");
+    check_set(
+      "Run/Passages = 3",
+      "--set: Run/Passages = 3: the rail does not yield, so that every passage is the first one; give Rail "
+      "material/Yield stress");
+    check_set("Run/Rail = output/first",
+              "--set: Run/Rail = output/first: a rail that does not yield keeps nothing of earlier runs; "
+              "write new, or "
+              "give Rail material/Yield stress");
     check_set("Mesh/Fine depth = 1.5 mm",
               "--set: Mesh/Fine depth = 1.5 mm: less than two cells of 1 mm; write auto or at least 2 mm");
     check_set("Mesh/Fine margin = 0.5 mm",

@@ -355,8 +355,9 @@ namespace
           0.5 * (reference(model.solid.mesh, cell[0])[2] + reference(model.solid.mesh, cell[7])[2]);
         if (z > 0 && z < block)
           {
-            rail.plastic_work[e]        = 1e-3;
-            rail.flowed[e / rail.width] = 1;
+            const std::size_t batch = e / rail.width, row = batch * rail.history_rows() + 5;
+            rail.history[row * rail.width + e % rail.width] = 1e-3; // accumulated plastic strain
+            rail.flowed[batch]                              = 1;
           }
       }
     check(fine > 0, "fine cells at the start");

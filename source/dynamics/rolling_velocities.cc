@@ -1,18 +1,23 @@
 #include <wheelrail/dynamics/rolling_velocities.h>
 #include <wheelrail/solid/boundary_nodes.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace wheelrail
 {
   void
-  rolling_velocities(Solid          &solid,
-                     const AxleData &axle,
-                     const double    pitch_rate,
-                     MPI_Comm        communicator,
-                     const bool      travelling)
+  rolling_velocities(Solid                       &solid,
+                     const AxleData              &axle,
+                     const double                 pitch_rate,
+                     const AlignedVector<double> &still,
+                     MPI_Comm                     communicator,
+                     const bool                   travelling)
   {
-    const auto gradient = travelling ? nodal_gradient(solid, solid.displacement.data(), communicator)
+    AlignedVector<double> moving = solid.displacement;
+    for (std::size_t k = 0; k < moving.size(); ++k)
+      moving[k] -= still[k];
+    const auto gradient = travelling ? nodal_gradient(solid, moving.data(), communicator)
                                      : std::vector<double>(9 * solid.mesh.n_nodes(), 0.);
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       {

@@ -49,6 +49,7 @@ namespace wheelrail
     , loads_(loads)
     , sum_(solid.mesh, forest.communicator())
     , system_(forest, solid)
+    , flow_(solid.blocks)
   {
     const AxleData      &axle  = loads.axle;
     const MassProperties wheel = mass_properties(solid, Body::wheel, axle.centre, forest.communicator());
@@ -74,8 +75,7 @@ namespace wheelrail
   StaticBalance
   StaticSearch::balance()
   {
-    for (const Body body : both_bodies)
-      forget_flow(solid_.blocks[body]);
+    flow_.restore(solid_.blocks);
     AlignedVector<double> force = element_forces_at_rest(solid_, sum_);
     add_wheel_loads(solid_, loads_.axle, rate_, force);
     contact_.gather(solid_.displacement.data(), solid_.velocity.data());

@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/dynamics/static_flow.h>
 #include <wheelrail/dynamics/static_progress.h>
-#include <wheelrail/solid/elastic_meanwhile.h>
+#include <wheelrail/solid/frozen_meanwhile.h>
 
 #include <algorithm>
 #include <cmath>
@@ -140,7 +140,7 @@ namespace wheelrail
     StaticBalance balance;
     result.wheel_load = search.wheel_load();
     {
-      const ElasticMeanwhile rail(solid.blocks.rail), wheel(solid.blocks.wheel);
+      const FrozenMeanwhile rail(solid.blocks.rail), wheel(solid.blocks.wheel);
       balance = elastic_equilibrium(search, without_friction, 2e-6, result);
     }
     // flow raises the creepage, though the tractions of its lower pressures would need less

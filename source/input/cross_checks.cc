@@ -239,6 +239,15 @@ namespace wheelrail
     Findings found = contact_checks(scene);
     check_cells(scene, found.errors);
     check_steps(scene, found.warnings);
+    if (scene.passages > 1 && !scene.rail_material.yields())
+      found.errors.push_back(entry_text(scene, "Run", "Passages") +
+                             ": the rail does not yield, so that every passage is the first one; give Rail "
+                             "material/Yield stress");
+    else if (scene.rail_from != "new" && !scene.rail_material.yields())
+      found.errors.push_back(
+        entry_text(scene, "Run", "Rail") +
+        ": a rail that does not yield keeps nothing of earlier runs; write new, or give Rail "
+        "material/Yield stress");
     check_curve(scene, found.errors);
     for (const std::string &fault : study_faults(scene))
       found.errors.push_back(fault);

@@ -66,6 +66,18 @@ namespace wheelrail
                    B::between("0.1 mm", "50 mm"),
                    field(&S::fine_margin)));
     list.push_back(
+      with_word(number_entry({"Mesh",
+                              "Planned load",
+                              "Wheel load for whose patch the solution cells are laid; auto: that of "
+                              "the scene. For runs of several loads over one rail: the largest."},
+                             Dimension::force,
+                             "kN",
+                             B::between("1 kN", "1000 kN"),
+                             field(&S::planned_load)),
+                "auto",
+                0,
+                field(&S::planned_load)));
+    list.push_back(
       length_or_auto({"Mesh",
                       "Prepared distance",
                       "With Window = fixed: the mesh is made for rolling that far, so that a run can be "

@@ -20,6 +20,20 @@ namespace wheelrail
                                 "mm",
                                 B::above("0 mm", "10 m"),
                                 field(&S::rolling_distance)));
+    list.push_back(
+      count_entry({"Run",
+                   "Passages",
+                   "Wheels that pass one after the other over a rail that yields, each a run in a folder of "
+                   "its own (passage_001, ...); passages.csv has their figures."},
+                  1,
+                  1000,
+                  field(&S::passages)));
+    list.push_back(
+      text_entry({"Run",
+                  "Rail",
+                  "new: a rail without stress; else the folder of a finished run, whose rail is rolled over "
+                  "as it was left."},
+                 field(&S::rail_from)));
     list.push_back(length_entry(
       {"Run", "Averaging distance", "The figures of the summary are means over a stretch of this length."},
       "mm",

@@ -5,6 +5,7 @@
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/solid/highest_frequency.h>
+#include <wheelrail/solid/point_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,10 +144,11 @@ namespace wheelrail
     std::vector<int>
     flowed_columns(const SweepPlan &plan, const Solid &solid, const Body body, MPI_Comm communicator)
     {
-      const ElementBlocks &blocks = solid.blocks[body];
-      std::set<int>        columns;
+      const ElementBlocks      &blocks = solid.blocks[body];
+      const std::vector<double> strain = element_plastic_strain(blocks);
+      std::set<int>             columns;
       for (std::size_t e = 0; e < blocks.n_elements; ++e)
-        if (blocks.plastic() && blocks.flowed[e / blocks.width] && blocks.plastic_work[e] > 0)
+        if (strain[e] > 0)
           {
             const CellPlace place = CellPlace::of_key(solid.mesh.cell_key[solid.block_cells[body][e]]);
             const int       k     = place.ancestor(0).k;
@@ -213,7 +215,10 @@ namespace wheelrail
     sizes.coarse      = scene.coarse_cell_size;
     sizes.fine_depth  = scene.depth_of_fine_cells();
     sizes.fine_margin = scene.fine_margin;
-    sizes.approach    = expected_approach(scene, geometry.contact.rolling_radius);
+    Scene planned     = scene;
+    if (scene.planned_load > 0)
+      planned.wheel_load = scene.planned_load;
+    sizes.approach    = expected_approach(planned, geometry.contact.rolling_radius);
     sizes.distance    = scene.mesh_distance();
     sizes.rail_length = scene.rail_length;
     sizes.moving      = scene.window == MeshWindow::moving;
@@ -283,6 +288,15 @@ namespace wheelrail
       else if (scene.behind_wheel == BehindWheel::keep)
         model.window.kept[body] = covered(plan, before, body);
     return true;
+  }
+
+
+  void
+  keep_flowed_rail(const Scene &scene, Model &model, MPI_Comm communicator)
+  {
+    model.window.kept.rail.clear();
+    if (scene.behind_wheel != BehindWheel::coarsen)
+      model.window.kept.rail = flowed_columns(model.swept->plan(), model.solid, Body::rail, communicator);
   }
 
 

@@ -41,6 +41,8 @@ namespace wheelrail
                               "residual.h5",
                               "slices.h5",
                               "report.html",
+                              "rail.h5",
+                              "passages.csv",
                               "input.prm",
                               "parameters.prm"})
         if (name == own)
@@ -66,6 +68,10 @@ namespace wheelrail
             own.push_back(entry.path());
       for (const fs::path &path : own)
         fs::remove_all(path);
+      for (const auto &entry : fs::directory_iterator(folder))
+        if (entry.path().filename().string().rfind("passage_", 0) == 0 &&
+            fs::exists(entry.path() / "parameters.prm"))
+          remove_earlier_run(entry.path());
     }
 
     /// What a run that was killed had not finished writing.

@@ -50,7 +50,7 @@ namespace wheelrail
 
 
   std::optional<Residual>
-  take_loads_off(const MovingParts &run, Log &log)
+  take_loads_off(const MovingParts &run, Log &log, const std::function<void()> &meanwhile)
   {
     Model &model = run.model;
     if (!model.solid.blocks.rail.plastic() && !model.solid.blocks.wheel.plastic())
@@ -60,8 +60,8 @@ namespace wheelrail
       {
         if (model.swept)
           change_mesh(run, prepare_window_forest);
-        Residual                            residual = find_residual(model, run.axle, run.communicator);
-        const std::chrono::duration<double> taken    = std::chrono::steady_clock::now() - begin;
+        Residual residual = find_residual(model, run.axle, meanwhile, run.communicator);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         log.value("unloading",
                   text("%u Newton steps, %u CG steps, %s",
                        residual.way.steps,

@@ -147,6 +147,31 @@ namespace wheelrail
   }
 
 
+  void
+  add_residual(const Residual &residual, Summary &summary)
+  {
+    if (std::isfinite(residual.forward))
+      set_figure(summary, "residual_forward_flow_m", residual.forward);
+    for (const Slice &slice : residual.slices)
+      {
+        if (slice.name != "BB_behind_rail")
+          continue;
+        // von Mises, xx, yy, zz, yz, xz, xy, accumulated plastic strain
+        const auto largest = [&](const std::size_t field) {
+          double most = 0;
+          for (const double value : slice.values[field])
+            if (std::abs(value) > std::abs(most))
+              most = value;
+          return most;
+        };
+        set_figure(summary, "residual_lateral_stress_Pa", largest(1));
+        set_figure(summary, "residual_longitudinal_stress_Pa", largest(3));
+        if (slice.values.size() > 7)
+          set_figure(summary, "rail_plastic_strain", largest(7));
+      }
+  }
+
+
   Summary
   summary_of(const RunParts &run, const RunTally &tally, const NodalStress &stress)
   {
@@ -186,6 +211,10 @@ namespace wheelrail
     MPI_Comm_size(run.communicator, &size);
     summary.ranks = size;
     set_figure(summary, "wheel_load_N", model.wheel_load);
+    const History &history = run.recorder.state().history;
+    for (std::size_t c = 0; c < history.names.size(); ++c)
+      if (history.names[c] == "vertical_force" && !history.columns[c].empty())
+        set_figure(summary, "first_force_over_load", history.columns[c].front() / model.wheel_load);
     set_figure(summary, "rolling_radius_m", model.geometry.rolling_radius);
     set_figure(summary, "contact_angle_rad", model.geometry.angle);
     add_pose(summary, run.scene, model, run.axle, run.communicator);

@@ -2,6 +2,7 @@
 #include <wheelrail/dynamics/rolling_velocities.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/run/run_texts.h>
+#include <wheelrail/state/rail_state.h>
 
 #include <chrono>
 #include <string>
@@ -45,15 +46,16 @@ namespace wheelrail
   RunStart
   start_from_rest(const Scene &scene, Model &model, Log &log, MPI_Comm communicator)
   {
-    const StaticLoads  loads  = static_loads(scene, model);
-    const auto         begin  = std::chrono::steady_clock::now();
-    const StaticResult result = static_start(
+    const StaticLoads           loads  = static_loads(scene, model);
+    const AlignedVector<double> still  = model.solid.displacement; // dents of earlier passages
+    const auto                  begin  = std::chrono::steady_clock::now();
+    const StaticResult          result = static_start(
       *model.forest, model.solid, *model.contact, loads, [&](const std::string &line) { log.status(line); });
     const bool   at_radius = !loads.rate_held && without(scene, StartState::without_creepage);
     const double creepage  = at_radius ? 0 : result.creepage;
     const double rate      = scene.velocity / loads.rolling_radius * (1 + creepage);
     rolling_velocities(
-      model.solid, model.axle, rate, communicator, !without(scene, StartState::without_velocities));
+      model.solid, model.axle, rate, still, communicator, !without(scene, StartState::without_velocities));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const std::string                   flow =
       result.flow_steps == 0 ? "" : text(", %d steps of plastic flow", result.flow_steps);
@@ -78,11 +80,17 @@ namespace wheelrail
   start_on_wide_mesh(Scene               &scene,
                      const SceneGeometry &geometry,
                      Model               &model,
+                     const Checkpoint    *rail,
                      Log                 &log,
                      MPI_Comm             communicator)
   {
     constexpr double widest = 12e-3;
-    RunStart         start  = start_from_rest(scene, model, log, communicator);
+    if (rail != nullptr)
+      {
+        lay_rail(scene, *rail, model, communicator);
+        return start_from_rest(scene, model, log, communicator);
+      }
+    RunStart start = start_from_rest(scene, model, log, communicator);
     while (start.at_border && 2 * scene.fine_margin <= widest)
       {
         Scene wider = scene;

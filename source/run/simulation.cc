@@ -7,12 +7,14 @@
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/moving_mesh.h>
+#include <wheelrail/run/passages.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_output.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/state/checkpoint_files.h>
+#include <wheelrail/state/rail_state.h>
 #include <wheelrail/state/saved_states.h>
 
 #include <algorithm>
@@ -125,6 +127,8 @@ namespace wheelrail
       void
       finish(const std::string &stop_reason);
       void
+      leave_rail() const;
+      void
       leave_word(const std::string &error) const;
 
       Scene                         scene_;
@@ -138,6 +142,7 @@ namespace wheelrail
       SceneGeometry                 geometry_;
       Model                         model_;
       std::optional<ResumePoint>    resume_point_;
+      std::optional<Checkpoint>     rail_; ///< of an earlier run
       SavedStates                   states_;
       std::unique_ptr<Axle>         axle_;
       std::unique_ptr<Rolling>      rolling_;
@@ -169,6 +174,11 @@ namespace wheelrail
           scene_.prepared_distance = resume_point_->whole.prepared_distance;
           scene_.fine_margin       = resume_point_->whole.fine_margin;
         }
+      else if (scene_.rail_from != "new")
+        {
+          rail_              = read_rail(scene_, options_.parameters_text, communicator_);
+          scene_.fine_margin = rail_->fine_margin;
+        }
     }
 
 
@@ -191,7 +201,9 @@ namespace wheelrail
     void
     Simulation::start_rolling()
     {
-      const RunStart start = start_on_wide_mesh(scene_, geometry_, model_, log_, communicator_);
+      const RunStart start =
+        start_on_wide_mesh(scene_, geometry_, model_, rail_ ? &*rail_ : nullptr, log_, communicator_);
+      rail_.reset(); // its memory
       make_rolling(start.lift, start.rate);
       use_window(moving());
       if (scene_.volume_fields)
@@ -354,15 +366,19 @@ namespace wheelrail
     Simulation::finish(const std::string &stop_reason)
     {
       const RunTally tally{wall_before_ + seconds() - start_, seconds() - loop_start_, first_step_};
-      const auto     residual = stop_reason.empty() ? take_loads_off(moving(), log_) : std::nullopt;
-      const auto     stress   = nodal_stress(model_.solid, communicator_);
+      const auto     residual =
+        stop_reason.empty() ? take_loads_off(moving(), log_, [&]() { leave_rail(); }) : std::nullopt;
+      const auto stress = nodal_stress(model_.solid, communicator_);
       if (scene_.volume_fields)
         output_->volume("volume_end", stress, residual ? &residual->stress : nullptr);
       if (residual)
         output_->residual(*residual);
       Summary summary = summary_of(*parts_, tally, stress);
       if (residual)
-        summary.max_residual_von_mises = residual->largest;
+        {
+          summary.max_residual_von_mises = residual->largest;
+          add_residual(*residual, summary);
+        }
       summary.program_version = options_.program_version;
       summary.finished        = stop_reason.empty();
       summary.stop_reason     = stop_reason;
@@ -388,6 +404,19 @@ namespace wheelrail
         print_summary(summary, table);
         print(STDOUT_FILENO, table.str());
       });
+    }
+
+
+    /// The rail for a next run.
+    void
+    Simulation::leave_rail() const
+    {
+      if (!model_.solid.blocks.rail.plastic())
+        return;
+      Checkpoint part  = take_checkpoint(model_, *axle_, *rolling_, *recorder_);
+      part.parameters  = options_.parameters_text;
+      part.fine_margin = scene_.fine_margin;
+      save_rail(part, scene_.folder, communicator_);
     }
 
 
@@ -420,6 +449,8 @@ namespace wheelrail
   int
   run_simulation(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options)
   {
+    if (scene.passages > 1)
+      return run_passages(scene, geometry, options);
     Simulation simulation(scene, geometry, options);
     return simulation.run();
   }

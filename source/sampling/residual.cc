@@ -50,19 +50,41 @@ namespace wheelrail
       MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
       return largest < 0 ? std::nan("") : largest;
     }
+
+    /// Displacement along Z of the rail's nodes between two places that is the largest in size [m]; NaN
+    /// without any.
+    double
+    forward_flow(const Solid &solid, const double from, const double to, MPI_Comm communicator)
+    {
+      double extent[2] = {-HUGE_VAL, -HUGE_VAL}; // -least, largest
+      for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+        if (solid.mesh.node_body[n] == Body::rail && solid.mesh.reference[4 * n + 2] > from &&
+            solid.mesh.reference[4 * n + 2] < to)
+          {
+            extent[0] = std::max(extent[0], -solid.displacement[4 * n + 2]);
+            extent[1] = std::max(extent[1], solid.displacement[4 * n + 2]);
+          }
+      MPI_Allreduce(MPI_IN_PLACE, extent, 2, MPI_DOUBLE, MPI_MAX, communicator);
+      if (std::isinf(extent[1]))
+        return std::nan("");
+      return extent[0] > extent[1] ? -extent[0] : extent[1];
+    }
   } // namespace
 
 
   Residual
-  find_residual(Model &model, const Axle &axle, MPI_Comm communicator)
+  find_residual(Model &model, const Axle &axle, const std::function<void()> &meanwhile, MPI_Comm communicator)
   {
-    const Meanwhile meanwhile(model.solid);
+    const Meanwhile back(model.solid);
     Residual        residual;
     residual.way        = unload(*model.forest, model.solid, axle);
     const double behind = half_length_bound(model.expected_approach, model.geometry.rolling_radius);
     residual.stress     = nodal_stress(model.solid, communicator);
     residual.slices     = slices_behind(model, residual.stress, axle.travelled(), behind, communicator);
     residual.largest    = largest_before(model.solid, axle.travelled() - behind, communicator);
+    residual.forward =
+      forward_flow(model.solid, 0.5 * axle.travelled(), axle.travelled() - behind, communicator);
+    meanwhile();
     return residual;
   }
 } // namespace wheelrail

@@ -219,6 +219,17 @@ namespace wheelrail
   }
 
 
+  bool
+  restore_bodies(const Checkpoint &whole, Solid &solid, MPI_Comm communicator)
+  {
+    int same = fits(whole, solid) ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
+    if (same == 1)
+      restore_solid(whole, solid);
+    return same == 1;
+  }
+
+
   void
   restore_checkpoint(const Checkpoint &whole,
                      Model            &model,
@@ -227,13 +238,10 @@ namespace wheelrail
                      Recorder         &recorder,
                      MPI_Comm          communicator)
   {
-    int same = fits(whole, model.solid) ? 1 : 0;
-    MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
-    if (same == 0)
+    if (!restore_bodies(whole, model.solid, communicator))
       throw InputError(
         "--resume: the mesh is not that of the saved state, since a profile file or the program has changed: "
         "start anew without --resume");
-    restore_solid(whole, model.solid);
     model.contact->set_state(whole.contact);
     axle.set_state(whole.axle);
     TimeLoop::State state = whole.rolling;

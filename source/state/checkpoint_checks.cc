@@ -28,8 +28,13 @@ namespace wheelrail
                                                    "Run/Averaging distance",
                                                    "Run/Evaluate at",
                                                    "Run/Rolling distance",
+                                                   "Run/Passages",
+                                                   "Run/Rail",
                                                    "Mesh/Prepared distance"};
-      return path.rfind("Output/", 0) == 0 || path.rfind("Half-space/", 0) == 0 || single.count(path) > 0;
+      for (const char *section : {"Output/", "Half-space/", "Material test/"})
+        if (path.rfind(section, 0) == 0)
+          return true;
+      return single.count(path) > 0;
     }
 
     std::string
@@ -38,6 +43,19 @@ namespace wheelrail
       return value.empty() ? "(not there)" : value;
     }
   } // namespace
+
+
+  std::string
+  other_steel(const std::string &before, const std::string &now)
+  {
+    auto        old = entries_of(before);
+    std::string differences;
+    for (const auto &[path, value] : entries_of(now))
+      if (path.rfind("Rail material/", 0) == 0 && old[path] != value)
+        differences +=
+          (differences.empty() ? "" : "; ") + path + " = " + value + ", there " + or_nothing(old[path]);
+    return differences;
+  }
 
 
   std::string

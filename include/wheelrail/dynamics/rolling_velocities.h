@@ -1,17 +1,20 @@
 #pragma once
 
+#include <wheelrail/base/simd.h>
 #include <wheelrail/wheelset/axle.h>
 
 namespace wheelrail
 {
   /// Velocities of steady rolling for the static field: the wheel turns at `pitch_rate` while its
   /// field stands in the frame of the axle, v = V + (I + grad u)(omega x r); the rail's field runs
-  /// along with the contact, v = -V du/dz. Without `travelling` fields the wheel turns as a rigid body
-  /// and the rail rests. Collective.
+  /// along with the contact, v = -V d(u - still)/dz, where `still` is what stays in place, the displacement
+  /// before the start (4 numbers a node). Without `travelling` fields the wheel turns as a rigid body and the
+  /// rail rests. Collective.
   void
-  rolling_velocities(Solid          &solid,
-                     const AxleData &axle,
-                     double          pitch_rate,
-                     MPI_Comm        communicator,
-                     bool            travelling = true);
+  rolling_velocities(Solid                       &solid,
+                     const AxleData              &axle,
+                     double                       pitch_rate,
+                     const AlignedVector<double> &still,
+                     MPI_Comm                     communicator,
+                     bool                         travelling = true);
 } // namespace wheelrail

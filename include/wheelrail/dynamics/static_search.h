@@ -3,6 +3,7 @@
 #include <wheelrail/dynamics/start_tractions.h>
 #include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/dynamics/static_system.h>
+#include <wheelrail/solid/kept_flow.h>
 
 #include <vector>
 
@@ -21,7 +22,7 @@ namespace wheelrail
   class StaticSearch
   {
   public:
-    /// Prepares the stiffness and presses the bodies rigidly into each other.
+    /// Prepares the stiffness and presses the wheel rigidly into the rail, which stays as it is.
     StaticSearch(const Forest &forest, Solid &solid, Contact &contact, const StaticLoads &loads);
 
     /// Weight of sprung mass, axle and wheel [N].
@@ -33,7 +34,7 @@ namespace wheelrail
 
     /// Contact, internal and external forces of the present position, condensed and summed. The tractions
     /// are loads here, whatever the pressures: a bound that follows them would leave no potential. Elements
-    /// of a plastic material get the history of a single step from rest to this position.
+    /// of a plastic material get the history of a single step from that at the making of the search.
     StaticBalance
     balance();
 
@@ -97,6 +98,7 @@ namespace wheelrail
     const StaticLoads    &loads_;
     SharedSum             sum_;
     StaticSystem          system_;
+    const KeptFlow        flow_; ///< that the bodies begin with
     double                wheel_mass_ = 0, rate_ = 0;
     double                wheel_offset_ = 0; ///< of its centre of gravity above the axle's line [m]
     AlignedVector<double> drag_;             ///< nodal forces of the tractions [N]

@@ -40,10 +40,11 @@ namespace wheelrail
   ///
   /// Newton's method on the explicit kernel's own forces: the kernel is the operator of the bodies at rest,
   /// to which the contact springs of the moment are added, see StaticSystem. The hub is moved; its height is
-  /// one of the unknowns, with the vertical balance as its equation. Bodies that yield flow from this
-  /// equilibrium to about their own, see static_flow(); the creepage stays that of elastic bodies. Fills
-  /// solid.displacement, the history of elements that flow and the shear tractions of the contact. Throws
-  /// RunError when it does not converge. Collective.
+  /// one of the unknowns, with the vertical balance as its equation. The bodies begin with the displacement
+  /// and the history that they have: a rail that has yielded before with its dents and residual stresses.
+  /// Bodies that yield flow from this equilibrium to about their own, see static_flow(); the creepage stays
+  /// that of elastic bodies. Fills solid.displacement, the history of elements that flow and the shear
+  /// tractions of the contact. Throws RunError when it does not converge. Collective.
   StaticResult
   static_start(const Forest                           &forest,
                Solid                                  &solid,

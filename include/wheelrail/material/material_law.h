@@ -3,6 +3,8 @@
 #include <wheelrail/material/bilinear.h>
 #include <wheelrail/material/chaboche.h>
 
+#include <limits>
+#include <type_traits>
 #include <variant>
 
 namespace wheelrail
@@ -17,6 +19,18 @@ namespace wheelrail
     if (plasticity.elastic())
       return ElasticLaw(elasticity);
     return BilinearLaw(elasticity, plasticity);
+  }
+
+  /// The law with its plastic strains as they are: no stress makes it flow.
+  inline MaterialLaw
+  frozen(MaterialLaw law)
+  {
+    const auto freeze = [](auto &of) {
+      if constexpr (has_history<std::decay_t<decltype(of)>>)
+        of.yield_stress = std::numeric_limits<double>::infinity();
+    };
+    std::visit(freeze, law);
+    return law;
   }
 
   /// Constants of the elastic part, which every law has.

@@ -60,6 +60,11 @@ namespace wheelrail
   bool
   move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator);
 
+  /// Keeps the columns of blocks fine in which the rail has flowed, unless Mesh/Behind the wheel makes all
+  /// coarse. Collective.
+  void
+  keep_flowed_rail(const Scene &scene, Model &model, MPI_Comm communicator);
+
   /// Gives the window a longer path [m]; whether that changes the range of the finest cells.
   bool
   lengthen_path(Model &model, double distance);

@@ -6,6 +6,7 @@
 #include <wheelrail/sampling/residual.h>
 #include <wheelrail/wheelset/axle.h>
 
+#include <functional>
 #include <optional>
 
 namespace wheelrail
@@ -34,7 +35,7 @@ namespace wheelrail
 
   /// What the run leaves in bodies that may yield, once the loads are taken off (find_residual()); nothing of
   /// elastic ones, or when that fails, which is said. The mesh is then that of a forest with the same cells.
-  /// Collective.
+  /// `meanwhile` is called with the loads off. Collective.
   std::optional<Residual>
-  take_loads_off(const MovingParts &run, Log &log);
+  take_loads_off(const MovingParts &run, Log &log, const std::function<void()> &meanwhile);
 } // namespace wheelrail

@@ -2,6 +2,7 @@
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/sampling/residual.h>
 #include <wheelrail/sampling/run_parts.h>
 #include <wheelrail/solid/stress_recovery.h>
 #include <wheelrail/state/stop.h>
@@ -36,6 +37,10 @@ namespace wheelrail
   /// hundredths of a second, and both figures are added too. Returns what is to be said on the screen.
   std::vector<std::string>
   judge(const Scene &scene, const SceneGeometry &geometry, double from, Summary &summary);
+
+  /// Adds what the run left in the rail where BB_behind cuts it.
+  void
+  add_residual(const Residual &residual, Summary &summary);
 
   /// The figures of a run at its end or where it stopped, without `finished` and the reason; `stress`: of the
   /// moment, see nodal_stress(). Collective.

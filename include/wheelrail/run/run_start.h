@@ -3,6 +3,7 @@
 #include <wheelrail/base/log.h>
 #include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/model/model.h>
+#include <wheelrail/state/checkpoint.h>
 
 namespace wheelrail
 {
@@ -26,11 +27,13 @@ namespace wheelrail
 
   /// The same; when the patch reaches the edge of the fine cells, `scene.fine_margin` is doubled, to 12 mm at
   /// most, and the model made anew. Where profiles conform, as in the root of the flange, small moves of the
-  /// loaded bodies open a second patch beside the one that the profiles let expect. Collective.
+  /// loaded bodies open a second patch beside the one that the profiles let expect. On a `rail` of an earlier
+  /// run (none: a null pointer) the mesh stays that of the rail. Collective.
   RunStart
   start_on_wide_mesh(Scene               &scene,
                      const SceneGeometry &geometry,
                      Model               &model,
+                     const Checkpoint    *rail,
                      Log                 &log,
                      MPI_Comm             communicator);
 } // namespace wheelrail

@@ -5,6 +5,7 @@
 #include <wheelrail/sampling/slices.h>
 #include <wheelrail/wheelset/axle.h>
 
+#include <functional>
 #include <vector>
 
 namespace wheelrail
@@ -17,10 +18,15 @@ namespace wheelrail
     std::vector<Slice> slices;
     Unloading          way;
     double largest; ///< von Mises, of elements of that rail that have flowed [Pa]; NaN without one
+    double forward; ///< displacement of that rail along Z that is the largest in size, where all was rolled
+                    ///< over [m]
   };
 
-  /// Takes the loads off for the sample; the bodies are then again as they were. Throws RunError as unload().
-  /// Collective.
+  /// Takes the loads off for the sample, and for `meanwhile`; the bodies are then again as they were. Throws
+  /// RunError as unload(). Collective.
   Residual
-  find_residual(Model &model, const Axle &axle, MPI_Comm communicator);
+  find_residual(Model                       &model,
+                const Axle                  &axle,
+                const std::function<void()> &meanwhile,
+                MPI_Comm                     communicator);
 } // namespace wheelrail

@@ -144,17 +144,20 @@ namespace wheelrail
     std::optional<ElementForm> rail_element, wheel_element; ///< none: as `element`
     MeshWindow                 window       = MeshWindow::moving;
     BehindWheel                behind_wheel = BehindWheel::automatic;
+    double planned_load      = 0; ///< for whose patch fine cells are laid [N], 0: the wheel load
     double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 
     // Run
-    StartState start              = StartState::steady_rolling;
-    double     rolling_distance   = 0.06;  ///< [m]
-    double     averaging_distance = 0.02;  ///< stretch over which the figures are means [m]
-    double     evaluate_at        = 0;     ///< its middle [m]; 0: it is the last one
-    double     time_step_factor   = 0.95;  ///< fraction of the stable step
-    double     bulk_viscosity     = 0.06;  ///< linear bulk viscosity coefficient
-    double     gravity            = 9.81;  ///< [m/s2]
-    double     energy_limit       = 0.005; ///< energy error at which the run stops
+    StartState   start              = StartState::steady_rolling;
+    double       rolling_distance   = 0.06;  ///< [m]
+    double       averaging_distance = 0.02;  ///< stretch over which the figures are means [m]
+    double       evaluate_at        = 0;     ///< its middle [m]; 0: it is the last one
+    double       time_step_factor   = 0.95;  ///< fraction of the stable step
+    double       bulk_viscosity     = 0.06;  ///< linear bulk viscosity coefficient
+    unsigned int passages           = 1;     ///< of wheels over the same rail
+    std::string  rail_from          = "new"; ///< folder of the run that left the rail, or new
+    double       gravity            = 9.81;  ///< [m/s2]
+    double       energy_limit       = 0.005; ///< energy error at which the run stops
 
     // Output
     std::string  folder              = "output/scene";

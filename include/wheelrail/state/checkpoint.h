@@ -64,6 +64,11 @@ namespace wheelrail
                      Recorder         &recorder,
                      MPI_Comm          communicator);
 
+  /// Puts displacements, velocities and histories of a whole checkpoint into bodies; whether their mesh is
+  /// that of the checkpoint, else nothing is changed. Collective.
+  bool
+  restore_bodies(const Checkpoint &whole, Solid &solid, MPI_Comm communicator);
+
   /// A whole checkpoint as the bytes of an HDF5 file.
   std::vector<char>
   checkpoint_bytes(const Checkpoint &whole);

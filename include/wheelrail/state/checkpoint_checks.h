@@ -10,4 +10,8 @@ namespace wheelrail
   /// sentence that names every entry with what it is, what it was, and what to do; empty when it can.
   std::string
   obstacle_to_resume(const Checkpoint &saved, const Scene &scene, const std::string &parameters);
+
+  /// In which entries of the rail's material two lists of entries differ, a sentence; empty when in none.
+  std::string
+  other_steel(const std::string &before, const std::string &now);
 } // namespace wheelrail

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <wheelrail/state/checkpoint.h>
+
+#include <string>
+
+namespace wheelrail
+{
+  /// Writes what a run leaves, the loads taken off, as rail.h5 into `folder`: the state `part` of the ranks,
+  /// whose model has the mesh of a forest. Collective; throws RunError on all ranks.
+  void
+  save_rail(const Checkpoint &part, const std::string &folder, MPI_Comm communicator);
+
+  /// Reads the rail that Run/Rail of the scene names. `parameters` are the entries now in force. Throws
+  /// InputError when no run has left a rail there, or one of another steel. To be called on all ranks.
+  Checkpoint
+  read_rail(const Scene &scene, const std::string &parameters, MPI_Comm communicator);
+
+  /// Lays that rail into a model that make_model() has just built: dents, residual stresses and history, and,
+  /// with a moving window, the cells that it needs beside those of the start, where the model's forest then
+  /// is. The wheel is new; plastic work counts from here on. Throws InputError when the rail has another
+  /// mesh. Collective.
+  void
+  lay_rail(const Scene &scene, const Checkpoint &rail, Model &model, MPI_Comm communicator);
+} // namespace wheelrail

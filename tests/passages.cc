@@ -1,0 +1,240 @@
+// label: long
+
+// Wheels that pass one after the other over a rail that yields. A passage at a load at which nothing yields
+// leaves dents and residual stresses as they are and starts with its weight; passages flow less and less
+// under isotropic hardening; a family that is interrupted goes on to the same figures.
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/output/summary.h>
+#include <wheelrail/run/passages.h>
+#include <wheelrail/solid/kernel.h>
+#include <wheelrail/state/rail_state.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+#include "stopped_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace
+{
+  Scene
+  scene(const std::string &name, const MeshWindow window = MeshWindow::moving)
+  {
+    Scene scene                         = small_scene(4e-3);
+    scene.window                        = window;
+    scene.rolling_distance              = 24e-3;
+    scene.rail_length                   = 0.4;
+    scene.ticks                         = 2;
+    scene.planned_load                  = 110e3;
+    scene.volume_fields                 = false;
+    scene.checkpoint_interval           = 1e4;
+    scene.rail_material.yield_stress    = 400e6;
+    scene.rail_material.tangent_modulus = 21e9;
+    scene.folder                        = "passages_" + name;
+    return scene;
+  }
+
+  /// What a run has left in the rail: its mesh of the end, with displacements and histories.
+  struct LeftRail
+  {
+    Model model;
+
+    LeftRail(const Scene &of, const std::string &folder)
+      : model(make_model(of, make_geometry(of), MPI_COMM_WORLD))
+    {
+      Scene there           = of;
+      there.rail_from       = folder;
+      const Checkpoint rail = read_rail(there, print_parameters(of), MPI_COMM_WORLD);
+      if (model.swept)
+        {
+          model.window = rail.window;
+          prepare_window_forest(model, MPI_COMM_WORLD);
+        }
+      check(restore_bodies(rail, model.solid, MPI_COMM_WORLD),
+            "the rail of " + folder + " has the mesh of its run");
+    }
+    std::vector<std::array<double, 6>>
+    stress() const
+    {
+      return element_stress(model.solid.blocks.rail, model.solid.displacement.data());
+    }
+  };
+
+  double
+  figure(const std::string &folder, const std::string &key)
+  {
+    return get_figure(read_summary(folder + "/summary.json"), key);
+  }
+
+  void
+  light_passage(const MeshWindow window)
+  {
+    const std::string kind  = window == MeshWindow::moving ? " (moving window)" : " (fixed mesh)";
+    const Scene       heavy = scene("heavy", window);
+    check(run(heavy, false) == 0, "a passage that yields" + kind);
+    Scene light      = scene("light", window);
+    light.wheel_load = 65e3; // the patch is still as long as three cells
+    light.rail_from  = heavy.folder;
+    check(run(light, false) == 0, "a light one over the same rail" + kind);
+    check_near(figure(light.folder, "first_force_over_load"),
+               1,
+               0.01,
+               "vertical force of the first step over the load" + kind);
+    check_near(figure(light.folder, "plastic_work_rail_J"), 0, 0, "nothing yields" + kind);
+    check(figure(light.folder, "energy_error") < 5e-3, "the energy balance holds" + kind);
+
+    const LeftRail before(heavy, heavy.folder), after(light, light.folder);
+    const auto     was = before.stress(), is = after.stress();
+    check(was.size() == is.size(), "the same cells" + kind);
+    double largest = 0, change = 0;
+    for (std::size_t e = 0; e < std::min(was.size(), is.size()); ++e)
+      for (int k = 0; k < 6; ++k)
+        {
+          largest = std::max(largest, std::abs(was[e][k]));
+          change  = std::max(change, std::abs(was[e][k] - is[e][k]));
+        }
+    check(largest > 20e6, "stress is left: " + std::to_string(1e-6 * largest) + " MPa" + kind);
+    check_near(change / largest, 0, 1e-3, "change of the residual stress over the largest" + kind);
+  }
+
+  void
+  three_passages()
+  {
+    Scene one    = scene("one_go");
+    one.passages = 3;
+    fs::remove_all(one.folder);
+    check(run(one, false) == 0, "three passages");
+    double last = 1e300;
+    for (unsigned int k = 1; k <= 3; ++k)
+      {
+        const std::string folder = passage_folder(one.folder, k), text = ", passage " + std::to_string(k);
+        const double      work = figure(folder, "plastic_work_rail_J");
+        check(work < last, "less plastic work than before: " + std::to_string(work) + " J" + text);
+        check_near(
+          figure(folder, "first_force_over_load"), 1, 0.01, "first vertical force over the load" + text);
+        check(figure(folder, "energy_error") < 5e-3, "the energy balance holds" + text);
+        last = work;
+      }
+    check(fs::exists(one.folder + "/passages.csv"), "their table is written");
+    check(read_summary(one.folder + "/summary.json").finished, "and the summary of the last");
+
+    Scene parts    = scene("parts");
+    parts.passages = 3;
+    fs::remove_all(parts.folder);
+    check(run(parts, false, 40) == 3, "interrupted in the first passage");
+    check(run(parts, true, 40) == 3, "gone on, and interrupted in the second");
+    try
+      {
+        RunOptions options;
+        options.prm_text        = "# a test\n";
+        options.parameters_text = print_parameters(parts);
+        run_simulation(parts, make_geometry(parts), options);
+        check(false, "begun passages are protected");
+      }
+    catch (const InputError &error)
+      {
+        check_text(error.what(),
+                   "Output/Folder = passages_parts: the folder holds passages of an earlier run; --resume "
+                   "goes on with "
+                   "them, --overwrite starts anew",
+                   "begun passages are protected");
+      }
+    check(run(parts, true) == 0, "gone on to the end");
+    for (unsigned int k = 1; k <= 3; ++k)
+      for (const char *key :
+           {"normal_force_N", "max_pressure_Pa", "plastic_work_rail_J", "rail_plastic_strain"})
+        check_near(figure(passage_folder(parts.folder, k), key) / figure(passage_folder(one.folder, k), key),
+                   1,
+                   1e-4, // two static starts of the same scene differ by some 1e-8
+                   "the same " + std::string(key) + " of passage " + std::to_string(k));
+  }
+
+  /// A passage that stops leaves those before it and says so.
+  void
+  stopped_passage()
+  {
+    Scene family    = scene("stopped");
+    family.passages = 2;
+    fs::remove_all(family.folder);
+    run(family, false);
+    fs::remove_all(passage_folder(family.folder, 2));
+    family.energy_limit = 1e-9;
+    std::string told;
+    try
+      {
+        run(family, true);
+      }
+    catch (const RunError &error)
+      {
+        told = error.what();
+      }
+    check(told.rfind("passage 2: the run stopped: ", 0) == 0 &&
+            told.find("; the 1 before it are kept, with their figures in passages_stopped/passages.csv") !=
+              std::string::npos,
+          "a passage that stops: " + told);
+    check(read_summary(passage_folder(family.folder, 1) + "/summary.json").finished, "the first one is kept");
+  }
+
+  std::string
+  fault(const Scene &of)
+  {
+    try
+      {
+        run(of, false);
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+  void
+  faults()
+  {
+    Scene other     = scene("other");
+    other.rail_from = "passages_nowhere";
+    check_text(fault(other),
+               "Run/Rail = passages_nowhere: there is no rail.h5, which runs with a rail that yields leave "
+               "when they have "
+               "finished",
+               "no rail");
+    other.rail_from                  = "passages_heavy";
+    other.rail_material.yield_stress = 480e6;
+    check_text(fault(other),
+               "Run/Rail = passages_heavy: the steel of that rail is another one: Rail material/Yield stress "
+               "= 480 MPa, "
+               "there 400 MPa",
+               "another steel");
+    other               = scene("other");
+    other.rail_from     = "passages_heavy";
+    other.lateral_shift = 2e-3;
+    check_text(fault(other),
+               "Run/Rail = passages_heavy: that rail has another mesh; profiles, track, lateral shift and "
+               "the cells of "
+               "Mesh must be those of its run, and Mesh/Planned load the same in both where loads differ",
+               "another mesh");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  light_passage(MeshWindow::fixed);
+  light_passage(MeshWindow::moving);
+  three_passages();
+  stopped_passage();
+  faults();
+  return parallel.report();
+}
