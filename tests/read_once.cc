@@ -91,6 +91,7 @@ main(int argc, char **argv)
     << "subsection Mesh\n  set Solution cell size = 4 mm\n  set Coarse cell size = 16 mm\n  set Fine margin "
        "= 4 mm\nend\n"
     << "subsection Run\n  set Rolling distance = 2 mm\n  set Averaging distance = 1 mm\nend\n"
+    << "subsection Half-space\n  set Element size = 1 mm\nend\n"
     << "subsection Output\n  set Folder = " << (folder / "scene").string() << "\n  set Ticks = 1\nend\n";
   const Openings rail(rail_file), wheel(wheel_file);
   check_command({"parameters", prm.string(), "--validate"}, rail, wheel);
