@@ -15,6 +15,7 @@
 #include "stopped_runs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>

@@ -2,6 +2,8 @@
 
 #include <wheelrail/run/simulation.h>
 
+#include <string>
+
 namespace wheelrail
 {
   /// Run/Passages wheels one after the other over the same rail: each is a run of its own in passage_001,
