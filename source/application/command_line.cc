@@ -50,7 +50,7 @@ namespace wheelrail
       for (const Command &command : commands())
         {
           const std::string usage = usage_of(command);
-          out << "  " << usage << std::string(33 - usage.size(), ' ') << command.summary << "\n";
+          out << "  " << usage << std::string(37 - usage.size(), ' ') << command.summary << "\n";
         }
       out << "\n\"wheelrail COMMAND --help\" lists the options of a command.\n"
              "Exit codes: 0 finished, 1 bad input, 2 stopped, 3 interrupted and saved.\n";
@@ -99,6 +99,8 @@ namespace wheelrail
       all.add(options).add_options()("file", po::value<std::string>(), "");
       po::positional_options_description positions;
       positions.add("file", command.operand.empty() ? 0 : 1);
+      if (options.find_nothrow("motion", false) != nullptr)
+        positions.add("motion", 1);
       try
         {
           using Style = po::command_line_style::style_t;

@@ -7,6 +7,7 @@
 #include <wheelrail/application/material_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/study_command.h>
+#include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/listing.h>
@@ -177,6 +178,27 @@ namespace wheelrail
     }
 
     int
+    act_vehicle(const po::variables_map &options, const RunFunction &, std::ostream &out)
+    {
+      require_file(options, "vehicle");
+      if (!options.count("motion"))
+        throw InputError(
+          "vehicle needs a motion file, such as ./wheelrail vehicle prm/rolling.prm prm/s_curve.csv");
+      const MotionFile motion = read_motion_file(options["motion"].as<std::string>());
+      const SceneInput input  = one_scene_of(options);
+      require_none(contact_checks(input.scene).errors, input);
+      if (distance_is_given(input.scene))
+        throw InputError(
+          "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
+      return run_vehicle_command(input.scene,
+                                 read_profiles(input.scene),
+                                 motion,
+                                 options.count("both-wheels") > 0,
+                                 !options.count("no-pictures"),
+                                 out);
+    }
+
+    int
     act_parameters(const po::variables_map &options, const RunFunction &, std::ostream &out)
     {
       if (options.count("validate"))
@@ -330,6 +352,20 @@ namespace wheelrail
          add_no_pictures_option(options);
        },
        act_material},
+      {"vehicle",
+       "FILE.prm ROWS.csv",
+       "half-spaces for each row of a vehicle simulation: forces, creepages, T-gamma, worst rows",
+       [](po::options_description &options) {
+         add_set_option(options);
+         options.add_options()(
+           "motion",
+           po::value<std::string>(),
+           "the rows: time or distance, lateral shift, roll, yaw, load, velocity, torque or "
+           "creepage, with units in the first line");
+         options.add_options()("both-wheels", "compute the right and the left wheel");
+         add_no_pictures_option(options);
+       },
+       act_vehicle},
       {"parameters",
        "[FILE.prm]",
        "print all entries with their values, meaning and defaults, as a parameter file",

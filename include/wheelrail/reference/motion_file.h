@@ -1,0 +1,55 @@
+#pragma once
+
+#include <wheelrail/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// What a column of a motion file holds.
+  enum class MotionQuantity
+  {
+    time,
+    distance,
+    lateral_shift,
+    roll,
+    yaw,
+    load,
+    velocity,
+    torque,
+    creepage,
+    lateral_creepage
+  };
+
+  /// What a vehicle simulation gives of a wheelset: rows over time or distance.
+  struct MotionFile
+  {
+    std::vector<MotionQuantity>      quantities;
+    std::vector<std::vector<double>> columns; ///< [SI], one value a row
+
+    std::size_t
+    rows() const
+    {
+      return columns.front().size();
+    }
+    /// The column of a quantity, or null.
+    const std::vector<double> *
+    find(MotionQuantity quantity) const;
+  };
+
+  /// The name of a column, as in the file.
+  std::string
+  motion_name(MotionQuantity quantity);
+
+  /// Reads a table with commas, semicolons or tabs between and a first line that names each column and its
+  /// unit: "time [s], lateral shift [mm], yaw [mrad], load [kN]". What follows # is a remark. There must be
+  /// time or distance, which grows from row to row. Throws InputError, with file, line and column, for
+  /// everything else.
+  MotionFile
+  read_motion_file(const std::string &path);
+
+  /// The scene at a row: columns in the place of its entries. A torque is not an entry: see vehicle.h.
+  Scene
+  scene_at(const Scene &scene, const MotionFile &motion, std::size_t row);
+} // namespace wheelrail

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/output/figure_table.h>
+#include <wheelrail/reference/motion_file.h>
+#include <wheelrail/scene/scene.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The half-spaces of one wheel over the rows of a motion.
+  struct VehicleWheel
+  {
+    bool                     left = false;
+    /// `largest_von_mises_Pa` is found for the ten rows with the largest peak pressure.
+    std::vector<Summary>     rows; ///< of each row as the command halfspace has it; forces of 0 without load
+    std::vector<std::string> faults; ///< why a row has no figures, or is not to be trusted; empty: neither
+  };
+
+  /// Solves the contact of each row on all processors. A row's torque gives the force along the wheelset over
+  /// the rolling radius; a load of 0 is no contact; a row whose profiles do not touch has a fault and no
+  /// figures, and does not stop the others. `report` is told how many rows are done, from several threads.
+  VehicleWheel
+  solve_vehicle(const Scene                            &scene,
+                const SceneProfiles                    &profiles,
+                const MotionFile                       &motion,
+                bool                                    left,
+                const std::function<void(std::size_t)> &report);
+} // namespace wheelrail

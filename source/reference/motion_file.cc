@@ -1,0 +1,288 @@
+#include <wheelrail/base/choices.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/base/shown_text.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/motion_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Q = MotionQuantity;
+
+    struct Column
+    {
+      Q           quantity;
+      const char *name;
+      Dimension   dimension;
+      double      least, most; ///< accepted [SI]
+      const char *range;
+    };
+
+    const std::vector<Column> &
+    known_columns()
+    {
+      static const std::vector<Column> list = {
+        {Q::time, "time", Dimension::time, -1e9, 1e9, ""},
+        {Q::distance, "distance", Dimension::length, -1e9, 1e9, ""},
+        {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
+        {Q::roll, "roll", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"},
+        {Q::yaw, "yaw", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"},
+        {Q::load, "load", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
+        {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
+        {Q::torque, "torque", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
+        {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
+        {Q::lateral_creepage, "lateral creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
+      return list;
+    }
+
+    std::string
+    trimmed(const std::string &text)
+    {
+      const std::size_t first = text.find_first_not_of(" \t\r\""), last = text.find_last_not_of(" \t\r\"");
+      return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+    }
+
+    std::vector<std::string>
+    cells_of(const std::string &line, const char separator)
+    {
+      std::vector<std::string> cells(1);
+      for (const char c : line)
+        if (c == separator)
+          cells.emplace_back();
+        else
+          cells.back() += c;
+      for (std::string &cell : cells)
+        cell = trimmed(cell);
+      return cells;
+    }
+
+    /// SI value of one of the unit; throws InputError.
+    double
+    unit_factor(const Column &column, const std::string &unit)
+    {
+      if (column.quantity == Q::torque)
+        {
+          if (unit == "N m" || unit == "Nm")
+            return 1;
+          if (unit == "kN m" || unit == "kNm")
+            return 1e3;
+          throw InputError("\"" + shown_text(unit, 40) +
+                           "\" is no unit of a torque; N m or kN m is accepted");
+        }
+      if (column.dimension == Dimension::none)
+        {
+          if (unit == "%")
+            return 0.01;
+          if (unit.empty() || unit == "1" || unit == "-")
+            return 1;
+          throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a creepage; %, or 1 is accepted");
+        }
+      return parse_quantity("1 " + unit, column.dimension);
+    }
+
+    /// Reads one file.
+    class Reader
+    {
+    public:
+      explicit Reader(const std::string &path)
+        : path_(path)
+      {
+      }
+
+      MotionFile
+      read();
+
+    private:
+      [[noreturn]] void
+      fail(const std::string &why) const
+      {
+        throw InputError(path_ + ":" + std::to_string(line_) + ": " + why);
+      }
+      void
+      read_header(const std::string &line);
+      void
+      read_row(const std::string &line);
+      void
+      check() const;
+
+      std::string                 path_;
+      int                         line_      = 0;
+      char                        separator_ = ',';
+      std::vector<const Column *> columns_;
+      std::vector<double>         factors_;
+      MotionFile                  motion_;
+    };
+
+    void
+    Reader::read_header(const std::string &line)
+    {
+      separator_ = line.find(';') != std::string::npos   ? ';'
+                   : line.find(',') != std::string::npos ? ','
+                                                         : '\t';
+      for (const std::string &cell : cells_of(line, separator_))
+        {
+          const std::size_t open = cell.find_first_of("[("), close = cell.find_last_of("])");
+          std::string       name = trimmed(cell.substr(0, open));
+          std::transform(
+            name.begin(), name.end(), name.begin(), [](const char c) { return c == '_' ? ' ' : c; });
+          std::vector<std::string> names;
+          for (const Column &column : known_columns())
+            names.push_back(column.name);
+          const auto known = std::find(names.begin(), names.end(), name);
+          if (known == names.end())
+            fail("column \"" + shown_text(cell, 40) + "\" is not known" + perhaps(name, names) +
+                 "; there are " + join_choices(names, "and") +
+                 ", each with its unit in brackets, such as \"yaw [mrad]\"");
+          const Column &column = known_columns()[known - names.begin()];
+          if (std::find(columns_.begin(), columns_.end(), &column) != columns_.end())
+            fail("two columns of " + name + "; leave one out");
+          const bool has_unit = open != std::string::npos && close != std::string::npos && close > open;
+          if (!has_unit && column.dimension != Dimension::none)
+            fail("column \"" + shown_text(cell, 40) + "\" has no unit; write it in brackets, such as \"" +
+                 name + " [" +
+                 dimension_units(column.dimension).substr(0, dimension_units(column.dimension).find(',')) +
+                 "]\"");
+          try
+            {
+              factors_.push_back(
+                unit_factor(column, has_unit ? trimmed(cell.substr(open + 1, close - open - 1)) : ""));
+            }
+          catch (const InputError &error)
+            {
+              fail("column \"" + shown_text(cell, 40) + "\": " + error.what());
+            }
+          columns_.push_back(&column);
+          motion_.quantities.push_back(column.quantity);
+        }
+      motion_.columns.resize(columns_.size());
+    }
+
+    void
+    Reader::read_row(const std::string &line)
+    {
+      const auto cells = cells_of(line, separator_);
+      if (cells.size() != columns_.size())
+        fail("a row of " + std::to_string(cells.size()) + " values, the first line names " +
+             std::to_string(columns_.size()) + " columns");
+      for (std::size_t k = 0; k < cells.size(); ++k)
+        {
+          const std::string name = columns_[k]->name;
+          if (cells[k].empty())
+            fail("no value of " + name + "; rows cannot have gaps: fill it or leave the column out");
+          double value = 0;
+          try
+            {
+              value = factors_[k] * parse_quantity(cells[k], Dimension::none);
+            }
+          catch (const InputError &)
+            {
+              fail("\"" + shown_text(cells[k], 40) + "\" of " + name +
+                   " is not a number; units stand in the first line");
+            }
+          if (value < columns_[k]->least * (1 + 1e-12) - 1e-15 || value > columns_[k]->most * (1 + 1e-12))
+            fail(name + " = " + shown_text(cells[k], 40) + " is out of range; " + columns_[k]->range +
+                 " is accepted, in the unit of the first line");
+          auto &column = motion_.columns[k];
+          if ((columns_[k]->quantity == Q::time || columns_[k]->quantity == Q::distance) && !column.empty() &&
+              !(value > column.back()))
+            fail(name + " = " + shown_text(cells[k], 40) +
+                 (value == column.back() ? " stands in the row before, too; leave one of them out"
+                                         : " is less than in the row before; sort the rows"));
+          column.push_back(value);
+        }
+    }
+
+    void
+    Reader::check() const
+    {
+      const auto refuse = [this](const std::string &why) { throw InputError(path_ + ": " + why); };
+      if (columns_.empty() || motion_.rows() == 0)
+        refuse("no rows; a motion file has a first line with names and units, and rows of numbers");
+      if (!motion_.find(Q::time) && !motion_.find(Q::distance))
+        refuse("neither time nor distance; one of them must be a column, such as \"time [s]\"");
+      if (motion_.find(Q::torque) && motion_.find(Q::creepage))
+        refuse("torque and creepage; one follows from the other: leave one of the columns out");
+    }
+
+    MotionFile
+    Reader::read()
+    {
+      if (!std::filesystem::is_regular_file(path_))
+        throw InputError(path_ +
+                         ": no such file; the command vehicle needs a table of rows over time or distance");
+      std::istringstream text(read_whole_file(path_));
+      for (std::string line; std::getline(text, line);)
+        {
+          ++line_;
+          line = line.substr(0, line.find('#'));
+          if (line_ == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+            line = line.substr(3);
+          if (trimmed(line).empty())
+            continue;
+          if (columns_.empty())
+            read_header(line);
+          else
+            read_row(line);
+        }
+      check();
+      return motion_;
+    }
+  } // namespace
+
+
+  const std::vector<double> *
+  MotionFile::find(const MotionQuantity quantity) const
+  {
+    const auto at = std::find(quantities.begin(), quantities.end(), quantity);
+    return at == quantities.end() ? nullptr : &columns[at - quantities.begin()];
+  }
+
+
+  std::string
+  motion_name(const MotionQuantity quantity)
+  {
+    for (const Column &column : known_columns())
+      if (column.quantity == quantity)
+        return column.name;
+    return "";
+  }
+
+
+  MotionFile
+  read_motion_file(const std::string &path)
+  {
+    return Reader(path).read();
+  }
+
+
+  Scene
+  scene_at(const Scene &scene, const MotionFile &motion, const std::size_t row)
+  {
+    Scene      at  = scene;
+    const auto set = [&](const MotionQuantity quantity, double &entry) {
+      if (const auto *const column = motion.find(quantity))
+        {
+          entry = (*column)[row];
+          return true;
+        }
+      return false;
+    };
+    set(Q::lateral_shift, at.lateral_shift);
+    if (set(Q::roll, at.roll_angle))
+      at.roll = RollMode::given;
+    set(Q::yaw, at.yaw);
+    set(Q::load, at.wheel_load);
+    set(Q::velocity, at.velocity);
+    if (set(Q::creepage, at.creepage))
+      at.drive = Drive::rate;
+    set(Q::lateral_creepage, at.lateral_creepage);
+    return at;
+  }
+} // namespace wheelrail

@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+"""Makes the page of the command vehicle: curves over distance or time, the worst rows.
+
+Usage: vehicle.py FOLDER
+
+FOLDER holds vehicle.csv; the page is FOLDER/vehicle.html, its pictures are in FOLDER/pictures.
+"""
+
+import html
+import os
+import sys
+
+sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import creep_curve
+import page
+import style
+
+#: figures of a picture: title, (key, factor), unit
+PICTURES = [
+    ("Motion", [("given_lateral_shift_m", 1e3, "lateral shift [mm]"), ("given_yaw_rad", 1e3, "yaw [mrad]"),
+                ("given_load_N", 1e-3, "load [kN]")]),
+    ("Forces on the wheel", [("longitudinal_force_N", 1e-3, "longitudinal [kN]"), ("lateral_force_N", 1e-3, "lateral [kN]"),
+                             ("vertical_force_N", 1e-3, "vertical [kN]")]),
+    ("Creepages and spin", [("reference_creepage", 1e3, "creepage [1e-3]"),
+                            ("reference_lateral_creepage", 1e3, "lateral [1e-3]"),
+                            ("reference_spin_per_m", 1, "spin [1/m]")]),
+    ("Patch", [("max_pressure_Pa", 1e-6, "peak pressure [MPa]"), ("contact_area_m2", 1e6, "area [mm2]"),
+               ("reference_lateral_m", 1e3, "place on the rail [mm]")]),
+    ("Wear", [("t_gamma_N", 1, "T-gamma [N]"), ("stick_fraction", 100, "stick [%]")]),
+]
+WORST = [("max_pressure_Pa", 1e-6, "peak pressure", "MPa"), ("t_gamma_N", 1, "T-gamma", "N"),
+         ("largest_von_mises_Pa", 1e-6, "von Mises stress", "MPa")]
+
+
+def draw(table, x, label, title, rows, path):
+    sides = [side for side in ("right_", "left_", "") if any(side + key in table for key, _, _ in rows)]
+    rows = [row for row in rows if any(side + row[0] in table for side in sides)]
+    if not rows:
+        return None
+    figure, all_axes = plt.subplots(len(rows), 1, figsize=(8, 1 + 1.7 * len(rows)), sharex=True, squeeze=False)
+    for axes, (key, factor, text) in zip(all_axes[:, 0], rows):
+        for side, color in zip(sides, (style.BLUE, style.RED)):
+            if side + key in table:
+                axes.plot(x, factor * table[side + key], color=color, linewidth=1, label=side.strip("_"))
+        axes.set_ylabel(text)
+        axes.grid(True)
+        axes.margins(x=0)
+    if sides != [""]:
+        all_axes[0, 0].legend(loc="best")
+    all_axes[0, 0].set_title(title)
+    all_axes[-1, 0].set_xlabel(label)
+    figure.tight_layout()
+    figure.savefig(path)
+    plt.close(figure)
+    return title, path
+
+
+def worst_rows(table, x, label):
+    lines = ["<table><tr><th>wheel</th><th>by</th><th class=number>row</th>"
+             f"<th class=number>{html.escape(label)}</th><th class=number>value</th><th></th></tr>"]
+    for side in ("right_", "left_"):
+        for key, factor, text, unit in WORST:
+            values = table.get(side + key)
+            if values is None or not np.isfinite(values).any():
+                continue
+            for row in np.argsort(-np.nan_to_num(values, nan=-np.inf))[:5]:
+                if np.isfinite(values[row]):
+                    lines.append(f"<tr><td>{side.strip('_')}</td><td>{text}</td><td class=number>{row + 1}</td>"
+                                 f"<td class=number>{x[row]:g}</td><td class=number>{factor * values[row]:.1f}</td>"
+                                 f"<td>{unit}</td></tr>")
+    return "\n".join(lines) + "</table>"
+
+
+def main(arguments):
+    if len(arguments) != 1:
+        print(__doc__, file=sys.stderr)
+        return 1
+    folder = arguments[0]
+    try:
+        table = creep_curve.read(os.path.join(folder, "vehicle.csv"))
+        given = "given_distance_m" if "given_distance_m" in table else "given_time_s"
+        label = "distance [m]" if given == "given_distance_m" else "time [s]"
+        os.makedirs(os.path.join(folder, "pictures"), exist_ok=True)
+        pictures = []
+        for title, rows in PICTURES:
+            path = os.path.join(folder, "pictures", title.split()[0].lower() + ".png")
+            pictures.append(draw(table, table[given], label, title, rows, path))
+        parts = [f"<p>{len(table[given])} rows.</p>", "<h2>Worst rows</h2>", worst_rows(table, table[given], label),
+                 "<h2>Curves</h2>", page.pictures_html([picture for picture in pictures if picture])]
+        path = page.write(os.path.join(folder, "vehicle.html"), "Wheelset of a vehicle", parts, [], "")
+    except OSError as error:
+        print(error, file=sys.stderr)
+        return 1
+    print(f"Page in {path}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

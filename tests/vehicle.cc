@@ -1,0 +1,172 @@
+// Rows of a vehicle simulation: what a motion file may hold, its messages, and rows in half-spaces.
+
+#include "messages.h"
+
+#include <wheelrail/application/command_line.h>
+#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/vehicle.h>
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+namespace
+{
+  /// A motion file for the time of a check.
+  class File
+  {
+  public:
+    explicit File(const std::string &text)
+      : path_(
+          (std::filesystem::temp_directory_path() / ("motion_" + std::to_string(getpid()) + ".csv")).string())
+    {
+      std::ofstream(path_) << text;
+    }
+    ~File()
+    {
+      std::filesystem::remove(path_);
+    }
+    const std::string &
+    path() const
+    {
+      return path_;
+    }
+
+  private:
+    std::string path_;
+  };
+
+  void
+  refused(const std::string &text, const std::string &expected)
+  {
+    const File file(text);
+    test::check_text(
+      test::message_of([&]() { read_motion_file(file.path()); }), file.path() + expected, text);
+  }
+
+  void
+  test_messages()
+  {
+    const std::string there =
+      "; there are time, distance, lateral shift, roll, yaw, load, velocity, torque, creepage and "
+      "lateral creepage, each with its unit in brackets, such as \"yaw [mrad]\"";
+    refused("time [s],jaw [mrad]\n0,1\n",
+            ":1: column \"jaw [mrad]\" is not known, perhaps yaw is meant" + there);
+    refused("time [s],yaw\n0,1\n",
+            ":1: column \"yaw\" has no unit; write it in brackets, such as \"yaw [rad]\"");
+    refused(
+      "time [s],yaw [mm]\n0,1\n",
+      ":1: column \"yaw [mm]\": the unit \"mm\" is one of length; an angle takes one of rad, mrad, deg");
+    refused("time [s],torque [kN]\n0,1\n",
+            ":1: column \"torque [kN]\": \"kN\" is no unit of a torque; N m or kN m is accepted");
+    refused("time [s],creepage [mm]\n0,1\n",
+            ":1: column \"creepage [mm]\": \"mm\" is no unit of a creepage; %, or 1 is accepted");
+    refused("time [s],time [s]\n0,1\n", ":1: two columns of time; leave one out");
+    refused("time [s],yaw [mrad]\n0,1\n0.1\n", ":3: a row of 1 values, the first line names 2 columns");
+    refused("time [s],yaw [mrad]\n0,\n",
+            ":2: no value of yaw; rows cannot have gaps: fill it or leave the column out");
+    refused("time [s],yaw [mrad]\n0,1 mrad\n",
+            ":2: \"1 mrad\" of yaw is not a number; units stand in the first line");
+    refused("time [s],yaw [rad]\n0,5\n",
+            ":2: yaw = 5 is out of range; -50 mrad to 50 mrad is accepted, in the unit of the first line");
+    refused("time [s]\n0\n2\n1\n", ":4: time = 1 is less than in the row before; sort the rows");
+    refused("time [s]\n0\n2\n2\n", ":4: time = 2 stands in the row before, too; leave one of them out");
+    refused("yaw [mrad]\n1\n",
+            ": neither time nor distance; one of them must be a column, such as \"time [s]\"");
+    refused("time [s],torque [N m],creepage [%]\n0,1,1\n",
+            ": torque and creepage; one follows from the other: leave one of the columns out");
+    refused("# nothing\n",
+            ": no rows; a motion file has a first line with names and units, and rows of numbers");
+    test::check_text(
+      test::message_of([]() { read_motion_file("no_such.csv"); }),
+      "no_such.csv: no such file; the command vehicle needs a table of rows over time or distance",
+      "no file");
+  }
+
+  /// Those of the command itself.
+  void
+  test_command()
+  {
+    const File        file("time [s]\n0\n");
+    const std::string scene = WHEELRAIL_SOURCE_DIR "/prm/rolling.prm";
+    const auto        said  = [](const Arguments &arguments) {
+      std::ostringstream out;
+      return test::message_of([&]() { execute(arguments, {}, out); });
+    };
+    test::check_text(
+      said({"vehicle", scene}),
+      "vehicle needs a motion file, such as ./wheelrail vehicle prm/rolling.prm prm/s_curve.csv",
+      "no motion");
+    test::check_text(
+      said({"vehicle", scene, file.path(), "--set", "Half-space/Undeformed distance = hertz"}),
+      "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles",
+      "a distance that is given");
+    check(read_motion_file(WHEELRAIL_SOURCE_DIR "/prm/s_curve.csv").rows() > 100,
+          "the curve of prm/ can be read");
+  }
+
+  void
+  test_rows()
+  {
+    Scene scene;
+    scene.wheel_load                 = 90e3;
+    scene.traction_coefficient       = 0;
+    scene.halfspace_element_size     = 0.8e-3;
+    scene.track.flange_back_distance = 1.37;
+    const File file(
+      "distance [m]; lateral shift [mm]; yaw [mrad]; load [kN]; torque [kN m]\r\n"
+      "0; 0; 0; 100; 0\r\n1; 0.5; 2; 0; 0\r\n# remark\r\n2; 1; 3; 80; 4.6\r\n3; 11.9; 0; 80; 0\r\n");
+    const MotionFile motion = read_motion_file(file.path());
+    check(motion.rows() == 4 && std::abs((*motion.find(MotionQuantity::yaw))[2] - 3e-3) < 1e-15, "four rows");
+    const SceneProfiles profiles = read_profiles(scene);
+    const VehicleWheel  wheel    = solve_vehicle(scene, profiles, motion, false, [](std::size_t) {});
+    check(wheel.faults[0].empty() && wheel.faults[1].empty() && wheel.faults[2].empty(),
+          "three rows have contact");
+    check(wheel.faults[3].find("no contact point") != std::string::npos,
+          "the last one has none, and says so");
+    check_near(wheel.rows[1].normal_force, 0, 0, "no load, no force [N]");
+    check_near(wheel.rows[0].vertical_force, 100e3, 200, "load of the first row [N]");
+
+    // a row is the scene with its values
+    Scene row                    = scene;
+    row.lateral_shift            = 1e-3;
+    row.yaw                      = 3e-3;
+    row.wheel_load               = 80e3;
+    const SceneGeometry geometry = make_geometry(row, profiles);
+    WheelRailLoad       load     = scene_load(row, geometry);
+    load.longitudinal            = 4600 / geometry.contact.rolling_radius;
+    const WheelRailSolution own  = solve_wheel_rail(row, geometry, load, scene_offsets(row));
+    check_near(wheel.rows[2].lateral_force, own.lateral, 1e-6, "lateral force of the third row [N]");
+    check_near(get_figure(wheel.rows[2], "wheelset_longitudinal_force_N"),
+               10e3,
+               100,
+               "its torque over the radius [N]");
+    check(get_figure(wheel.rows[2], "largest_von_mises_Pa") > 3e8,
+          "stresses of the rows with the largest pressures");
+
+    // the left wheel sees the motion in a mirror
+    row.left_wheel            = true;
+    const SceneGeometry other = make_geometry(row, profiles);
+    load.longitudinal         = 4600 / other.contact.rolling_radius;
+    const auto         left   = solve_wheel_rail(row, other, load, scene_offsets(row));
+    const VehicleWheel both   = solve_vehicle(scene, profiles, motion, true, [](std::size_t) {});
+    check_near(both.rows[2].lateral_force, left.lateral, 1e-6, "lateral force of the left wheel [N]");
+  }
+} // namespace
+
+int
+main()
+{
+  test_messages();
+  test_command();
+  test_rows();
+  return test::report();
+}
