@@ -14,7 +14,7 @@ namespace wheelrail
   /// The half-spaces of one wheel over the rows of a motion.
   struct VehicleWheel
   {
-    bool                     left = false;
+    bool left = false;
     /// `largest_von_mises_Pa` is found for the ten rows with the largest peak pressure.
     std::vector<Summary>     rows; ///< of each row as the command halfspace has it; forces of 0 without load
     std::vector<std::string> faults; ///< why a row has no figures, or is not to be trusted; empty: neither
