@@ -247,15 +247,13 @@ namespace
       check_text(message_of([&]() { execute(arguments, run, std::cout); }), expected, "wheelrail" + line);
     };
     check_line({"simulate"},
-               "\"simulate\" is no command; there are run, geometry, halfspace, material, parameters, "
-               "compare, report, "
-               "study, version and help");
+               "\"simulate\" is no command; there are run, geometry, halfspace, material, vehicle, "
+               "parameters, compare, report, study, version and help");
     check_line({"compare", "nowhere"}, "nowhere: no such folder; compare needs the output folder of a run");
     check_line({"run"}, "run needs a parameter file, such as ./wheelrail run prm/rolling.prm");
     check_line({"geometri"},
-               "\"geometri\" is no command; there are run, geometry, halfspace, material, parameters, "
-               "compare, report, "
-               "study, version and help, perhaps geometry is meant");
+               "\"geometri\" is no command; there are run, geometry, halfspace, material, vehicle, "
+               "parameters, compare, report, study, version and help, perhaps geometry is meant");
     check_line({"run", "a.prm", "--overwrit"},
                "run: --overwrit is no option; there are --set, --overwrite, --resume, --validate and --help, "
                "perhaps --overwrite is meant; \"wheelrail run --help\" tells more");
