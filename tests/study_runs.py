@@ -40,14 +40,19 @@ def command(folder, *options):
 
 
 def study(folder, *options):
-    """Exit code and what was written on the screen."""
+    """Exit code and what was written on the screen; tables alone."""
+    return study_with_page(folder, "--no-pictures", *options)
+
+
+def study_with_page(folder, *options):
+    """The same, with the page."""
     done = subprocess.run(command(folder, *options), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     return done.returncode, done.stdout
 
 
 def start(folder):
     with open("screen.txt", "a") as screen:
-        return subprocess.Popen(command(folder), stdout=screen, stderr=subprocess.STDOUT)
+        return subprocess.Popen(command(folder, "--no-pictures"), stdout=screen, stderr=subprocess.STDOUT)
 
 
 def table(folder):
@@ -104,7 +109,7 @@ def kill():
     code, text = study("whole")
     check(code == 0 and "2 cases, 0 to compute" in text, f"nothing is computed again, in {time.time() - begin:.1f} s")
     write_study(FRICTION + "0.5, 0.35, 0.3")
-    code, text = study("whole")
+    code, text = study_with_page("whole")
     check(code == 0 and "3 cases, 1 to compute" in text and logs("whole") == calls + 2, "an added value computes only itself")
     after = {row["Friction coefficient"]: row for row in table("whole")}
     check(list(after) == ["0.5", "0.35", "0.3"] and all(after[row["Friction coefficient"]] == row for row in rows),
@@ -121,7 +126,7 @@ def failures():
     write_study("Profiles/Rail: 54E1, missing.prr, 60E1; Wheelset/Lateral shift: 1 mm, 1 mm, 2 mm\n  set Combine = pairs",
                 "halfspace")
     for call in ("first", "second"):
-        code, text = study("failures")
+        code, text = (study if call == "first" else study_with_page)("failures")
         check(code == 2 and "missing.prr: no such file" in text, f"the {call} call says what failed")
         check(f"3 cases, {3 if call == 'first' else 1} to compute" in text, f"the {call} call computes what is open")
         rows = table("failures")

@@ -275,8 +275,9 @@ namespace wheelrail
       for (const std::string name : {"jobs", "ranks", "profile"})
         if (options.count(name))
           words.push_back("--" + name + "=" + options[name].as<std::string>());
-      if (options.count("dry-run"))
-        words.push_back("--dry-run");
+      for (const std::string name : {"dry-run", "no-pictures"})
+        if (options.count(name))
+          words.push_back("--" + name);
       run_study(plan, words);
       return 0;
     }
@@ -408,6 +409,7 @@ namespace wheelrail
          options.add_options()("ranks", po::value<std::string>(), "processes of each run (default: 1)");
          options.add_options()(
            "profile", po::value<std::string>(), "Snakemake profile of a cluster: slurm, or one of your own");
+         options.add_options()("no-pictures", "only tables; the same command without it draws the page");
          options.add_options()("dry-run", "only tell which cases are there and which would be computed");
          options.add_options()("plan", "print the cases as JSON");
        },

@@ -32,6 +32,7 @@ def parse_arguments(arguments):
     parser.add_argument("--ranks", default="1")
     parser.add_argument("--profile")
     parser.add_argument("--dry-run", action="store_true")
+    parser.add_argument("--no-pictures", action="store_true")
     options = parser.parse_args(arguments)
     options.ranks = count(options.ranks, "--ranks")
     options.jobs = count(options.jobs, "--jobs") if options.jobs else max(1, cores() // options.ranks)
@@ -116,12 +117,13 @@ def main(arguments):
             study_table.write(study, failures)
             if interrupted:
                 return INTERRUPTED
-            import study_page  # plotting takes a second to load
+            page = ""
+            if not options.no_pictures:
+                import study_page  # plotting takes a second to load
 
-            page = study_page.write(study, failures)
+                page = "; the page is " + study_page.write(study, failures)
             study_table.show(study)
-            print(f"Tables: {study.path('table.csv')}, {study.path('costs.csv')}, {study.path('table.h5')}; "
-                  f"the page is {page}")
+            print(f"Tables: {study.path('table.csv')}, {study.path('costs.csv')}, {study.path('table.h5')}{page}")
             return STOPPED if failed or study.open_cases() else FINISHED
     except StudyError as error:
         print(f"error: {error}", file=sys.stderr)
