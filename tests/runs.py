@@ -203,7 +203,7 @@ def main():
     execute(mpiexec, "--bind-to", "none", "--oversubscribe", "-q", "-n", str(ranks), program, "run", scene,
             "--overwrite", *sets)
     if limits:
-        execute(program, "compare", "run")
+        execute(program, "compare", "run", "--no-pictures")
         check_half_spaces(limits)
 
     stored_file = re.sub(r"\.prm$", ".output", scene)
