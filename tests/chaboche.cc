@@ -239,10 +239,9 @@ namespace
             const double q = std::sqrt(law.trial(e1, one[l], trial)[0]), limit = law.limit(one[l])[0];
             off = std::max(off, one[l].accumulated[0] > strained ? std::abs(q / limit - 1) : q / limit - 1);
             for (int i = 0; i < 2; ++i)
-              beyond =
-                std::max(beyond,
-                         std::sqrt(1.5 * ChabocheLaw::contract_deviators(one[l].back[i], one[l].back[i])[0]) /
-                           law.threshold[i]);
+              beyond = std::max(beyond,
+                                std::sqrt(1.5 * contract_deviators(one[l].back[i], one[l].back[i])[0]) /
+                                  law.threshold[i]);
             done[l] += w[0];
             const double now = done[l] - law.hardening_energy(one[l])[0];
             heat             = std::max(heat, lost[l] - now);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/material/law.h>
+#include <wheelrail/material/plastic.h>
 
 #include <limits>
 
@@ -33,7 +34,7 @@ namespace wheelrail
   /// strain E and the second Piola-Kirchhoff stress S, both stored xx, yy, zz, yz, xz, xy:
   /// S = K tr(E) I + 2 mu (dev E - E_p). The back stress of Prager's linear kinematic hardening is
   /// 2/3 f H E_p, so the plastic strain is the only tensor to remember.
-  struct BilinearLaw : ElasticLaw
+  struct BilinearLaw : PlasticLaw
   {
     double yield_stress;        ///< [Pa]
     double isotropic_hardening; ///< (1 - f) H [Pa]
@@ -43,7 +44,7 @@ namespace wheelrail
     double tangent_ratio;
 
     BilinearLaw(const Elasticity &constants, const Plasticity &plasticity)
-      : ElasticLaw(constants)
+      : PlasticLaw(constants)
       , yield_stress(plasticity.yield_stress)
     {
       const double H      = plasticity.hardening_modulus(constants);
@@ -53,8 +54,6 @@ namespace wheelrail
       tangent_ratio       = H / (3 * shear + H);
     }
 
-    static constexpr bool flows = true;
-
     static constexpr int
     history_rows()
     {
@@ -62,11 +61,8 @@ namespace wheelrail
     }
 
     template <typename T>
-    struct History
+    struct History : PlasticStrain<T>
     {
-      T strain[5]   = {0., 0., 0., 0., 0.}; ///< plastic strain, whose trace is zero: xx, yy, yz, xz, xy
-      T accumulated = 0.;                   ///< integral of sqrt(2/3 dE_p : dE_p)
-
       History() = default;
       explicit History(const BilinearLaw &)
       {
@@ -76,44 +72,17 @@ namespace wheelrail
       load(const double *rows)
       {
         for (int k = 0; k < 5; ++k)
-          strain[k].copy_from(rows + k * T::size(), std::experimental::vector_aligned);
-        accumulated.copy_from(rows + 5 * T::size(), std::experimental::vector_aligned);
+          this->strain[k].copy_from(rows + k * T::size(), std::experimental::vector_aligned);
+        this->accumulated.copy_from(rows + 5 * T::size(), std::experimental::vector_aligned);
       }
       void
       store(double *rows) const
       {
         for (int k = 0; k < 5; ++k)
-          strain[k].copy_to(rows + k * T::size(), std::experimental::vector_aligned);
-        accumulated.copy_to(rows + 5 * T::size(), std::experimental::vector_aligned);
-      }
-      /// Component k of xx, yy, zz, yz, xz, xy.
-      T
-      component(const int k) const
-      {
-        return k < 2 ? strain[k] : k > 2 ? strain[k - 1] : -strain[0] - strain[1];
+          this->strain[k].copy_to(rows + k * T::size(), std::experimental::vector_aligned);
+        this->accumulated.copy_to(rows + 5 * T::size(), std::experimental::vector_aligned);
       }
     };
-
-    /// S = K tr(E) I + 2 mu (dev E - E_p) [Pa].
-    template <typename T>
-    void
-    stress(const T (&E)[6], const History<T> &history, T (&S)[6]) const
-    {
-      const T pressure = lambda * (E[0] + E[1] + E[2]);
-      for (int k = 0; k < 6; ++k)
-        S[k] = 2 * shear * (E[k] - history.component(k)) + (k < 3 ? pressure : T(0.));
-    }
-
-    /// S : (E - E_p) / 2 [J/m3].
-    template <typename T>
-    T
-    stored_energy(const T (&E)[6], const History<T> &history, const T (&S)[6]) const
-    {
-      T elastic[6];
-      for (int k = 0; k < 6; ++k)
-        elastic[k] = E[k] - history.component(k);
-      return 0.5 * contract(S, elastic);
-    }
 
     /// The trial deviator is dev E - (1 + f H / 3 mu) E_p.
     template <typename T>

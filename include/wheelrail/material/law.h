@@ -6,9 +6,9 @@
 // What the elements ask of a material law.
 //
 // A law is a plain struct derived from ElasticLaw, whose constants rule before any flow, in the hourglass
-// stabilisation and in the bulk viscosity. Its functions are templates on T, one number for each of some
-// points (Simd<W>), and see Green's strain E and the second Piola-Kirchhoff stress S as xx, yy, zz, yz, xz,
-// xy. It provides
+// stabilisation and in the bulk viscosity; those that flow derive from PlasticLaw (material/plastic.h). Its
+// functions are templates on T, one number for each of some points (Simd<W>), and see Green's strain E and
+// the second Piola-Kirchhoff stress S as xx, yy, zz, yz, xz, xy. It provides
 //
 //   static constexpr bool flows;  whether points remember anything; false makes the law elastic
 //   int history_rows();           numbers that a point remembers

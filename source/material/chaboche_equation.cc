@@ -1,4 +1,4 @@
-#include <wheelrail/material/chaboche.h>
+#include <wheelrail/material/chaboche_equation.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace wheelrail
 {
-  ChabocheLaw::ChabocheLaw(const Elasticity &constants, const CyclicHardening &hardening)
-    : ElasticLaw(constants)
+  ChabocheEquation::ChabocheEquation(const Elasticity &constants, const CyclicHardening &hardening)
+    : PlasticLaw(constants)
     , yield_stress(hardening.yield_stress)
     , isotropic(hardening.isotropic)
     , isotropic_rate(hardening.isotropic_rate)
