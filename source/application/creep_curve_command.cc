@@ -1,8 +1,8 @@
 #include <wheelrail/application/creep_curve_command.h>
-#include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/given_distance.h>
 
@@ -84,9 +84,10 @@ namespace wheelrail
         failed += summaries.back().finished ? 0 : 1;
       }
     FigureTable table;
-    table.add(curve.axis == CreepAxis::spin ? "given_spin_per_m"
-                                            : "given_" + creep_axis_name(curve.axis) + "_creepage",
-              curve.values);
+    if (curve.axis == CreepAxis::spin)
+      table.add("given_spin_per_m", "1/m", curve.values);
+    else
+      table.add("given_" + creep_axis_name(curve.axis) + "_creepage", "1", curve.values);
     table.add_figures({"reference_creepage",
                        "reference_lateral_creepage",
                        "reference_spin_per_m",
@@ -106,9 +107,10 @@ namespace wheelrail
                        "t_gamma_N"},
                       summaries);
     print_table(curve, table, out);
-    const std::filesystem::path folder = halfspace_folder(scene);
+    const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     table.write_csv((folder / "creep_curve.csv").string());
+    table.write_hdf5((folder / "creep_curve.h5").string());
     if (failed > 0)
       out << failed << " of " << points.size() << " points could not be solved as they should; the first: " <<
         [&]() {

@@ -2,6 +2,7 @@
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/output/folder.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/contact_input.h>
@@ -58,19 +59,6 @@ namespace wheelrail
   } // namespace
 
 
-  std::filesystem::path
-  halfspace_folder(const Scene &scene)
-  {
-    std::filesystem::path folder = scene.folder;
-    if (!folder.has_filename())
-      folder = folder.parent_path();
-    folder += "-halfspace";
-    std::error_code ignored; // a folder that cannot be made shows when its first file is written
-    std::filesystem::create_directories(folder, ignored);
-    return folder;
-  }
-
-
   int
   run_halfspace_command(const Scene             &scene,
                         const SceneGeometry     *geometry,
@@ -112,7 +100,7 @@ namespace wheelrail
     print_summary(figures, out);
     print_stresses(stresses, out);
 
-    const std::filesystem::path folder = halfspace_folder(scene);
+    const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     TickFile patches((folder / "halfspace.h5").string(), false, 0);
     append_patch(patches, result.patch);

@@ -3,6 +3,8 @@
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/model.h>
+#include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace wheelrail
@@ -54,74 +55,78 @@ namespace wheelrail
       }
     };
 
+    /// The tables have stresses in MPa and energies in MJ/m3, as material laws are told.
     void
-    add_numbers(std::string &text, const std::vector<double> &numbers)
+    add_column(FigureTable &table, const std::string &name, const bool in_mpa = false)
     {
-      char word[40];
-      for (const double number : numbers)
-        {
-          std::snprintf(word, sizeof(word), ",%.10g", number);
-          text += word;
-        }
-      text += '\n';
+      table.add(in_mpa ? name + "_MPa" : name, in_mpa ? "MPa" : "1", {});
     }
 
     void
-    add_step(std::string &table, const unsigned int cycle, const MaterialPoint &point)
+    add_state_columns(FigureTable &table)
     {
-      const SixNumbers    plastic = point.plastic_strain();
-      std::vector<double> row(point.strain().begin(), point.strain().end());
+      add_column(table, "accumulated");
+      for (const char *energy : {"plastic_work_MJ_m3", "hardening_energy_MJ_m3"})
+        table.add(energy, "MJ/m3", {});
+    }
+
+    FigureTable
+    step_table()
+    {
+      FigureTable table;
+      add_column(table, "cycle");
+      for (const char *kind : {"E_", "S_", "Ep_"})
+        for (const char *component : {"xx", "yy", "zz", "yz", "xz", "xy"})
+          add_column(table, std::string(kind) + component, *kind == 'S');
+      add_state_columns(table);
+      return table;
+    }
+
+    void
+    add_step(FigureTable &table, const unsigned int cycle, const MaterialPoint &point)
+    {
+      std::vector<double> row = {static_cast<double>(cycle)};
+      row.insert(row.end(), point.strain().begin(), point.strain().end());
       for (const double stress : point.stress())
         row.push_back(1e-6 * stress);
+      const SixNumbers plastic = point.plastic_strain();
       row.insert(row.end(), plastic.begin(), plastic.end());
-      for (const double number :
-           {point.accumulated(), 1e-6 * point.plastic_work(), 1e-6 * point.hardening_energy()})
-        row.push_back(number);
-      table += std::to_string(cycle);
-      add_numbers(table, row);
-    }
-
-    std::string
-    table_head()
-    {
-      std::string head = "cycle";
-      for (const char *kind : {"E_%s", "S_%s_MPa", "Ep_%s"})
-        for (const char *component : {"xx", "yy", "zz", "yz", "xz", "xy"})
-          {
-            char name[20];
-            std::snprintf(name, sizeof(name), kind, component);
-            head += std::string(",") + name;
-          }
-      return head + ",accumulated,plastic_work_MJ_m3,hardening_energy_MJ_m3\n";
+      row.insert(row.end(),
+                 {point.accumulated(), 1e-6 * point.plastic_work(), 1e-6 * point.hardening_energy()});
+      table.add_row(row);
     }
 
     /// Ratcheting of a cycle: by how much the middle of the strains has moved since the one before.
-    std::string
+    FigureTable
     cycle_table(const std::vector<Cycle> &cycles)
     {
-      std::string table =
-        "cycle,axial_strain_min,axial_strain_max,axial_ratcheting,axial_stress_min_MPa,"
-        "axial_stress_max_MPa,shear_strain_min,shear_strain_max,shear_ratcheting,"
-        "shear_stress_min_MPa,shear_stress_max_MPa,accumulated,plastic_work_MJ_m3,"
-        "hardening_energy_MJ_m3\n";
+      FigureTable table;
+      add_column(table, "cycle");
+      for (const std::string kind : {"axial", "shear"})
+        {
+          for (const char *figure : {"_strain_min", "_strain_max", "_ratcheting"})
+            add_column(table, kind + figure);
+          for (const char *figure : {"_stress_min", "_stress_max"})
+            add_column(table, kind + figure, true);
+        }
+      add_state_columns(table);
       for (std::size_t i = 0; i < cycles.size(); ++i)
         {
           const Cycle &c = cycles[i], &before = cycles[i > 0 ? i - 1 : 0];
-          table += std::to_string(i + 1);
-          add_numbers(table,
-                      {c.axial_strain.low,
-                       c.axial_strain.high,
-                       c.axial_strain.mean() - before.axial_strain.mean(),
-                       1e-6 * c.axial_stress.low,
-                       1e-6 * c.axial_stress.high,
-                       c.shear_strain.low,
-                       c.shear_strain.high,
-                       c.shear_strain.mean() - before.shear_strain.mean(),
-                       1e-6 * c.shear_stress.low,
-                       1e-6 * c.shear_stress.high,
-                       c.accumulated,
-                       1e-6 * c.work,
-                       1e-6 * c.stored});
+          table.add_row({i + 1.,
+                         c.axial_strain.low,
+                         c.axial_strain.high,
+                         c.axial_strain.mean() - before.axial_strain.mean(),
+                         1e-6 * c.axial_stress.low,
+                         1e-6 * c.axial_stress.high,
+                         c.shear_strain.low,
+                         c.shear_strain.high,
+                         c.shear_strain.mean() - before.shear_strain.mean(),
+                         1e-6 * c.shear_stress.low,
+                         1e-6 * c.shear_stress.high,
+                         c.accumulated,
+                         1e-6 * c.work,
+                         1e-6 * c.stored});
         }
       return table;
     }
@@ -182,7 +187,7 @@ namespace wheelrail
        const unsigned int steps,
        const unsigned int number,
        Cycle             &cycle,
-       std::string       &table)
+       FigureTable       &table)
     {
       const SixNumbers strain = point.strain(), stress = point.stress();
       PointTarget      part = target;
@@ -208,23 +213,18 @@ namespace wheelrail
     const std::vector<PointTarget> path = material_path(test);
     MaterialPoint point(material_law(test.body == Body::rail ? scene.rail_material : scene.wheel_material));
     std::vector<Cycle> cycles(test.cycles);
-    std::string        table = table_head();
+    FigureTable        steps = step_table();
     for (unsigned int i = 0; i < test.cycles; ++i)
       for (const PointTarget &target : path)
-        go(point, target, test.steps, i + 1, cycles[i], table);
+        go(point, target, test.steps, i + 1, cycles[i], steps);
     out << "Steel of the " << body_name(test.body) << ", " << test.cycles << " cycles, " << test.steps
         << " steps from value to value\n";
     print_cycles(cycles, out);
 
-    std::filesystem::path folder = scene.folder;
-    if (!folder.has_filename())
-      folder = folder.parent_path();
-    folder += "-material";
-    std::error_code ignored; // a folder that cannot be made shows when its first file is written
-    std::filesystem::create_directories(folder, ignored);
+    const std::filesystem::path folder = folder_beside(scene.folder, "-material");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
-    replace_file((folder / "material.csv").string(), table);
-    replace_file((folder / "cycles.csv").string(), cycle_table(cycles));
+    steps.write_csv((folder / "material.csv").string());
+    cycle_table(cycles).write_csv((folder / "cycles.csv").string());
     out << "Results in " << folder.string() << std::endl;
     if (draws)
       run_script("material.py", {folder.string()});

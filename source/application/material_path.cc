@@ -1,5 +1,6 @@
 #include <wheelrail/application/material_path.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/base/split_list.h>
 
@@ -7,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <fstream>
 #include <string>
 
@@ -42,11 +42,14 @@ namespace wheelrail
     double
     number(const std::string &text, const std::string &where)
     {
-      char        *end   = nullptr;
-      const double value = std::strtod(text.c_str(), &end);
-      if (text.empty() || *end != '\0' || !std::isfinite(value))
-        throw InputError(where + "\"" + shown_text(text) + "\" is no number");
-      return value;
+      try
+        {
+          return parse_quantity(text, Dimension::none);
+        }
+      catch (const InputError &)
+        {
+          throw InputError(where + "\"" + shown_text(text) + "\" is no number");
+        }
     }
 
     std::vector<Column>

@@ -2,17 +2,18 @@
 #include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/figure_table.h>
-#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/figures.h>
+#include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/vehicle.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -54,34 +55,19 @@ namespace wheelrail
       return keys;
     }
 
-    /// Key of a column of the motion in the tables, with its SI unit.
-    std::string
-    motion_key(const MotionQuantity quantity)
+    /// A column of the motion, under its name and its SI unit.
+    void
+    add_motion(FigureTable &table, const MotionFile &motion, const std::size_t column)
     {
-      using Q                = MotionQuantity;
-      const char *const unit = quantity == Q::time                                       ? "_s"
-                               : quantity == Q::distance || quantity == Q::lateral_shift ? "_m"
-                               : quantity == Q::roll || quantity == Q::yaw               ? "_rad"
-                               : quantity == Q::load                                     ? "_N"
-                               : quantity == Q::velocity                                 ? "_m_per_s"
-                               : quantity == Q::torque                                   ? "_Nm"
-                                                                                         : "";
-      std::string       name = motion_name(quantity);
-      std::replace(name.begin(), name.end(), ' ', '_');
-      return "given_" + name + unit;
-    }
-
-    std::string
-    unit_of(const std::string &key)
-    {
-      for (const char *const unit :
-           {"_m_per_s", "_per_m", "_rad", "_m2", "_Nm", "_Pa", "_N", "_W", "_m", "_s"})
-        {
-          const std::string tail = unit;
-          if (key.size() > tail.size() && key.compare(key.size() - tail.size(), tail.size(), tail) == 0)
-            return tail == "_m_per_s" ? "m/s" : tail == "_per_m" ? "1/m" : tail.substr(1);
-        }
-      return "1";
+      const MotionQuantity quantity = motion.quantities[column];
+      const std::string    unit     = motion_unit(quantity);
+      std::string          key      = "given_" + motion_name(quantity);
+      if (unit != "1")
+        key += "_" + unit;
+      for (const auto &[from, to] : {std::pair(" ", "_"), std::pair("/", "_per_")})
+        for (std::size_t at; (at = key.find(from)) != std::string::npos;)
+          key.replace(at, 1, to);
+      table.add(key, unit, motion.columns[column]);
     }
 
     FigureTable
@@ -91,20 +77,20 @@ namespace wheelrail
       std::vector<double> numbers;
       for (std::size_t row = 0; row < motion.rows(); ++row)
         numbers.push_back(row + 1.);
-      table.add("row", numbers);
+      table.add("row", "1", numbers);
       for (std::size_t k = 0; k < motion.quantities.size(); ++k)
-        table.add(motion_key(motion.quantities[k]), motion.columns[k]);
+        add_motion(table, motion, k);
       for (const VehicleWheel &wheel : wheels)
         {
           const std::string side = wheel.left ? "left_" : "right_";
           FigureTable       own;
           own.add_figures(figure_keys(), wheel.rows);
           for (std::size_t k = 0; k < own.keys.size(); ++k)
-            table.add(side + own.keys[k], own.columns[k]);
+            table.add(side + own.keys[k], own.units[k], own.columns[k]);
           std::vector<double> good;
           for (const std::string &fault : wheel.faults)
             good.push_back(fault.empty() ? 1 : 0);
-          table.add(side + "trusted", good);
+          table.add(side + "trusted", "1", good);
         }
       return table;
     }
@@ -112,18 +98,12 @@ namespace wheelrail
     void
     print_worst(const FigureTable &table, const std::vector<VehicleWheel> &wheels, std::ostream &out)
     {
-      struct Rank
-      {
-        const char *key, *label, *unit;
-        double      factor;
-      };
       const auto &abscissa = table.columns[1];
       for (const VehicleWheel &wheel : wheels)
-        for (const Rank &rank : {Rank{"max_pressure_Pa", "peak pressure", "MPa", 1e-6},
-                                 Rank{"t_gamma_N", "T-gamma", "N", 1},
-                                 Rank{"largest_von_mises_Pa", "von Mises stress", "MPa", 1e-6}})
+        for (const char *const name : {"max_pressure", "t_gamma", "largest_von_mises"})
           {
-            const auto *const column = table.find((wheel.left ? "left_" : "right_") + std::string(rank.key));
+            const Figure     &figure = figure_named(name);
+            const auto *const column = table.find((wheel.left ? "left_" : "right_") + figure.key());
             if (!column)
               continue;
             std::size_t worst = 0;
@@ -134,11 +114,11 @@ namespace wheelrail
             char text[200];
             std::snprintf(text,
                           sizeof(text),
-                          "  %s wheel, largest %-18s %10.1f %-4s in row %zu (%s = %.6g)\n",
+                          "  %s wheel, worst row by %-24s %10s %-4s row %zu (%s = %.6g)\n",
                           wheel.left ? "left" : "right",
-                          rank.label,
-                          rank.factor * (*column)[worst],
-                          rank.unit,
+                          figure.label,
+                          figure.shown((*column)[worst]).c_str(),
+                          figure.unit,
                           worst + 1,
                           table.keys[1].c_str(),
                           abscissa[worst]);
@@ -171,12 +151,7 @@ namespace wheelrail
                       const bool           draws,
                       std::ostream        &out)
   {
-    std::filesystem::path folder = scene.folder;
-    if (!folder.has_filename())
-      folder = folder.parent_path();
-    folder += "-vehicle";
-    std::error_code ignored; // a folder that cannot be made shows when its first file is written
-    std::filesystem::create_directories(folder, ignored);
+    const std::filesystem::path folder = folder_beside(scene.folder, "-vehicle");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
 
     const auto                begin = std::chrono::steady_clock::now();
@@ -192,11 +167,8 @@ namespace wheelrail
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
     const FigureTable table = table_of(motion, wheels);
-    History           history{table.keys, {}, table.columns};
-    for (const std::string &key : table.keys)
-      history.units.push_back(unit_of(key));
     table.write_csv((folder / "vehicle.csv").string());
-    write_history(history, (folder / "vehicle.h5").string());
+    table.write_hdf5((folder / "vehicle.h5").string());
     char text[160];
     std::snprintf(text,
                   sizeof(text),

@@ -322,4 +322,14 @@ namespace wheelrail
   {
     return value < 1e6 ? about(value) : about(1e-6 * value) + " million";
   }
+
+
+  std::string
+  si_unit(const Dimension dimension)
+  {
+    for (const Unit &unit : units())
+      if (unit.dimension == dimension && unit.factor == 1 && unit.divisor == 1)
+        return unit.name;
+    return "1";
+  }
 } // namespace wheelrail

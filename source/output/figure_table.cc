@@ -1,4 +1,6 @@
 #include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/figures.h>
+#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 
 #include <algorithm>
@@ -9,10 +11,19 @@
 namespace wheelrail
 {
   void
-  FigureTable::add(const std::string &key, std::vector<double> values)
+  FigureTable::add(const std::string &key, const std::string &unit, std::vector<double> values)
   {
     keys.push_back(key);
+    units.push_back(unit);
     columns.push_back(std::move(values));
+  }
+
+
+  void
+  FigureTable::add_row(const std::vector<double> &values)
+  {
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      columns[k].push_back(values.at(k));
   }
 
 
@@ -25,7 +36,10 @@ namespace wheelrail
         for (const Summary &summary : summaries)
           values.push_back(get_figure(summary, key));
         if (std::any_of(values.begin(), values.end(), [](const double v) { return std::isfinite(v); }))
-          add(key, std::move(values));
+          {
+            const Figure *const figure = figure_with_key(key);
+            add(key, figure ? figure->si_unit() : "1", std::move(values));
+          }
       }
   }
 
@@ -63,5 +77,12 @@ namespace wheelrail
         text += '\n';
       }
     replace_file(path, text);
+  }
+
+
+  void
+  FigureTable::write_hdf5(const std::string &path) const
+  {
+    write_history({keys, units, columns}, path);
   }
 } // namespace wheelrail

@@ -94,6 +94,7 @@ namespace wheelrail
       {"surface_von_mises", "Pa", "largest von Mises at the surface", "", "MPa", 1e-6, 1, false, nullptr},
       {"subsurface_von_mises", "Pa", "largest von Mises below the surface", "", "MPa", 1e-6, 1, false, nullptr},
       {"subsurface_von_mises_depth", "m", "depth of that stress", "", "mm", 1e3, 2, false, nullptr},
+      {"largest_von_mises", "Pa", "largest von Mises stress", "at or below the surface", "MPa", 1e-6, 1, false, nullptr},
       {"grid_spacing", "m", "grid spacing", "", "mm", 1e3, 3, false, nullptr},
       {"grid_elements_along", "", "grid elements along the rail", "", "", 1, 0, true, nullptr},
       {"grid_elements_lateral", "", "grid elements across the rail", "", "", 1, 0, true, nullptr}};
@@ -105,6 +106,17 @@ namespace wheelrail
   Figure::key(const std::string &tail) const
   {
     return name + tail + (*si ? std::string("_") + si : "");
+  }
+
+
+  std::string
+  Figure::si_unit() const
+  {
+    const std::string unit = si;
+    const std::size_t per  = unit.find("per_");
+    if (per == std::string::npos)
+      return unit.empty() ? "1" : unit;
+    return (per == 0 ? "1" : unit.substr(0, per - 1)) + "/" + unit.substr(per + 4);
   }
 
 

@@ -224,4 +224,17 @@ namespace wheelrail
       made_.clear();
     });
   }
+
+
+  std::filesystem::path
+  folder_beside(const std::string &folder, const std::string &tail)
+  {
+    std::filesystem::path path = folder;
+    if (!path.has_filename())
+      path = path.parent_path();
+    path += tail;
+    std::error_code ignored; // a folder that cannot be made shows when its first file is written
+    std::filesystem::create_directories(path, ignored);
+    return path;
+  }
 } // namespace wheelrail

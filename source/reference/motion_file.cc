@@ -2,6 +2,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/shown_text.h>
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/motion_file.h>
 
@@ -52,12 +53,7 @@ namespace wheelrail
     std::vector<std::string>
     cells_of(const std::string &line, const char separator)
     {
-      std::vector<std::string> cells(1);
-      for (const char c : line)
-        if (c == separator)
-          cells.emplace_back();
-        else
-          cells.back() += c;
+      std::vector<std::string> cells = split_list(line, separator);
       for (std::string &cell : cells)
         cell = trimmed(cell);
       return cells;
@@ -252,6 +248,18 @@ namespace wheelrail
       if (column.quantity == quantity)
         return column.name;
     return "";
+  }
+
+
+  std::string
+  motion_unit(const MotionQuantity quantity)
+  {
+    if (quantity == Q::torque)
+      return "Nm";
+    for (const Column &column : known_columns())
+      if (column.quantity == quantity)
+        return column.dimension == Dimension::none ? "1" : si_unit(column.dimension);
+    return "1";
   }
 
 

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 namespace wheelrail
 {
@@ -39,17 +42,17 @@ namespace wheelrail
       return summary;
     }
 
-    Summary
+    /// Empty when the row has no load.
+    std::optional<WheelRailSolution>
     solve_row(const Scene         &scene,
               const SceneProfiles &profiles,
               const MotionFile    &motion,
-              const std::size_t    row,
-              const bool           with_stresses)
+              const std::size_t    row)
     {
-      const auto *const loads = motion.find(MotionQuantity::load), *const torques =
-                                                                     motion.find(MotionQuantity::torque);
+      const auto *const loads   = motion.find(MotionQuantity::load);
+      const auto *const torques = motion.find(MotionQuantity::torque);
       if (loads && (*loads)[row] == 0)
-        return no_contact(scene);
+        return {};
       const SceneGeometry geometry = make_geometry(scene, profiles);
       WheelRailLoad       load     = scene_load(scene, geometry);
       if (torques)
@@ -57,17 +60,41 @@ namespace wheelrail
           load.rate_held    = false;
           load.longitudinal = (*torques)[row] / geometry.contact.rolling_radius;
         }
-      const WheelRailSolution result  = solve_wheel_rail(scene, geometry, load, scene_offsets(scene));
-      Summary                 summary = halfspace_summary(scene, result);
-      if (with_stresses)
-        {
-          const HalfspaceStresses stresses = halfspace_stresses(result);
-          set_figure(summary,
-                     "largest_von_mises_Pa",
-                     std::max(stresses.surface_von_mises, stresses.subsurface_von_mises));
-        }
-      return summary;
+      return solve_wheel_rail(scene, geometry, load, scene_offsets(scene));
     }
+
+    /// The solutions of the rows with the largest peak pressures; several threads may hand in theirs.
+    class Highest
+    {
+    public:
+      struct Row
+      {
+        std::size_t       row;
+        double            pressure;
+        WheelRailSolution solution;
+      };
+
+      void
+      hand_in(Row row)
+      {
+        const std::lock_guard<std::mutex> guard(lock_);
+        rows_.push_back(std::move(row));
+        if (rows_.size() > most)
+          rows_.erase(std::min_element(
+            rows_.begin(), rows_.end(), [](const Row &a, const Row &b) { return a.pressure < b.pressure; }));
+      }
+
+      const std::vector<Row> &
+      rows() const
+      {
+        return rows_;
+      }
+
+    private:
+      static constexpr std::size_t most = 10;
+      std::mutex                   lock_;
+      std::vector<Row>             rows_;
+    };
   } // namespace
 
 
@@ -91,12 +118,17 @@ namespace wheelrail
         base.wheel_load        = static_wheel_load(straight, make_geometry(straight, profiles));
       }
     std::atomic<std::size_t> done{0};
+    Highest                  highest;
     parallel_for(motion.rows(), [&](const std::size_t row) {
       Summary &summary = wheel.rows[row];
       try
         {
-          summary           = solve_row(scene_at(base, motion, row), profiles, motion, row, false);
-          wheel.faults[row] = summary.finished ? "" : summary.stop_reason;
+          const Scene at     = scene_at(base, motion, row);
+          auto        result = solve_row(at, profiles, motion, row);
+          summary            = result ? halfspace_summary(at, *result) : no_contact(at);
+          wheel.faults[row]  = summary.finished ? "" : summary.stop_reason;
+          if (result && summary.max_pressure > 0)
+            highest.hand_in({row, summary.max_pressure, std::move(*result)});
         }
       catch (const InputError &error)
         {
@@ -106,18 +138,11 @@ namespace wheelrail
     });
 
     // stresses below the patch take longer than the patch: of the rows with the largest pressures only
-    std::vector<std::size_t> highest;
-    for (std::size_t row = 0; row < motion.rows(); ++row)
-      if (wheel.rows[row].max_pressure > 0)
-        highest.push_back(row);
-    const std::size_t some = std::min<std::size_t>(highest.size(), 10);
-    std::partial_sort(
-      highest.begin(), highest.begin() + some, highest.end(), [&](const auto a, const auto b) {
-        return wheel.rows[a].max_pressure > wheel.rows[b].max_pressure;
-      });
-    parallel_for(some, [&](const std::size_t i) {
-      wheel.rows[highest[i]] =
-        solve_row(scene_at(base, motion, highest[i]), profiles, motion, highest[i], true);
+    parallel_for(highest.rows().size(), [&](const std::size_t i) {
+      const HalfspaceStresses stresses = halfspace_stresses(highest.rows()[i].solution);
+      set_figure(wheel.rows[highest.rows()[i].row],
+                 "largest_von_mises_Pa",
+                 std::max(stresses.surface_von_mises, stresses.subsurface_von_mises));
     });
     return wheel;
   }

@@ -6,23 +6,15 @@ Usage: creep_curve.py FOLDER
 FOLDER holds creep_curve.csv of the command halfspace --creep-curve; the picture is FOLDER/pictures/creep_curve.png.
 """
 
-import csv
 import os
 import sys
 
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
 
 import matplotlib.pyplot as plt
-import numpy as np
 
+import columns
 import style
-
-
-def read(path):
-    """Columns of the table by name."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-    return {name: np.array([float(row[name]) if row[name] else np.nan for row in rows]) for name in rows[0]}
 
 
 def draw(table, path):
@@ -57,7 +49,7 @@ def main(arguments):
         return 1
     path = os.path.join(arguments[0], "pictures", "creep_curve.png")
     try:
-        draw(read(os.path.join(arguments[0], "creep_curve.csv")), path)
+        draw(columns.read(os.path.join(arguments[0], "creep_curve.csv")), path)
     except OSError as error:
         print(error, file=sys.stderr)
         return 1

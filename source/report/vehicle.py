@@ -15,7 +15,7 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 import matplotlib.pyplot as plt
 import numpy as np
 
-import creep_curve
+import columns
 import page
 import style
 
@@ -81,7 +81,7 @@ def main(arguments):
         return 1
     folder = arguments[0]
     try:
-        table = creep_curve.read(os.path.join(folder, "vehicle.csv"))
+        table = columns.read(os.path.join(folder, "vehicle.csv"))
         given = "given_distance_m" if "given_distance_m" in table else "given_time_s"
         label = "distance [m]" if given == "given_distance_m" else "time [s]"
         os.makedirs(os.path.join(folder, "pictures"), exist_ok=True)

@@ -3,7 +3,6 @@
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
-#include <filesystem>
 #include <ostream>
 #include <string>
 
@@ -27,9 +26,4 @@ namespace wheelrail
                         const ContactInputFiles &inputs,
                         bool                     draws,
                         std::ostream            &out);
-
-  /// The folder for results of half-spaces of a scene, made where it is not there: Output/Folder and
-  /// "-halfspace".
-  std::filesystem::path
-  halfspace_folder(const Scene &scene);
 } // namespace wheelrail

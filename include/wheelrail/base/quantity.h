@@ -70,4 +70,8 @@ namespace wheelrail
   /// A valid value for messages: "140 km/h".
   std::string
   dimension_example(Dimension dimension);
+
+  /// The SI unit of a dimension: "m/s"; "1" of pure numbers.
+  std::string
+  si_unit(Dimension dimension);
 } // namespace wheelrail

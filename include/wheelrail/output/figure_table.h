@@ -7,15 +7,20 @@
 
 namespace wheelrail
 {
-  /// Figures of several cases: one column a figure, under its key of summary.json.
+  /// Numbers of several cases: one column a figure, under its key of summary.json, or another name.
   struct FigureTable
   {
     std::vector<std::string>         keys;
-    std::vector<std::vector<double>> columns; ///< [SI], one value a case; NaN where there is none
+    std::vector<std::string>         units;   ///< "Pa"; "1" of pure numbers
+    std::vector<std::vector<double>> columns; ///< [its unit], one value a case; NaN where there is none
 
     /// A column of values under a key.
     void
-    add(const std::string &key, std::vector<double> values);
+    add(const std::string &key, const std::string &unit, std::vector<double> values);
+
+    /// A row of one value for each of the columns.
+    void
+    add_row(const std::vector<double> &values);
 
     /// The columns of those of `wanted` that at least one of the summaries has.
     void
@@ -31,5 +36,9 @@ namespace wheelrail
     /// Commas between, keys first; empty where there is no value. Throws RunError when it cannot be written.
     void
     write_csv(const std::string &path) const;
+
+    /// One dataset a column, as write_history() has it. Throws RunError when it cannot be written.
+    void
+    write_hdf5(const std::string &path) const;
   };
 } // namespace wheelrail

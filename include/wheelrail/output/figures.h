@@ -24,6 +24,9 @@ namespace wheelrail
     /// Key in summary.json: name and SI unit, the tail between them: "max_pressure_std_Pa".
     std::string
     key(const std::string &tail = "") const;
+    /// SI unit as it is written: "m/s", "1/m", "Pa"; "1" of pure numbers.
+    std::string
+    si_unit() const;
     /// The value in the unit shown, without it; "-" when it is not finite.
     std::string
     shown(double value) const;

@@ -55,4 +55,9 @@ namespace wheelrail
   /// Whether `folder` holds a run that reached its end (summary.json says finished).
   bool
   holds_finished_run(const std::string &folder);
+
+  /// The folder for results that are no run's, beside that of a scene's run and made where it is not there:
+  /// "output/rolling" and "-halfspace" give "output/rolling-halfspace".
+  std::filesystem::path
+  folder_beside(const std::string &folder, const std::string &tail);
 } // namespace wheelrail

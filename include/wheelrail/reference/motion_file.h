@@ -42,6 +42,10 @@ namespace wheelrail
   std::string
   motion_name(MotionQuantity quantity);
 
+  /// The SI unit of a column: "m", "rad", "m/s"; "1" of pure numbers.
+  std::string
+  motion_unit(MotionQuantity quantity);
+
   /// Reads a table with commas, semicolons or tabs between and a first line that names each column and its
   /// unit: "time [s], lateral shift [mm], yaw [mrad], load [kN]". What follows # is a remark. There must be
   /// time or distance, which grows from row to row. Throws InputError, with file, line and column, for
