@@ -256,6 +256,15 @@ namespace
           "the command finds the jump near 0.67 mm");
     check(text.find("undeformed distance at s = -10 mm") != std::string::npos,
           "the command gives the details");
+    std::ostringstream rolled;
+    scene.roll       = RollMode::given;
+    scene.roll_angle = 2e-3;
+    run_geometry_command(scene, read_profiles(scene), {0}, rolled);
+    check(rolled.str().find("Roll 2 mrad") != std::string::npos &&
+            rolled.str().find("Roll none") == std::string::npos &&
+            rolled.str().find("    0.00   2.0000") != std::string::npos,
+          "the table has the roll that is given");
+    scene.roll          = RollMode::none;
     scene.lateral_shift = 0.06;
     check(run_geometry_command(scene, read_profiles(scene), {0.06, 0}, wide) == 1,
           "a scene without contact returns 1");

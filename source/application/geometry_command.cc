@@ -281,8 +281,7 @@ namespace wheelrail
                        const std::vector<double> &shifts,
                        std::ostream              &out)
   {
-    Pair pair{profiles.rail, profiles.wheel, scene.track, {}};
-    pair.pose.yaw = wheelset_pose(scene).yaw;
+    Pair pair{profiles.rail, profiles.wheel, scene.track, wheelset_pose(scene)};
     for (const std::string &note : profiles.notes)
       out << "note: " << note << '\n';
     out << "Wheel " << pair.wheel.name << " on rail " << pair.rail.name << ", gauge "
@@ -303,12 +302,14 @@ namespace wheelrail
            "rolling\n"
            "radius less that of the other wheel. R: lateral radii, negative when concave.\n";
 
-    for (const RollMode mode : {RollMode::none, RollMode::from_contact})
+    using Modes = std::vector<RollMode>;
+    for (const RollMode mode : scene.roll == RollMode::given ? Modes{RollMode::given}
+                                                             : Modes{RollMode::none, RollMode::from_contact})
       {
         pair.pose.roll = mode;
         print_table(pair, shifts.empty() ? default_geometry_shifts() : shifts, out);
-        // a wheelset that swings has no lasting yaw
-        if (scene.yaw == 0)
+        // a wheelset that swings has no lasting yaw or roll
+        if (scene.yaw == 0 && mode != RollMode::given)
           print_conicity(pair, out);
       }
 
