@@ -91,7 +91,8 @@ def entries(draw):
         "Contact/Penalty scale": size(0.5, 50),
         "Contact/Surface filter": draw.choice(["consistent", "none"]),
         "Contact/Damping": size(0.05, 1),
-        "Mesh/Coarse cell size": draw.choice(["6 mm", "12 mm", "48 mm"]),
+        # coarse cells of 6 mm would be a million of them, and a search of days
+        "Mesh/Coarse cell size": draw.choice(["12 mm", "12 mm", "48 mm"]),
         "Mesh/Fine depth": number(6, 30, "mm"),
         "Mesh/Fine margin": number(3, 15, "mm"),
         "Mesh/Element": "full",

@@ -81,8 +81,8 @@ namespace wheelrail
     for (const FurtherPoint &p : c.further)
       if (p.gap < 1e-3)
         {
-          rows.add("further", 1e3 * p.position.x, 1e3 * p.position.y);
-          rows.add("further gap", 1e6 * p.gap, 1e3 * c.frame.to_frame(p.position).x);
+          rows.add("further", 1e3 * p.frame.origin.x, 1e3 * p.frame.origin.y);
+          rows.add("further gap", 1e6 * p.gap, 1e3 * c.frame.to_frame(p.frame.origin).x);
         }
     const FrameProfile &wheel_heights = geometry.wheel_heights, &rail_heights = geometry.rail_heights;
     const double        low = std::max({wheel_heights.s_min(), rail_heights.s_min(), -0.03}),

@@ -56,6 +56,51 @@ namespace wheelrail
                       1e-6 * stresses.surface_von_mises);
       out << text;
     }
+
+    void
+    print_patches(const Summary &figures, const std::size_t n, std::ostream &out)
+    {
+      out << n
+          << " patches, each in its own plane, which differ by more than 6 degrees:\n"
+             "  patch  normal force  longitudinal   lateral     angle  across, in the  ahead of the  peak "
+             "pressure      area   T-gamma\n"
+             "                   kN            kN        kN      mrad      track, mm      axle, mm           "
+             "MPa       mm2         N\n";
+      char line[200];
+      for (std::size_t k = 1; k <= n; ++k)
+        {
+          const auto value = [&](const char *key) {
+            return get_figure(figures, "patch_" + std::to_string(k) + "_" + key);
+          };
+          std::snprintf(line,
+                        sizeof(line),
+                        "%7zu %13.3f %13.3f %9.3f %9.2f %14.2f %13.2f %13.1f %9.2f %9.2f\n",
+                        k,
+                        1e-3 * value("normal_force_N"),
+                        1e-3 * value("longitudinal_force_N"),
+                        1e-3 * value("tangential_lateral_force_N"),
+                        1e3 * value("reference_angle_rad"),
+                        1e3 * value("reference_lateral_m"),
+                        1e3 * value("reference_ahead_of_axle_m"),
+                        1e-6 * value("max_pressure_Pa"),
+                        1e6 * value("contact_area_m2"),
+                        value("t_gamma_N"));
+          out << line;
+        }
+    }
+
+    /// The patch into halfspace.h5, others into halfspace_patch_2.h5 and so on.
+    void
+    write_patches(const WheelRailSolution &result, const std::filesystem::path &folder)
+    {
+      TickFile file((folder / "halfspace.h5").string(), false, 0);
+      append_patch(file, result.patch);
+      for (std::size_t k = 0; k < result.others.size(); ++k)
+        {
+          TickFile other((folder / ("halfspace_patch_" + std::to_string(k + 2) + ".h5")).string(), false, 0);
+          append_patch(other, result.others[k].patch);
+        }
+    }
   } // namespace
 
 
@@ -70,13 +115,13 @@ namespace wheelrail
     const WheelRailSolution result =
       given ? solve_given_distance(scene, geometry)
             : solve_wheel_rail(scene, *geometry, scene_load(scene, *geometry), scene_offsets(scene));
+    Summary figures = halfspace_summary(scene, result);
     if (!inputs.basic.empty())
       replace_file(inputs.basic, contact_input(result.problem, scene.title));
     if (!inputs.wheel_rail.empty())
-      write_wheel_rail_input(scene, *geometry, result.vertical, inputs.wheel_rail);
+      write_wheel_rail_input(scene, *geometry, figures.vertical_force, inputs.wheel_rail);
     const HalfspaceStresses stresses = halfspace_stresses(result);
     const HalfspaceGrid    &grid     = result.solution.grid;
-    Summary                 figures  = halfspace_summary(scene, result);
     set_figure(figures, "surface_von_mises_Pa", stresses.surface_von_mises);
     if (stresses.subsurface_von_mises > 0)
       {
@@ -89,7 +134,7 @@ namespace wheelrail
                   sizeof(text),
                   "Half-space contact: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
                   given ? "normal force" : "wheel load",
-                  1e-3 * (given ? result.solution.fn : result.vertical),
+                  1e-3 * (given ? result.solution.fn : figures.vertical_force),
                   scene.drive == Drive::rate ? "creepage given" : "longitudinal force given",
                   1e3 * grid.dx,
                   grid.mx,
@@ -98,12 +143,13 @@ namespace wheelrail
     if (const std::string note = resolution_note(scene, result.solution); !note.empty())
       out << "note: " << note << '\n';
     print_summary(figures, out);
+    if (!result.others.empty())
+      print_patches(figures, result.others.size() + 1, out);
     print_stresses(stresses, out);
 
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
-    TickFile patches((folder / "halfspace.h5").string(), false, 0);
-    append_patch(patches, result.patch);
+    write_patches(result, folder);
     TickFile slices((folder / "slices.h5").string(), false, 0);
     append_slices(slices, result.patch.time, result.patch.rolled_distance, stresses.slices);
     write_summary(figures, (folder / "summary.json").string());

@@ -51,8 +51,32 @@ namespace wheelrail
                                                     "stick_fraction",
                                                     "t_gamma_N",
                                                     "frictional_power_W",
-                                                    "largest_von_mises_Pa"};
+                                                    "largest_von_mises_Pa",
+                                                    "patches"};
       return keys;
+    }
+
+    /// Figures of each patch, where a row has several.
+    void
+    add_patches(FigureTable &table, const std::vector<Summary> &rows)
+    {
+      double most = 0;
+      for (const Summary &row : rows)
+        if (const double n = get_figure(row, "patches"); n > most)
+          most = n;
+      for (int k = 1; k <= most; ++k)
+        table.add_figures({"normal_force_N",
+                           "longitudinal_force_N",
+                           "tangential_lateral_force_N",
+                           "reference_angle_rad",
+                           "reference_creepage",
+                           "reference_lateral_creepage",
+                           "reference_spin_per_m",
+                           "max_pressure_Pa",
+                           "contact_area_m2",
+                           "t_gamma_N"},
+                          rows,
+                          "patch_" + std::to_string(k) + "_");
     }
 
     /// A column of the motion, under its name and its SI unit.
@@ -85,6 +109,7 @@ namespace wheelrail
           const std::string side = wheel.left ? "left_" : "right_";
           FigureTable       own;
           own.add_figures(figure_keys(), wheel.rows);
+          add_patches(own, wheel.rows);
           for (std::size_t k = 0; k < own.keys.size(); ++k)
             table.add(side + own.keys[k], own.units[k], own.columns[k]);
           std::vector<double> good;

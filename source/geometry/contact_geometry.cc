@@ -263,10 +263,11 @@ namespace wheelrail
                                        there.rail_x,
                                        there.wheel_x,
                                        there.angle,
+                                       there.along,
                                        there.ahead,
                                        there.rail_curvature,
                                        there.wheel_curvature,
-                                       there.frame.origin});
+                                       there.frame});
           }
       std::sort(contact.further.begin(), contact.further.end(), [](const auto &a, const auto &b) {
         return a.gap < b.gap;

@@ -28,17 +28,19 @@ namespace wheelrail
 
 
   void
-  FigureTable::add_figures(const std::vector<std::string> &wanted, const std::vector<Summary> &summaries)
+  FigureTable::add_figures(const std::vector<std::string> &wanted,
+                           const std::vector<Summary>     &summaries,
+                           const std::string              &before)
   {
     for (const std::string &key : wanted)
       {
         std::vector<double> values;
         for (const Summary &summary : summaries)
-          values.push_back(get_figure(summary, key));
+          values.push_back(get_figure(summary, before + key));
         if (std::any_of(values.begin(), values.end(), [](const double v) { return std::isfinite(v); }))
           {
             const Figure *const figure = figure_with_key(key);
-            add(key, figure ? figure->si_unit() : "1", std::move(values));
+            add(before + key, figure ? figure->si_unit() : "1", std::move(values));
           }
       }
   }

@@ -31,8 +31,7 @@ namespace wheelrail
                 grid.element_area() * Vector3{-s * solution.pressure[e] - c * solution.traction_y[e],
                                               c * solution.pressure[e] - s * solution.traction_y[e],
                                               -solution.traction_x[e]};
-              const Vector3 r = {
-                place.x - middle.x, place.y - middle.y, sections.geometry().along + grid.x(i)};
+              const Vector3 r = {place.x - middle.x, place.y - middle.y, sections.region().along + grid.x(i)};
               add(force, 1, f);
               add(moment, 1, cross(r, f));
             }
@@ -75,7 +74,7 @@ namespace wheelrail
     const Vector3 &axle          = geometry.axis.direction;
     const double   level         = std::hypot(axle[0], axle[2]);
     reference.place              = sections.rail_place(s);
-    reference.along              = geometry.along + x;
+    reference.along              = sections.region().along + x;
     reference.ahead =
       (reference.along * axle[0] - (reference.place.x - geometry.axis.middle.x) * axle[2]) / level;
     reference.angle = -angle / sum;

@@ -24,16 +24,26 @@ namespace wheelrail
   } // namespace
 
 
-  ContactSections::ContactSections(const TouchingProfiles &profiles, const SectionOffsets &offsets)
+  ContactRegion
+  whole_region(const ContactGeometry &geometry)
+  {
+    return {geometry.frame, geometry.along, geometry.ahead};
+  }
+
+
+  ContactSections::ContactSections(const TouchingProfiles &profiles,
+                                   const SectionOffsets   &offsets,
+                                   const ContactRegion    &region)
     : profiles_(profiles)
+    , region_(region)
     , axle_(profiles.contact.axis)
     , rail_(profiles.rail.head,
             moved(profiles.contact.rail, profiles.contact.frame.origin, offsets.rail_roll, 0),
-            profiles.contact.frame)
+            region.frame)
     , wheel_(
         profiles.contact.outline.curve,
         moved(profiles.contact.wheel, profiles.contact.frame.origin, offsets.wheel_roll, offsets.lateral),
-        profiles.contact.frame)
+        region.frame)
   {
     axle_.middle.x += offsets.lateral;
     lowest_ = undeformed_distance(wheel_, rail_, 0);
@@ -50,14 +60,14 @@ namespace wheelrail
   double
   ContactSections::s_min() const
   {
-    return std::max(rail_.s_min(), wheel_.s_min());
+    return std::max({rail_.s_min(), wheel_.s_min(), region_.s_min});
   }
 
 
   double
   ContactSections::s_max() const
   {
-    return std::min(rail_.s_max(), wheel_.s_max());
+    return std::min({rail_.s_max(), wheel_.s_max(), region_.s_max});
   }
 
 
@@ -71,14 +81,14 @@ namespace wheelrail
   Point2
   ContactSections::rail_place(const double s) const
   {
-    return geometry().frame.to_track({s, rail_.at(s).n});
+    return region_.frame.to_track({s, rail_.at(s).n});
   }
 
 
   ContactSections::Slice
   ContactSections::slice(const double s) const
   {
-    const ContactFrame       &frame = geometry().frame;
+    const ContactFrame       &frame = region_.frame;
     const FrameProfile::Value wheel = wheel_.at(s);
     const double              slope = std::atan(wheel.slope);
     const Point2              place = frame.to_track({s, wheel.n});
@@ -86,7 +96,7 @@ namespace wheelrail
     Slice slice;
     slice.wheel_tangent                 = frame.angle + slope;
     const AxleLine::SurfacePoint lowest = axle_.surface_point(place, slice.wheel_tangent);
-    slice.along                         = lowest.along - geometry().along;
+    slice.along                         = lowest.along - region_.along;
     slice.radius                        = lowest.radius;
     slice.wheel_angle                   = lowest.slope;
     slice.rail_angle                    = frame.angle + std::atan(rail_.at(s).slope);

@@ -161,6 +161,17 @@ namespace wheelrail
               take_maxima(stresses, values, depths[k - 1], depths[1] - depths[0], body);
           }
       }
+    for (const WheelRailSolution &other : result.others)
+      {
+        const HalfspaceStresses there = halfspace_stresses(other);
+        stresses.surface_von_mises    = std::max(stresses.surface_von_mises, there.surface_von_mises);
+        if (there.subsurface_von_mises > stresses.subsurface_von_mises)
+          {
+            stresses.subsurface_von_mises = there.subsurface_von_mises;
+            stresses.subsurface_depth     = there.subsurface_depth;
+            stresses.subsurface_body      = there.subsurface_body;
+          }
+      }
     return stresses;
   }
 } // namespace wheelrail

@@ -13,14 +13,15 @@ namespace wheelrail
   /// A further place at which wheel and rail nearly touch: a local minimum of the gap.
   struct FurtherPoint
   {
-    double gap             = 0; ///< along the normal of the rail [m]; under load it closes by some 0.1 mm
-    double rail_x          = 0; ///< in the sections, positive to the field side [m]
-    double wheel_x         = 0;
-    double angle           = 0; ///< contact angle [rad]
-    double ahead           = 0; ///< of the axle [m]
-    double rail_curvature  = 0; ///< lateral, as those of the first point [1/m]
-    double wheel_curvature = 0;
-    Point2 position; ///< on the rail, in the track plane [m]
+    double       gap     = 0; ///< along the normal of the rail [m]; under load it closes by some 0.1 mm
+    double       rail_x  = 0; ///< in the sections, positive to the field side [m]
+    double       wheel_x = 0;
+    double       angle   = 0;         ///< contact angle [rad]
+    double       along   = 0;         ///< ahead of the middle of the wheelset [m]
+    double       ahead   = 0;         ///< of the axle [m]
+    double       rail_curvature  = 0; ///< lateral, as those of the first point [1/m]
+    double       wheel_curvature = 0;
+    ContactFrame frame; ///< at the point on the rail
   };
 
   /// The rigid contact of wheel and rail at one lateral shift ("2D-Geo").

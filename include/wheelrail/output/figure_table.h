@@ -22,9 +22,11 @@ namespace wheelrail
     void
     add_row(const std::vector<double> &values);
 
-    /// The columns of those of `wanted` that at least one of the summaries has.
+    /// The columns of those of `wanted` that at least one of the summaries has, under `before` and their key.
     void
-    add_figures(const std::vector<std::string> &wanted, const std::vector<Summary> &summaries);
+    add_figures(const std::vector<std::string> &wanted,
+                const std::vector<Summary>     &summaries,
+                const std::string              &before = "");
 
     /// The column with that key, or null.
     const std::vector<double> *

@@ -4,6 +4,8 @@
 #include <wheelrail/geometry/touching_profiles.h>
 #include <wheelrail/halfspace/problem.h>
 
+#include <limits>
+
 namespace wheelrail
 {
   /// Where rail head and wheel rim stand against the rigid placement of 2D-Geo (signs of
@@ -15,14 +17,29 @@ namespace wheelrail
     double wheel_roll = 0; ///< [rad]
   };
 
-  /// Wheel and rail before they deform, in the contact frame of 2D-Geo: x along the rail from the first
-  /// contact point, s across. Each slice of the wheel at fixed s is lowest where its normal lies across the
-  /// track.
+  /// The plane of a contact and the part of the profiles that belongs to it.
+  struct ContactRegion
+  {
+    ContactFrame frame;     ///< at its point
+    double       along = 0; ///< of that point, ahead of the middle of the wheelset [m]
+    double       ahead = 0; ///< and ahead of the axle, across it [m]
+    double       s_min = -std::numeric_limits<double>::infinity(); ///< [m]
+    double       s_max = std::numeric_limits<double>::infinity();
+  };
+
+  /// All that is around the first contact point.
+  ContactRegion
+  whole_region(const ContactGeometry &geometry);
+
+  /// Wheel and rail before they deform, in the frame of a contact: x along the rail from its point, s across.
+  /// Each slice of the wheel at fixed s is lowest where its normal lies across the track.
   class ContactSections
   {
   public:
-    /// The profiles must outlive it.
-    ContactSections(const TouchingProfiles &profiles, const SectionOffsets &offsets);
+    /// The profiles must outlive it. The offsets turn about the first contact point, whatever the region.
+    ContactSections(const TouchingProfiles &profiles,
+                    const SectionOffsets   &offsets,
+                    const ContactRegion    &region);
 
     /// The wheel at s.
     struct Slice
@@ -43,6 +60,13 @@ namespace wheelrail
     double
     distance(double s) const;
 
+    /// That least distance where 2D-Geo and the offsets put wheel and rail; negative where they overlap [m].
+    double
+    least_distance() const
+    {
+      return lowest_;
+    }
+
     double
     s_min() const;
     double
@@ -52,6 +76,11 @@ namespace wheelrail
     geometry() const
     {
       return profiles_.contact;
+    }
+    const ContactRegion &
+    region() const
+    {
+      return region_;
     }
     const FrameProfile &
     rail() const
@@ -74,6 +103,7 @@ namespace wheelrail
 
   private:
     const TouchingProfiles &profiles_;
+    ContactRegion           region_;
     AxleLine                axle_; ///< of the wheel that turns
     FrameProfile            rail_, wheel_;
     double                  lowest_ = 0, lowest_s_ = 0; ///< smallest distance of the profiles, and its place

@@ -9,6 +9,7 @@
 #include <wheelrail/scene/scene.h>
 
 #include <optional>
+#include <vector>
 
 namespace wheelrail
 {
@@ -42,6 +43,8 @@ namespace wheelrail
     std::optional<ContactReference> reference; ///< of wheel and rail; none where the distance is given
     double                          time = 0;  ///< computing time [s]
     int enlargements                     = 0;  ///< of the grid, until the contact did not touch its edge
+    /// Patches beside this one, in planes of their own. What stands above is of one patch each.
+    std::vector<WheelRailSolution> others;
   };
 
   /// The normal contact of wheel and rail without what friction adds to it.
@@ -60,7 +63,8 @@ namespace wheelrail
   SectionOffsets
   scene_offsets(const Scene &scene);
 
-  /// Solves the contact of the profiles in steady rolling. The undeformed
+  /// Solves the contact of the profiles in steady rolling, in one plane or, where the wheel has contacts in
+  /// planes that differ by more than 0.1 (separate_regions()), each in its own. The undeformed
   /// distance is exact in the lateral direction and x^2 / (2 r) along the rail; materials, friction, speed,
   /// element size and spin are those of the scene (doc/manual/compare.md). Where the longitudinal force
   /// exceeds friction the whole patch slides, see solve_carried().
@@ -82,7 +86,10 @@ namespace wheelrail
   HalfspacePressure
   halfspace_pressure(const WheelRailSolution &result);
 
-  /// The figures of a solution under the names of a run's summary, in its signs.
+  /// The figures of a solution under the names of a run's summary, in its signs. Of several patches forces,
+  /// areas and work are sums, pressures and tractions the largest, and extents, places and creepages those of
+  /// the patch with the largest force; the figures of each stand under "patch_1_...", in the order of
+  /// `result` and its `others`.
   Summary
   halfspace_summary(const Scene &scene, const WheelRailSolution &result);
 } // namespace wheelrail

@@ -15,9 +15,10 @@ namespace wheelrail
     /// it), AA_peak and BB_peak through the element of the largest pressure, of rail and wheel: in the form,
     /// the axes and with the signs of a run's (slices.h). The half-spaces are plane: depth counts from the
     /// contact plane, and the planes stand on the mean inclination of the surfaces.
+    /// Of several patches the first one.
     std::vector<Slice> slices;
 
-    /// Largest von Mises stress at the surface, where it follows from friction [Pa].
+    /// Largest von Mises stress at the surface of all patches, where it follows from friction [Pa].
     double surface_von_mises = 0;
     /// Largest of the maxima over depth of the von Mises stress below an element, and its depth, by the
     /// parabola through three layers; 0 when the stress falls from the surface everywhere [Pa], [m].

@@ -1,0 +1,171 @@
+#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/halfspace_parts.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    void
+    add_reference(const Scene             &scene,
+                  const WheelRailSolution &result,
+                  const bool               determined,
+                  Summary                 &summary)
+    {
+      if (!result.reference)
+        return;
+      const ContactReference &at = *result.reference;
+      const auto   set       = [&](const char *key, const double value) { set_figure(summary, key, value); };
+      const double of_motion = determined ? 1 : Summary::none;
+      set("yaw_rad", wheelset_pose(scene).yaw);
+      set("wheelset_roll_rad", result.roll);
+      set("reference_lateral_m", at.place.x);
+      set("reference_vertical_m", at.place.y);
+      set("reference_along_m", at.along);
+      set("reference_ahead_of_axle_m", at.ahead);
+      set("reference_angle_rad", at.angle);
+      set("reference_creepage", of_motion * at.creepage);
+      set("reference_lateral_creepage", of_motion * at.lateral_creepage);
+      set("reference_spin_per_m", of_motion * at.spin);
+      set("reference_spin_moment_Nm", at.spin_moment);
+      set("tangential_lateral_force_N", at.traction);
+      set("wheelset_longitudinal_force_N", at.driving);
+      set("wheelset_lateral_force_N", at.across);
+      set("drive_torque_Nm", at.torque);
+      set("yaw_moment_Nm", at.yaw_moment);
+    }
+
+    Summary
+    summary_of_patch(const Scene &scene, const WheelRailSolution &result)
+    {
+      const HalfspaceSolution &s = result.solution;
+      Summary                  summary;
+      summary.title                     = scene.title;
+      summary.program_version           = WHEELRAIL_VERSION;
+      summary.normal_force              = s.fn;
+      summary.vertical_force            = result.vertical;
+      summary.longitudinal_force        = -s.fx;
+      summary.lateral_force             = result.lateral;
+      summary.max_pressure              = s.peak_pressure;
+      summary.max_pressure_fitted       = result.measures.peak_pressure_fitted;
+      summary.contact_area              = result.measures.area;
+      summary.patch_lateral             = result.measures.width;
+      summary.patch_longitudinal        = result.measures.length;
+      summary.patch_centre_lateral      = result.measures.centre_lateral;
+      summary.patch_centre_longitudinal = result.measures.centre_along + result.ahead;
+      summary.max_shear_traction        = result.measures.max_traction;
+      summary.stick_fraction            = result.measures.stick_fraction;
+      // a wheel that spins up has no steady creepage, and without friction there is none to find
+      const bool determined = !frictionless(result.problem.friction) && (s.within_friction || s.xi < 0);
+      summary.creepage      = determined ? s.xi : Summary::none;
+      summary.friction_coefficient = scene.friction_coefficient;
+      summary.velocity             = scene.velocity;
+      summary.elements             = s.contact_elements;
+      summary.wall_time            = result.time;
+      summary.further              = {{"approach_m", s.approach},
+                                      {"spin_per_m", result.spin},
+                                      {"contact_angle_rad", -result.angle},
+                                      {"area_of_whole_elements_m2", s.area},
+                                      {"grid_spacing_m", s.grid.dx},
+                                      {"grid_elements_along", double(s.grid.mx)},
+                                      {"grid_elements_lateral", double(s.grid.my)}};
+      add_reference(scene, result, determined, summary);
+      // a wheel that spins up slides as fast as it likes
+      const bool   at_rest = frictionless(result.problem.friction);
+      const double t_gamma = determined || at_rest ? s.creepage_work : Summary::none;
+      set_figure(summary, "t_gamma_N", t_gamma);
+      set_figure(summary, "frictional_power_W", t_gamma * scene.velocity);
+      summary.finished    = s.converged() && !s.touches_grid_edge;
+      summary.stop_reason = s.not_reached;
+      if (!s.within_friction)
+        summary.note = sliding_note(-s.fx);
+      if (scene.drive == Drive::torque && scene.friction_coefficient > 0)
+        set_figure(
+          summary, "traction_over_friction", scene.traction_coefficient / scene.friction_coefficient);
+      if (s.touches_grid_edge)
+        summary.stop_reason += "The contact reaches the edge of the profiles or of the grid.";
+      return summary;
+    }
+
+    /// The patch as the program CONTACT tells it, under "patch_2_..." [SI].
+    void
+    add_patch(const Summary &patch, const std::size_t number, Summary &summary)
+    {
+      const std::string before = "patch_" + std::to_string(number) + "_";
+      for (const char *key : {"normal_force_N",
+                              "longitudinal_force_N",
+                              "tangential_lateral_force_N",
+                              "reference_angle_rad",
+                              "reference_lateral_m",
+                              "reference_ahead_of_axle_m",
+                              "reference_creepage",
+                              "reference_lateral_creepage",
+                              "reference_spin_per_m",
+                              "max_pressure_Pa",
+                              "contact_area_m2",
+                              "stick_fraction",
+                              "t_gamma_N"})
+        set_figure(summary, before + key, get_figure(patch, key));
+    }
+
+    /// Forces, areas and work of all patches.
+    void
+    add_up(const std::vector<Summary> &patches, Summary &total)
+    {
+      for (const char *key : {"normal_force_N",
+                              "vertical_force_N",
+                              "longitudinal_force_N",
+                              "lateral_force_N",
+                              "contact_area_m2",
+                              "elements",
+                              "area_of_whole_elements_m2",
+                              "wheelset_longitudinal_force_N",
+                              "wheelset_lateral_force_N",
+                              "drive_torque_Nm",
+                              "yaw_moment_Nm",
+                              "t_gamma_N",
+                              "frictional_power_W"})
+        {
+          double sum = 0;
+          for (const Summary &patch : patches)
+            sum += get_figure(patch, key);
+          set_figure(total, key, sum);
+        }
+      for (const char *key : {"max_pressure_Pa", "max_pressure_fitted_Pa", "max_shear_traction_Pa"})
+        for (const Summary &patch : patches)
+          set_figure(total, key, std::max(get_figure(total, key), get_figure(patch, key)));
+      total.stick_fraction = 0;
+      total.finished       = true;
+      total.stop_reason.clear();
+      for (const Summary &patch : patches)
+        {
+          total.stick_fraction += patch.stick_fraction * patch.contact_area / total.contact_area;
+          total.finished = total.finished && patch.finished;
+          total.stop_reason += patch.stop_reason;
+        }
+    }
+  } // namespace
+
+
+  Summary
+  halfspace_summary(const Scene &scene, const WheelRailSolution &result)
+  {
+    std::vector<Summary> patches{summary_of_patch(scene, result)};
+    if (result.others.empty())
+      return patches.front();
+    for (const WheelRailSolution &other : result.others)
+      patches.push_back(summary_of_patch(scene, other));
+    Summary total = *std::max_element(patches.begin(), patches.end(), [](const Summary &a, const Summary &b) {
+      return a.normal_force < b.normal_force;
+    });
+    add_up(patches, total);
+    total.wall_time = result.time;
+    set_figure(total, "patches", patches.size());
+    for (std::size_t k = 0; k < patches.size(); ++k)
+      add_patch(patches[k], k + 1, total);
+    return total;
+  }
+} // namespace wheelrail

@@ -1,0 +1,186 @@
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/reference/contact_reference.h>
+#include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/plane_contact.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    WheelMotion
+    wheel_motion(const Scene &scene)
+    {
+      const bool given = std::isfinite(scene.halfspace_given_spin);
+      return {given || scene.halfspace_spin == HalfspaceSpin::contact,
+              given ? scene.halfspace_given_spin : std::nan(""),
+              lateral_creepage(scene)};
+    }
+
+    // interpenetration at 0.55 of the approach has about the size of the patch (Kik and Piotrowski, 1996),
+    // the rest is room for it to grow
+    constexpr double part_of_approach = 0.75;
+  } // namespace
+
+
+  PlaneContact::PlaneContact(const Scene          &scene,
+                             const SceneGeometry  &geometry,
+                             const SectionOffsets &offsets,
+                             const ContactRegion  &region)
+    : sections(geometry, offsets, region)
+    , motion(wheel_motion(scene))
+    , problem(halfspace_problem(scene))
+    , expected_force_(expected_load(scene))
+    , expected_approach_(expected_approach(scene, geometry.contact.rolling_radius))
+    , element_(scene.halfspace_element_size)
+  {
+  }
+
+
+  void
+  PlaneContact::press_on_grid(const double first_approach)
+  {
+    problem.rigid_slip_x.clear(); // of the grid before
+    problem.rigid_slip_y.clear();
+    const auto lay_grid = [&](const double reached, const double size) {
+      problem.grid = sections.grid(reached, size);
+      sections.set_distance(problem);
+      if (added_distance)
+        for (int j = 0; j < problem.grid.my; ++j)
+          for (int i = 0; i < problem.grid.mx; ++i)
+            problem.undeformed_distance[i + problem.grid.mx * j] +=
+              added_distance(problem.grid.x(i), problem.grid.y(j));
+    };
+    solution = solve_on_growing_grid(problem, first_approach, element_, 6, lay_grid, enlargements);
+    if (solution.contact_elements > 0)
+      means = pressure_means(sections, solution);
+  }
+
+
+  void
+  PlaneContact::press(const double normal_force)
+  {
+    problem.force_given  = true;
+    problem.normal_force = normal_force;
+    press_on_grid(part_of_approach * expected_approach_ *
+                  std::pow(std::max(1., normal_force / expected_force_), 2. / 3));
+  }
+
+
+  void
+  PlaneContact::press_by(const double approach)
+  {
+    problem.force_given = false;
+    problem.approach    = approach;
+    press_on_grid(part_of_approach * approach);
+  }
+
+
+  void
+  PlaneContact::roll(const double creepage)
+  {
+    problem.force_given              = true;
+    problem.normal_force             = solution.fn;
+    problem.motion                   = HalfspaceMotion::steady;
+    problem.longitudinal_force_given = false;
+    problem.xi                       = creepage;
+    set_slip(sections, means, motion, creepage, problem);
+    solution = solve_rolling(problem);
+  }
+
+
+  void
+  PlaneContact::carry(const WheelRailLoad &load)
+  {
+    constexpr int    most_rounds = 12;
+    constexpr double enough = 1e-3, enough_driven = 1e-4; // of the load
+    const double     c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
+    const double     yaw             = sections.geometry().yaw;
+    problem.motion                   = HalfspaceMotion::steady;
+    problem.longitudinal_force_given = !load.rate_held;
+    problem.xi                       = load.rate_held ? load.creepage : 0;
+    solution                         = {};
+    double before = 0, missed_before = 0, missed = 0, not_driven = 0;
+    for (int round = 0; round < (load.vertical || yaw != 0 ? most_rounds : 1); ++round)
+      {
+        const double now = problem.normal_force;
+        if (load.vertical && round < 2)
+          problem.normal_force = (load.force + solution.fy * s) / c;
+        else if (load.vertical && std::abs(missed) >= 0.1 * enough * load.force)
+          problem.normal_force = now - missed * (now - before) / (missed - missed_before);
+        before        = now;
+        missed_before = missed;
+        // a force that no friction carries, where all of the patch is known to slide
+        problem.fx = load.slides ? -std::copysign(10 * load.force, load.longitudinal)
+                                 : -(load.longitudinal - lateral() * std::sin(yaw)) / std::cos(yaw);
+        set_slip(sections, means, motion, problem.xi, problem);
+        solution = solve_carried(problem);
+        if (solution.within_friction)
+          problem.xi = solution.xi;
+        missed     = vertical() - load.force;
+        not_driven = load.rate_held || !solution.within_friction
+                       ? 0
+                       : -solution.fx * std::cos(yaw) + lateral() * std::sin(yaw) - load.longitudinal;
+        if (round > 0 && (!load.vertical || std::abs(missed) < enough * load.force) &&
+            std::abs(not_driven) < enough_driven * load.force)
+          break;
+      }
+    if (!solution.within_friction)
+      {
+        problem.longitudinal_force_given = false;
+        problem.xi                       = solution.xi;
+      }
+    if ((load.vertical && std::abs(missed) > 10 * enough * load.force) ||
+        std::abs(not_driven) > 10 * enough * load.force)
+      {
+        solution.coupling_converged = false;
+        solution.not_reached += "The normal force that carries the wheel load was not found. ";
+      }
+  }
+
+
+  double
+  PlaneContact::lateral() const
+  {
+    return -solution.fn * std::sin(means.rail_angle) - solution.fy * std::cos(means.rail_angle);
+  }
+
+
+  double
+  PlaneContact::vertical() const
+  {
+    return solution.fn * std::cos(means.rail_angle) - solution.fy * std::sin(means.rail_angle);
+  }
+
+
+  double
+  PlaneContact::turn_across(const PatchMeasures &measures) const
+  {
+    const auto   angle  = [&](const double place) { return std::atan(sections.rail().at(place).slope); };
+    const double middle = measures.centre_lateral, half = 0.5 * measures.width;
+    return std::abs(angle(middle + half) - angle(middle - half));
+  }
+
+
+  WheelRailSolution
+  PlaneContact::result() const
+  {
+    WheelRailSolution result;
+    result.enlargements = enlargements;
+    result.solution     = solution;
+    result.problem      = problem;
+    result.angle        = means.rail_angle;
+    result.spin         = std::sin(means.wheel_angle) / sections.geometry().rolling_radius;
+    result.lateral      = lateral();
+    result.vertical     = vertical();
+    result.roll         = sections.geometry().roll;
+    result.ahead        = sections.region().ahead;
+    result.reference    = contact_reference(sections, means, motion, solution);
+    result.patch        = halfspace_patch(solution);
+    result.measures     = measure_patch(result.patch);
+    result.turn         = turn_across(result.measures);
+    return result;
+  }
+} // namespace wheelrail
