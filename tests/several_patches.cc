@@ -64,7 +64,7 @@ namespace
     scene.wheel_profile          = "several_patches_wheel.txt";
     scene.track.inclination      = 0;
     scene.wheel_load             = load;
-    scene.halfspace_element_size = 0.4e-3;
+    scene.halfspace_element_size = 0.6e-3;
     return scene;
   }
 

@@ -7,6 +7,9 @@ namespace wheelrail
 {
   namespace
   {
+    // between two such places a profile of 10 mm radius moves by less than 2 nm [m]
+    constexpr double sample_step = 1e-5;
+
     /// Section turned by `roll` about `centre` and moved by `lateral` along X.
     Placement
     moved(const Placement &placement, const Point2 &centre, const double roll, const double lateral)
@@ -47,13 +50,15 @@ namespace wheelrail
   {
     axle_.middle.x += offsets.lateral;
     lowest_ = undeformed_distance(wheel_, rail_, 0);
-    // every 10 um: between two such places a profile of 10 mm radius moves by less than 2 nm
-    for (double s = s_min(); s <= s_max(); s += 1e-5)
-      if (const double d = undeformed_distance(wheel_, rail_, s); d < lowest_)
-        {
-          lowest_   = d;
-          lowest_s_ = s;
-        }
+    for (double s = s_min(); s <= s_max(); s += sample_step)
+      {
+        samples_.push_back(undeformed_distance(wheel_, rail_, s));
+        if (samples_.back() < lowest_)
+          {
+            lowest_   = samples_.back();
+            lowest_s_ = s;
+          }
+      }
   }
 
 
@@ -120,17 +125,21 @@ namespace wheelrail
   ContactSections::grid(const double approach, const double element) const
   {
     double low = lowest_s_, high = lowest_s_;
-    for (double s = s_min(); s <= s_max(); s += 1e-5)
-      if (distance(s) < approach)
-        {
-          low  = std::min(low, s);
-          high = std::max(high, s);
-        }
+    double s = s_min();
+    for (const double sample : samples_)
+      {
+        if (sample - lowest_ < approach)
+          {
+            low  = std::min(low, s);
+            high = std::max(high, s);
+          }
+        s += sample_step;
+      }
     // the lowest places of the slices lie one behind the other, as the angle grows across the patch
     double back = 0, front = 0;
-    for (const double s : {low, lowest_s_, high})
+    for (const double place : {low, lowest_s_, high})
       {
-        const double along = slice(s).along;
+        const double along = slice(place).along;
         back               = std::min(back, along);
         front              = std::max(front, along);
       }

@@ -5,6 +5,7 @@
 #include <wheelrail/halfspace/problem.h>
 
 #include <limits>
+#include <vector>
 
 namespace wheelrail
 {
@@ -107,6 +108,7 @@ namespace wheelrail
     AxleLine                axle_; ///< of the wheel that turns
     FrameProfile            rail_, wheel_;
     double                  lowest_ = 0, lowest_s_ = 0; ///< smallest distance of the profiles, and its place
+    std::vector<double>     samples_;                   ///< distances of the profiles from s_min() on [m]
   };
 
   /// Means over the pressure of a solution.
