@@ -90,6 +90,13 @@ namespace scenes
 
 
   void
+  Dynamics::join(const Nodes &one, const Nodes &other)
+  {
+    seams_.push_back(std::make_unique<Seam>(one, other));
+  }
+
+
+  void
   Dynamics::add_force(const NodalLoad::Force &force)
   {
     loads_.push_back(std::make_unique<NodalLoad>(force));
@@ -109,9 +116,11 @@ namespace scenes
     const bool first = loop_.steps() == 0;
     if (first)
       {
-        // loads before ties: reactions are to all forces
+        // loads before seams and these before ties: reactions are to all forces
         for (auto &load : loads_)
           loop_.add(*load);
+        for (auto &seam : seams_)
+          loop_.add(*seam);
         for (auto &tie : ties_)
           loop_.add(*tie);
         loop_.prepare();

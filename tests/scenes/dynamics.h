@@ -65,6 +65,10 @@ namespace scenes
     unsigned int
     wall(const Nodes &nodes, int component, int side, const Function &level);
 
+    /// Makes two faces one: nodes in pairs move alike. Their masses must be equal.
+    void
+    join(const Nodes &one, const Nodes &other);
+
     /// Adds forces in every step, and counts their work.
     void
     add_force(const NodalLoad::Force &force);
@@ -127,6 +131,7 @@ namespace scenes
 
     Nodes                                   masses_; ///< nodes with mass
     std::vector<std::unique_ptr<Tie>>       ties_;
+    std::vector<std::unique_ptr<Seam>>      seams_;
     std::vector<std::unique_ptr<NodalLoad>> loads_;
     wheelrail::TimeLoop                     loop_;
   };

@@ -44,6 +44,18 @@ namespace scenes
 
 
   void
+  Seam::constrain(const Instant &, Solid &solid, const std::vector<NodeInertia> &)
+  {
+    for (std::size_t n = 0; n < one_.size(); ++n)
+      for (int i = 0; i < 3; ++i)
+        {
+          double &a = solid.force[4 * one_[n] + i], &b = solid.force[4 * other_[n] + i];
+          a = b = 0.5 * (a + b);
+        }
+  }
+
+
+  void
   NodalLoad::prepare(const Solid &solid, std::vector<NodeInertia> &)
   {
     nodal_.assign(solid.force.size(), 0.);

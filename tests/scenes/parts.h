@@ -69,6 +69,24 @@ namespace scenes
     EnergyTerm  *work_ = nullptr;
   };
 
+  /// Two faces that are one, as in a body that repeats itself: nodes in pairs, of equal masses, which move
+  /// alike.
+  class Seam : public wheelrail::Part
+  {
+  public:
+    Seam(const Nodes &one, const Nodes &other)
+      : one_(one)
+      , other_(other)
+    {
+    }
+
+    void
+    constrain(const Instant &now, Solid &solid, const std::vector<NodeInertia> &inertia) override;
+
+  private:
+    Nodes one_, other_;
+  };
+
   /// Nodal forces given by a function of time and state; their work is counted.
   class NodalLoad : public wheelrail::Part
   {
