@@ -223,7 +223,7 @@ namespace
             {
               const double s     = lattice.s_begin + j * lattice.spacing_lateral;
               const double slope = surfaces.wheel.at(s).slope, angle = surfaces.frame.angle;
-              const double radial   = std::cos(std::atan(slope) + angle - surfaces.wheel_placement.angle);
+              const double radial   = std::cos(std::atan(slope) + angle - surfaces.pose.section.angle);
               const double expected = std::pow(chord(k, ahead), 2) / (8 * surfaces.local_radius(s)) * radial;
               const double found    = offset(middle(k, ahead));
               result.least          = std::min(result.least, found);

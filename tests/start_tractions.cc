@@ -50,8 +50,8 @@ namespace
     RunningSurfaces surfaces;
     surfaces.frame.angle = angle;
     surfaces.rail = surfaces.wheel = flat_profile(surfaces.frame);
-    surfaces.nominal_radius = surfaces.rolling_radius = radius;
-    const std::size_t n                               = std::size_t(lattice.n_along) * lattice.n_lateral;
+    surfaces.pose.nominal_radius = surfaces.rolling_radius = radius;
+    const std::size_t n                                    = std::size_t(lattice.n_along) * lattice.n_lateral;
     Surface           body[2];
     for (int b = 0; b < 2; ++b)
       {

@@ -46,22 +46,16 @@ namespace wheelrail
   RunningSurfaces::Place
   RunningSurfaces::wheel_place(const Vector3 &X) const
   {
-    const Point2 own    = wheel_placement.to_section({X[0], X[1]});
-    const double down   = nominal_radius - own.y;
-    const double radius = std::sqrt(down * down + X[2] * X[2]);
-    const Point2 q      = frame.to_frame(wheel_placement.to_track({own.x, nominal_radius - radius}));
-    return {q.x, q.y, rolling_radius * std::atan2(X[2], down)};
+    const Point2 q = frame.to_frame(pose.on_section(X));
+    return {q.x, q.y, rolling_radius * pose.angle(X)};
   }
 
 
   double
   RunningSurfaces::wheel_offset(const Vector3 &X) const
   {
-    const Point2 own    = wheel_placement.to_section({X[0], X[1]});
-    const double down   = nominal_radius - own.y;
-    const double radius = std::sqrt(down * down + X[2] * X[2]);
-    const Point2 q      = frame.to_frame(wheel_placement.to_track({own.x, nominal_radius - radius}));
-    const auto   value  = wheel.at(q.x);
+    const Point2 q     = frame.to_frame(pose.on_section(X));
+    const auto   value = wheel.at(q.x);
     return (q.y - value.n) / std::sqrt(1 + value.slope * value.slope);
   }
 
@@ -85,6 +79,6 @@ namespace wheelrail
   double
   RunningSurfaces::local_radius(const double s) const
   {
-    return nominal_radius - wheel_placement.to_section(frame.to_track({s, wheel.at(s).n})).y;
+    return pose.nominal_radius - pose.section.to_section(frame.to_track({s, wheel.at(s).n})).y;
   }
 } // namespace wheelrail

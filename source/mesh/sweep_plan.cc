@@ -109,12 +109,11 @@ namespace wheelrail
       const double        s0 = std::max({strip.s.front() - cell, rail.s_min(), wheel.s_min()});
       const double        s1 = std::min({strip.s.back() + cell, rail.s_max(), wheel.s_max()});
       RunningSurfaces     surfaces;
-      surfaces.frame           = profiles.contact.frame;
-      surfaces.rail            = HeightTable(rail, s0, s1);
-      surfaces.wheel           = HeightTable(wheel, s0, s1);
-      surfaces.wheel_placement = profiles.contact.wheel;
-      surfaces.nominal_radius  = nominal_radius;
-      surfaces.rolling_radius  = profiles.contact.rolling_radius;
+      surfaces.frame          = profiles.contact.frame;
+      surfaces.rail           = HeightTable(rail, s0, s1);
+      surfaces.wheel          = HeightTable(wheel, s0, s1);
+      surfaces.pose           = {profiles.contact.wheel, nominal_radius, {}};
+      surfaces.rolling_radius = profiles.contact.rolling_radius;
       return surfaces;
     }
   } // namespace

@@ -131,10 +131,8 @@ namespace wheelrail
         return {p.x, p.y, z0 + xi * (z1 - z0)};
       }
     const double angle = 2 * M_PI * (double(station % (n_columns_ * parts_)) / parts_) / plan_->sectors;
-    // the section's lateral coordinate points to the track centre, its placement mirrors the wheel's own x
-    const Placement &placement = plan_->surfaces.wheel_placement;
-    const Point2 foot = placement.to_track({-p.x, plan_->surfaces.nominal_radius - p.y * std::cos(angle)});
-    return {foot.x, foot.y, -p.y * std::sin(angle)};
+    // the section's lateral coordinate points to the track centre, the wheel's own x to the field side
+    return plan_->surfaces.pose.position(-p.x, p.y, -angle);
   }
 
 

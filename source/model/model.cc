@@ -52,11 +52,11 @@ namespace wheelrail
 
     /// The axle without its torque, which follows from the load.
     AxleData
-    make_axle(const Scene &scene, const ContactGeometry &geometry)
+    make_axle(const Scene &scene, const WheelPose &wheel)
     {
       AxleData axle;
-      axle.centre        = {geometry.axle.x, geometry.axle.y, 0};
-      axle.axis          = {std::cos(geometry.wheel.angle), std::sin(geometry.wheel.angle), 0};
+      axle.centre        = wheel.centre();
+      axle.axis          = wheel.axis();
       axle.mass          = scene.axle_mass;
       axle.pitch_inertia = scene.axle_pitch_inertia;
       axle.sprung_mass   = scene.sprung_mass;
@@ -240,7 +240,7 @@ namespace wheelrail
         model.swept           = std::make_unique<SweptMesh>(model.forest->plan());
         model.window.path_end = {scene.mesh_distance(), scene.mesh_distance()};
       }
-    model.axle = make_axle(scene, geometry.contact);
+    model.axle = make_axle(scene, model.contact->surfaces().pose);
     const double unsprung =
       scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
     if (scene.wheel_load > 0)

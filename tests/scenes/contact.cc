@@ -41,9 +41,9 @@ namespace scenes
         FrameProfile(Curve({segment}), Placement(), ContactFrame()), -half_width, half_width);
     };
     RunningSurfaces surfaces;
-    surfaces.rail           = table(0);
-    surfaces.wheel          = table(crown);
-    surfaces.nominal_radius = surfaces.rolling_radius = radius;
+    surfaces.rail                = table(0);
+    surfaces.wheel               = table(crown);
+    surfaces.pose.nominal_radius = surfaces.rolling_radius = radius;
     return surfaces;
   }
 
@@ -170,7 +170,7 @@ namespace scenes
             (lattice.first_station + int(i)) * lattice.spacing_along / surfaces.rolling_radius;
           const double r = surfaces.local_radius(s);
           surface.reference.push_back(
-            {s, surfaces.nominal_radius - r * std::cos(angle), r * std::sin(angle)});
+            {s, surfaces.pose.nominal_radius - r * std::cos(angle), r * std::sin(angle)});
         }
     return surface;
   }
@@ -237,7 +237,7 @@ namespace scenes
   ContactPair::add_forces(const double time, const Solid &solid, double *force)
   {
     velocity_before_     = velocity_;
-    const Vector3 centre = {0, contact.surfaces().nominal_radius, 0};
+    const Vector3 centre = {0, contact.surfaces().pose.nominal_radius, 0};
     for (std::size_t k = 0; k < sources_.size(); ++k)
       if (const NodeSource &from = sources_[k]; from.node >= 0)
         for (int i = 0; i < 3; ++i)

@@ -2,6 +2,7 @@
 
 #include <wheelrail/base/vector3.h>
 #include <wheelrail/geometry/contact_geometry.h>
+#include <wheelrail/geometry/wheel_pose.h>
 
 #include <vector>
 
@@ -38,8 +39,7 @@ namespace wheelrail
   {
     ContactFrame frame;
     HeightTable  rail, wheel;        ///< n(s) at the bottom of the wheel [m]
-    Placement    wheel_placement;    ///< wheel section to track plane
-    double       nominal_radius = 0; ///< of the origin of the wheel section [m]
+    WheelPose    pose;               ///< of the wheel
     double       rolling_radius = 0; ///< at the first contact point [m]
 
     /// Place of a reference point: contact frame coordinates after turning a wheel point to the

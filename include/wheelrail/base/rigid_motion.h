@@ -1,0 +1,36 @@
+#pragma once
+
+#include <wheelrail/base/vector3.h>
+
+#include <array>
+
+namespace wheelrail
+{
+  /// A turn and a move of space, x -> R x + move.
+  struct RigidMotion
+  {
+    std::array<Vector3, 3> rows = {{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}}; ///< of R, orthogonal
+    Vector3                move{};                                           ///< [m]
+
+    Vector3
+    operator()(const Vector3 &x) const
+    {
+      return turned(x) + move;
+    }
+
+    /// R v: the image of a direction.
+    Vector3
+    turned(const Vector3 &v) const
+    {
+      return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
+    }
+
+    /// The place whose image is x.
+    Vector3
+    back(const Vector3 &x) const
+    {
+      const Vector3 d = x - move;
+      return d[0] * rows[0] + d[1] * rows[1] + d[2] * rows[2];
+    }
+  };
+} // namespace wheelrail
