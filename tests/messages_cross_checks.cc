@@ -275,9 +275,6 @@ namespace
       "= -6 mm: The wheel section cannot be built: the fine cells reach so far up the flange that no block "
       "of "
       "16 mm fits between them and its tip. With Mesh/Coarse cell size = 8 mm they can.");
-    check_error({"Wheelset/Yaw = 5 mrad", "Wheelset/Roll = 1 mrad"},
-                "Wheelset/Yaw = 5 mrad: finite elements do not know it yet, the commands geometry and "
-                "halfspace do; leave it out of a run");
     check_error(
       {"Wheelset/Lateral creepage = 0.001"},
       "Wheelset/Lateral creepage = 0.001: finite elements do not know it yet, the commands geometry and "

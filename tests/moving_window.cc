@@ -228,7 +228,7 @@ namespace
     const double     path = 10e-3, block = plan.block_length(), step = model.solid.stable.step;
     FineWindow       window;
     window.path_end    = {path, path};
-    const double bound = half_length_bound(model.expected_approach, model.geometry.rolling_radius);
+    const double bound = model.reach;
     check_near(plan.reach - bound,
                3 * moving_scene().cell_size,
                1e-12,

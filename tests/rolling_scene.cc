@@ -44,7 +44,7 @@ namespace
     const StaticLoads loads = static_loads(scene, model);
     run.wheel_load          = model.wheel_load;
     run.start = static_start(*model.forest, model.solid, *model.contact, loads, [](const std::string &) {});
-    const double                rate = scene.velocity / loads.rolling_radius * (1 + run.start.creepage);
+    const double                rate = scene.velocity / loads.forward_radius * (1 + run.start.creepage);
     const AlignedVector<double> still(model.solid.displacement.size(), 0.);
     rolling_velocities(model.solid, model.axle, rate, still, communicator);
     Axle    axle(model.axle, run.start.lift, rate, communicator);

@@ -48,10 +48,10 @@ namespace
     lattice.s_begin                                 = -0.5 * (lattice.n_lateral - 1) * spacing;
 
     RunningSurfaces surfaces;
-    surfaces.frame.angle = angle;
-    surfaces.rail = surfaces.wheel = flat_profile(surfaces.frame);
-    surfaces.pose.nominal_radius = surfaces.rolling_radius = radius;
-    const std::size_t n                                    = std::size_t(lattice.n_along) * lattice.n_lateral;
+    surfaces.frame.angle = surfaces.tread_frame.angle = angle;
+    surfaces.rail = surfaces.wheel = surfaces.tread = flat_profile(surfaces.frame);
+    surfaces.pose.nominal_radius = surfaces.rolling_radius = surfaces.forward_radius = radius;
+    const std::size_t n = std::size_t(lattice.n_along) * lattice.n_lateral;
     Surface           body[2];
     for (int b = 0; b < 2; ++b)
       {

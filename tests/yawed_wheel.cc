@@ -3,10 +3,13 @@
 #include "check.h"
 
 #include <wheelrail/geometry/contact_geometry.h>
+#include <wheelrail/geometry/running_surfaces.h>
+#include <wheelrail/geometry/touching_profiles.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 using namespace wheelrail;
 using test::check;
@@ -122,6 +125,84 @@ namespace
     check(std::abs(here.roll - straight.roll) > 1e-6, "yaw changes the roll at which both wheels touch");
   }
 
+  /// The wheel as a body: its axle is that of the wheelset, and it touches at Z = 0 with its lowest line,
+  /// where its surface has the normal of the rail.
+  void
+  test_pose()
+  {
+    const RailProfile     rail  = rail_profile("54E1");
+    const WheelProfile    wheel = wheel_profile("S1002");
+    const TrackDimensions track;
+    for (const WheelsetPose &pose : {WheelsetPose{0, RollMode::given, 0, 0},
+                                     WheelsetPose{0, RollMode::given, 1e-3, -20e-3},
+                                     WheelsetPose{3.5e-3, RollMode::given, -0.5e-3, 5e-3},
+                                     WheelsetPose{-6e-3, RollMode::given, 1e-3, 40e-3}})
+      {
+        const ContactGeometry c     = find_contact(rail, wheel, track, pose);
+        const std::string     which = name_of(pose);
+        const Vector3         point = {c.frame.origin.x, c.frame.origin.y, 0}, axis = c.pose.axis();
+        check_near(norm(axis - c.axis.direction), 0, 1e-14, which + "direction of the axle");
+        const Vector3 middle = {c.axis.middle.x, c.axis.middle.y, -c.along};
+        check_near(norm(c.pose.centre() + running_circle_distance(track) * axis - middle),
+                   0,
+                   1e-14,
+                   which + "middle of the wheelset from the wheel [m]");
+        check_near(c.pose.angle(point), 0, 1e-8, which + "angle of the contact point about the axle [rad]");
+        const Point2 on_tread = c.pose.on_section(point);
+        check_near(norm(on_tread - c.tread_frame.origin), 0, 1e-9, which + "contact point on the tread [m]");
+        const Point2  n      = c.tread_frame.normal();
+        const Vector3 normal = c.pose.motion.turned({n.x, n.y, 0});
+        check_near(norm(normal - Vector3{c.frame.normal().x, c.frame.normal().y, 0}),
+                   0,
+                   1e-6,
+                   which + "normal of the wheel less that of the rail");
+        const Vector3 X = c.pose.position(0.01, 0.45, 0.3);
+        check_near(c.pose.angle(X), 0.3, 1e-14, which + "angle of a place [rad]");
+        check_near(norm(c.pose.rolling(X) - cross(axis, X - c.pose.centre())),
+                   0,
+                   1e-14,
+                   which + "rolling velocity over the pitch rate [m]");
+        check_near(-c.pose.rolling(X)[2] / 0.45 / std::cos(0.3 + c.ahead / c.rolling_radius),
+                   std::cos(pose.yaw),
+                   2e-3,
+                   which + "its part along the track");
+      }
+  }
+
+  /// The stretch along the track in which wheel and rail overlap, against the wheel point by point on its
+  /// tread and around it.
+  void
+  test_overlap()
+  {
+    const double approach = 0.1e-3;
+    for (const auto &[shift, yaw] : {std::make_pair(0., 0.), {0., 20e-3}, {-6e-3, 40e-3}, {-6e-3, -40e-3}})
+      {
+        const WheelsetPose     pose{shift, RollMode::none, 0, yaw};
+        const TouchingProfiles profiles =
+          touching_profiles(rail_profile("54E1"), wheel_profile("S1002"), TrackDimensions(), pose);
+        const ContactGeometry &c     = profiles.contact;
+        const Range            range = overlap_along(profiles, approach);
+        const Curve           &tread = profiles.wheel.tread;
+        const double           reach = half_length_bound(approach, c.rolling_radius);
+        double                 back = 0, front = 0;
+        for (double t = 0; t <= tread.parameter_end(); t += 2e-3)
+          for (double angle = -0.06; angle <= 0.06; angle += 2e-4)
+            {
+              const Point2  p = tread.at(t).position;
+              const Vector3 X = c.pose.position(p.x, c.pose.nominal_radius - p.y, angle);
+              const Point2  q = c.frame.to_frame({X[0], X[1]});
+              if (q.x < profiles.rail_heights.s_min() || q.x > profiles.rail_heights.s_max() ||
+                  q.y - approach > profiles.rail_heights.at(q.x).n)
+                continue;
+              back  = std::min(back, X[2]);
+              front = std::max(front, X[2]);
+            }
+        const std::string which = name_of(pose);
+        check_near(range.s0 / reach, back / reach, 0.1, which + "begin of the overlap over the parabola's");
+        check_near(range.s1 / reach, front / reach, 0.1, which + "end of the overlap over the parabola's");
+      }
+  }
+
   /// A cone of revolution: its outline is known in closed form.
   void
   test_cone()
@@ -151,6 +232,8 @@ main()
 {
   test_direct_search();
   test_both_wheels();
+  test_pose();
+  test_overlap();
   test_cone();
   return test::report();
 }

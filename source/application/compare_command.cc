@@ -17,6 +17,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {
@@ -36,6 +39,12 @@ namespace wheelrail
                                     "creepage",
                                     "t_gamma",
                                     "stick_fraction"};
+
+    /// Of a wheelset with yaw besides.
+    const char *const compared_with_yaw[] = {"yaw_moment",
+                                             "reference_creepage",
+                                             "reference_lateral_creepage",
+                                             "reference_spin"};
 
     bool
     is_given(const std::string &name)
@@ -57,12 +66,23 @@ namespace wheelrail
       return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
     }
 
-    /// The difference of a figure and what it is relative to: the half-spaces' value, or the vertical load
-    /// for the lateral force, which is small beside it and may be about zero.
-    double
-    relative_difference(const std::string &name, const double fe, const double hs, const double load)
+    bool
+    has_yaw(const Summary &run)
     {
-      const double base = name == "lateral_force" ? load : std::abs(hs);
+      return std::isfinite(get_figure(run, "yaw_rad"));
+    }
+
+    /// Whether a figure counts over the vertical load: the lateral force of a straight wheelset, which is
+    /// small beside it and may be about zero.
+    bool
+    over_load(const std::string &name, const Summary &run)
+    {
+      return name == "lateral_force" && !has_yaw(run);
+    }
+
+    double
+    relative_difference(const double fe, const double hs, const double base)
+    {
       return base > 0 ? (fe - hs) / base : Summary::none;
     }
 
@@ -75,13 +95,17 @@ namespace wheelrail
       std::snprintf(
         row, sizeof(row), "  %-40s %-5s %11s %12s %12s\n", "", "", "finite el.", "half-space", "difference");
       out << row;
-      for (const char *name : compared)
+      std::vector<const char *> names(std::begin(compared), std::end(compared));
+      if (has_yaw(run))
+        names.insert(names.end(), std::begin(compared_with_yaw), std::end(compared_with_yaw));
+      for (const char *name : names)
         {
           const Figure     &figure = figure_named(name);
           const std::string label  = std::string(figure.label) + (is_given(name) ? " (given)" : "");
           const double      fe = get_figure(run, figure.key()), hs = get_figure(halfspace, figure.key());
-          const double      difference  = relative_difference(name, fe, hs, run.vertical_force);
-          const char *const relative_to = std::string(name) == "lateral_force" ? "load" : "";
+          const bool        of_load = over_load(name, run);
+          const double difference = relative_difference(fe, hs, of_load ? run.vertical_force : std::abs(hs));
+          const char *const relative_to = of_load ? "load" : "";
           const std::string percent =
             std::isfinite(difference) ? text("%+.2f", 100 * difference) + " %" : "-";
           std::snprintf(row,

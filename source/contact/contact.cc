@@ -77,8 +77,10 @@ namespace wheelrail
               node.slipping                            = false;
               continue;
             }
-          const ContactMotion moves = time_step > 0 ? motion(k, facing) : ContactMotion();
-          add_forces(k, facing, apply_law(law_, moves, time_step, rail().area[k], node, sums));
+          const ContactMotion moves  = time_step > 0 ? motion(k, facing) : ContactMotion();
+          const ContactForces forces = apply_law(law_, moves, time_step, rail().area[k], node, sums);
+          add(sums.moment, 1, cross(states_.rail.x[k], forces.push + forces.drag));
+          add_forces(k, facing, forces);
           sums.at_border = sums.at_border || (node.pressure > 0 && at_border(i, j));
         }
     // forces go back through the filters that places and velocities came through

@@ -108,18 +108,21 @@ namespace wheelrail
     }
 
     /// Velocity of the rail's surface against the wheel's over V when the wheel turns without creepage:
-    /// a larger local radius runs backwards, and ahead of the axle the wheel's surface still descends,
-    /// which slides it along its inclination.
+    /// a larger local radius runs backwards, ahead of the axle the wheel's surface still descends,
+    /// which slides it along its inclination, and a wheel with yaw slides aside.
     VectorField
     rigid_slip(const RunningSurfaces &surfaces, const HalfspaceGrid &grid)
     {
-      VectorField slip;
+      const double radius = surfaces.forward_radius;
+      VectorField  slip;
       for (int j = 0; j < grid.my; ++j)
         for (int i = 0; i < grid.mx; ++i)
           {
-            const double s = grid.y(j);
-            slip[0].push_back(surfaces.local_radius(s) / surfaces.rolling_radius - 1);
-            slip[1].push_back(grid.x(i) / surfaces.rolling_radius * std::sin(inclination(surfaces, s)));
+            const double  s = grid.y(j), angle = inclination(surfaces, s);
+            const Vector3 turning = surfaces.rolling(s, grid.x(i));
+            slip[0].push_back(-turning[2] / radius - 1);
+            slip[1].push_back(-(turning[0] / radius) * std::cos(angle) -
+                              turning[1] / radius * std::sin(angle));
           }
       return slip;
     }

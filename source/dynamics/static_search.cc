@@ -32,11 +32,18 @@ namespace wheelrail
           }
     }
 
+    /// `lateral`: force on the wheel along X [N], of which the force along a wheelset with yaw takes a part.
     StartTractions
-    wanted_tractions(const Solid &solid, const Contact &contact, const StaticLoads &loads, const double load)
+    wanted_tractions(const Solid       &solid,
+                     const Contact     &contact,
+                     const StaticLoads &loads,
+                     const double       load,
+                     const double       lateral)
     {
-      const StartBodies bodies = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
-      const double      force = loads.traction_coefficient * load, velocity = loads.axle.velocity;
+      const StartBodies bodies   = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
+      const double      velocity = loads.axle.velocity;
+      const double      force =
+        (loads.traction_coefficient * load - lateral * std::sin(loads.yaw)) / std::cos(loads.yaw);
       return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, velocity)
                              : start_tractions(contact, force, bodies, velocity);
     }
@@ -55,7 +62,7 @@ namespace wheelrail
     const MassProperties wheel = mass_properties(solid, Body::wheel, axle.centre, forest.communicator());
     wheel_mass_                = wheel.mass;
     wheel_offset_              = radial_arm(wheel.centre, axle)[1];
-    rate_                      = loads.axle.velocity / loads.rolling_radius;
+    rate_                      = loads.axle.velocity / loads.forward_radius;
     press();
   }
 
@@ -185,17 +192,21 @@ namespace wheelrail
   StaticSearch::renew_tractions()
   {
     const StartTractions before = std::move(tractions);
-    tractions                   = wanted_tractions(solid_, contact_, loads_, wheel_load());
-    rate_                       = loads_.axle.velocity / loads_.rolling_radius * (1 + tractions.creepage);
+    tractions                   = wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_);
+    rate_                       = loads_.axle.velocity / loads_.forward_radius * (1 + tractions.creepage);
     if (!loads_.tractions)
       tractions.traction.assign(tractions.traction.size(), Vector3{});
     drag_.assign(solid_.force.size(), 0.);
     AlignedVector<double> pressures(solid_.force.size(), 0.);
-    drag_sum_ = contact_forces(&tractions.traction, drag_).force - contact_forces(nullptr, pressures).force;
+    const Vector3         whole = contact_forces(&tractions.traction, drag_).force;
+    drag_sum_                   = whole - contact_forces(nullptr, pressures).force;
+    const double before_lateral = lateral_force_;
+    lateral_force_              = whole[0];
     for (std::size_t k = 0; k < drag_.size(); ++k)
       drag_[k] -= pressures[k];
     return std::abs(tractions.creepage - before.creepage) > 1e-5 * std::abs(tractions.creepage) ||
-           std::abs(tractions.force - before.force) > 1e-5 * wheel_load();
+           std::abs(tractions.force - before.force) > 1e-5 * wheel_load() ||
+           std::abs((lateral_force_ - before_lateral) * std::sin(loads_.yaw)) > 1e-5 * wheel_load();
   }
 
 

@@ -223,10 +223,47 @@ namespace wheelrail
       contact.along           = point.along;
       contact.ahead           = point.ahead;
       contact.rolling_radius  = pair.track.nominal_radius - contact.wheel_y;
+      contact.forward_radius  = contact.rolling_radius * std::cos(contact.yaw);
       contact.rail_curvature  = on_rail.curvature;
       contact.wheel_curvature = -on_wheel.curvature; // the wheel's steel lies to the right
       contact.rail_segment    = pair.rail.head.segments()[on_rail.segment].name;
       contact.wheel_segment   = pair.wheel.tread.segments()[on_wheel.segment].name;
+    }
+
+    /// Where the wheel stands, from its section in touch and its first contact point. A straight wheel is the
+    /// straight one of the pose; one with yaw is turned about its axle, until its lowest line is in touch,
+    /// and about the vertical through the middle of the axle, and moved along until it touches at Z = 0.
+    void
+    place_pose(const TrackDimensions &track, ContactGeometry &contact)
+    {
+      contact.pose        = {contact.wheel, track.nominal_radius, {}};
+      contact.tread_frame = contact.frame;
+      if (contact.yaw == 0)
+        return;
+      const Vector3  axis = contact.pose.axis(), centre = contact.pose.centre();
+      const Vector3  middle = {contact.axis.middle.x, contact.axis.middle.y, 0};
+      const Rotation yaw({0, 1, 0}, contact.yaw), straight({0, 1, 0}, -contact.yaw);
+      const Vector3  point = {contact.frame.origin.x, contact.frame.origin.y, contact.along};
+      const Rotation about(axis, -contact.pose.angle(middle + straight(point - middle)));
+      for (int k = 0; k < 3; ++k)
+        {
+          Vector3 unit{};
+          unit[k]             = 1;
+          const Vector3 image = yaw(about(unit));
+          for (int i = 0; i < 3; ++i)
+            contact.pose.motion.rows[i][k] = image[i];
+        }
+      contact.pose.motion.move =
+        middle + yaw(centre - middle) - contact.pose.motion.turned(centre) - Vector3{0, 0, contact.along};
+    }
+
+    /// The common tangent's place on the tread, before the wheel is turned by its yaw.
+    void
+    place_tread_frame(const CurvePoint &on_tread, ContactGeometry &contact)
+    {
+      const Point2 origin = contact.wheel.to_track(on_tread.position),
+                   along  = contact.wheel.to_track(on_tread.position + on_tread.tangent) - origin;
+      contact.tread_frame = {origin, std::atan2(along.y, along.x)};
     }
 
     /// Fills the contact of one wheel; returns why there is none, or an empty text.
@@ -253,6 +290,9 @@ namespace wheelrail
       if (!first.smooth)
         return "the wheel rests on an edge of its profile or of the rail head";
       describe_point(pair, outline, first.X, contact);
+      place_pose(pair.track, contact);
+      if (contact.yaw != 0)
+        place_tread_frame(pair.wheel.tread.at(contact.outline.on_tread(outline.parameter(first.X))), contact);
 
       ContactGeometry there = contact;
       for (std::size_t i = 1; i < minima.size(); ++i)

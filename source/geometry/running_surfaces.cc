@@ -46,7 +46,7 @@ namespace wheelrail
   RunningSurfaces::Place
   RunningSurfaces::wheel_place(const Vector3 &X) const
   {
-    const Point2 q = frame.to_frame(pose.on_section(X));
+    const Point2 q = tread_frame.to_frame(pose.on_section(X));
     return {q.x, q.y, rolling_radius * pose.angle(X)};
   }
 
@@ -54,8 +54,8 @@ namespace wheelrail
   double
   RunningSurfaces::wheel_offset(const Vector3 &X) const
   {
-    const Point2 q     = frame.to_frame(pose.on_section(X));
-    const auto   value = wheel.at(q.x);
+    const Point2 q     = tread_frame.to_frame(pose.on_section(X));
+    const auto   value = tread.at(q.x);
     return (q.y - value.n) / std::sqrt(1 + value.slope * value.slope);
   }
 
@@ -76,9 +76,10 @@ namespace wheelrail
   }
 
 
-  double
-  RunningSurfaces::local_radius(const double s) const
+  Vector3
+  RunningSurfaces::rolling(const double s, const double z) const
   {
-    return pose.nominal_radius - pose.section.to_section(frame.to_track({s, wheel.at(s).n})).y;
+    const Point2 place = frame.to_track({s, wheel.at(s).n});
+    return pose.rolling({place.x, place.y, z});
   }
 } // namespace wheelrail

@@ -139,7 +139,7 @@ namespace wheelrail
       list.push_back(number_entry(
         {"Wheelset",
          "Yaw",
-         "Angle of attack, for the commands geometry and halfspace: the wheelset turned about the vertical "
+         "Angle of attack: the wheelset turned about the vertical "
          "through its middle; positive when its nose turns to the track centre, away from the flange of the "
          "modelled wheel."},
         D::angle,

@@ -100,20 +100,21 @@ namespace wheelrail
 
     /// Both running surfaces over the strip and a cell beside it, as far as the profiles go.
     RunningSurfaces
-    surfaces_of_strip(const TouchingProfiles &profiles,
-                      const FineStrip        &strip,
-                      const double            nominal_radius,
-                      const double            cell)
+    surfaces_of_strip(const TouchingProfiles &profiles, const FineStrip &strip, const double cell)
     {
-      const FrameProfile &rail = profiles.rail_heights, &wheel = profiles.wheel_heights;
-      const double        s0 = std::max({strip.s.front() - cell, rail.s_min(), wheel.s_min()});
-      const double        s1 = std::min({strip.s.back() + cell, rail.s_max(), wheel.s_max()});
-      RunningSurfaces     surfaces;
+      const FrameProfile &rail = profiles.rail_heights, &wheel = profiles.wheel_heights,
+                         &tread = profiles.tread_heights;
+      const double    s0 = std::max({strip.s.front() - cell, rail.s_min(), wheel.s_min(), tread.s_min()});
+      const double    s1 = std::min({strip.s.back() + cell, rail.s_max(), wheel.s_max(), tread.s_max()});
+      RunningSurfaces surfaces;
       surfaces.frame          = profiles.contact.frame;
       surfaces.rail           = HeightTable(rail, s0, s1);
       surfaces.wheel          = HeightTable(wheel, s0, s1);
-      surfaces.pose           = {profiles.contact.wheel, nominal_radius, {}};
+      surfaces.pose           = profiles.contact.pose;
+      surfaces.tread_frame    = profiles.contact.tread_frame;
+      surfaces.tread          = HeightTable(tread, s0, s1);
       surfaces.rolling_radius = profiles.contact.rolling_radius;
+      surfaces.forward_radius = profiles.contact.forward_radius;
       return surfaces;
     }
   } // namespace
@@ -135,18 +136,18 @@ namespace wheelrail
     const double block = sizes.cell * std::pow(2., plan.levels);
     plan.strip         = make_fine_strip(
       contact, profiles.wheel_heights, profiles.rail_heights, sizes.approach, sizes.fine_margin, block);
-    plan.surfaces = surfaces_of_strip(profiles, plan.strip, wheel.nominal_radius, sizes.cell);
+    plan.surfaces = surfaces_of_strip(profiles, plan.strip, sizes.cell);
 
     plan.sectors               = std::lround(2 * M_PI * contact.rolling_radius / block);
     const double     spacing   = plan.block_length();
-    const double     length    = half_length_bound(sizes.approach, contact.rolling_radius);
+    const Range      overlap   = overlap_along(profiles, sizes.approach);
     constexpr double free_rail = 0.1;
     // pressure must not come to the outer two stations (Contact::at_border()), and stations lie up to a cell
     // within the stretch that is wanted
     const double margin = std::max(sizes.fine_margin, 3 * sizes.cell);
-    plan.reach          = length + margin;
-    plan.around_block   = {-length - std::max(least_behind, margin),
-                           spacing + length + std::max(least_ahead, margin)};
+    plan.reach          = std::max(-overlap.s0, overlap.s1) + margin;
+    plan.around_block   = {overlap.s0 - std::max(least_behind, margin),
+                           spacing + overlap.s1 + std::max(least_ahead, margin)};
     plan.fine           = {-plan.reach, sizes.distance + plan.reach};
     plan.fine_depth     = sizes.fine_depth;
     const Range rail    = {0.5 * (sizes.distance - sizes.rail_length),
@@ -159,8 +160,9 @@ namespace wheelrail
     if (sizes.moving)
       plan.fine.s1 = std::min(plan.fine.s1, plan.around_block.s1);
 
-    plan.rail  = make_rail_section(profiles.rail, contact.rail, plan.strip, block);
-    plan.wheel = make_wheel_section(profiles.wheel, wheel, contact.wheel, plan.strip, block);
+    plan.rail = make_rail_section(profiles.rail, contact.rail, plan.strip, block);
+    plan.wheel =
+      make_wheel_section(profiles.wheel, wheel, contact.wheel, {contact.tread_frame, plan.strip.s}, block);
     orient_blocks(plan.rail);
     orient_blocks(plan.wheel);
     return plan;

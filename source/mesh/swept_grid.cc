@@ -176,7 +176,7 @@ namespace wheelrail
         const auto   where = body_ == Body::rail ? surfaces.rail_place(foot) : surfaces.wheel_place(foot);
         const double s     = std::clamp(where.s, plan_->strip.s.front(), plan_->strip.s.back());
         const double depth =
-          body_ == Body::rail ? surfaces.rail.at(s).n - where.n : where.n - surfaces.wheel.at(s).n;
+          body_ == Body::rail ? surfaces.rail.at(s).n - where.n : where.n - surfaces.tread.at(s).n;
         const double value[2] = {where.s, depth};
         for (unsigned int k = 0; k < 2; ++k)
           {

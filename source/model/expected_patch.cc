@@ -1,4 +1,3 @@
-#include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/mesh/sweep_plan.h>
 #include <wheelrail/model/expected_patch.h>
@@ -71,7 +70,8 @@ namespace wheelrail
     ExpectedPatch    patch;
     patch.approach                = expected_approach(scene, radius);
     const double virtual_approach = kik_piotrowski * patch.approach;
-    patch.length                  = 2 * half_length_bound(virtual_approach, radius);
+    const Range  along            = overlap_along(geometry, virtual_approach);
+    patch.length                  = along.s1 - along.s0;
     for (const Range &range :
          interpenetration(geometry.wheel_heights, geometry.rail_heights, virtual_approach))
       patch.width += range.s1 - range.s0;

@@ -44,10 +44,19 @@ namespace wheelrail
     std::unique_ptr<Contact>
     make_contact(const Scene &scene, const Model &model, MPI_Comm communicator)
     {
-      const RunningSurfaces &surfaces = model.forest->plan().surfaces;
-      const double           half_window =
-        half_length_bound(model.expected_approach, surfaces.rolling_radius) + 2 * scene.cell_size;
-      return std::make_unique<Contact>(surfaces, make_law(scene, model.solid), half_window, communicator);
+      return std::make_unique<Contact>(model.forest->plan().surfaces,
+                                       make_law(scene, model.solid),
+                                       model.reach + 2 * scene.cell_size,
+                                       communicator);
+    }
+
+    /// The torque that drives a wheel with a force along the wheelset [N m]: with yaw the vertical force has
+    /// an arm, too, since it acts ahead of the axle or behind it.
+    double
+    drive_torque(const ContactGeometry &geometry, const double driving, const double vertical)
+    {
+      const double ahead = geometry.ahead, radius = geometry.rolling_radius;
+      return driving * std::sqrt(radius * radius - ahead * ahead) + vertical * ahead;
     }
 
     /// The axle without its torque, which follows from the load.
@@ -232,6 +241,8 @@ namespace wheelrail
     Model model;
     model.geometry          = geometry.contact;
     model.expected_approach = expected_approach(scene, geometry.contact.rolling_radius);
+    const Range overlap     = overlap_along(geometry, model.expected_approach);
+    model.reach             = std::max(-overlap.s0, overlap.s1);
     model.forest            = std::make_unique<Forest>(communicator, sweep_plan(scene, geometry));
     model.solid.choice      = bodies_of(scene);
     prepare_start(scene, model, communicator);
@@ -245,9 +256,10 @@ namespace wheelrail
       scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
     if (scene.wheel_load > 0)
       model.axle.sprung_mass = sprung_mass_for(scene, unsprung);
-    model.wheel_load  = (model.axle.sprung_mass + unsprung) * scene.gravity;
-    model.axle.torque = scene.traction_coefficient * model.wheel_load * geometry.contact.rolling_radius;
-    model.time_step   = time_step(scene, model.solid.stable);
+    model.wheel_load = (model.axle.sprung_mass + unsprung) * scene.gravity;
+    model.axle.torque =
+      drive_torque(geometry.contact, scene.traction_coefficient * model.wheel_load, model.wheel_load);
+    model.time_step = time_step(scene, model.solid.stable);
     return model;
   }
 

@@ -51,16 +51,19 @@ namespace wheelrail
   halfspace_pressure(const Scene          &scene,
                      const SceneGeometry  &geometry,
                      const double          normal_force,
-                     const SectionOffsets &offsets)
+                     const SectionOffsets &offsets,
+                     const double          creepage)
   {
     PlaneContact one(scene, geometry, offsets, whole_region(geometry.contact));
     one.press(normal_force);
+    one.solution.xi              = creepage;
     const PatchMeasures measures = measure_patch(halfspace_patch(one.solution));
     return {one.solution.peak_pressure,
             one.solution.approach,
             measures.width,
             measures.length,
-            one.turn_across(measures)};
+            one.turn_across(measures),
+            contact_reference(one.sections, one.means, one.motion, one.solution)};
   }
 
 
@@ -71,6 +74,7 @@ namespace wheelrail
             result.solution.approach,
             result.measures.width,
             result.measures.length,
-            result.turn};
+            result.turn,
+            result.reference.value_or(ContactReference())};
   }
 } // namespace wheelrail

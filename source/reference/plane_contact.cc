@@ -97,7 +97,7 @@ namespace wheelrail
     constexpr int    most_rounds = 12;
     constexpr double enough = 1e-3, enough_driven = 1e-4; // of the load
     const double     c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
-    const double     yaw             = sections.geometry().yaw;
+    const double     yaw             = load.along_track ? 0 : sections.geometry().yaw;
     problem.motion                   = HalfspaceMotion::steady;
     problem.longitudinal_force_given = !load.rate_held;
     problem.xi                       = load.rate_held ? load.creepage : 0;

@@ -66,7 +66,7 @@ namespace wheelrail
                  const SceneGeometry              &geometry,
                  const SectionOffsets             &offsets,
                  const std::vector<ContactRegion> &regions)
-        : yaw_(geometry.contact.yaw)
+        : direction_(geometry.contact.yaw)
       {
         contacts_.reserve(regions.size()); // they refer to each other
         for (const ContactRegion &region : regions)
@@ -119,8 +119,8 @@ namespace wheelrail
       };
 
       std::vector<PlaneContact> contacts_;
-      std::vector<PointLoad>    points_; ///< from the round before
-      double                    yaw_;
+      std::vector<PointLoad>    points_;         ///< from the round before
+      double                    direction_;      ///< of the force that drives against the track [rad]
       double                    compliance_ = 0; ///< displacement times distance over force [m2/N]
       double                    lowering_   = 0; ///< of the wheel [m]
       double                    creepage_   = 0;
@@ -208,7 +208,7 @@ namespace wheelrail
       double along = 0;
       for (const PlaneContact &contact : contacts_)
         along -= contact.solution.fx;
-      return along * std::cos(yaw_) + sum(&PlaneContact::lateral) * std::sin(yaw_) - driving;
+      return along * std::cos(direction_) + sum(&PlaneContact::lateral) * std::sin(direction_) - driving;
     }
 
 
@@ -259,6 +259,8 @@ namespace wheelrail
     SharedLoad::find(const WheelRailLoad &load, const PlaneContact &one)
     {
       constexpr double enough = 1e-3, enough_driven = 1e-4; // of the load
+      if (load.along_track)
+        direction_ = 0;
       lowering_ =
         (one.solution.approach + one.sections.least_distance()) / std::cos(one.sections.region().frame.angle);
       creepage_      = one.solution.within_friction ? one.solution.xi : 0;

@@ -209,8 +209,10 @@ namespace wheelrail
     load.force        = run.vertical_force;
     load.vertical     = true;
     load.longitudinal = run.longitudinal_force;
-    // a force at its bound says no more of the creepage
-    load.slides = run.stick_fraction < 1e-3 && std::abs(run.longitudinal_force) > 1e-3 * run.vertical_force;
+    load.along_track  = true;
+    // a force at its bound says no more of the creepage; with yaw its direction does
+    load.slides = run.stick_fraction < 1e-3 && std::abs(run.longitudinal_force) > 1e-3 * run.vertical_force &&
+                  !(std::abs(get_figure(run, "yaw_rad")) > 0);
     return load;
   }
 

@@ -8,7 +8,7 @@ namespace wheelrail
 {
   namespace
   {
-    /// The section of the centred wheelset.
+    /// The section of the centred wheelset: the weight does not depend on where it stands.
     Section
     centred_section(const Scene &scene, const SceneGeometry &geometry)
     {
@@ -24,8 +24,7 @@ namespace wheelrail
     {
       try
         {
-          // the weight does not depend on where the wheel stands
-          return scene.yaw == 0 ? sweep_plan(scene, geometry).wheel : centred_section(scene, geometry);
+          return sweep_plan(scene, geometry).wheel;
         }
       catch (const InputError &)
         {

@@ -7,7 +7,7 @@ import style
 
 LABELS = {"AA": "along the rail [mm]   (rolling direction to the right)",
           "BB": "lateral s [mm]   (G.C. on the left, F.S. on the right)"}
-NAMES = {"AA": "Cut AA along the rail, s = {:.2f} mm", "BB": "Cut BB across the rail, {:.2f} mm ahead of the axle"}
+NAMES = {"AA": "Cut AA along the rail, s = {:.2f} mm", "BB": "Cut BB across the rail, {:.2f} mm ahead of the contact point"}
 
 
 def title_of(plane, place):

@@ -88,7 +88,7 @@ def draw_plane(run, ticks, plane, name):
         bar.ax.set_ylim(image.levels[0], image.levels[-1])
     first = next(iter(cuts.values()))
     where = (f"s = {first.offset + 0.0:.2f} mm" if plane[0] == "A" else
-             f"{first.offset + 0.0:.2f} mm ahead of the axle")
+             f"{first.offset + 0.0:.2f} mm ahead of the contact point")
     caption = f"Stresses below the contact in plane {plane}, {where}: von Mises and shear"
     return caption, style.save(run, figure, name)
 

@@ -185,7 +185,7 @@ async function drawCuts(view) {
   };
   const plane = choice(view, "plane", "Plane", [["AA", "AA, along the rail"], ["BB", "BB, across the rail"]], () => settle());
   const tick = slider(view, "tick", 0, most, 1, view.start, k => longest.ticks[k].label, () => redraw());
-  place = slider(view, "place", -1, 1, 0.05, 0, v => (plane.value === "AA" ? `s = ${v.toFixed(2)} mm` : `${v.toFixed(2)} mm ahead of the axle`), () => redraw());
+  place = slider(view, "place", -1, 1, 0.05, 0, v => (plane.value === "AA" ? `s = ${v.toFixed(2)} mm` : `${v.toFixed(2)} mm ahead of the contact point`), () => redraw());
   return settle();
 }
 
@@ -204,7 +204,7 @@ async function drawSlices(view) {
       layout["xaxis" + id] = {domain: domain(k, n), range: ends, title: AA ? "along the rail, rolling direction \u2192 [mm]" : "lateral s (G.C. on the left) [mm]", anchor: "y" + id};
       layout["yaxis" + id] = {range: [-10, 10], title: k ? "" : "from the surface: wheel +, rail \u2212 [mm]", scaleanchor: "x" + id, anchor: "x" + id, constrain: "domain"};
       layout.shapes.push({type: "line", xref: "x" + id, yref: "y" + id, x0: plane.view[0], x1: plane.view[1], y0: 0, y1: 0, line: {width: 1.5}});
-      const where = AA ? `s = ${source.offset.toFixed(2)} mm` : `${source.offset.toFixed(2)} mm ahead of the axle`;
+      const where = AA ? `s = ${source.offset.toFixed(2)} mm` : `${source.offset.toFixed(2)} mm ahead of the contact point`;
       layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1.02, yanchor: "bottom", showarrow: false, text: (source.name ? `<b>${source.name}</b>, ` : "") + where});
     });
     const width = plotOf(view).clientWidth;

@@ -109,14 +109,28 @@ namespace wheelrail
         summary.note = sliding_note(scene.traction_coefficient);
     }
 
+    /// Creepages and spin of the run, and where they count: from its pitch rate, its pose and the place of
+    /// the contact of half-spaces.
+    void
+    add_reference(const ContactReference &reference, Summary &summary)
+    {
+      set_figure(summary, "reference_ahead_of_axle_m", reference.ahead);
+      set_figure(summary, "reference_angle_rad", reference.angle);
+      set_figure(summary, "reference_creepage", reference.creepage);
+      set_figure(summary, "reference_lateral_creepage", reference.lateral_creepage);
+      set_figure(summary, "reference_spin_per_m", reference.spin);
+    }
+
     /// Holds the peak pressure against that of half-spaces, and adds both figures.
     PeakMiss
     compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
     {
       try
         {
-          const HalfspacePressure halfspace =
-            halfspace_pressure(scene, geometry, summary.normal_force, offsets_of_run(summary));
+          const HalfspacePressure halfspace = halfspace_pressure(
+            scene, geometry, summary.normal_force, offsets_of_run(summary), summary.creepage);
+          if (geometry.contact.yaw != 0)
+            add_reference(halfspace.reference, summary);
           const Trust trust = trust_of(scene, summary, halfspace);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
           set_figure(summary, "relative_difference_max_pressure", trust.peak_difference);
@@ -199,7 +213,7 @@ namespace wheelrail
     const double centre_radius = model.contact->surfaces().local_radius(summary.patch_centre_lateral);
     set_figure(summary,
                "creepage_at_patch_centre",
-               (1 + summary.creepage) * centre_radius / model.geometry.rolling_radius - 1);
+               (1 + summary.creepage) * centre_radius / model.geometry.forward_radius - 1);
     summary.rolled_distance = run.axle.travelled();
     summary.velocity        = run.scene.velocity;
     summary.elements        = double(model.solid.quality.elements);
@@ -217,6 +231,8 @@ namespace wheelrail
         set_figure(summary, "first_force_over_load", history.columns[c].front() / model.wheel_load);
     set_figure(summary, "rolling_radius_m", model.geometry.rolling_radius);
     set_figure(summary, "contact_angle_rad", model.geometry.angle);
+    if (model.geometry.yaw != 0)
+      set_figure(summary, "yaw_rad", model.geometry.yaw);
     add_pose(summary, run.scene, model, run.axle, run.communicator);
     summary.peak_memory = peak_memory(run.communicator);
     summary.wall_time   = tally.wall_time;

@@ -33,7 +33,8 @@ namespace wheelrail
   {
     StaticLoads loads;
     loads.axle                 = model.axle;
-    loads.rolling_radius       = model.geometry.rolling_radius;
+    loads.forward_radius       = model.geometry.forward_radius;
+    loads.yaw                  = model.geometry.yaw;
     loads.traction_coefficient = scene.traction_coefficient;
     loads.rate_held            = scene.drive == Drive::rate;
     loads.creepage             = scene.creepage;
@@ -53,7 +54,7 @@ namespace wheelrail
       *model.forest, model.solid, *model.contact, loads, [&](const std::string &line) { log.status(line); });
     const bool   at_radius = !loads.rate_held && without(scene, StartState::without_creepage);
     const double creepage  = at_radius ? 0 : result.creepage;
-    const double rate      = scene.velocity / loads.rolling_radius * (1 + creepage);
+    const double rate      = scene.velocity / loads.forward_radius * (1 + creepage);
     rolling_velocities(
       model.solid, model.axle, rate, still, communicator, !without(scene, StartState::without_velocities));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;

@@ -249,8 +249,7 @@ namespace wheelrail
         {
           const std::size_t  k    = lattice.index(i, j);
           const ContactNode &node = contact.nodes()[k];
-          patch.along.push_back((lattice.first_station + i) * lattice.spacing_along - axle.centre[2] -
-                                travelled);
+          patch.along.push_back((lattice.first_station + i) * lattice.spacing_along - travelled);
           patch.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
           patch.gap.push_back(node.gap);
           patch.pressure.push_back(node.pressure);
@@ -321,6 +320,6 @@ namespace wheelrail
   double
   unloaded_distance(const Model &model)
   {
-    return 4 * half_length_bound(model.expected_approach, model.geometry.rolling_radius);
+    return 4 * model.reach;
   }
 } // namespace wheelrail

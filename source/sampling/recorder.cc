@@ -47,6 +47,14 @@ namespace wheelrail
       std::size_t column_ = 0;
     };
 
+    /// Moment of the contact's forces on the wheelset about the vertical through its middle [N m].
+    double
+    yaw_moment(const ContactSums &sums, const ContactGeometry &geometry, const double travelled)
+    {
+      const Vector3 middle = {geometry.axis.middle.x, geometry.axis.middle.y, travelled - geometry.along};
+      return sums.moment[1] - cross(middle, sums.force)[1];
+    }
+
     const std::vector<double> &
     column(const History &table, const std::string &name)
     {
@@ -78,10 +86,11 @@ namespace wheelrail
     row.put("longitudinal_force", c.force[2]);
     row.put("lateral_force", c.force[0]);
     row.put("tangential_lateral_force", "N", c.force[0] * t.x + c.force[1] * t.y);
+    row.put("yaw_moment", "N m", yaw_moment(c, model_.geometry, axle.travelled()));
     row.put("axle_lateral_force", "N", axle.reaction()[0]);
     row.put("axle_vertical_force", "N", axle.reaction()[1]);
     row.put("max_pressure", c.largest_pressure);
-    const double radius = model_.geometry.rolling_radius, V = axle.data().velocity;
+    const double radius = model_.geometry.forward_radius, V = axle.data().velocity;
     row.put("creepage", (axle.pitch_rate() * radius - V) / V);
     row.put("pitch_rate", "rad/s", axle.pitch_rate());
     row.put("drive_torque", "N m", axle.applied_torque());
@@ -105,7 +114,7 @@ namespace wheelrail
     row.put("patch_lateral", m.width);
     row.put("patch_longitudinal", m.length);
     row.put("patch_centre_lateral", m.centre_lateral);
-    row.put("patch_centre_longitudinal", m.centre_along);
+    row.put("patch_centre_longitudinal", m.centre_along + model_.geometry.ahead);
     row.put("max_shear_traction", m.max_traction);
     row.put("stick_fraction", m.stick_fraction);
     row.put("t_gamma", m.t_gamma);
@@ -138,7 +147,7 @@ namespace wheelrail
       set_figure(summary, figure.key("_std"), mean.deviation);
     };
     for (const char *name :
-         {"normal_force", "vertical_force", "longitudinal_force", "lateral_force", "creepage"})
+         {"normal_force", "vertical_force", "longitudinal_force", "lateral_force", "creepage", "yaw_moment"})
       put_mean(name, mean_over(rolled, column(history, name), stretch));
     set_figure(summary, "energy_error", column(history, "energy_error").back());
     const auto &patch_rolled = column(patches, "rolled_distance");

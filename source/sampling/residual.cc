@@ -78,7 +78,7 @@ namespace wheelrail
     const Meanwhile back(model.solid);
     Residual        residual;
     residual.way        = unload(*model.forest, model.solid, axle);
-    const double behind = half_length_bound(model.expected_approach, model.geometry.rolling_radius);
+    const double behind = model.reach;
     residual.stress     = nodal_stress(model.solid, communicator);
     residual.slices     = slices_behind(model, residual.stress, axle.travelled(), behind, communicator);
     residual.largest    = largest_before(model.solid, axle.travelled() - behind, communicator);

@@ -41,9 +41,9 @@ namespace scenes
         FrameProfile(Curve({segment}), Placement(), ContactFrame()), -half_width, half_width);
     };
     RunningSurfaces surfaces;
-    surfaces.rail                = table(0);
-    surfaces.wheel               = table(crown);
-    surfaces.pose.nominal_radius = surfaces.rolling_radius = radius;
+    surfaces.rail  = table(0);
+    surfaces.wheel = surfaces.tread = table(crown);
+    surfaces.pose.nominal_radius = surfaces.rolling_radius = surfaces.forward_radius = radius;
     return surfaces;
   }
 

@@ -38,6 +38,7 @@ namespace wheelrail
   struct ContactSums
   {
     Vector3 force{};                  ///< [N]
+    Vector3 moment{};                 ///< of the forces about the origin of the track frame [N m]
     double  normal_force     = 0;     ///< sum of p A [N]
     double  stored_energy    = 0;     ///< in the penalty springs [J]
     double  friction_power   = 0;     ///< [W]

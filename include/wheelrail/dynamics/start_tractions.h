@@ -26,10 +26,10 @@ namespace wheelrail
   /// Steady shear tractions for a given longitudinal force [N, on the wheel], exact for two half-spaces
   /// under the pressures of `contact` (Kalker 1990; doc/theory/halfspace.md): every lateral strip slides with
   /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
-  /// turning wheel (together: creepage and spin). Elements of at most 0.35 mm, an odd number a lattice
-  /// node. The friction law is that of the contact, at the slip velocities of rolling with `velocity` [m/s].
-  /// Wanted forces are cut to 98 % of full slip at rest, and with friction that falls with speed to the
-  /// largest that it carries (to 1 %); a law that is zero at rest starts without tractions.
+  /// turning wheel (together: creepage and spin), and with the yaw of the wheel. Elements of at most 0.35 mm,
+  /// an odd number a lattice node. The friction law is that of the contact, at the slip velocities of rolling
+  /// with `velocity` [m/s]. Wanted forces are cut to 98 % of full slip at rest, and with friction that falls
+  /// with speed to the largest that it carries (to 1 %); a law that is zero at rest starts without tractions.
   StartTractions
   start_tractions(const Contact     &contact,
                   double             longitudinal_force,

@@ -100,8 +100,9 @@ namespace wheelrail
     StaticSystem          system_;
     const KeptFlow        flow_; ///< that the bodies begin with
     double                wheel_mass_ = 0, rate_ = 0;
-    double                wheel_offset_ = 0; ///< of its centre of gravity above the axle's line [m]
-    AlignedVector<double> drag_;             ///< nodal forces of the tractions [N]
-    Vector3               drag_sum_{};       ///< on the wheel [N]
+    double                wheel_offset_ = 0;  ///< of its centre of gravity above the axle's line [m]
+    AlignedVector<double> drag_;              ///< nodal forces of the tractions [N]
+    Vector3               drag_sum_{};        ///< on the wheel [N]
+    double                lateral_force_ = 0; ///< on the wheel with the present tractions [N]
   };
 } // namespace wheelrail

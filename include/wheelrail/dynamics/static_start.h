@@ -14,12 +14,13 @@ namespace wheelrail
   struct StaticLoads
   {
     AxleData axle;
-    double   rolling_radius       = 0.46; ///< [m]
-    double   traction_coefficient = 0;    ///< longitudinal force over wheel load, when the drive is a torque
-    bool     rate_held            = false;
-    double   creepage             = 0;    ///< when the rate is held
-    bool     tractions            = true; ///< false: without shear, the creepage is still predicted
-    double   first_approach       = 1e-4; ///< lowering of the wheel that the search starts from [m]
+    double   forward_radius     = 0.46; ///< way along the track for each angle that the wheel turns [m]
+    double   yaw                = 0;    ///< of the axle, from Z to X [rad]
+    double traction_coefficient = 0; ///< force along the wheelset over wheel load, when the drive is a torque
+    bool   rate_held            = false;
+    double creepage             = 0;    ///< when the rate is held
+    bool   tractions            = true; ///< false: without shear, the creepage is still predicted
+    double first_approach       = 1e-4; ///< lowering of the wheel that the search starts from [m]
   };
 
   struct StaticResult

@@ -4,6 +4,7 @@
 #include <wheelrail/geometry/profiles.h>
 #include <wheelrail/geometry/track.h>
 #include <wheelrail/geometry/wheel_outline.h>
+#include <wheelrail/geometry/wheel_pose.h>
 
 #include <string>
 #include <vector>
@@ -41,9 +42,12 @@ namespace wheelrail
     double       wheel_y = 0;
     double       angle   = 0; ///< contact angle, positive when the tangent falls to the gauge side [rad]
     AxleLine     axis;        ///< of the wheelset
+    WheelPose    pose;        ///< of the wheel, with Z and the angle about the axle counted from the point
+    ContactFrame tread_frame; ///< at the point of the tread, in the track plane of the straight wheel
     double       along           = 0; ///< Z of the point, ahead of the middle of the wheelset [m]
     double       ahead           = 0; ///< of the point, ahead of the axle, across the axle's direction [m]
     double       rolling_radius  = 0; ///< [m]
+    double       forward_radius  = 0; ///< way along the track for each angle that the wheel turns [m]
     double       other_radius    = 0; ///< rolling radius of the other wheel of the wheelset [m]
     double       rail_curvature  = 0; ///< lateral, at the point, positive convex [1/m]
     double       wheel_curvature = 0; ///< lateral, positive convex, negative concave [1/m]

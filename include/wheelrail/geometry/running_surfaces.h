@@ -34,16 +34,21 @@ namespace wheelrail
   half_length_bound(double approach, double rolling_radius);
 
   /// The two running surfaces in their reference state: the rail's a cylinder along Z, the wheel's a
-  /// surface of revolution about its axle.
+  /// surface of revolution about its axle. A wheel with yaw is seen in two ways: from along the track, where
+  /// the rail meets its outline, and in its own section. Without yaw both are the same.
   struct RunningSurfaces
   {
     ContactFrame frame;
-    HeightTable  rail, wheel;        ///< n(s) at the bottom of the wheel [m]
+    HeightTable  rail, wheel;        ///< n(s) in `frame`, of the wheel its outline along the track [m]
     WheelPose    pose;               ///< of the wheel
+    ContactFrame tread_frame;        ///< in the track plane of the straight wheel
+    HeightTable  tread;              ///< n(s) of the wheel's section in `tread_frame` [m]
     double       rolling_radius = 0; ///< at the first contact point [m]
+    double       forward_radius = 0; ///< way along the track for each angle that the wheel turns [m]
 
-    /// Place of a reference point: contact frame coordinates after turning a wheel point to the
-    /// bottom, and the coordinate along the track (Z, or the arc in front of the contact) [m].
+    /// Place of a reference point: contact frame coordinates (of a wheel point those of the tread frame,
+    /// after turning it back to the section), and the coordinate along the track (Z, or the arc in front of
+    /// the contact) [m].
     struct Place
     {
       double s = 0, n = 0, along = 0;
@@ -62,8 +67,16 @@ namespace wheelrail
     double
     rail_offset(const Vector3 &X) const;
 
-    /// Local rolling radius of the wheel at s [m].
+    /// Velocity of the turning wheel over its pitch rate, without that of the axle, where the outline at s
+    /// meets the plane Z = z [m].
+    Vector3
+    rolling(double s, double z) const;
+
+    /// Local rolling radius of the wheel at s: the way along the track for each angle that it turns [m].
     double
-    local_radius(double s) const;
+    local_radius(double s) const
+    {
+      return -rolling(s, 0)[2];
+    }
   };
 } // namespace wheelrail

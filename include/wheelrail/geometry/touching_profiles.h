@@ -14,8 +14,16 @@ namespace wheelrail
     RailProfile     rail;
     WheelProfile    wheel;
     ContactGeometry contact;
-    FrameProfile    rail_heights, wheel_heights; ///< of the head and of the tread over s
+    FrameProfile rail_heights, wheel_heights; ///< of the head and of the wheel seen along the track, over s
+    FrameProfile tread_heights;               ///< of the tread in its own frame; without yaw wheel_heights
   };
+
+  /// Where wheel and rail overlap when the undeformed wheel is lowered by `approach` [m]: the stretch along
+  /// the track around the first contact point, by parabolas z^2 / (2 r) around the lowest place of each slice
+  /// [m]. With yaw these places lie one behind the other. On the
+  /// tread no patch is longer.
+  Range
+  overlap_along(const TouchingProfiles &profiles, double approach);
 
   /// Finds the contact (find_contact()) and the heights of both profiles in its frame (FrameProfile). Throws
   /// InputError as these do.

@@ -14,7 +14,9 @@ namespace wheelrail
   ///
   /// Track frame: X towards the track centre, Y up, Z along the track in the rolling direction, Z = 0
   /// at the contact point of the start. The wheel's arc coordinate is the angle in front of the
-  /// contact times the rolling radius, so that arc coordinate and Z meet in rolling.
+  /// contact times the rolling radius, so that arc coordinate and Z meet in rolling. A wheel with yaw has the
+  /// strip at the same values of s in its own section: its circles pass the rail's lines at an angle, and
+  /// rows face each other in the middle of the patch only.
   struct SweepPlan
   {
     Section             rail;          ///< in the track plane; opposite edges of blocks point the same way
@@ -56,7 +58,7 @@ namespace wheelrail
 
   /// Lays out the sections, the strip of finest cells, and the stations along rail and wheel. The finest
   /// cells cover the rolled stretch and, before and behind it, the reach of the undeformed wheel
-  /// (half_length_bound) and the margin, at least three cells. Those that move cover the way through one
+  /// (overlap_along) and the margin, at least three cells. Those that move cover the way through one
   /// block in place of the whole stretch, and reach further, by least_ahead and least_behind at least, so
   /// that cells are divided and made coarse where fields are smooth; at the start they reach no further than
   /// those that do not move. Blocks of the rail are even under the stretch and a metre beyond it; from there

@@ -28,6 +28,7 @@ namespace wheelrail
     double                     wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
     double                     time_step         = 0; ///< [s]
     double                     expected_approach = 0; ///< from Hertz' scaling with the load [m]
+    double reach = 0; ///< of the undeformed overlap at that approach, along the track from the contact [m]
   };
 
   /// Elastic constants of an input block.

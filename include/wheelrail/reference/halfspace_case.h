@@ -21,6 +21,7 @@ namespace wheelrail
     double longitudinal = 0;     ///< on the wheel, positive forward [N]
     bool   rate_held    = false; ///< `creepage` is given instead of the longitudinal force
     double creepage     = 0;     ///< at the rolling radius of 2D-Geo, positive driving
+    bool   along_track  = false; ///< `longitudinal` counts along the track, else along the wheelset
     bool   slides       = false; ///< as a whole, so that friction bounds the force
   };
 
@@ -50,9 +51,10 @@ namespace wheelrail
   /// The normal contact of wheel and rail without what friction adds to it.
   struct HalfspacePressure
   {
-    double peak = 0, approach = 0; ///< [Pa], [m]
-    double width = 0, length = 0;  ///< extents of the patch across and along the rail [m]
-    double turn = 0;               ///< of the surfaces across the patch, edge to edge [rad]
+    double           peak = 0, approach = 0; ///< [Pa], [m]
+    double           width = 0, length = 0;  ///< extents of the patch across and along the rail [m]
+    double           turn = 0;               ///< of the surfaces across the patch, edge to edge [rad]
+    ContactReference reference;              ///< creepages and spin of the rigid bodies, without forces
   };
 
   /// What the scene's own entries ask for: static wheel load, traction coefficient or creepage.
@@ -74,13 +76,14 @@ namespace wheelrail
                    const WheelRailLoad  &load,
                    const SectionOffsets &offsets);
 
-  /// The normal problem of solve_wheel_rail() alone, under a force normal to the contact plane [N]: some
-  /// hundredths of a second.
+  /// The normal problem of solve_wheel_rail() alone, under a force normal to the contact plane [N], with the
+  /// rigid slip of a wheel that rolls with `creepage`: some hundredths of a second.
   HalfspacePressure
   halfspace_pressure(const Scene          &scene,
                      const SceneGeometry  &geometry,
                      double                normal_force,
-                     const SectionOffsets &offsets);
+                     const SectionOffsets &offsets,
+                     double                creepage = 0);
 
   /// The same figures of a solution with friction.
   HalfspacePressure

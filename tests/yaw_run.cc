@@ -1,0 +1,93 @@
+// Runs of a wheelset with yaw, on coarse cells: its lateral force against half-spaces, no such force without
+// friction, and a run that is stopped and goes on.
+
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/reference/trust.h>
+
+#include "parallel.h"
+#include "yaw_scene.h"
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+using namespace wheelrail;
+using namespace test;
+namespace fs = std::filesystem;
+
+namespace
+{
+  /// The wheel slides sideways by minus its yaw; friction drags it to the track centre, as it does
+  /// half-spaces under the same load and in the same pose.
+  void
+  check_forces(const Scene &scene, const Summary &run)
+  {
+    const SceneGeometry     geometry = make_geometry(scene);
+    const ContactGeometry  &c        = geometry.contact;
+    const WheelRailSolution result = solve_wheel_rail(scene, geometry, load_of_run(run), offsets_of_run(run));
+    const double            lateral = run.lateral_force;
+    check(lateral > 0.2 * run.vertical_force, "a yaw to the track centre pulls the wheel there");
+    // 3 % on cells of 1 mm, in proportion to their size
+    check_near(lateral / result.lateral, 1, 0.12, "lateral force over that of half-spaces");
+    check_near(
+      get_figure(run, "reference_lateral_creepage") / -small_yaw, 1, 0.01, "lateral creepage over -yaw");
+    // the forces act behind the middle of the patch, whose half length is 6 mm
+    const double arm_along = c.along, arm_across = c.frame.origin.x - c.axis.middle.x;
+    check_near(get_figure(run, "yaw_moment_Nm"),
+               arm_along * lateral - arm_across * run.longitudinal_force,
+               4e-3 * lateral + 12e-3 * std::abs(run.longitudinal_force),
+               "yaw moment from the forces and the place of the contact [N m]");
+  }
+
+  /// In one go, and stopped before and after the mesh has changed.
+  void
+  rolling()
+  {
+    Scene base            = yaw_scene("parts");
+    base.rolling_distance = 18e-3;
+    Scene whole           = base;
+    whole.folder          = "yaw_one_go";
+    check(run(base, false, 50) == 3, "interrupted soon after the static start");
+    fs::remove_all(whole.folder);
+    fs::copy(base.folder, whole.folder);
+    check(run(whole, true) == 0, "gone on to the end in one go");
+    const Summary summary = read_summary(whole.folder + "/summary.json");
+    check(summary.energy_error < 5e-3, "the energy balance holds");
+    check(run(base, true, static_cast<unsigned long>(0.8 * summary.time_steps)) == 3, "interrupted again");
+    check(run(base, true) == 0, "gone on to the end");
+    const History a = read_history(whole.folder + "/history.h5"),
+                  b = read_history(base.folder + "/history.h5");
+    check(a.columns[0].size() > 50 && a.columns == b.columns, "the same history, bit for bit");
+    for (std::size_t c = 0; c < a.names.size(); ++c)
+      if (a.names[c] == "mesh_change_work")
+        check(a.columns[c].front() != a.columns[c].back(), "the mesh has changed");
+    check_forces(whole, summary);
+  }
+
+  void
+  without_friction()
+  {
+    Scene scene                      = yaw_scene("without friction");
+    scene.friction_coefficient       = 0;
+    scene.yaw                        = 20e-3;
+    const Summary           run      = figures_of_run(scene);
+    const SceneGeometry     geometry = make_geometry(scene);
+    const WheelRailSolution result = solve_wheel_rail(scene, geometry, load_of_run(run), offsets_of_run(run));
+    const double            load   = run.vertical_force;
+    check_near(run.lateral_force / load,
+               result.lateral / load,
+               2e-3,
+               "without friction: the lateral force of inclined pressure alone, over the load");
+    check_near(run.longitudinal_force / load, 0, 1e-3, "and none along the track");
+    check_near(run.max_shear_traction, 0, 0, "no shear [Pa]");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  rolling();
+  without_friction();
+  return parallel.report();
+}

@@ -1,0 +1,57 @@
+// label: long
+
+// Runs of a wheelset with yaw: the left wheel as the mirror image of the right one, and a yaw that goes to
+// none.
+
+#include "parallel.h"
+#include "yaw_scene.h"
+
+#include <string>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  /// The left wheel of a wheelset with the opposite yaw is the mirror image of the right one.
+  void
+  left_wheel()
+  {
+    Scene right = yaw_scene("right"), left = yaw_scene("left");
+    right.lateral_shift = 1e-3;
+    left.left_wheel     = true;
+    left.yaw            = -right.yaw;
+    left.lateral_shift  = -right.lateral_shift;
+    const Summary a = figures_of_run(right), b = figures_of_run(left);
+    for (const char *key : {"lateral_force_N", "max_pressure_Pa", "contact_area_m2", "creepage"})
+      check_near(
+        get_figure(b, key) / get_figure(a, key), 1, 1e-5, std::string("left over right wheel: ") + key);
+  }
+
+  /// A yaw that is hardly there takes the ways of one, and changes nothing.
+  void
+  hardly_any()
+  {
+    Scene straight = yaw_scene("none"), nearly = yaw_scene("hardly any");
+    straight.yaw    = 0;
+    nearly.yaw      = 1e-8;
+    const Summary a = figures_of_run(straight), b = figures_of_run(nearly);
+    for (const char *key : {"vertical_force_N", "max_pressure_Pa", "contact_area_m2", "creepage"})
+      check_near(
+        get_figure(b, key) / get_figure(a, key), 1, 1e-5, std::string("10 nrad over no yaw: ") + key);
+    // 1.4e-4 of the load for each 10 urad
+    check_near((b.lateral_force - a.lateral_force) / a.vertical_force,
+               0,
+               1e-5,
+               "lateral force, difference over the load");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  left_wheel();
+  hardly_any();
+  return parallel.report();
+}
