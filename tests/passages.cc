@@ -6,7 +6,7 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/output/summary.h>
-#include <wheelrail/run/passages.h>
+#include <wheelrail/run/passage_table.h>
 #include <wheelrail/solid/kernel.h>
 #include <wheelrail/state/rail_state.h>
 
@@ -158,6 +158,23 @@ namespace
                    1,
                    1e-4, // two static starts of the same scene differ by some 1e-8
                    "the same " + std::string(key) + " of passage " + std::to_string(k));
+
+    parts.velocity = 30;
+    std::string told;
+    try
+      {
+        run(parts, true);
+      }
+    catch (const InputError &error)
+      {
+        told = error.what();
+      }
+    check_text(
+      told,
+      "passages_parts/passage_001: this passage was computed with other entries: Wheelset/Velocity = "
+      "108 km/h, saved with 140 km/h; set them back, or start anew with --overwrite or in another "
+      "Output/Folder",
+      "finished passages of another velocity");
   }
 
   /// A passage that stops leaves those before it and says so.

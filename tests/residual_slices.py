@@ -107,7 +107,8 @@ with h5py.File("run/slices.h5") as slices:
     with h5py.File("run/residual.h5") as residual:
         (tick,) = residual.values()
         unloaded = tick["AA_behind_rail"]
-        check(set(unloaded) == set(STRESSES) | {"position", "depth", "plastic_strain"}, "residual.h5: the datasets")
+        check(set(unloaded) == set(STRESSES) | {"position", "depth", "plastic_strain", "forward_shear"},
+              "residual.h5: the datasets")
         reach, far = unloaded["position"][:], len(place)
         check(reach[-1] > place[-1] + 0.01 and np.allclose(reach[:far], place),
               f"the unloaded rail reaches to {1e3 * reach[-1]:.1f} mm behind the axle")

@@ -57,7 +57,7 @@ namespace
   {
     const std::string there =
       "; there are time, distance, lateral shift, roll, yaw, load, velocity, torque, creepage and "
-      "lateral creepage, each with its unit in brackets, such as \"yaw [mrad]\"";
+      "lateral creepage, each with its unit in brackets, such as \"load [kN]\"";
     refused("time [s],jaw [mrad]\n0,1\n",
             ":1: column \"jaw [mrad]\" is not known, perhaps yaw is meant" + there);
     refused("time [s],yaw\n0,1\n",
@@ -84,7 +84,7 @@ namespace
     refused("time [s],torque [N m],creepage [%]\n0,1,1\n",
             ": torque and creepage; one follows from the other: leave one of the columns out");
     refused("# nothing\n",
-            ": no rows; a motion file has a first line with names and units, and rows of numbers");
+            ": no rows; such a table has a first line with names and units, and rows of numbers");
     test::check_text(
       test::message_of([]() { read_motion_file("no_such.csv"); }),
       "no_such.csv: no such file; the command vehicle needs a table of rows over time or distance",

@@ -17,6 +17,7 @@
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/given_distance.h>
+#include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/simulation.h>
 
 
@@ -70,6 +71,7 @@ namespace wheelrail
       const CheckedScene checked = check_scene(input.scene, this_machine(ranks_of_launcher()));
       const Findings    &found   = checked.found;
       require_none(found.errors, input);
+      passage_scenes(input.scene); // throws where their list cannot be read
       for (const std::string &note : checked.geometry->notes)
         out << "note: " << note << "\n";
       for (const std::string &warning : found.warnings)

@@ -237,8 +237,8 @@ namespace wheelrail
     Findings found = contact_checks(scene);
     check_cells(scene, found.errors);
     check_steps(scene, found.warnings);
-    if (scene.passages > 1 && !scene.rail_material.yields())
-      found.errors.push_back(entry_text(scene, "Run", "Passages") +
+    if (scene.several_passages() && !scene.rail_material.yields())
+      found.errors.push_back(entry_text(scene, "Run", scene.passages == 1 ? "Passage list" : "Passages") +
                              ": the rail does not yield, so that every passage is the first one; give Rail "
                              "material/Yield stress");
     else if (scene.rail_from != "new" && !scene.rail_material.yields())

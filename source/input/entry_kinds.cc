@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace wheelrail
 {
@@ -169,20 +170,38 @@ namespace wheelrail
     return entry;
   }
 
+  namespace
+  {
+    template <typename T>
+    Entry
+    word_for(Entry entry, const std::string &word, const T value, const Field<T> &place)
+    {
+      entry.accepted = word + ", or " + entry.accepted;
+      entry.set      = [=, set = entry.set](Scene &scene, const std::string &text) {
+        if (text == word)
+          place(scene) = value;
+        else
+          set(scene, text);
+      };
+      entry.get = [=, get = entry.get](const Scene &scene) {
+        Scene copy = scene;
+        return place(copy) == value ? word : get(scene);
+      };
+      return entry;
+    }
+  } // namespace
+
+
   Entry
   with_word(Entry entry, const std::string &word, const double value, const Field<double> &place)
   {
-    entry.accepted = word + ", or " + entry.accepted;
-    entry.set      = [=, set = entry.set](Scene &scene, const std::string &text) {
-      if (text == word)
-        place(scene) = value;
-      else
-        set(scene, text);
-    };
-    entry.get = [=, get = entry.get](const Scene &scene) {
-      Scene copy = scene;
-      return place(copy) == value ? word : get(scene);
-    };
-    return entry;
+    return word_for(std::move(entry), word, value, place);
+  }
+
+
+  Entry
+  with_word(Entry entry, const std::string &word, const unsigned int value, const Field<unsigned int> &place)
+  {
+    return word_for(std::move(entry), word, value, place);
   }
 } // namespace wheelrail

@@ -9,6 +9,51 @@ namespace wheelrail
   {
     using B = Bounds;
     using S = Scene;
+
+    /// How many wheels pass over the rail, and when they are enough.
+    void
+    add_passages(std::vector<Entry> &list)
+    {
+      list.push_back(with_word(
+        count_entry(
+          {"Run",
+           "Passages",
+           "Wheels that pass one after the other over a rail that yields, each a run in a folder of "
+           "its own (passage_001, ...); passages.csv has their figures. until steady: as many as it "
+           "takes until the rail shakes down or each flows as much as the one before."},
+          1,
+          1000,
+          field(&S::passages)),
+        "until steady",
+        0u,
+        field(&S::passages)));
+      list.push_back(name_or_file_entry(
+        {"Run",
+         "Passage list",
+         "none: all wheels are as the scene says; else a table of wheels with a row for each, columns load, "
+         "traction, velocity or creepage with units in the first line; Passages is how often they all pass."},
+        {"none"},
+        "a table with commas",
+        field(&S::passage_list)));
+      list.push_back(
+        count_entry({"Run", "Most passages", "Wheels after which Passages = until steady ends anyway."},
+                    1,
+                    1000,
+                    field(&S::most_passages)));
+      list.push_back(
+        pure_entry({"Run",
+                    "Settled growth",
+                    "Growth of the largest plastic strain in a passage (in all of the list) below "
+                    "which the rail has shaken down."},
+                   B::above("0", "0.01"),
+                   field(&S::settled_growth)));
+      list.push_back(pure_entry({"Run",
+                                 "Settled change",
+                                 "Passages are steady when the growth of plastic strain and of forward flow "
+                                 "has changed by no more than this share, twice in succession."},
+                                B::above("0", "0.5"),
+                                field(&S::settled_change)));
+    }
   } // namespace
 
 
@@ -20,14 +65,7 @@ namespace wheelrail
                                 "mm",
                                 B::above("0 mm", "10 m"),
                                 field(&S::rolling_distance)));
-    list.push_back(
-      count_entry({"Run",
-                   "Passages",
-                   "Wheels that pass one after the other over a rail that yields, each a run in a folder of "
-                   "its own (passage_001, ...); passages.csv has their figures."},
-                  1,
-                  1000,
-                  field(&S::passages)));
+    add_passages(list);
     list.push_back(
       text_entry({"Run",
                   "Rail",

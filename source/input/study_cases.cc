@@ -115,7 +115,7 @@ namespace wheelrail
           const std::string value = entry.get(scene);
           text += path + " = " + value + "\n";
           const bool may_be_file = entry.section == "Profiles" || path == "Half-space/Undeformed distance" ||
-                                   path == "Material test/File";
+                                   path == "Material test/File" || path == "Run/Passage list";
           if (may_be_file && is_file_name(value))
             text += digest_of_file(value) + "\n";
         }

@@ -43,6 +43,7 @@ namespace wheelrail
                               "report.html",
                               "rail.h5",
                               "passages.csv",
+                              "passages.h5",
                               "input.prm",
                               "parameters.prm"})
         if (name == own)

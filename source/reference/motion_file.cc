@@ -26,10 +26,12 @@ namespace wheelrail
       const char *range;
     };
 
-    const std::vector<Column> &
-    known_columns()
+    using Columns = std::vector<Column>;
+
+    const Columns &
+    motion_columns()
     {
-      static const std::vector<Column> list = {
+      static const Columns list = {
         {Q::time, "time", Dimension::time, -1e9, 1e9, ""},
         {Q::distance, "distance", Dimension::length, -1e9, 1e9, ""},
         {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
@@ -40,6 +42,17 @@ namespace wheelrail
         {Q::torque, "torque", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
         {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
         {Q::lateral_creepage, "lateral creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
+      return list;
+    }
+
+    const Columns &
+    passage_columns()
+    {
+      static const Columns list = {
+        {Q::load, "load", Dimension::force, 1e3, 5e5, "1 kN to 500 kN"},
+        {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
+        {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
+        {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
       return list;
     }
 
@@ -78,7 +91,8 @@ namespace wheelrail
             return 0.01;
           if (unit.empty() || unit == "1" || unit == "-")
             return 1;
-          throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a creepage; %, or 1 is accepted");
+          throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a " + column.name +
+                           "; %, or 1 is accepted");
         }
       return parse_quantity("1 " + unit, column.dimension);
     }
@@ -87,8 +101,10 @@ namespace wheelrail
     class Reader
     {
     public:
-      explicit Reader(const std::string &path)
+      Reader(const std::string &path, const Columns &known, const std::string &purpose)
         : path_(path)
+        , known_(known)
+        , purpose_(purpose)
       {
       }
 
@@ -105,10 +121,10 @@ namespace wheelrail
       read_header(const std::string &line);
       void
       read_row(const std::string &line);
-      void
-      check() const;
 
       std::string                 path_;
+      const Columns              &known_;
+      std::string                 purpose_; ///< what needs the file, for messages
       int                         line_      = 0;
       char                        separator_ = ',';
       std::vector<const Column *> columns_;
@@ -129,14 +145,14 @@ namespace wheelrail
           std::transform(
             name.begin(), name.end(), name.begin(), [](const char c) { return c == '_' ? ' ' : c; });
           std::vector<std::string> names;
-          for (const Column &column : known_columns())
+          for (const Column &column : known_)
             names.push_back(column.name);
           const auto known = std::find(names.begin(), names.end(), name);
           if (known == names.end())
             fail("column \"" + shown_text(cell, 40) + "\" is not known" + perhaps(name, names) +
                  "; there are " + join_choices(names, "and") +
-                 ", each with its unit in brackets, such as \"yaw [mrad]\"");
-          const Column &column = known_columns()[known - names.begin()];
+                 ", each with its unit in brackets, such as \"load [kN]\"");
+          const Column &column = known_[known - names.begin()];
           if (std::find(columns_.begin(), columns_.end(), &column) != columns_.end())
             fail("two columns of " + name + "; leave one out");
           const bool has_unit = open != std::string::npos && close != std::string::npos && close > open;
@@ -195,24 +211,11 @@ namespace wheelrail
         }
     }
 
-    void
-    Reader::check() const
-    {
-      const auto refuse = [this](const std::string &why) { throw InputError(path_ + ": " + why); };
-      if (columns_.empty() || motion_.rows() == 0)
-        refuse("no rows; a motion file has a first line with names and units, and rows of numbers");
-      if (!motion_.find(Q::time) && !motion_.find(Q::distance))
-        refuse("neither time nor distance; one of them must be a column, such as \"time [s]\"");
-      if (motion_.find(Q::torque) && motion_.find(Q::creepage))
-        refuse("torque and creepage; one follows from the other: leave one of the columns out");
-    }
-
     MotionFile
     Reader::read()
     {
       if (!std::filesystem::is_regular_file(path_))
-        throw InputError(path_ +
-                         ": no such file; the command vehicle needs a table of rows over time or distance");
+        throw InputError(path_ + ": no such file; " + purpose_);
       std::istringstream text(read_whole_file(path_));
       for (std::string line; std::getline(text, line);)
         {
@@ -227,7 +230,12 @@ namespace wheelrail
           else
             read_row(line);
         }
-      check();
+      if (columns_.empty() || motion_.rows() == 0)
+        throw InputError(
+          path_ + ": no rows; such a table has a first line with names and units, and rows of numbers");
+      if (motion_.find(Q::torque) && motion_.find(Q::creepage))
+        throw InputError(path_ +
+                         ": torque and creepage; one follows from the other: leave one of the columns out");
       return motion_;
     }
   } // namespace
@@ -244,7 +252,7 @@ namespace wheelrail
   std::string
   motion_name(const MotionQuantity quantity)
   {
-    for (const Column &column : known_columns())
+    for (const Column &column : motion_columns())
       if (column.quantity == quantity)
         return column.name;
     return "";
@@ -256,7 +264,7 @@ namespace wheelrail
   {
     if (quantity == Q::torque)
       return "Nm";
-    for (const Column &column : known_columns())
+    for (const Column &column : motion_columns())
       if (column.quantity == quantity)
         return column.dimension == Dimension::none ? "1" : si_unit(column.dimension);
     return "1";
@@ -266,7 +274,25 @@ namespace wheelrail
   MotionFile
   read_motion_file(const std::string &path)
   {
-    return Reader(path).read();
+    const MotionFile motion =
+      Reader(path, motion_columns(), "the command vehicle needs a table of rows over time or distance")
+        .read();
+    if (!motion.find(Q::time) && !motion.find(Q::distance))
+      throw InputError(path +
+                       ": neither time nor distance; one of them must be a column, such as \"time [s]\"");
+    return motion;
+  }
+
+
+  MotionFile
+  read_passage_list(const std::string &path)
+  {
+    const MotionFile rows =
+      Reader(path, passage_columns(), "Run/Passage list needs a table with a row for each wheel").read();
+    if (rows.find(Q::traction) && rows.find(Q::creepage))
+      throw InputError(path +
+                       ": traction and creepage; one follows from the other: leave one of the columns out");
+    return rows;
   }
 
 
@@ -288,6 +314,8 @@ namespace wheelrail
     set(Q::yaw, at.yaw);
     set(Q::load, at.wheel_load);
     set(Q::velocity, at.velocity);
+    if (set(Q::traction, at.traction_coefficient))
+      at.drive = Drive::torque;
     if (set(Q::creepage, at.creepage))
       at.drive = Drive::rate;
     set(Q::lateral_creepage, at.lateral_creepage);

@@ -3,7 +3,7 @@
 
 Usage: report.py FOLDER [--tick last|NUMBER[,NUMBER...]]
 
-FOLDER is the output folder of a run or of the command halfspace. The pictures go to FOLDER/pictures, the page to
+FOLDER is the output folder of a run, of passages or of the command halfspace. The pictures go to FOLDER/pictures, the page to
 FOLDER/report.html; the page holds its pictures, the numbers of its interactive views and what draws them, and needs
 no network. With several ticks the shear traction at all of them is drawn, everything else at the last. What a file
 that is missing would have given is left out, and a sentence says so.
@@ -12,6 +12,7 @@ Exit code 0 when there was something to report, 1 otherwise.
 
 import argparse
 import html
+import os
 import sys
 
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
@@ -19,6 +20,7 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 import body_pictures
 import history_pictures
 import page
+import passages
 import patch_pictures
 import plastic_pictures
 import run_data
@@ -94,8 +96,11 @@ def make_report(run):
 def main(arguments):
     options = parse_arguments(arguments)
     try:
-        run = run_data.load(options.folder, options.tick)
-        count, path = make_report(run)
+        if os.path.exists(os.path.join(options.folder, "passages.csv")):
+            run, count, path = passages.make_report(options.folder)
+        else:
+            run = run_data.load(options.folder, options.tick)
+            count, path = make_report(run)
     except (run_data.ReportError, OSError) as error:
         print(error, file=sys.stderr)
         return 1

@@ -1,15 +1,20 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/print.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/run/passage_list.h>
+#include <wheelrail/run/passage_table.h>
 #include <wheelrail/run/passages.h>
+#include <wheelrail/state/checkpoint_checks.h>
 
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -43,135 +48,186 @@ namespace wheelrail
       return static_cast<Stage>(stage);
     }
 
-    /// Figures of the table, by their keys in summary.json.
-    const std::vector<std::string> &
-    columns()
+    /// One family of passages in a folder.
+    class Passages
     {
-      static const std::vector<std::string> list = {"wheel_load_N",
-                                                    "first_force_over_load",
-                                                    "vertical_force_N",
-                                                    "longitudinal_force_N",
-                                                    "max_pressure_Pa",
-                                                    "contact_area_m2",
-                                                    "patch_lateral_m",
-                                                    "patch_longitudinal_m",
-                                                    "max_shear_traction_Pa",
-                                                    "creepage",
-                                                    "rail_plastic_strain",
-                                                    "residual_lateral_stress_Pa",
-                                                    "residual_longitudinal_stress_Pa",
-                                                    "residual_forward_flow_m",
-                                                    "plastic_band_width_m",
-                                                    "plastic_band_depth_m",
-                                                    "plastic_work_rail_J",
-                                                    "plastic_work_wheel_J",
-                                                    "energy_error",
-                                                    "wall_time_s"};
-      return list;
+    public:
+      Passages(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options)
+        : scene_(scene)
+        , geometry_(geometry)
+        , options_(options)
+        , round_(passage_scenes(scene))
+      {
+        const unsigned int most = static_cast<unsigned int>(round_.size()) * scene.passages;
+        most_                   = scene.passages == 0 ? scene.most_passages : most;
+      }
+
+      int
+      run();
+
+    private:
+      void
+      open(OutputFolder &whole, FolderMode mode);
+      int
+      pass(unsigned int k, bool &computed);
+      bool
+      enough(unsigned int k);
+      void
+      write(unsigned int k) const;
+      void
+      require_same(const Scene &one, const std::string &parameters) const;
+
+      const Scene         &scene_;
+      const SceneGeometry &geometry_;
+      const RunOptions    &options_;
+      std::vector<Scene>   round_;
+      unsigned int         most_;
+      std::string          verdict_; ///< of passages until steady
+      MPI_Comm             communicator_ = MPI_COMM_WORLD;
+    };
+
+
+    /// Holds the folder; refuses what cannot be computed before the first wheel rolls.
+    void
+    Passages::open(OutputFolder &whole, const FolderMode mode)
+    {
+      if (mode == FolderMode::fresh &&
+          stage_of(passage_folder(scene_.folder, 1), communicator_) != Stage::none)
+        throw InputError(
+          "Output/Folder = " + scene_.folder +
+          ": the folder holds passages of an earlier run; --resume goes on with them, --overwrite starts "
+          "anew");
+      on_root(communicator_, [&]() {
+        if (scene_.passage_list != "none")
+          for (std::size_t row = 0; row < round_.size(); ++row)
+            if (const Findings found = check_scene(round_[row], geometry_, {}); !found.errors.empty())
+              throw InputError(scene_.passage_list + ": row " + std::to_string(row + 1) + ": " +
+                               found.errors.front());
+      });
+      whole.begin(options_.parameters_text, options_.resume);
     }
 
+
+    /// A finished passage may only be kept where it is the one that is asked for.
     void
-    write_table(const std::string &folder, const unsigned int n)
+    Passages::require_same(const Scene &one, const std::string &parameters) const
     {
-      replace_file(folder + "/passages.csv", passage_table(folder, n));
+      on_root(communicator_, [&]() {
+        const std::string path  = one.folder + "/parameters.prm";
+        const std::string other = fs::exists(path) ? other_entries(read_whole_file(path), parameters) : "";
+        if (!other.empty())
+          throw InputError(one.folder + ": this passage was computed with other entries: " + other +
+                           "; set them back, or start anew with --overwrite or in another Output/Folder");
+      });
+    }
+
+
+    /// Computes passage k, or goes on with it, or keeps it. Returns the exit code.
+    int
+    Passages::pass(const unsigned int k, bool &computed)
+    {
+      Scene one        = round_[(k - 1) % round_.size()];
+      one.passages     = 1;
+      one.passage_list = "none";
+      one.folder       = passage_folder(scene_.folder, k);
+      if (k > 1)
+        one.rail_from = passage_folder(scene_.folder, k - 1);
+      RunOptions of_one      = options_;
+      of_one.parameters_text = print_parameters(one);
+      const Stage stage      = options_.resume ? stage_of(one.folder, communicator_) : Stage::none;
+      computed               = stage != Stage::finished;
+      if (!computed)
+        {
+          require_same(one, of_one.parameters_text);
+          return 0;
+        }
+      of_one.resume    = stage == Stage::begun;
+      of_one.overwrite = options_.overwrite || (options_.resume && stage == Stage::none);
+      on_root(communicator_, [&]() {
+        print(STDOUT_FILENO,
+              "Passage " + std::to_string(k) + " of " + (scene_.passages == 0 ? "at most " : "") +
+                std::to_string(most_) + "\n");
+      });
+      try
+        {
+          return run_simulation(one, geometry_, of_one);
+        }
+      catch (const RunError &error)
+        {
+          throw RunError("passage " + std::to_string(k) + ": " + error.what() +
+                         (k == 1 ? std::string()
+                                 : "; the " + std::to_string(k - 1) +
+                                     " before it are kept, with their figures in " + scene_.folder +
+                                     "/passages.csv"));
+        }
+    }
+
+
+    /// Whether no wheel is to follow passage k. Collective.
+    bool
+    Passages::enough(const unsigned int k)
+    {
+      int done = k >= most_ ? 1 : 0;
+      if (scene_.passages == 0 && k % round_.size() == 0)
+        {
+          on_root(communicator_, [&]() {
+            const auto growths = round_growths(scene_.folder, k, static_cast<unsigned int>(round_.size()));
+            const PassageTrend trend = trend_of(growths, scene_.settled_growth, scene_.settled_change);
+            verdict_ = "After " + std::to_string(k) + " passages " + in_words(trend, growths.back());
+            done     = done || trend != PassageTrend::open;
+          });
+          MPI_Bcast(&done, 1, MPI_INT, 0, communicator_);
+        }
+      return done != 0;
+    }
+
+
+    /// The figures and fields of the first k passages. To be called on one rank.
+    void
+    Passages::write(const unsigned int k) const
+    {
+      replace_file(scene_.folder + "/passages.csv", passage_table(scene_.folder, k));
+      write_passage_fields(scene_.folder, k);
+    }
+
+
+    int
+    Passages::run()
+    {
+      const auto   mode = options_.resume      ? FolderMode::resume
+                          : options_.overwrite ? FolderMode::overwrite
+                                               : FolderMode::fresh;
+      OutputFolder whole(scene_.folder, mode, options_.prm_text, communicator_);
+      open(whole, mode);
+      unsigned int k = 0;
+      do
+        {
+          bool      computed;
+          const int code = pass(++k, computed);
+          if (code != 0)
+            return code;
+          if (computed)
+            on_root(communicator_, [&]() { write(k); });
+        }
+      while (!enough(k));
+      on_root(communicator_, [&]() {
+        write(k);
+        Summary summary = read_summary(passage_folder(scene_.folder, k) + "/summary.json");
+        if (!verdict_.empty())
+          summary.note = verdict_ + ".";
+        write_summary(summary, scene_.folder + "/summary.json");
+        print(STDOUT_FILENO,
+              (verdict_.empty() ? "" : verdict_ + ".\n") + "Figures of all passages in " + scene_.folder +
+                "/passages.csv\n");
+      });
+      return 0;
     }
   } // namespace
-
-
-  std::string
-  passage_folder(const std::string &folder, const unsigned int passage)
-  {
-    char name[24];
-    std::snprintf(name, sizeof(name), "/passage_%03u", passage);
-    return folder + name;
-  }
-
-
-  std::string
-  passage_table(const std::string &folder, const unsigned int n)
-  {
-    std::string table = "passage";
-    for (const std::string &key : columns())
-      table += "," + key;
-    table += ",plastic_strain_increment,forward_flow_increment_m\n";
-    double strain = 0, forward = 0;
-    for (unsigned int k = 1; k <= n; ++k)
-      {
-        const Summary summary = read_summary(passage_folder(folder, k) + "/summary.json");
-        table += std::to_string(k);
-        char       word[40];
-        const auto add = [&](const double value) {
-          std::snprintf(word, sizeof(word), std::isnan(value) ? "," : ",%.8g", value);
-          table += word;
-        };
-        for (const std::string &key : columns())
-          add(get_figure(summary, key));
-        const double now = get_figure(summary, "rail_plastic_strain"),
-                     at  = get_figure(summary, "residual_forward_flow_m");
-        add(now - strain);
-        add(at - forward);
-        table += "\n";
-        strain  = now;
-        forward = at;
-      }
-    return table;
-  }
 
 
   int
   run_passages(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options)
   {
-    MPI_Comm     communicator = MPI_COMM_WORLD;
-    const auto   mode         = options.resume      ? FolderMode::resume
-                                : options.overwrite ? FolderMode::overwrite
-                                                    : FolderMode::fresh;
-    OutputFolder whole(scene.folder, mode, options.prm_text, communicator);
-    if (mode == FolderMode::fresh && stage_of(passage_folder(scene.folder, 1), communicator) != Stage::none)
-      throw InputError(
-        "Output/Folder = " + scene.folder +
-        ": the folder holds passages of an earlier run; --resume goes on with them, --overwrite starts "
-        "anew");
-    whole.begin(options.parameters_text, options.resume);
-    for (unsigned int k = 1; k <= scene.passages; ++k)
-      {
-        Scene one    = scene;
-        one.passages = 1;
-        one.folder   = passage_folder(scene.folder, k);
-        if (k > 1)
-          one.rail_from = passage_folder(scene.folder, k - 1);
-        const Stage stage = options.resume ? stage_of(one.folder, communicator) : Stage::none;
-        if (stage == Stage::finished)
-          continue;
-        RunOptions of_one = options;
-        of_one.resume     = stage == Stage::begun;
-        of_one.overwrite  = options.overwrite || (options.resume && stage == Stage::none);
-        on_root(communicator, [&]() {
-          print(STDOUT_FILENO,
-                "Passage " + std::to_string(k) + " of " + std::to_string(scene.passages) + "\n");
-        });
-        int code = 0;
-        try
-          {
-            code = run_simulation(one, geometry, of_one);
-          }
-        catch (const RunError &error)
-          {
-            throw RunError("passage " + std::to_string(k) + ": " + error.what() +
-                           (k == 1 ? std::string()
-                                   : "; the " + std::to_string(k - 1) +
-                                       " before it are kept, with their figures in " + scene.folder +
-                                       "/passages.csv"));
-          }
-        if (code != 0)
-          return code;
-        on_root(communicator, [&]() { write_table(scene.folder, k); });
-      }
-    on_root(communicator, [&]() {
-      write_table(scene.folder, scene.passages);
-      write_summary(read_summary(passage_folder(scene.folder, scene.passages) + "/summary.json"),
-                    scene.folder + "/summary.json");
-      print(STDOUT_FILENO, "Figures of all passages in " + scene.folder + "/passages.csv\n");
-    });
-    return 0;
+    return Passages(scene, geometry, options).run();
   }
 } // namespace wheelrail

@@ -449,7 +449,7 @@ namespace wheelrail
   int
   run_simulation(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options)
   {
-    if (scene.passages > 1)
+    if (scene.several_passages())
       return run_passages(scene, geometry, options);
     Simulation simulation(scene, geometry, options);
     return simulation.run();

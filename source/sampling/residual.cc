@@ -51,6 +51,19 @@ namespace wheelrail
       return largest < 0 ? std::nan("") : largest;
     }
 
+    /// Change of the displacement along Z per way along the outward normal of the contact frame, at nodes
+    /// [1].
+    std::vector<double>
+    outward_change(const Model &model, MPI_Comm communicator)
+    {
+      const auto          H = nodal_gradient(model.solid, model.solid.displacement.data(), communicator);
+      const Point2        n = model.contact->surfaces().frame.normal();
+      std::vector<double> change(model.solid.mesh.n_nodes());
+      for (std::size_t node = 0; node < change.size(); ++node)
+        change[node] = H[9 * node + 6] * n.x + H[9 * node + 7] * n.y; // du_Z/dX, du_Z/dY
+      return change;
+    }
+
     /// Displacement along Z of the rail's nodes between two places that is the largest in size [m]; NaN
     /// without any.
     double
@@ -80,8 +93,9 @@ namespace wheelrail
     residual.way        = unload(*model.forest, model.solid, axle);
     const double behind = model.reach;
     residual.stress     = nodal_stress(model.solid, communicator);
-    residual.slices     = slices_behind(model, residual.stress, axle.travelled(), behind, communicator);
-    residual.largest    = largest_before(model.solid, axle.travelled() - behind, communicator);
+    const auto forward  = outward_change(model, communicator);
+    residual.slices = slices_behind(model, residual.stress, axle.travelled(), behind, communicator, &forward);
+    residual.largest = largest_before(model.solid, axle.travelled() - behind, communicator);
     residual.forward =
       forward_flow(model.solid, 0.5 * axle.travelled(), axle.travelled() - behind, communicator);
     meanwhile();

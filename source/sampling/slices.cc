@@ -137,6 +137,25 @@ namespace wheelrail
       return slice;
     }
 
+    /// A nodal field of the rail at points.
+    std::vector<double>
+    probe_scalar(const Solid                &solid,
+                 const std::vector<double>  &field,
+                 const std::vector<Vector3> &points,
+                 MPI_Comm                    communicator)
+    {
+      NodalStress in_place_of_stress; // the probes interpolate six numbers a node
+      in_place_of_stress.stress.assign(6 * field.size(), 0.);
+      in_place_of_stress.gradient.assign(18 * field.size(), 0.);
+      for (std::size_t n = 0; n < field.size(); ++n)
+        in_place_of_stress.stress[6 * n] = field[n];
+      const ProbeSource   source = probe_source(solid, in_place_of_stress);
+      std::vector<double> values;
+      for (const auto &v : probe_body(solid, Body::rail, source, points, communicator))
+        values.push_back(v[0]);
+      return values;
+    }
+
     /// Node of the largest pressure: lateral coordinate and position ahead of the axle [m].
     std::array<double, 2>
     place_of_peak(const Contact &contact, const double travelled)
@@ -252,11 +271,12 @@ namespace wheelrail
 
 
   std::vector<Slice>
-  slices_behind(const Model       &model,
-                const NodalStress &nodal,
-                const double       travelled,
-                const double       behind,
-                MPI_Comm           communicator)
+  slices_behind(const Model               &model,
+                const NodalStress         &nodal,
+                const double               travelled,
+                const double               behind,
+                MPI_Comm                   communicator,
+                const std::vector<double> *forward)
   {
     const Contact     &contact = *model.contact;
     const double       s       = place_of_peak(contact, travelled)[0];
@@ -268,10 +288,12 @@ namespace wheelrail
     const ProbeSource source = probe_source(model.solid, nodal);
     for (const auto &[name, row] : {std::make_pair("AA_behind_rail", &along), {"BB_behind_rail", &across}})
       {
-        slices.push_back(
-          cut(model, row->line, Body::rail, points_behind(contact, *row), source, communicator));
+        const auto points = points_behind(contact, *row);
+        slices.push_back(cut(model, row->line, Body::rail, points, source, communicator));
         slices.back().name     = name;
         slices.back().unloaded = true;
+        if (forward != nullptr)
+          slices.back().forward_shear = probe_scalar(model.solid, *forward, points, communicator);
       }
     return slices;
   }
@@ -304,6 +326,13 @@ namespace wheelrail
                             fields[f].unit,
                             description_of(name));
             }
+          if (!slice.forward_shear.empty())
+            write_dataset(group,
+                          "forward_shear",
+                          {slice.position.size(), slice.depth.size()},
+                          slice.forward_shear,
+                          "1",
+                          description_of("forward_shear"));
         }
     });
   }

@@ -29,6 +29,10 @@ namespace wheelrail
                                                    "Run/Evaluate at",
                                                    "Run/Rolling distance",
                                                    "Run/Passages",
+                                                   "Run/Passage list",
+                                                   "Run/Most passages",
+                                                   "Run/Settled growth",
+                                                   "Run/Settled change",
                                                    "Run/Rail",
                                                    "Mesh/Prepared distance"};
       for (const char *section : {"Output/", "Half-space/", "Material test/"})
@@ -59,9 +63,9 @@ namespace wheelrail
 
 
   std::string
-  obstacle_to_resume(const Checkpoint &saved, const Scene &scene, const std::string &parameters)
+  other_entries(const std::string &saved, const std::string &now)
   {
-    auto        before = entries_of(saved.parameters), after = entries_of(parameters);
+    auto        before = entries_of(saved), after = entries_of(now);
     std::string differences;
     for (const auto &table : {before, after})
       for (const auto &[path, value] : table)
@@ -71,6 +75,14 @@ namespace wheelrail
                            ", saved with " + or_nothing(before[path]);
             before[path] = after[path]; // reported once
           }
+    return differences;
+  }
+
+
+  std::string
+  obstacle_to_resume(const Checkpoint &saved, const Scene &scene, const std::string &parameters)
+  {
+    const std::string differences = other_entries(saved.parameters, parameters);
     if (!differences.empty())
       return "entries differ from those of the saved state, which must not change: " + differences +
              "; set them back, or start anew in another Output/Folder";

@@ -135,6 +135,8 @@ namespace wheelrail
   /// `entry` with a word that is accepted, too, and stored as `value`: "auto", "none".
   Entry
   with_word(Entry entry, const std::string &word, double value, const Field<double> &place);
+  Entry
+  with_word(Entry entry, const std::string &word, unsigned int value, const Field<unsigned int> &place);
 
   // ---------------------------------------------------------------------------------------------
 

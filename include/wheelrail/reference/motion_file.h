@@ -18,11 +18,12 @@ namespace wheelrail
     load,
     velocity,
     torque,
+    traction,
     creepage,
     lateral_creepage
   };
 
-  /// What a vehicle simulation gives of a wheelset: rows over time or distance.
+  /// Rows of numbers under names: of a vehicle simulation over time or distance, or one a passage.
   struct MotionFile
   {
     std::vector<MotionQuantity>      quantities;
@@ -52,6 +53,11 @@ namespace wheelrail
   /// everything else.
   MotionFile
   read_motion_file(const std::string &path);
+
+  /// Reads a table of the same form whose rows are wheels that pass one after the other: "load [kN],
+  /// traction, velocity [km/h], creepage [%]", any of them. Throws InputError as read_motion_file().
+  MotionFile
+  read_passage_list(const std::string &path);
 
   /// The scene at a row: columns in the place of its entries. A torque is not an entry: see vehicle.h.
   Scene

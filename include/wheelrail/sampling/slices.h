@@ -28,6 +28,9 @@ namespace wheelrail
     /// Von Mises stress, xx, yy, zz, yz, xz, xy of the stress [Pa], and the accumulated plastic strain [1] of
     /// a body that may flow; NaN outside of the body.
     std::vector<std::vector<double>> values;
+    /// du_Z over the way along the outward normal of the contact frame, in slices of an unloaded body that
+    /// were asked for it: the plastic shear that goes forward at the surface [1].
+    std::vector<double> forward_shear;
   };
 
   /// The cuts of Ma, Markine, Mashal and Ren (2017), figures 7 to 31, through rail and wheel: AA,
@@ -44,12 +47,14 @@ namespace wheelrail
 
   /// The cuts AA_behind and BB_behind of make_slices() through the lateral place of the largest pressure, of
   /// the rail that the wheel left at least `behind` [m] behind: none when that is less than two stations.
+  /// `forward`, where given, is one number a node, Slice::forward_shear.
   std::vector<Slice>
-  slices_behind(const Model       &model,
-                const NodalStress &nodal,
-                double             travelled,
-                double             behind,
-                MPI_Comm           communicator);
+  slices_behind(const Model               &model,
+                const NodalStress         &nodal,
+                double                     travelled,
+                double                     behind,
+                MPI_Comm                   communicator,
+                const std::vector<double> *forward = nullptr);
 
   /// Adds slices as the next tick of a file: one group per slice with the attributes of its plane,
   /// `position`, `depth` and the fields as datasets with the attribute `unit`. To be called on one rank.

@@ -149,15 +149,19 @@ namespace wheelrail
 
     // Run
     StartState   start              = StartState::steady_rolling;
-    double       rolling_distance   = 0.06;  ///< [m]
-    double       averaging_distance = 0.02;  ///< stretch over which the figures are means [m]
-    double       evaluate_at        = 0;     ///< its middle [m]; 0: it is the last one
-    double       time_step_factor   = 0.95;  ///< fraction of the stable step
-    double       bulk_viscosity     = 0.06;  ///< linear bulk viscosity coefficient
-    unsigned int passages           = 1;     ///< of wheels over the same rail
-    std::string  rail_from          = "new"; ///< folder of the run that left the rail, or new
-    double       gravity            = 9.81;  ///< [m/s2]
-    double       energy_limit       = 0.005; ///< energy error at which the run stops
+    double       rolling_distance   = 0.06;   ///< [m]
+    double       averaging_distance = 0.02;   ///< stretch over which the figures are means [m]
+    double       evaluate_at        = 0;      ///< its middle [m]; 0: it is the last one
+    double       time_step_factor   = 0.95;   ///< fraction of the stable step
+    double       bulk_viscosity     = 0.06;   ///< linear bulk viscosity coefficient
+    unsigned int passages           = 1;      ///< how often the wheels go over the same rail; 0: until steady
+    unsigned int most_passages      = 50;     ///< of wheels, until steady
+    double       settled_growth     = 1e-5;   ///< of strain in a round, below which nothing grows any more
+    double       settled_change     = 0.03;   ///< of the growth from round to round, below which it is steady
+    std::string  passage_list       = "none"; ///< file of the wheels of a round, or none: one as the scene
+    std::string  rail_from          = "new";  ///< folder of the run that left the rail, or new
+    double       gravity            = 9.81;   ///< [m/s2]
+    double       energy_limit       = 0.005;  ///< energy error at which the run stops
 
     // Output
     std::string  folder              = "output/scene";
@@ -197,6 +201,13 @@ namespace wheelrail
     mesh_distance() const
     {
       return prepared_distance > 0 ? prepared_distance : rolling_distance;
+    }
+
+    /// Whether more than one wheel passes, or wheels of a list.
+    bool
+    several_passages() const
+    {
+      return passages != 1 || passage_list != "none";
     }
   };
 

@@ -11,6 +11,11 @@ namespace wheelrail
   std::string
   obstacle_to_resume(const Checkpoint &saved, const Scene &scene, const std::string &parameters);
 
+  /// In which entries that steps depend on two lists of entries differ, "path = now, saved with ...", with
+  /// semicolons between; empty when in none.
+  std::string
+  other_entries(const std::string &saved, const std::string &now);
+
   /// In which entries of the rail's material two lists of entries differ, a sentence; empty when in none.
   std::string
   other_steel(const std::string &before, const std::string &now);

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <wheelrail/run/passage_trend.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// "FOLDER/passage_003".
+  std::string
+  passage_folder(const std::string &folder, unsigned int passage);
+
+  /// The table passages.csv of the first `n` passages below `folder`, from their summaries.
+  std::string
+  passage_table(const std::string &folder, unsigned int n);
+
+  /// What each whole round of `of_round` passages has added, of the first `n` passages.
+  std::vector<RoundGrowth>
+  round_growths(const std::string &folder, unsigned int n, unsigned int of_round);
+
+  /// Writes passages.h5: the columns of passages.csv, and in the group BB_behind_rail, from the residual.h5
+  /// of the passages, that cut of the unloaded rail over passages, lateral place and depth, with what each
+  /// passage has added to plastic and forward shear strain. Passages without that cut are left out of these.
+  /// To be called on one rank.
+  void
+  write_passage_fields(const std::string &folder, unsigned int n);
+} // namespace wheelrail

@@ -1,0 +1,249 @@
+"""Pictures and page of passages: what wheel after wheel leaves in the rail.
+
+The folder holds passages.csv and, of runs of this version, passages.h5 (doc/manual/passages.md).
+"""
+
+import html
+import os
+import re
+
+import h5py
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LogNorm, SymLogNorm
+
+import columns
+import page
+import shakedown
+import style
+import wheelrail
+
+DEPTH = 8  # shown [mm]
+
+#: curves over passages: (key, factor, label) in one panel each
+CURVES = [
+    [("max_pressure_Pa", 1e-6, "peak pressure [MPa]")],
+    [("contact_area_m2", 1e6, "area of the patch [mm$^2$]")],
+    [("patch_lateral_m", 1e3, "patch across [mm]"), ("patch_longitudinal_m", 1e3, "along [mm]")],
+    [("plastic_band_width_m", 1e3, "band width [mm]"), ("plastic_band_depth_m", 1e3, "depth [mm]")],
+    [("residual_lateral_stress_Pa", 1e-6, "residual stress across [MPa]"),
+     ("residual_longitudinal_stress_Pa", 1e-6, "along [MPa]")],
+    [("plastic_work_rail_J", 1, "plastic work in the rail [J]")],
+]
+
+
+class Family:
+    """Figures and fields over passages."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.pictures_folder = os.path.join(folder, "pictures")
+        self.remarks = []
+        self.table = columns.read(os.path.join(folder, "passages.csv"))
+        self.passages = self.table["passage"]
+        self.fields = self.read_fields()
+        os.makedirs(self.pictures_folder, exist_ok=True)
+
+    def read_fields(self):
+        """The cuts of passages.h5 below the lateral place that has flowed most, [passage, depth]; None without."""
+        path = os.path.join(self.folder, "passages.h5")
+        if not os.path.exists(path):
+            self.remarks.append("There is no passages.h5; the pictures over depth are left out.")
+            return None
+        with h5py.File(path, "r") as file:
+            if "BB_behind_rail" not in file:
+                self.remarks.append("passages.h5 has no cuts behind the wheels, which need a longer way; the pictures "
+                                    "over depth are left out.")
+                return None
+            cut = file["BB_behind_rail"]
+            strain = cut["plastic_strain"][-1]
+            column = np.unravel_index(np.nanargmax(strain), strain.shape)[0]
+            fields = {name: data[:, column, :] for name, data in cut.items() if data.ndim == 3}
+            fields["depth"] = 1e3 * cut["depth"][:]
+            fields["passages"] = cut["passage"][:]
+            fields["lateral"] = 1e3 * cut["position"][column]
+        return fields
+
+    def has(self, key):
+        return key in self.table and np.isfinite(self.table[key]).any()
+
+
+def chosen(count):
+    """Some passages of many: the first, then about each twice the one before, and the last."""
+    picked = {0, count - 1}
+    step = 1
+    while step < count:
+        picked.add(step)
+        step *= 2
+    return sorted(picked)
+
+
+def passage_axis(axes, passages):
+    axes.set_xlabel("passage")
+    axes.set_xlim(passages[0] - 0.5, passages[-1] + 0.5)
+    axes.xaxis.set_major_locator(plt.MaxNLocator(integer=True))
+
+
+def draw_growth(family):
+    """What each passage adds to the plastic strain and to the forward flow."""
+    rows = [(key, factor, label) for key, factor, label in
+            (("plastic_strain_increment", 1, "growth of the largest\nplastic strain"),
+             ("forward_flow_increment_m", 1e6, "growth of the\nforward flow [um]")) if family.has(key)]
+    if not rows:
+        return []
+    figure, all_axes = plt.subplots(len(rows), 1, figsize=(7.5, 1 + 2.4 * len(rows)), sharex=True, squeeze=False)
+    for axes, (key, factor, label) in zip(all_axes[:, 0], rows):
+        values = factor * family.table[key]
+        for sign, color, name in ((1, style.BLUE, "positive"), (-1, style.RED, "negative (against the way)")):
+            part = sign * values > 0
+            if part.any():
+                axes.plot(family.passages[part], np.abs(values[part]), "o-", color=color, markersize=4, label=name)
+        axes.set_yscale("log")
+        axes.set_ylabel(label)
+        axes.grid(True)
+        if (values < 0).any():
+            axes.legend(loc="best")
+    passage_axis(all_axes[-1, 0], family.passages)
+    return [("What each passage adds: largest plastic strain across the rail behind the wheel, and forward flow of "
+             "the surface", style.save(family, figure, "growth"))]
+
+
+def draw_curves(family):
+    panels = [[row for row in rows if family.has(row[0])] for rows in CURVES]
+    panels = [rows for rows in panels if rows]
+    if not panels:
+        return []
+    lines = (len(panels) + 1) // 2
+    figure, all_axes = plt.subplots(lines, 2, figsize=(10, 0.6 + 2.5 * lines), squeeze=False,
+                                    gridspec_kw={"wspace": 0.3, "hspace": 0.35})
+    for axes in all_axes.flat[len(panels):]:
+        axes.set_visible(False)
+    for axes, rows in zip(all_axes.flat, panels):
+        for (key, factor, label), color in zip(rows, style.COLORS):
+            axes.plot(family.passages, factor * family.table[key], "o-", color=color, markersize=3.5, label=label)
+        axes.grid(True)
+        if len(rows) > 1:
+            axes.legend(loc="best")
+        else:
+            axes.set_ylabel(rows[0][2])
+        passage_axis(axes, family.passages)
+    return [("Patch, pressure, plastic band and residual stresses over the passages",
+             style.save(family, figure, "passages"))]
+
+
+def map_panel(axes, fields, values, label, norm, colors):
+    edges = np.append(fields["depth"] - 0.5 * (fields["depth"][1] - fields["depth"][0]),
+                      fields["depth"][-1] + 0.5 * (fields["depth"][1] - fields["depth"][0]))
+    along = np.append(fields["passages"] - 0.5, fields["passages"][-1] + 0.5)
+    image = axes.pcolormesh(along, edges, values.T, norm=norm, cmap=colors)
+    style.color_bar(axes.figure, axes, image, label)
+    axes.set_ylim(DEPTH, 0)
+    axes.set_ylabel("depth [mm]")
+
+
+def draw_maps(family):
+    """Growth of plastic strain and of forward shear over passages and depth."""
+    fields = family.fields
+    if fields is None or len(fields["passages"]) < 2:
+        return []
+    strain = fields["plastic_strain_increment"]
+    top = np.nanmax(strain)
+    if not top > 0:
+        return []
+    rows = 2 if "forward_shear_increment" in fields else 1
+    figure, all_axes = plt.subplots(rows, 1, figsize=(8, 0.8 + 2.9 * rows), sharex=True, squeeze=False)
+    map_panel(all_axes[0, 0], fields, np.where(strain > 1e-5 * top, strain, np.nan), "growth of plastic strain",
+              LogNorm(max(1e-5 * top, np.nanmin(strain[strain > 1e-5 * top])), top), "magma_r")
+    if rows == 2:
+        shear = fields["forward_shear_increment"]
+        size = np.nanmax(np.abs(shear))
+        map_panel(all_axes[1, 0], fields, shear, "growth of forward shear",
+                  SymLogNorm(1e-3 * size, vmin=-size, vmax=size), "RdBu_r")
+    passage_axis(all_axes[-1, 0], fields["passages"])
+    return [(f"What each passage adds over depth, below the lateral place {fields['lateral']:.1f} mm, which has "
+             "flowed most", style.save(family, figure, "growth_depth"))]
+
+
+def draw_residual(family):
+    """Residual stresses and plastic strain over depth after chosen passages."""
+    fields = family.fields
+    if fields is None:
+        return []
+    panels = [(name, factor, label) for name, factor, label in
+              (("stress_xx", 1e-6, "residual stress across [MPa]"), ("stress_zz", 1e-6, "residual stress along [MPa]"),
+               ("plastic_strain", 1e3, "plastic strain [10$^{-3}$]"),
+               ("forward_shear", 1e3, "forward shear [10$^{-3}$]"))
+              if name in fields]
+    figure, all_axes = plt.subplots(1, len(panels), figsize=(3.1 * len(panels), 4.4), sharey=True, squeeze=False)
+    picked = chosen(len(fields["passages"]))
+    colors = plt.get_cmap("viridis")(np.linspace(0, 0.9, len(picked)))
+    for axes, (name, factor, label) in zip(all_axes[0], panels):
+        for passage, color in zip(picked, colors):
+            axes.plot(factor * fields[name][passage], fields["depth"], color=color,
+                      label=f"{fields['passages'][passage]:.0f}")
+        axes.axvline(0, color="black", linewidth=0.6)
+        axes.set_xlabel(label)
+        axes.grid(True)
+    all_axes[0, 0].set_ylim(DEPTH, 0)
+    all_axes[0, 0].set_ylabel("depth [mm]")
+    all_axes[0, -1].legend(title="after passage", loc="upper left", bbox_to_anchor=(1.01, 1), borderaxespad=0)
+    return [("Left over depth after some passages, the loads taken off, below the lateral place "
+             f"{fields['lateral']:.1f} mm", style.save(family, figure, "residual_depth"))]
+
+
+def yield_stress(folder):
+    """Of the rail, from parameters.prm [Pa]; None when it is not there."""
+    path = os.path.join(folder, "parameters.prm")
+    if not os.path.exists(path):
+        return None
+    with open(path, encoding="utf-8", errors="replace") as file:
+        found = re.search(r"subsection Rail material\b.*?set\s+Yield stress\s*=\s*([0-9.eE+-]+)\s*(\w*)",
+                          file.read(), re.DOTALL)
+    factor = {"MPa": 1e6, "GPa": 1e9, "kPa": 1e3, "Pa": 1, "": 1}
+    return float(found.group(1)) * factor[found.group(2)] if found and found.group(2) in factor else None
+
+
+def draw_map(family):
+    """The shakedown map with the passages on it."""
+    stress = yield_stress(family.folder)
+    if stress is None or not family.has("max_pressure_Pa"):
+        family.remarks.append("The yield stress of the rail is not in parameters.prm; the shakedown map is left out.")
+        return []
+    shear_yield = stress / np.sqrt(3)
+    traction = np.abs(family.table["longitudinal_force_N"] / family.table["vertical_force_N"])
+    figure, axes = plt.subplots(figsize=(7.5, 5))
+    shakedown.draw(axes)
+    load = family.table["max_pressure_Pa"] / shear_yield
+    axes.plot(traction, load, "-", color=style.GREY, linewidth=0.8)
+    axes.plot(traction[:1], load[:1], "o", color=style.RED, label=f"passage {family.passages[0]:.0f}")
+    if len(load) > 1:
+        axes.plot(traction[-1:], load[-1:], "s", color=style.BLUE, label=f"passage {family.passages[-1]:.0f}")
+    axes.set_xlim(0, max(0.6, 1.1 * np.nanmax(traction)))
+    axes.set_ylim(0, max(6, 1.1 * np.nanmax(load)))
+    style.legend_beside(axes)
+    return [("Shakedown map: peak pressure over the shear yield stress k at the start, over traction coefficient. The "
+             "limits are those of line contact with full slip in perfectly plastic steel (Melan's theorem; Johnson, "
+             "Contact Mechanics, 1985, section 9.2); a patch that is short across the track, or that sticks in part, "
+             "bears more",
+             style.save(family, figure, "shakedown_map"))]
+
+
+def verdict(family):
+    """What the run itself said about its end; a list of one sentence, or of none."""
+    try:
+        summary = wheelrail.load(family.folder).summary
+    except wheelrail.DataError:
+        return []
+    return [f"<p>{html.escape(summary['note'])}</p>"] if summary.get("note") else []
+
+
+def make_report(folder):
+    """Draws everything; returns the family, the number of pictures and the path of the page."""
+    family = Family(folder)
+    pictures = (draw_growth(family) + draw_maps(family) + draw_residual(family) + draw_curves(family) +
+                draw_map(family))
+    parts = [f"<p>{len(family.passages)} passages; each has a report of its own.</p>"] + verdict(family)
+    parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in family.remarks]
+    parts += ["<h2>Pictures</h2>", page.pictures_html(pictures, (), {"passages", "residual_depth"})]
+    title = os.path.basename(os.path.abspath(folder)) + ": passages"
+    return family, len(pictures), page.write(os.path.join(folder, "report.html"), title, parts, [], "")
