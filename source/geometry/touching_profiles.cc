@@ -27,27 +27,26 @@ namespace wheelrail
 
 
   Range
-  overlap_along(const TouchingProfiles &profiles, const double approach)
+  overlap_along(const TouchingProfiles &profiles, const double approach, const double beside)
   {
     constexpr double       step    = 0.2e-3;
     const ContactGeometry &contact = profiles.contact;
-    const double           half    = half_length_bound(approach, contact.rolling_radius);
-    Range                  along{-half, half};
-    for (const Range &part : interpenetration(profiles.wheel_heights, profiles.rail_heights, approach))
-      for (double s = part.s0; s <= part.s1; s += step)
+    const FrameProfile    &wheel   = profiles.wheel_heights;
+    Range                  lowest;
+    for (const Range &part : interpenetration(wheel, profiles.rail_heights, approach))
+      for (double s = std::max(part.s0 - beside, wheel.s_min());
+           s <= std::min(part.s1 + beside, wheel.s_max());
+           s += step)
         {
-          const FrameProfile::Value wheel  = profiles.wheel_heights.at(s);
-          const double              lowest = contact.axis
-                                  .surface_point(contact.frame.to_track({s, wheel.n}),
-                                                 contact.frame.angle + std::atan(wheel.slope))
-                                  .along -
-                                contact.along;
-          const double gap =
-            std::clamp(undeformed_distance(profiles.wheel_heights, profiles.rail_heights, s), 0., approach);
-          const double reach = half_length_bound(approach - gap, contact.rolling_radius);
-          along.s0           = std::min(along.s0, lowest - reach);
-          along.s1           = std::max(along.s1, lowest + reach);
+          const FrameProfile::Value height = wheel.at(s);
+          const Point2              place  = contact.frame.to_track({s, height.n});
+          const double              along =
+            contact.axis.surface_point(place, contact.frame.angle + std::atan(height.slope)).along -
+            contact.along;
+          lowest.s0 = std::min(lowest.s0, along);
+          lowest.s1 = std::max(lowest.s1, along);
         }
-    return along;
+    const double half = half_length_bound(approach, contact.rolling_radius);
+    return {lowest.s0 - half, lowest.s1 + half};
   }
 } // namespace wheelrail

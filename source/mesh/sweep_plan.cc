@@ -140,7 +140,7 @@ namespace wheelrail
 
     plan.sectors               = std::lround(2 * M_PI * contact.rolling_radius / block);
     const double     spacing   = plan.block_length();
-    const Range      overlap   = overlap_along(profiles, sizes.approach);
+    const Range      overlap   = overlap_along(profiles, sizes.approach, sizes.fine_margin);
     constexpr double free_rail = 0.1;
     // pressure must not come to the outer two stations (Contact::at_border()), and stations lie up to a cell
     // within the stretch that is wanted

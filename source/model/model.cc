@@ -241,7 +241,7 @@ namespace wheelrail
     Model model;
     model.geometry          = geometry.contact;
     model.expected_approach = expected_approach(scene, geometry.contact.rolling_radius);
-    const Range overlap     = overlap_along(geometry, model.expected_approach);
+    const Range overlap     = overlap_along(geometry, model.expected_approach, scene.fine_margin);
     model.reach             = std::max(-overlap.s0, overlap.s1);
     model.forest            = std::make_unique<Forest>(communicator, sweep_plan(scene, geometry));
     model.solid.choice      = bodies_of(scene);

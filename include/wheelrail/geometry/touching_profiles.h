@@ -18,12 +18,12 @@ namespace wheelrail
     FrameProfile tread_heights;               ///< of the tread in its own frame; without yaw wheel_heights
   };
 
-  /// Where wheel and rail overlap when the undeformed wheel is lowered by `approach` [m]: the stretch along
-  /// the track around the first contact point, by parabolas z^2 / (2 r) around the lowest place of each slice
-  /// [m]. With yaw these places lie one behind the other. On the
-  /// tread no patch is longer.
+  /// How far along the track wheel and rail can overlap when the undeformed wheel is lowered by `approach`
+  /// [m]: a parabola z^2 / (2 r) around the lowest place of each slice [m], around the first contact point.
+  /// With yaw these places lie one behind the other, those of slices within `beside` [m] of the overlap too,
+  /// where the bodies may move the contact to. On the tread no patch is longer.
   Range
-  overlap_along(const TouchingProfiles &profiles, double approach);
+  overlap_along(const TouchingProfiles &profiles, double approach, double beside);
 
   /// Finds the contact (find_contact()) and the heights of both profiles in its frame (FrameProfile). Throws
   /// InputError as these do.
