@@ -276,10 +276,6 @@ namespace
       "of "
       "16 mm fits between them and its tip. With Mesh/Coarse cell size = 8 mm they can.");
     check_error(
-      {"Wheelset/Lateral creepage = 0.001"},
-      "Wheelset/Lateral creepage = 0.001: finite elements do not know it yet, the commands geometry and "
-      "halfspace do; leave it out of a run");
-    check_error(
       {"Wheelset/Wheel load = 4 kN"},
       "Wheelset/Wheel load = 4 kN: less than the weight of wheel and half axle, 4.91 kN; give more, or a "
       "lighter Wheelset/Axle mass");

@@ -3,7 +3,6 @@
 #include "check.h"
 
 #include <wheelrail/geometry/contact_geometry.h>
-#include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/geometry/touching_profiles.h>
 
 #include <algorithm>
@@ -183,7 +182,6 @@ namespace
         const ContactGeometry &c     = profiles.contact;
         const Range            range = overlap_along(profiles, approach, 0);
         const Curve           &tread = profiles.wheel.tread;
-        const double           reach = half_length_bound(approach, c.rolling_radius);
         double                 back = 0, front = 0;
         for (double t = 0; t <= tread.parameter_end(); t += 2e-3)
           for (double angle = -0.06; angle <= 0.06; angle += 2e-4)

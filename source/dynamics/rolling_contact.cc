@@ -67,7 +67,7 @@ namespace wheelrail
   void
   AddedMassRotation::add_forces(const Instant &, Solid &solid)
   {
-    const Vector3 centre = axle_.data().centre + Vector3{0, axle_.height(), axle_.travelled()};
+    const Vector3 centre = axle_.centre();
     const double  rate2  = axle_.pitch_rate() * axle_.pitch_rate();
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       {

@@ -29,6 +29,7 @@ namespace wheelrail
             const Vector3 w   = pitch_rate * cross(axle.axis, arm);
             for (int i = 0; i < 3; ++i)
               v[i] = w[i] + H[3 * i] * w[0] + H[3 * i + 1] * w[1] + H[3 * i + 2] * w[2];
+            v[0] += axle.lateral_creepage * axle.velocity;
             v[2] += axle.velocity;
           }
         else

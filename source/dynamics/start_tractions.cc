@@ -111,7 +111,7 @@ namespace wheelrail
     /// a larger local radius runs backwards, ahead of the axle the wheel's surface still descends,
     /// which slides it along its inclination, and a wheel with yaw slides aside.
     VectorField
-    rigid_slip(const RunningSurfaces &surfaces, const HalfspaceGrid &grid)
+    rigid_slip(const RunningSurfaces &surfaces, const double lateral_creepage, const HalfspaceGrid &grid)
     {
       const double radius = surfaces.forward_radius;
       VectorField  slip;
@@ -122,7 +122,7 @@ namespace wheelrail
             const Vector3 turning = surfaces.rolling(s, grid.x(i));
             slip[0].push_back(-turning[2] / radius - 1);
             slip[1].push_back(-(turning[0] / radius) * std::cos(angle) -
-                              turning[1] / radius * std::sin(angle));
+                              turning[1] / radius * std::sin(angle) - lateral_creepage * std::cos(angle));
           }
       return slip;
     }
@@ -139,7 +139,10 @@ namespace wheelrail
       LoadedGrid       loaded;
       HalfspaceProblem problem;
 
-      StartProblem(const Contact &contact, const StartBodies &bodies, const double velocity)
+      StartProblem(const Contact     &contact,
+                   const StartBodies &bodies,
+                   const double       velocity,
+                   const double       lateral_creepage)
         : loaded(loaded_grid(contact))
       {
         problem.grid     = loaded.grid;
@@ -156,7 +159,7 @@ namespace wheelrail
           for (int i = 0; i < loaded.grid.mx; ++i)
             problem.pressure[i + std::size_t(loaded.grid.mx) * j] *=
               area_ratio(contact, i / loaded.parts, j / loaded.parts);
-        const VectorField slip = rigid_slip(contact.surfaces(), loaded.grid);
+        const VectorField slip = rigid_slip(contact.surfaces(), lateral_creepage, loaded.grid);
         problem.rigid_slip_x   = slip[0];
         problem.rigid_slip_y   = slip[1];
       }
@@ -254,9 +257,10 @@ namespace wheelrail
   start_tractions_at_creepage(const Contact     &contact,
                               const double       creepage,
                               const StartBodies &bodies,
-                              const double       velocity)
+                              const double       velocity,
+                              const double       lateral_creepage)
   {
-    StartProblem start(contact, bodies, velocity);
+    StartProblem start(contact, bodies, velocity, lateral_creepage);
     if (start.empty(contact))
       return without_tractions(contact, creepage);
     start.problem.xi = creepage;
@@ -268,7 +272,8 @@ namespace wheelrail
   start_tractions(const Contact     &contact,
                   const double       longitudinal_force,
                   const StartBodies &bodies,
-                  const double       velocity)
+                  const double       velocity,
+                  const double       lateral_creepage)
   {
     // the last two per cent below full slip cost any creepage; a torque beyond them spins the wheel up
     constexpr double   full_slip = 0.98;
@@ -278,7 +283,7 @@ namespace wheelrail
       load += contact.nodes()[k].pressure * contact.rail().area[k];
     const double   bound = full_slip * friction.at_rest * load;
     const double   force = std::clamp(longitudinal_force, -bound, bound);
-    StartProblem   start(contact, bodies, velocity);
+    StartProblem   start(contact, bodies, velocity, lateral_creepage);
     StartTractions result;
     if (start.empty(contact))
       result = without_tractions(contact, 0);

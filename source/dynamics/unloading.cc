@@ -17,7 +17,7 @@ namespace wheelrail
     public:
       explicit WheelAxes(const Axle &axle)
         : centre_(axle.data().centre)
-        , now_(axle.data().centre + Vector3{0, axle.height(), axle.travelled()})
+        , now_(axle.centre())
         , forth_(axle.data().axis, axle.pitch_angle())
         , back_(axle.data().axis, -axle.pitch_angle())
       {

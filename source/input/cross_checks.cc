@@ -172,16 +172,6 @@ namespace wheelrail
           "to zero towards 0.5");
     }
 
-    /// What half-spaces know of a wheelset in a curve and finite elements do not.
-    void
-    check_curve(const Scene &scene, Sentences &found)
-    {
-      if (scene.lateral_creepage != 0)
-        found.push_back(entry_text(scene, "Wheelset", "Lateral creepage") +
-                        ": finite elements do not know it yet, the commands geometry and halfspace do; leave "
-                        "it out of a run");
-    }
-
     void
     check_drive(const Scene &scene, Sentences &warnings)
     {
@@ -246,7 +236,6 @@ namespace wheelrail
         entry_text(scene, "Run", "Rail") +
         ": a rail that does not yield keeps nothing of earlier runs; write new, or give Rail "
         "material/Yield stress");
-    check_curve(scene, found.errors);
     for (const std::string &fault : study_faults(scene))
       found.errors.push_back(fault);
     return found;

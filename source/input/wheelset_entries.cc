@@ -220,8 +220,8 @@ namespace wheelrail
       list.push_back(
         pure_entry({"Wheelset",
                     "Lateral creepage",
-                    "Lateral velocity of the wheelset over velocity, besides that of its yaw, for "
-                    "the command halfspace; positive to the track centre."},
+                    "Lateral velocity of the wheelset over velocity, besides that of its yaw; positive to "
+                    "the track centre."},
                    B::between("-0.1", "0.1"),
                    field(&S::lateral_creepage)));
     }

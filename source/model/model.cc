@@ -64,16 +64,17 @@ namespace wheelrail
     make_axle(const Scene &scene, const WheelPose &wheel)
     {
       AxleData axle;
-      axle.centre        = wheel.centre();
-      axle.axis          = wheel.axis();
-      axle.mass          = scene.axle_mass;
-      axle.pitch_inertia = scene.axle_pitch_inertia;
-      axle.sprung_mass   = scene.sprung_mass;
-      axle.stiffness     = scene.suspension_stiffness;
-      axle.damping       = scene.suspension_damping;
-      axle.gravity       = scene.gravity;
-      axle.velocity      = scene.velocity;
-      axle.rate_held     = scene.drive == Drive::rate;
+      axle.centre           = wheel.centre();
+      axle.axis             = wheel.axis();
+      axle.mass             = scene.axle_mass;
+      axle.pitch_inertia    = scene.axle_pitch_inertia;
+      axle.sprung_mass      = scene.sprung_mass;
+      axle.stiffness        = scene.suspension_stiffness;
+      axle.damping          = scene.suspension_damping;
+      axle.gravity          = scene.gravity;
+      axle.velocity         = scene.velocity;
+      axle.lateral_creepage = lateral_creepage(scene);
+      axle.rate_held        = scene.drive == Drive::rate;
       return axle;
     }
 

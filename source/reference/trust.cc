@@ -210,9 +210,9 @@ namespace wheelrail
     load.vertical     = true;
     load.longitudinal = run.longitudinal_force;
     load.along_track  = true;
-    // a force at its bound says no more of the creepage; with yaw its direction does
+    // a force at its bound says no more of the creepage; one that slides sideways, by its direction
     load.slides = run.stick_fraction < 1e-3 && std::abs(run.longitudinal_force) > 1e-3 * run.vertical_force &&
-                  !(std::abs(get_figure(run, "yaw_rad")) > 0);
+                  !std::isfinite(get_figure(run, "yaw_rad"));
     return load;
   }
 

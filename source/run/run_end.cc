@@ -129,7 +129,7 @@ namespace wheelrail
         {
           const HalfspacePressure halfspace = halfspace_pressure(
             scene, geometry, summary.normal_force, offsets_of_run(summary), summary.creepage);
-          if (geometry.contact.yaw != 0)
+          if (std::isfinite(get_figure(summary, "yaw_rad")))
             add_reference(halfspace.reference, summary);
           const Trust trust = trust_of(scene, summary, halfspace);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
@@ -231,7 +231,7 @@ namespace wheelrail
         set_figure(summary, "first_force_over_load", history.columns[c].front() / model.wheel_load);
     set_figure(summary, "rolling_radius_m", model.geometry.rolling_radius);
     set_figure(summary, "contact_angle_rad", model.geometry.angle);
-    if (model.geometry.yaw != 0)
+    if (model.geometry.yaw != 0 || model.axle.lateral_creepage != 0)
       set_figure(summary, "yaw_rad", model.geometry.yaw);
     add_pose(summary, run.scene, model, run.axle, run.communicator);
     summary.peak_memory = peak_memory(run.communicator);

@@ -99,7 +99,7 @@ namespace wheelrail
   {
     PoseQuery query;
     query.axle_reference   = model.axle.centre;
-    query.axle_now         = model.axle.centre + Vector3{0, axle.height(), axle.travelled()};
+    query.axle_now         = axle.centre();
     query.axis             = model.axle.axis;
     query.angle            = axle.pitch_angle();
     query.contact          = {model.geometry.frame.origin.x, model.geometry.frame.origin.y, axle.travelled()};
@@ -109,7 +109,7 @@ namespace wheelrail
     set_figure(summary, "rail_head_roll_rad", pose.rail_head.roll);
     set_figure(summary, "wheel_rim_lateral_m", pose.wheel_rim.lateral);
     set_figure(summary, "wheel_rim_roll_rad", pose.wheel_rim.roll);
-    set_figure(summary, "relative_lateral_m", pose.relative_lateral());
+    set_figure(summary, "relative_lateral_m", pose.relative_lateral() + axle.aside());
     set_figure(summary, "relative_roll_rad", pose.relative_roll());
   }
 } // namespace wheelrail

@@ -27,8 +27,7 @@ namespace wheelrail
       if (solid.mesh.node_body[n] == Body::rail)
         return solid.position(n) - X;
       const AxleData &data = axle.data();
-      const Vector3   now  = data.centre + Vector3{0, axle.height(), axle.travelled()};
-      return solid.position(n) - now - rotated(X - data.centre, data.axis, axle.pitch_angle());
+      return solid.position(n) - axle.centre() - rotated(X - data.centre, data.axis, axle.pitch_angle());
     }
 
     /// Numbers the chosen nodes and fills points and fields.

@@ -49,9 +49,10 @@ namespace wheelrail
 
     /// Moment of the contact's forces on the wheelset about the vertical through its middle [N m].
     double
-    yaw_moment(const ContactSums &sums, const ContactGeometry &geometry, const double travelled)
+    yaw_moment(const ContactSums &sums, const ContactGeometry &geometry, const Axle &axle)
     {
-      const Vector3 middle = {geometry.axis.middle.x, geometry.axis.middle.y, travelled - geometry.along};
+      const Vector3 middle = {
+        geometry.axis.middle.x + axle.aside(), geometry.axis.middle.y, axle.travelled() - geometry.along};
       return sums.moment[1] - cross(middle, sums.force)[1];
     }
 
@@ -86,7 +87,7 @@ namespace wheelrail
     row.put("longitudinal_force", c.force[2]);
     row.put("lateral_force", c.force[0]);
     row.put("tangential_lateral_force", "N", c.force[0] * t.x + c.force[1] * t.y);
-    row.put("yaw_moment", "N m", yaw_moment(c, model_.geometry, axle.travelled()));
+    row.put("yaw_moment", "N m", yaw_moment(c, model_.geometry, axle));
     row.put("axle_lateral_force", "N", axle.reaction()[0]);
     row.put("axle_vertical_force", "N", axle.reaction()[1]);
     row.put("max_pressure", c.largest_pressure);

@@ -114,9 +114,9 @@ namespace wheelrail
     applied_torque_          = data_.rate_held ? -sums[3] : data_.torque;
     advance(angle_, pitch_rate_, (sums[3] + applied_torque_) / total_inertia_, kick, time_step);
     work_.torque_work += kick.duration * applied_torque_ * 0.5 * (rate_before + pitch_rate_);
-    work_.hold_work -= kick.duration * sums[2] * data_.velocity;
+    work_.hold_work -= kick.duration * (sums[2] + sums[0] * data_.lateral_creepage) * data_.velocity;
 
-    // 4. along the track, and the bore nodes
+    // 4. along the track and aside, and the bore nodes
     travelled_ += time_step * data_.velocity;
     place_bore(solid, time_step);
   }
@@ -125,11 +125,11 @@ namespace wheelrail
   void
   Axle::place_bore(Solid &solid, const double time_step)
   {
-    const Vector3  centre = data_.centre + Vector3{0, height_, travelled_};
+    const Vector3  now = centre();
     const Rotation turn(data_.axis, angle_);
     for (std::size_t b = 0; b < bore_.size(); ++b)
       {
-        const Vector3 x = centre + turn(arm_[b]);
+        const Vector3 x = now + turn(arm_[b]);
         for (int i = 0; i < 3; ++i)
           {
             const double u                       = x[i] - solid.mesh.reference[4 * bore_[b] + i];

@@ -30,16 +30,19 @@ namespace wheelrail
   /// an odd number a lattice node. The friction law is that of the contact, at the slip velocities of rolling
   /// with `velocity` [m/s]. Wanted forces are cut to 98 % of full slip at rest, and with friction that falls
   /// with speed to the largest that it carries (to 1 %); a law that is zero at rest starts without tractions.
+  /// Besides, the wheel moves along X with `lateral_creepage` times the velocity.
   StartTractions
   start_tractions(const Contact     &contact,
                   double             longitudinal_force,
                   const StartBodies &bodies,
-                  double             velocity);
+                  double             velocity,
+                  double             lateral_creepage = 0);
 
   /// The same with the creepage given instead of the force.
   StartTractions
   start_tractions_at_creepage(const Contact     &contact,
                               double             creepage,
                               const StartBodies &bodies,
-                              double             velocity);
+                              double             velocity,
+                              double             lateral_creepage = 0);
 } // namespace wheelrail

@@ -12,16 +12,17 @@ namespace wheelrail
   struct AxleData
   {
     Vector3 centre{}; ///< of the axle at the start, before loading, in the plane of the running circle
-    Vector3 axis          = {1, 0, 0}; ///< unit vector towards the track centre
-    double  mass          = 180;       ///< rigid half axle
-    double  pitch_inertia = 1.5;       ///< of the half axle about its own axis
-    double  sprung_mass   = 10000;
-    double  stiffness     = 1.15e6; ///< primary suspension
-    double  damping       = 2500;
-    double  gravity       = 9.81;
-    double  velocity      = 0;     ///< along Z, held
-    bool    rate_held     = false; ///< the pitch rate keeps its start value
-    double  torque        = 0;     ///< drive torque about `axis`, positive driving [N m]
+    Vector3 axis             = {1, 0, 0}; ///< unit vector towards the track centre
+    double  mass             = 180;       ///< rigid half axle
+    double  pitch_inertia    = 1.5;       ///< of the half axle about its own axis
+    double  sprung_mass      = 10000;
+    double  stiffness        = 1.15e6; ///< primary suspension
+    double  damping          = 2500;
+    double  gravity          = 9.81;
+    double  velocity         = 0;     ///< along Z, held
+    double  lateral_creepage = 0;     ///< velocity along X over that along Z, held
+    bool    rate_held        = false; ///< the pitch rate keeps its start value
+    double  torque           = 0;     ///< drive torque about `axis`, positive driving [N m]
   };
 
   /// Works and energies of axle, suspension and sprung mass [J].
@@ -31,10 +32,10 @@ namespace wheelrail
     double potential = 0; ///< of axle and preload in gravity, and the suspension's deviation from its preload
     double damped    = 0; ///< by the suspension's damper
     double torque_work = 0; ///< of the drive torque (or of the torque that holds the rate)
-    double hold_work   = 0; ///< of the force that holds the longitudinal speed
+    double hold_work   = 0; ///< of the forces that hold the longitudinal and the lateral speed
   };
 
-  /// The rigid axle: vertical motion and pitch are free, longitudinal speed is held, lateral, roll and
+  /// The rigid axle: vertical motion and pitch are free, longitudinal and lateral speed are held, roll and
   /// yaw are fixed. The bore nodes follow it exactly.
   class Axle : public Part
   {
@@ -79,6 +80,18 @@ namespace wheelrail
     travelled() const
     {
       return travelled_;
+    }
+    /// How far it has moved along X [m].
+    double
+    aside() const
+    {
+      return data_.lateral_creepage * travelled_;
+    }
+    /// Where its centre is now [m].
+    Vector3
+    centre() const
+    {
+      return data_.centre + Vector3{aside(), height_, travelled_};
     }
     /// Force of the wheel on the axle in the last step [N].
     Vector3
