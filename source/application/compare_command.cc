@@ -190,7 +190,11 @@ namespace wheelrail
     SceneInput                  input = read_scene((path / "parameters.prm").string(), sets);
     use_kept_profiles(input.scene, folder);
     const SceneGeometry geometry = require_touching(input);
-    const Scene        &scene    = input.scene;
+    if (input.scene.halfspace_memory_length > 0 || input.scene.halfspace_layer_thickness > 0)
+      out << "note: Half-space/Friction memory and Interface layer are left out, since a run has neither\n";
+    input.scene.halfspace_memory_length   = 0;
+    input.scene.halfspace_layer_thickness = 0;
+    const Scene &scene                    = input.scene;
     check_figures(scene, run, (path / "summary.json").string());
     const WheelRailLoad     load      = load_of_run(run);
     const SectionOffsets    offsets   = offsets_of_run(run);

@@ -74,6 +74,11 @@ namespace wheelrail
     c[0] = {n * inverse_distance + nu * i[0], nu * i[2], -k * i[3]};
     c[1] = {nu * i[2], n * inverse_distance + nu * i[1], -k * i[4]};
     c[2] = {k * i[3], k * i[4], n * inverse_distance};
+    if (std::abs(x) < dx / 2 && std::abs(y) < dy / 2)
+      {
+        c[0][0] += constants.layer;
+        c[1][1] += constants.layer;
+      }
     return c;
   }
 

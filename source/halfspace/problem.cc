@@ -63,6 +63,14 @@ namespace wheelrail
       refuse(
         "friction coefficients, their decay and the step must not be negative, velocity and half velocity "
         "must be positive.");
+    if (!(problem.memory_length >= 0) || !(problem.memory_least_speed > 0) ||
+        !(problem.layer_compliance >= 0))
+      refuse(
+        "the memory length of friction and the compliance of a layer must not be negative, the least "
+        "speed of the memory must be positive.");
+    if (problem.memory_length > 0 && problem.motion != HalfspaceMotion::steady &&
+        problem.motion != HalfspaceMotion::none)
+      refuse("friction has a memory in steady rolling only.");
     if (problem.lateral_force_given && !problem.longitudinal_force_given)
       refuse("a lateral force can be given only together with the longitudinal one.");
     if (problem.previous && problem.previous->pressure.size() != n)

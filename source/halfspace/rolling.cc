@@ -12,6 +12,14 @@ namespace wheelrail
   {
     using Spectrum = InfluenceProducts::Spectrum;
 
+    HalfspaceConstants
+    constants_of(const HalfspaceProblem &problem)
+    {
+      HalfspaceConstants constants = halfspace_constants(problem.body1, problem.body2);
+      constants.layer              = problem.layer_compliance;
+      return constants;
+    }
+
     /// One problem while it is solved.
     class Solver
     {
@@ -19,7 +27,7 @@ namespace wheelrail
       explicit Solver(const HalfspaceProblem &problem)
         : problem_(problem)
         , grid_(problem.grid)
-        , constants_(halfspace_constants(problem.body1, problem.body2))
+        , constants_(constants_of(problem))
         , products_(problem.grid)
         , pressure_given_(!problem.pressure.empty())
         , coupled_(std::abs(constants_.coupling) > 1e-12 * constants_.normal)
@@ -90,6 +98,9 @@ namespace wheelrail
       /// of the law.
       double
       update_friction();
+      /// The coefficients that the slip of the last round leads to.
+      std::vector<double>
+      wanted_friction() const;
       void
       measure();
       void
@@ -108,6 +119,7 @@ namespace wheelrail
       NormalContact           normal_;
       TangentialState         tangential_;
       std::vector<double>     mu_;
+      double                  weight_ = 0.5, last_change_ = 0; ///< of the steps of the coefficients
       HalfspaceSolution       solution_;
     };
 
@@ -221,17 +233,42 @@ namespace wheelrail
       if (!velocity_dependent_ || tangential_.slip[0].empty())
         return change;
       // Half a step from the third round on: falling friction makes whole steps swing.
-      const double weight  = solution_.coupling_rounds < 4 ? 1 : 0.5;
-      const double largest = std::max(problem_.friction.at_rest, problem_.friction.at_speed);
+      const double              weight  = solution_.coupling_rounds < 4 ? 1 : weight_;
+      const double              largest = std::max(problem_.friction.at_rest, problem_.friction.at_speed);
+      const std::vector<double> wanted  = wanted_friction();
       for (std::size_t e = 0; e < mu_.size(); ++e)
         {
-          const double v    = problem_.velocity * std::hypot(tangential_.slip[0][e], tangential_.slip[1][e]);
-          const double step = friction_coefficient(problem_.friction, v) - mu_[e];
+          const double step = wanted[e] - mu_[e];
           mu_[e] += weight * step;
           if (normal_.pressure[e] > 0)
             change = std::max(change, std::abs(step) / largest);
         }
+      // smaller steps where half ones keep swinging
+      if (solution_.coupling_rounds > 12 && change > 0.8 * last_change_)
+        weight_ = std::max(0.02, 0.8 * weight_);
+      last_change_ = change;
       return change;
+    }
+
+    std::vector<double>
+    Solver::wanted_friction() const
+    {
+      std::vector<double> wanted(mu_.size());
+      const double        time = solution_.step / problem_.velocity; // of a particle in an element
+      for (int j = 0; j < grid_.my; ++j)
+        for (int i = grid_.mx - 1; i >= 0; --i) // from the leading edge on, as particles run through
+          {
+            const int    e = i + grid_.mx * j;
+            const double v = problem_.velocity * std::hypot(tangential_.slip[0][e], tangential_.slip[1][e]);
+            wanted[e]      = friction_coefficient(problem_.friction, v);
+            if (problem_.memory_length == 0)
+              continue;
+            const bool   inside = i + 1 < grid_.mx && normal_.pressure[e + 1] > 0;
+            const double before = inside ? wanted[e + 1] : problem_.friction.at_rest;
+            wanted[e] += (before - wanted[e]) *
+                         std::exp(-std::max(v, problem_.memory_least_speed) * time / problem_.memory_length);
+          }
+      return wanted;
     }
 
     HalfspaceSolution

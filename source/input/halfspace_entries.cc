@@ -111,6 +111,37 @@ namespace wheelrail
         B::between("0.5 mm", "1 m"),
         field(&S::roller_width)));
     }
+
+    /// What lies between the bodies.
+    void
+    add_interface(std::vector<Entry> &list)
+    {
+      list.push_back(length_entry({"Half-space",
+                                   "Friction memory",
+                                   "Slip distance over which friction comes to what the law has at the slip "
+                                   "velocity; 0 um: at once. Not in runs and compare."},
+                                  "um",
+                                  B::between("0 um", "1 mm"),
+                                  field(&S::halfspace_memory_length)));
+      list.push_back(number_entry(
+        {"Half-space", "Friction memory speed", "Least slip velocity with which friction comes to its law."},
+        D::velocity,
+        "mm/s",
+        B::between("0.001 mm/s", "1 m/s"),
+        field(&S::halfspace_memory_speed)));
+      list.push_back(length_entry({"Half-space",
+                                   "Interface layer",
+                                   "Thickness of an elastic layer between wheel and rail that yields to "
+                                   "shear; 0 mm: none. Not in runs and compare."},
+                                  "mm",
+                                  B::between("0 mm", "10 mm"),
+                                  field(&S::halfspace_layer_thickness)));
+      list.push_back(number_entry({"Half-space", "Interface layer shear modulus", "Of that layer."},
+                                  D::stress,
+                                  "GPa",
+                                  B::between("1 MPa", "1000 GPa"),
+                                  field(&S::halfspace_layer_shear)));
+    }
   } // namespace
 
 
@@ -161,6 +192,7 @@ namespace wheelrail
       "mrad",
       B::between("-20 mrad", "20 mrad"),
       field(&S::halfspace_inclination)));
+    add_interface(list);
     add_given_distance(list);
     add_rollers(list);
     return list;

@@ -70,6 +70,17 @@ namespace wheelrail
   HalfspacePressure
   halfspace_pressure(const WheelRailSolution &result)
   {
+    if (!result.others.empty())
+      {
+        WheelRailSolution highest = result;
+        highest.others.clear();
+        for (const WheelRailSolution &other : result.others)
+          if (other.solution.peak_pressure > highest.solution.peak_pressure)
+            highest = other;
+        HalfspacePressure pressure = halfspace_pressure(highest);
+        pressure.patches           = result.others.size() + 1.;
+        return pressure;
+      }
     return {result.solution.peak_pressure,
             result.solution.approach,
             result.measures.width,

@@ -28,10 +28,13 @@ namespace wheelrail
   halfspace_problem(const Scene &scene)
   {
     HalfspaceProblem problem;
-    problem.body1    = halfspace_body(scene.rail_material);
-    problem.body2    = halfspace_body(scene.wheel_material);
-    problem.friction = friction_law(scene);
-    problem.velocity = scene.velocity;
+    problem.body1              = halfspace_body(scene.rail_material);
+    problem.body2              = halfspace_body(scene.wheel_material);
+    problem.friction           = friction_law(scene);
+    problem.velocity           = scene.velocity;
+    problem.memory_length      = scene.halfspace_memory_length;
+    problem.memory_least_speed = scene.halfspace_memory_speed;
+    problem.layer_compliance   = scene.halfspace_layer_thickness / scene.halfspace_layer_shear;
     return problem;
   }
 

@@ -148,7 +148,7 @@ namespace wheelrail
     trust.turn = halfspace.turn;
     if (run.max_plastic_strain > 0)
       trust.plastic_strain = run.max_plastic_strain;
-    if (const double patches = get_figure(run, "patches"); patches > 1)
+    if (const double patches = get_figure(run, "patches"); patches > 1 && patches != halfspace.patches)
       trust.patches = patches;
     return trust;
   }

@@ -16,13 +16,15 @@ namespace wheelrail
   struct HalfspaceConstants
   {
     double normal = 0, poisson = 0, coupling = 0; ///< [1/Pa]
+    double layer = 0; ///< shear compliance of an interface layer between the bodies [m/Pa]
   };
   HalfspaceConstants
   halfspace_constants(const HalfspaceBody &body1, const HalfspaceBody &body2);
 
   /// Displacement difference at (x, y) under unit traction in direction b on the element dx x dy around the
   /// origin: coefficient[a][b] [m/Pa], directions 0, 1, 2 = x, y, n (Boussinesq 1885, Cerruti 1882,
-  /// integrated over the rectangle in closed form).
+  /// integrated over the rectangle in closed form); a layer adds its compliance to the shear displacements in
+  /// the element itself.
   using InfluenceCoefficients = std::array<std::array<double, 3>, 3>;
   InfluenceCoefficients
   influence_coefficients(const HalfspaceConstants &constants, double dx, double dy, double x, double y);

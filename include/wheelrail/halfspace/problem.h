@@ -90,7 +90,15 @@ namespace wheelrail
     HalfspaceMotion motion = HalfspaceMotion::steady;
     FrictionLaw     friction{0.5};
     double          velocity = 1; ///< of rolling [m/s]; for a shift: distance unit per second; for the law
-    double          step     = 0; ///< rolled distance of one step [m]; 0: the element length dx
+    /// Slip distance over which the coefficient comes to what the law has at the slip velocity v [m], in
+    /// steady rolling: d mu / dt = -max(v, v_0) / memory_length (mu - mu(v)); what runs in has the
+    /// coefficient at rest (Vollebregt and Schuttelaars 2012). 0: at once.
+    double memory_length      = 0;
+    double memory_least_speed = 1e-3; ///< v_0 [m/s]
+    /// Thickness over shear modulus of an elastic layer between the bodies (roughness, sand, water, rust):
+    /// its shear displacement is that times the traction [m/Pa]. It has no part in the normal problem.
+    double layer_compliance = 0;
+    double step             = 0; ///< rolled distance of one step [m]; 0: the element length dx
 
     /// Rigid slip over rolling velocity: w_x = xi - phi y, w_y = eta + phi (x + spin_offset * step).
     /// With a force given, the creepage of that direction is the first guess.

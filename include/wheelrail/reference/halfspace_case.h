@@ -55,6 +55,7 @@ namespace wheelrail
     double           width = 0, length = 0;  ///< extents of the patch across and along the rail [m]
     double           turn = 0;               ///< of the surfaces across the patch, edge to edge [rad]
     ContactReference reference;              ///< creepages and spin of the rigid bodies, without forces
+    double patches = 1; ///< in planes of their own; what stands above is that of the highest pressure
   };
 
   /// What the scene's own entries ask for: static wheel load, traction coefficient or creepage.

@@ -2,6 +2,7 @@
 
 #include <wheelrail/reference/halfspace_case.h>
 
+#include <limits>
 #include <string>
 
 namespace wheelrail
@@ -17,7 +18,7 @@ namespace wheelrail
     double turn            = 0; ///< of the surfaces across the patch [rad]
     double pose_effect     = 0; ///< peak with the pose over peak without it, less 1
     double plastic_strain  = 0; ///< largest one of the run, 0 where nothing has flowed
-    double patches         = 1; ///< separate ones of the run
+    double patches         = 1; ///< separate ones of the run, where the half-spaces have not as many
 
     /// What the penalty contact takes from the peak, about: a layer of springs between the bodies. 0.85 p/(1
     /// + p) of the penetration p fits the runs of doc/theory/accuracy.md (f = 10: 0.7 %, f = 0.1: a third).
@@ -27,11 +28,12 @@ namespace wheelrail
       return -0.85 * penetration / (1 + penetration);
     }
 
-    /// What the cells take from it, about: 1.3 over the square of their number (13 cells: 0.8 %, 7: 2.7 %).
+    /// What the cells take from it, about: 1.3 over the square of their number (13 cells: 0.8 %, 7: 2.7 %);
+    /// of fewer than three no such rule is known, and it is NaN.
     double
     mesh_part() const
     {
-      return -1.3 / (cells * cells);
+      return cells < 3 ? std::numeric_limits<double>::quiet_NaN() : -1.3 / (cells * cells);
     }
   };
 

@@ -172,9 +172,13 @@ namespace wheelrail
     // Half-space
     double        halfspace_element_size = 0.4e-3; ///< [m]
     HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
-    double halfspace_given_spin  = std::numeric_limits<double>::infinity(); ///< [1/m]; infinite: of the wheel
-    double halfspace_lateral     = 0; ///< wheel section moved against the rail to the track centre [m]
-    double halfspace_inclination = 0; ///< rail head turned to the track centre [rad]
+    double halfspace_given_spin = std::numeric_limits<double>::infinity(); ///< [1/m]; infinite: of the wheel
+    double halfspace_memory_length      = 0;     ///< slip distance of the friction's memory, 0: none [m]
+    double halfspace_memory_speed       = 1e-3;  ///< its least slip velocity [m/s]
+    double halfspace_layer_thickness    = 0;     ///< of an interface layer, 0: none [m]
+    double halfspace_layer_shear        = 8.2e9; ///< its shear modulus [Pa]
+    double halfspace_lateral            = 0; ///< wheel section moved against the rail to the track centre [m]
+    double halfspace_inclination        = 0; ///< rail head turned to the track centre [rad]
     std::string halfspace_distance      = "profiles"; ///< profiles, hertz, rollers, or a file of distances
     double      halfspace_radius_along  = 0.46;       ///< Hertzian distance: relative radii [m]
     double      halfspace_radius_across = 0.3;
