@@ -1,3 +1,4 @@
+#include <wheelrail/halfspace/friction_field.h>
 #include <wheelrail/halfspace/normal.h>
 #include <wheelrail/halfspace/tangential.h>
 
@@ -98,9 +99,6 @@ namespace wheelrail
       /// of the law.
       double
       update_friction();
-      /// The coefficients that the slip of the last round leads to.
-      std::vector<double>
-      wanted_friction() const;
       void
       measure();
       void
@@ -235,7 +233,8 @@ namespace wheelrail
       // Half a step from the third round on: falling friction makes whole steps swing.
       const double              weight  = solution_.coupling_rounds < 4 ? 1 : weight_;
       const double              largest = std::max(problem_.friction.at_rest, problem_.friction.at_speed);
-      const std::vector<double> wanted  = wanted_friction();
+      const std::vector<double> wanted =
+        friction_field(problem_, solution_.step, tangential_.slip, normal_.pressure);
       for (std::size_t e = 0; e < mu_.size(); ++e)
         {
           const double step = wanted[e] - mu_[e];
@@ -248,27 +247,6 @@ namespace wheelrail
         weight_ = std::max(0.02, 0.8 * weight_);
       last_change_ = change;
       return change;
-    }
-
-    std::vector<double>
-    Solver::wanted_friction() const
-    {
-      std::vector<double> wanted(mu_.size());
-      const double        time = solution_.step / problem_.velocity; // of a particle in an element
-      for (int j = 0; j < grid_.my; ++j)
-        for (int i = grid_.mx - 1; i >= 0; --i) // from the leading edge on, as particles run through
-          {
-            const int    e = i + grid_.mx * j;
-            const double v = problem_.velocity * std::hypot(tangential_.slip[0][e], tangential_.slip[1][e]);
-            wanted[e]      = friction_coefficient(problem_.friction, v);
-            if (problem_.memory_length == 0)
-              continue;
-            const bool   inside = i + 1 < grid_.mx && normal_.pressure[e + 1] > 0;
-            const double before = inside ? wanted[e + 1] : problem_.friction.at_rest;
-            wanted[e] += (before - wanted[e]) *
-                         std::exp(-std::max(v, problem_.memory_least_speed) * time / problem_.memory_length);
-          }
-      return wanted;
     }
 
     HalfspaceSolution

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/output/descriptions.h>
+#include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
@@ -16,78 +17,68 @@ namespace wheelrail
 {
   namespace
   {
-    struct Column
+    struct Field
     {
-      const char *name; ///< key in summary.json, unless the passage has added it
+      const char *name;
       const char *unit;
     };
 
-    const std::vector<Column> &
-    columns()
+    /// Figures of the table, by their keys in summary.json.
+    const std::vector<std::string> &
+    figure_keys()
     {
-      static const std::vector<Column> list = {{"wheel_load_N", "N"},
-                                               {"first_force_over_load", "1"},
-                                               {"vertical_force_N", "N"},
-                                               {"longitudinal_force_N", "N"},
-                                               {"max_pressure_Pa", "Pa"},
-                                               {"contact_area_m2", "m2"},
-                                               {"patch_lateral_m", "m"},
-                                               {"patch_longitudinal_m", "m"},
-                                               {"max_shear_traction_Pa", "Pa"},
-                                               {"creepage", "1"},
-                                               {"rail_plastic_strain", "1"},
-                                               {"residual_lateral_stress_Pa", "Pa"},
-                                               {"residual_longitudinal_stress_Pa", "Pa"},
-                                               {"residual_forward_flow_m", "m"},
-                                               {"plastic_band_width_m", "m"},
-                                               {"plastic_band_depth_m", "m"},
-                                               {"plastic_work_rail_J", "J"},
-                                               {"plastic_work_wheel_J", "J"},
-                                               {"energy_error", "1"},
-                                               {"wall_time_s", "s"}};
+      static const std::vector<std::string> list = {"wheel_load_N",
+                                                    "first_force_over_load",
+                                                    "vertical_force_N",
+                                                    "longitudinal_force_N",
+                                                    "max_pressure_Pa",
+                                                    "contact_area_m2",
+                                                    "patch_lateral_m",
+                                                    "patch_longitudinal_m",
+                                                    "max_shear_traction_Pa",
+                                                    "creepage",
+                                                    "rail_plastic_strain",
+                                                    "residual_lateral_stress_Pa",
+                                                    "residual_longitudinal_stress_Pa",
+                                                    "residual_forward_flow_m",
+                                                    "plastic_band_width_m",
+                                                    "plastic_band_depth_m",
+                                                    "plastic_work_rail_J",
+                                                    "plastic_work_wheel_J",
+                                                    "energy_error",
+                                                    "wall_time_s"};
       return list;
     }
 
-    /// What the first `n` passages have given: columns by name, one value a passage.
-    std::vector<std::pair<Column, std::vector<double>>>
-    read_columns(const std::string &folder, const unsigned int n)
+    /// What each value is more than the one before.
+    std::vector<double>
+    increments(const std::vector<double> &values)
     {
-      std::vector<std::pair<Column, std::vector<double>>> table;
-      for (const Column &column : columns())
-        table.emplace_back(column, std::vector<double>());
-      table.push_back({{"plastic_strain_increment", "1"}, {}});
-      table.push_back({{"forward_flow_increment_m", "m"}, {}});
-      auto  &added = table[table.size() - 2].second, &moved = table.back().second;
-      double strain = 0, forward = 0;
-      for (unsigned int k = 1; k <= n; ++k)
+      std::vector<double> added;
+      double              before = 0;
+      for (const double value : values)
         {
-          const Summary summary = read_summary(passage_folder(folder, k) + "/summary.json");
-          for (std::size_t c = 0; c < columns().size(); ++c)
-            table[c].second.push_back(get_figure(summary, columns()[c].name));
-          const double now = get_figure(summary, "rail_plastic_strain"),
-                       at  = get_figure(summary, "residual_forward_flow_m");
-          added.push_back(now - strain);
-          moved.push_back(at - forward);
-          strain = now, forward = at;
+          added.push_back(value - before);
+          before = value;
         }
-      return table;
+      return added;
     }
 
     using Fields = std::map<std::string, std::vector<double>>;
 
     /// Units of what residual.h5 has of the cut over lateral place and depth.
-    const std::vector<Column> &
+    const std::vector<Field> &
     cut_fields()
     {
-      static const std::vector<Column> list = {{"plastic_strain", "1"},
-                                               {"forward_shear", "1"},
-                                               {"residual_von_mises_stress", "Pa"},
-                                               {"stress_xx", "Pa"},
-                                               {"stress_yy", "Pa"},
-                                               {"stress_zz", "Pa"},
-                                               {"stress_yz", "Pa"},
-                                               {"stress_xz", "Pa"},
-                                               {"stress_xy", "Pa"}};
+      static const std::vector<Field> list = {{"plastic_strain", "1"},
+                                              {"forward_shear", "1"},
+                                              {"residual_von_mises_stress", "Pa"},
+                                              {"stress_xx", "Pa"},
+                                              {"stress_yy", "Pa"},
+                                              {"stress_zz", "Pa"},
+                                              {"stress_yz", "Pa"},
+                                              {"stress_xz", "Pa"},
+                                              {"stress_xy", "Pa"}};
       return list;
     }
 
@@ -109,7 +100,7 @@ namespace wheelrail
       const hdf5::Handle group(open, H5Gclose, "find the group " + group_name);
       for (const char *name : {"position", "depth"})
         cut[name] = hdf5::read_dataset(group, name);
-      for (const Column &field : cut_fields())
+      for (const Field &field : cut_fields())
         if (H5Lexists(group, field.name, H5P_DEFAULT) > 0)
           cut[field.name] = hdf5::read_dataset(group, field.name);
       return cut;
@@ -139,7 +130,7 @@ namespace wheelrail
         group, "passage", {passages.size()}, passages, "1", "number of the passage, from 1");
       for (const char *name : {"position", "depth"})
         hdf5::write_dataset(group, name, {cuts[0][name].size()}, cuts[0][name], "m", description_of(name));
-      for (const Column &field : cut_fields())
+      for (const Field &field : cut_fields())
         {
           std::vector<double> all, added;
           for (std::size_t k = 0; k < cuts.size(); ++k)
@@ -178,25 +169,27 @@ namespace wheelrail
   }
 
 
-  std::string
+  FigureTable
   passage_table(const std::string &folder, const unsigned int n)
   {
-    const auto  read  = read_columns(folder, n);
-    std::string table = "passage";
-    for (const auto &[column, values] : read)
-      table += std::string(",") + column.name;
-    table += "\n";
-    for (unsigned int k = 0; k < n; ++k)
+    std::vector<double>  numbers;
+    std::vector<Summary> summaries;
+    for (unsigned int k = 1; k <= n; ++k)
       {
-        table += std::to_string(k + 1);
-        for (const auto &[column, values] : read)
-          {
-            char word[40];
-            std::snprintf(word, sizeof(word), std::isnan(values[k]) ? "," : ",%.8g", values[k]);
-            table += word;
-          }
-        table += "\n";
+        numbers.push_back(k);
+        summaries.push_back(read_summary(passage_folder(folder, k) + "/summary.json"));
       }
+    FigureTable table;
+    table.add("passage", "1", numbers);
+    for (const std::string &key : figure_keys())
+      {
+        std::vector<double> values;
+        for (const Summary &summary : summaries)
+          values.push_back(get_figure(summary, key));
+        table.add(key, figure_with_key(key)->si_unit(), values);
+      }
+    table.add("plastic_strain_increment", "1", increments(*table.find("rail_plastic_strain")));
+    table.add("forward_flow_increment_m", "m", increments(*table.find("residual_forward_flow_m")));
     return table;
   }
 
@@ -226,9 +219,10 @@ namespace wheelrail
   write_passage_fields(const std::string &folder, const unsigned int n)
   {
     const hdf5::Handle file(hdf5::open_in_memory(), H5Fclose, "make a file in memory");
-    for (const auto &[column, values] : read_columns(folder, n))
+    const FigureTable  table = passage_table(folder, n);
+    for (std::size_t c = 1; c < table.keys.size(); ++c) // HDF5 counts the passages by itself
       hdf5::write_dataset(
-        file, column.name, {values.size()}, values, column.unit, description_of(column.name));
+        file, table.keys[c], {table.rows()}, table.columns[c], table.units[c], description_of(table.keys[c]));
     write_cuts(file, folder, n);
     const std::vector<char> bytes = hdf5::file_image(file);
     replace_file(folder + "/passages.h5", bytes.data(), bytes.size());

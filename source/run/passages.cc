@@ -186,7 +186,7 @@ namespace wheelrail
     void
     Passages::write(const unsigned int k) const
     {
-      replace_file(scene_.folder + "/passages.csv", passage_table(scene_.folder, k));
+      passage_table(scene_.folder, k).write_csv(scene_.folder + "/passages.csv");
       write_passage_fields(scene_.folder, k);
     }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/output/figure_table.h>
 #include <wheelrail/run/passage_trend.h>
 
 #include <string>
@@ -12,7 +13,7 @@ namespace wheelrail
   passage_folder(const std::string &folder, unsigned int passage);
 
   /// The table passages.csv of the first `n` passages below `folder`, from their summaries.
-  std::string
+  FigureTable
   passage_table(const std::string &folder, unsigned int n);
 
   /// What each whole round of `of_round` passages has added, of the first `n` passages.

@@ -1,0 +1,32 @@
+#include <wheelrail/halfspace/friction_field.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  std::vector<double>
+  friction_field(const HalfspaceProblem    &problem,
+                 const double               step,
+                 const VectorField         &slip,
+                 const std::vector<double> &pressure)
+  {
+    const HalfspaceGrid &grid = problem.grid;
+    std::vector<double>  friction(grid.size());
+    const double         time = step / problem.velocity;
+    for (int j = 0; j < grid.my; ++j)
+      for (int i = grid.mx - 1; i >= 0; --i) // the way of the particles
+        {
+          const int    e = i + grid.mx * j;
+          const double v = problem.velocity * std::hypot(slip[0][e], slip[1][e]);
+          friction[e]    = friction_coefficient(problem.friction, v);
+          if (problem.memory_length == 0)
+            continue;
+          const bool   inside = i + 1 < grid.mx && pressure[e + 1] > 0;
+          const double before = inside ? friction[e + 1] : problem.friction.at_rest;
+          friction[e] += (before - friction[e]) *
+                         std::exp(-std::max(v, problem.memory_least_speed) * time / problem.memory_length);
+        }
+    return friction;
+  }
+} // namespace wheelrail
