@@ -1,5 +1,6 @@
 // Both wheels of case of the Manchester contact benchmark against CONTACT.
 
+#include "manchester.h"
 #include "reference_table.h"
 
 #include <wheelrail/model/scene_geometry.h>
@@ -21,21 +22,19 @@ namespace
   Scene
   benchmark_scene()
   {
-    const std::string profiles = std::string(WHEELRAIL_TEST_DIR) + "/profiles/manchester_";
-    Scene             scene;
-    scene.wheel_profile                = profiles + "S1002.txt";
-    scene.rail_profile                 = profiles + "UIC60.txt";
-    scene.track.inclination            = 0;            // the file has it
-    scene.track.gauge                  = 1435.0022e-3; // puts the file's origin 760.5326 mm from the middle
-    scene.velocity                     = 2;
-    scene.wheel_load                   = load;
-    scene.friction_coefficient         = 0.3;
-    scene.rail_material.youngs_modulus = scene.wheel_material.youngs_modulus = 2 * 82e9 * 1.28;
-    scene.rail_material.poissons_ratio = scene.wheel_material.poissons_ratio = 0.28;
-    scene.halfspace_element_size                                             = 0.2e-3;
-    scene.halfspace_spin                                                     = HalfspaceSpin::contact;
-    scene.roll                                                               = RollMode::given;
-    scene.drive                                                              = Drive::rate;
+    Scene scene                  = test::manchester_scene();
+    scene.velocity               = 2;
+    scene.wheel_load             = load;
+    scene.friction_coefficient   = 0.3;
+    scene.halfspace_element_size = 0.2e-3;
+    scene.halfspace_spin         = HalfspaceSpin::contact;
+    scene.roll                   = RollMode::given;
+    scene.drive                  = Drive::rate;
+    for (MaterialData *steel : {&scene.rail_material, &scene.wheel_material})
+      {
+        steel->youngs_modulus = 2 * 82e9 * 1.28;
+        steel->poissons_ratio = 0.28;
+      }
     return scene;
   }
 

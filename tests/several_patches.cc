@@ -1,6 +1,7 @@
 // Contacts of a wheel that touches its rail in several planes: how they share load and creepage.
 
 #include "check.h"
+#include "manchester.h"
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/several_patches.h>
@@ -148,11 +149,7 @@ namespace
   void
   test_tread_and_root()
   {
-    const std::string profiles = std::string(WHEELRAIL_TEST_DIR) + "/profiles/manchester_";
-    Scene             scene;
-    scene.rail_profile               = profiles + "UIC60.txt";
-    scene.wheel_profile              = profiles + "S1002.txt";
-    scene.track.inclination          = 0;
+    Scene scene                      = test::manchester_scene();
     scene.wheel_load                 = 20e3;
     scene.lateral_shift              = -5e-3;
     scene.traction_coefficient       = 0.1;
