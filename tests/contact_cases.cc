@@ -38,7 +38,7 @@ namespace
       const double end = wide().back() - 1e-9;
       for (int i = 0; i < 3; ++i)
         scene.fix(select(mesh, [&](const Vector3 &X) { return std::max({X[0], -X[1], X[2]}) > end; }), i);
-      pair.drive = [this](double, RigidMotion &ball) {
+      pair.drive = [this](double, RigidWheel &ball) {
         const double step = scene.time_step;
         // the ball starts in free flight, so its velocity belongs to the half step behind from the start
         largest_force = std::max(largest_force, pair.sums.force[1]);

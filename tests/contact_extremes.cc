@@ -133,7 +133,7 @@ namespace
     {
       for (int i = 0; i < 3; ++i)
         scene.fix(select(scene.solid.mesh, plane(1, -20e-3)), i);
-      pair.drive = [this](const double time, RigidMotion &wheel) {
+      pair.drive = [this](const double time, RigidWheel &wheel) {
         wheel.velocity[1] = -descent / 300e-6;
         wheel.move[1]     = wheel.velocity[1] * (time + scene.time_step);
       };

@@ -62,7 +62,7 @@ namespace scenes
   rigid_surface(const RunningSurfaces &surfaces, const Lattice &lattice);
 
   /// Motion of a rigid wheel: translation of its axle and rotation about it.
-  struct RigidMotion
+  struct RigidWheel
   {
     Vector3 move{}, velocity{};  ///< [m], [m/s]
     double  angle = 0, rate = 0; ///< [rad], [rad/s]
@@ -93,13 +93,13 @@ namespace scenes
     ContactPair(const ContactPair &) = delete;
 
     /// Moves a rigid wheel from the full step at `time` to the next; the force of this step is in `sums`.
-    std::function<void(double time, RigidMotion &wheel)> drive;
+    std::function<void(double time, RigidWheel &wheel)> drive;
 
     /// Place of the window along the rail and arc coordinate of the wheel there, minus it [m].
     std::function<std::array<double, 2>(double time)> follow;
 
     Contact     contact;
-    RigidMotion wheel;
+    RigidWheel  wheel;
     ContactSums sums;
     double      friction_energy = 0, damping_energy = 0; ///< up to the last half step [J]
     double      work = 0;                                ///< of the contact forces on both bodies [J]

@@ -197,7 +197,7 @@ namespace scenes
     // the wheel swings on its contact as slowly as the block: light ones are unstable on the stiff layer
     const double frequency = 1.2e5;
     const double mass      = load / (line ? 4e-6 : truth.solution.approach) / (frequency * frequency);
-    pair.drive             = [&](const double time, RigidMotion &wheel) {
+    pair.drive             = [&](const double time, RigidWheel &wheel) {
       advance(wheel.move[1],
               wheel.velocity[1],
               (pair.sums.force[1] - load * loading(time)) / mass,
