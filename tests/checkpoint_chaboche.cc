@@ -1,3 +1,4 @@
+// label: long
 // A rail of cyclic hardening that is stopped while it yields and goes on: the same bits, history of back
 // stresses and energies included.
 

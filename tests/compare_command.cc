@@ -130,6 +130,9 @@ namespace
     other.cells = 1.3;
     has(other, true, "1 cell of 1 mm over the shorter extent of the patch is too few");
     has(other, true, "raise Contact/Penalty scale");
+    check(trust_sentence(Scene(), other, true).find("Of the difference") == std::string::npos,
+          "no rule of parts is known for so few cells");
+    other.cells        = 7;
     other.unsteadiness = 0.02;
     has(other, true, "not steady");
     other.turn = 0.5;

@@ -139,6 +139,10 @@ namespace
       {"Half-space/Element size", "0.25 mm"},
       {"Half-space/Spin", "contact"},
       {"Half-space/Given spin", "0.1 1/m"},
+      {"Half-space/Friction memory", "3 um"},
+      {"Half-space/Friction memory speed", "2 mm/s"},
+      {"Half-space/Interface layer", "1.25 mm"},
+      {"Half-space/Interface layer shear modulus", "8 GPa"},
       {"Half-space/Lateral offset", "-0.1 mm"},
       {"Half-space/Extra inclination", "1 mrad"},
       {"Half-space/Undeformed distance", "hertz"},
@@ -279,6 +283,10 @@ namespace
     check_near(s.wheel_material.tangent_modulus, 19e9, 0, "field wheel tangent_modulus");
     check_near(s.wheel_material.kinematic_hardening, 1, 0, "field wheel kinematic_hardening");
     check_near(s.cell_size, 0.002, 0, "field cell_size");
+    check_near(s.halfspace_memory_length, 3e-6, 0, "field halfspace_memory_length");
+    check_near(s.halfspace_memory_speed, 2e-3, 0, "field halfspace_memory_speed");
+    check_near(s.halfspace_layer_thickness, 1.25e-3, 0, "field halfspace_layer_thickness");
+    check_near(s.halfspace_layer_shear, 8e9, 0, "field halfspace_layer_shear");
     check_near(s.coarse_cell_size, 0.032, 0, "field coarse_cell_size");
     check_near(s.fine_depth, 0.007, 0, "field fine_depth");
     check_near(s.fine_margin, 0.006, 0, "field fine_margin");

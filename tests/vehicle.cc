@@ -3,6 +3,7 @@
 #include "messages.h"
 
 #include <wheelrail/application/command_line.h>
+#include <wheelrail/application/scene_row.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/vehicle.h>
 
@@ -113,6 +114,36 @@ namespace
           "the curve of prm/ can be read");
   }
 
+  /// One row as a scene.
+  void
+  test_scene_of_row()
+  {
+    const File file(
+      "time [s],lateral shift [mm],yaw [mrad],load [kN],torque [kN m]\n"
+      "0,1,2,90,4.6\n"
+      "1,2,3,0,0\n");
+    const Scene at = scene_of_row({}, file.path() + ":1");
+    check_near(at.lateral_shift, 1e-3, 0, "shift of the row [m]");
+    check_near(at.yaw, 2e-3, 0, "yaw of the row [rad]");
+    check_near(at.wheel_load, 90e3, 0, "load of the row [N]");
+    // the radius at the contact is the nominal one within a millimetre
+    check_near(at.traction_coefficient, 4.6e3 / (0.46 * 90e3), 3e-4, "traction coefficient of a torque");
+    const auto said = [&](const std::string &place) {
+      return test::message_of([&]() { scene_of_row({}, place); });
+    };
+    for (const char *place : {"rows.csv", ":1", "rows.csv:", "rows.csv:one"})
+      test::check_text(said(place),
+                       std::string("--row \"") + place +
+                         "\": write a file of rows and the number of one, such as prm/s_curve.csv:25",
+                       "a place without a number");
+    test::check_text(said(file.path() + ":3"),
+                     "--row \"" + file.path() + ":3\": the file has the rows 1 to 2",
+                     "a row beyond the file");
+    test::check_text(said(file.path() + ":2"),
+                     "--row \"" + file.path() + ":2\": without a load there is no contact; take another row",
+                     "a row without a load");
+  }
+
   void
   test_rows()
   {
@@ -167,6 +198,7 @@ main()
 {
   test_messages();
   test_command();
+  test_scene_of_row();
   test_rows();
   return test::report();
 }

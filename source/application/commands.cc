@@ -6,6 +6,7 @@
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/material_command.h>
 #include <wheelrail/application/report_script.h>
+#include <wheelrail/application/scene_row.h>
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/base/errors.h>
@@ -46,13 +47,16 @@ namespace wheelrail
       return options.count("file") ? options["file"].as<std::string>() : "";
     }
 
-    /// The file with the --set options; without a file the defaults.
+    /// The file with the --set options, at the row of --row; without a file the defaults.
     SceneInput
     input_of(const po::variables_map &options)
     {
       const std::string file = file_of(options);
-      return file.empty() ? scene_from_text("", "defaults", sets_of(options))
-                          : read_scene(file, sets_of(options));
+      SceneInput        input =
+        file.empty() ? scene_from_text("", "defaults", sets_of(options)) : read_scene(file, sets_of(options));
+      if (options.count("row"))
+        input.scene = scene_of_row(input.scene, options["row"].as<std::string>());
+      return input;
     }
 
     /// The processes that the launcher would start a run on, which it tells by an environment variable; 0
@@ -116,6 +120,8 @@ namespace wheelrail
       run_options.prm_text         = input.text;
       for (const std::string &set : sets_of(options))
         run_options.prm_text += "# --set \"" + set + "\"\n";
+      if (options.count("row"))
+        run_options.prm_text += "# --row " + options["row"].as<std::string>() + "\n";
       run_options.parameters_text = print_parameters(input.scene);
       run_options.program_version = WHEELRAIL_VERSION;
       return run(input.scene, geometry, run_options);
@@ -297,6 +303,14 @@ namespace wheelrail
     {
       options.add_options()("no-pictures", "only figures and fields, which takes a second");
     }
+
+    void
+    add_row_option(po::options_description &options)
+    {
+      options.add_options()("row",
+                            po::value<std::string>(),
+                            "the scene at a row of a vehicle simulation, such as prm/s_curve.csv:25");
+    }
   } // namespace
 
 
@@ -309,6 +323,7 @@ namespace wheelrail
        "compute the scene of a parameter file",
        [](po::options_description &options) {
          add_set_option(options);
+         add_row_option(options);
          options.add_options()("overwrite", "replace the run in the output folder, finished or saved");
          options.add_options()("resume", "go on from the last checkpoint in the output folder");
          options.add_options()("validate", "check the file without running");
@@ -332,6 +347,7 @@ namespace wheelrail
        "contact of the scene as two half-spaces: patch, tractions, creepage in seconds",
        [](po::options_description &options) {
          add_set_option(options);
+         add_row_option(options);
          add_no_pictures_option(options);
          options.add_options()(
            "creep-curve",
