@@ -5,6 +5,7 @@
 #include "scenes/rolled_strip.h"
 
 #include "check.h"
+#include "strip_steel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +20,13 @@ using test::check_near;
 
 namespace
 {
-  constexpr double yield_stress = 30e6; ///< a tenth of a steel's: squares of strains do not matter [Pa]
-  const double     k            = yield_stress / std::sqrt(3.);
-
-  Setup
-  perfect()
-  {
-    Setup setup;
-    setup.plasticity = {yield_stress, 0, 0};
-    return setup;
-  }
+  const double k = test::strip_k;
 
   /// How much the largest plastic strain over depth grows in each pass.
   std::vector<double>
   growths(const double peak, const unsigned int passes)
   {
-    RolledStrip         strip({peak, 0, 6}, perfect());
+    RolledStrip         strip({peak, 0, 6}, test::strip_steel());
     std::vector<double> result, before(strip.depth.size(), 0.);
     std::cout << "        " << peak / k << " k:";
     for (unsigned int n = 0; n < passes; ++n)
@@ -53,7 +45,7 @@ namespace
   void
   residual()
   {
-    RolledStrip strip({3.8 * k, 0, 6, 24}, perfect());
+    RolledStrip strip({3.8 * k, 0, 6, 24}, test::strip_steel());
     strip.pass();
     const StripResidual left = strip.unload(19, 21);
     std::cout << "        residual stress up to " << left.largest / k << " k\n";

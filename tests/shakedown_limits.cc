@@ -7,6 +7,7 @@
 #include "scenes/rolled_strip.h"
 
 #include "check.h"
+#include "strip_steel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +24,7 @@ using test::check_near;
 
 namespace
 {
-  constexpr double yield_stress = 30e6; ///< a tenth of a steel's: squares of strains do not matter [Pa]
-  const double     k            = yield_stress / std::sqrt(3.);
-
-  Setup
-  steel(const double tangent_modulus = 0, const double kinematic_fraction = 0)
-  {
-    Setup setup;
-    setup.plasticity = {yield_stress, tangent_modulus, kinematic_fraction};
-    return setup;
-  }
+  const double k = test::strip_k;
 
   /// What grows per pass, the largest over depth [1].
   struct Growth
@@ -100,8 +92,8 @@ namespace
   limit(const double traction, const double pressure)
   {
     const std::string text = " the limit, full slip at " + std::to_string(traction).substr(0, 3);
-    const Passes      down = roll("below", {0.95 * pressure * k, traction}, steel(), 20),
-                 on        = roll("above", {1.05 * pressure * k, traction}, steel(), 20);
+    const Passes      down = roll("below", {0.95 * pressure * k, traction}, test::strip_steel(), 20),
+                 on        = roll("above", {1.05 * pressure * k, traction}, test::strip_steel(), 20);
     check(down.each[1].strain > 1e-5, "flows at first below" + text);
     check_near(down.each[19].strain / down.each[1].strain,
                0,
@@ -117,15 +109,15 @@ namespace
   hardening()
   {
     const LineLoad load{3.6 * k, 0.2, 6};
-    const Passes   perfect = roll("perfectly plastic", load, steel(), 20),
-                 kinematic = roll("kinematic, linear", load, steel(10e9, 1), 20);
+    const Passes   perfect = roll("perfectly plastic", load, test::strip_steel(), 20),
+                 kinematic = roll("kinematic, linear", load, test::strip_steel(10e9, 1), 20);
     check_near(
       perfect.each[19].shear / perfect.each[9].shear, 1, 0.15, "without hardening shear goes on as it does");
     check_near(kinematic.each[19].shear / kinematic.each[1].shear,
                0,
                0.01,
                "with linear kinematic hardening it ends, the last pass over the second");
-    const Passes isotropic = roll("isotropic", {4.2 * k, 0, 6}, steel(21e9, 0), 20);
+    const Passes isotropic = roll("isotropic", {4.2 * k, 0, 6}, test::strip_steel(21e9, 0), 20);
     check_near(isotropic.each[19].strain / isotropic.each[1].strain,
                0,
                1e-3,
@@ -137,10 +129,10 @@ namespace
   elements()
   {
     CyclicHardening h;
-    h.yield_stress     = yield_stress;
+    h.yield_stress     = test::strip_yield_stress;
     h.moduli           = {25e9};
-    h.rates            = {25e9 / (0.2 * yield_stress)};
-    Setup      one     = steel();
+    h.rates            = {25e9 / (0.2 * test::strip_yield_stress)};
+    Setup      one     = test::strip_steel();
     const auto law     = ChabocheLaw(one.material, h);
     const auto reduced = roll("Chaboche, reduced", {4.2 * k, 0.2}, one, 12, law);
     one.form           = ElementForm::full;

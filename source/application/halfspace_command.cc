@@ -10,6 +10,7 @@
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/halfspace_stresses.h>
+#include <wheelrail/reference/several_patches.h>
 #include <wheelrail/reference/wheel_rail_input.h>
 
 #include <cmath>
@@ -69,9 +70,7 @@ namespace wheelrail
       char line[200];
       for (std::size_t k = 1; k <= n; ++k)
         {
-          const auto value = [&](const char *key) {
-            return get_figure(figures, "patch_" + std::to_string(k) + "_" + key);
-          };
+          const auto value = [&](const char *key) { return get_figure(figures, patch_prefix(k) + key); };
           std::snprintf(line,
                         sizeof(line),
                         "%7zu %13.3f %13.3f %9.3f %9.2f %14.2f %13.2f %13.1f %9.2f %9.2f\n",

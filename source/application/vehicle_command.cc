@@ -5,6 +5,7 @@
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/several_patches.h>
 #include <wheelrail/reference/vehicle.h>
 
 #include <chrono>
@@ -76,7 +77,7 @@ namespace wheelrail
                            "contact_area_m2",
                            "t_gamma_N"},
                           rows,
-                          "patch_" + std::to_string(k) + "_");
+                          patch_prefix(k));
     }
 
     /// A column of the motion, under its name and its SI unit.

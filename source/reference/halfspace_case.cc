@@ -70,22 +70,16 @@ namespace wheelrail
   HalfspacePressure
   halfspace_pressure(const WheelRailSolution &result)
   {
-    if (!result.others.empty())
-      {
-        WheelRailSolution highest = result;
-        highest.others.clear();
-        for (const WheelRailSolution &other : result.others)
-          if (other.solution.peak_pressure > highest.solution.peak_pressure)
-            highest = other;
-        HalfspacePressure pressure = halfspace_pressure(highest);
-        pressure.patches           = result.others.size() + 1.;
-        return pressure;
-      }
-    return {result.solution.peak_pressure,
-            result.solution.approach,
-            result.measures.width,
-            result.measures.length,
-            result.turn,
-            result.reference.value_or(ContactReference())};
+    const WheelRailSolution *highest = &result;
+    for (const WheelRailSolution &other : result.others)
+      if (other.solution.peak_pressure > highest->solution.peak_pressure)
+        highest = &other;
+    return {highest->solution.peak_pressure,
+            highest->solution.approach,
+            highest->measures.width,
+            highest->measures.length,
+            highest->turn,
+            highest->reference.value_or(ContactReference()),
+            result.others.size() + 1.};
   }
 } // namespace wheelrail

@@ -1,5 +1,7 @@
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/reference_figures.h>
+#include <wheelrail/reference/several_patches.h>
 
 #include <algorithm>
 #include <string>
@@ -18,18 +20,13 @@ namespace wheelrail
       if (!result.reference)
         return;
       const ContactReference &at = *result.reference;
-      const auto   set       = [&](const char *key, const double value) { set_figure(summary, key, value); };
-      const double of_motion = determined ? 1 : Summary::none;
+      const auto set = [&](const char *key, const double value) { set_figure(summary, key, value); };
       set("yaw_rad", wheelset_pose(scene).yaw);
       set("wheelset_roll_rad", result.roll);
       set("reference_lateral_m", at.place.x);
       set("reference_vertical_m", at.place.y);
       set("reference_along_m", at.along);
-      set("reference_ahead_of_axle_m", at.ahead);
-      set("reference_angle_rad", at.angle);
-      set("reference_creepage", of_motion * at.creepage);
-      set("reference_lateral_creepage", of_motion * at.lateral_creepage);
-      set("reference_spin_per_m", of_motion * at.spin);
+      set_reference_figures(at, determined, summary);
       set("reference_spin_moment_Nm", at.spin_moment);
       set("tangential_lateral_force_N", at.traction);
       set("wheelset_longitudinal_force_N", at.driving);
@@ -94,7 +91,7 @@ namespace wheelrail
     void
     add_patch(const Summary &patch, const std::size_t number, Summary &summary)
     {
-      const std::string before = "patch_" + std::to_string(number) + "_";
+      const std::string before = patch_prefix(number);
       for (const char *key : {"normal_force_N",
                               "longitudinal_force_N",
                               "tangential_lateral_force_N",

@@ -1,3 +1,4 @@
+#include <wheelrail/halfspace/influence.h>
 #include <wheelrail/reference/several_patches.h>
 
 #include <boost/math/tools/roots.hpp>
@@ -72,8 +73,7 @@ namespace wheelrail
         for (const ContactRegion &region : regions)
           contacts_.emplace_back(scene, geometry, offsets, region);
         const HalfspaceProblem &problem = contacts_.front().problem;
-        for (const HalfspaceBody &body : {problem.body1, problem.body2})
-          compliance_ += (1 - body.poisson_ratio) / (2 * std::acos(-1.) * body.shear_modulus);
+        compliance_                     = halfspace_constants(problem.body1, problem.body2).normal;
         for (std::size_t k = 0; k < contacts_.size(); ++k)
           contacts_[k].added_distance = [this, k](const double x, const double s) {
             return pressed_down(k, x, s);
@@ -358,5 +358,12 @@ namespace wheelrail
     SharedLoad shared(scene, geometry, offsets, regions);
     shared.find(load, one);
     return shared.result();
+  }
+
+
+  std::string
+  patch_prefix(const std::size_t number)
+  {
+    return "patch_" + std::to_string(number) + "_";
   }
 } // namespace wheelrail

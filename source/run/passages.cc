@@ -199,10 +199,10 @@ namespace wheelrail
                                                : FolderMode::fresh;
       OutputFolder whole(scene_.folder, mode, options_.prm_text, communicator_);
       open(whole, mode);
-      unsigned int k = 0;
+      unsigned int k        = 0;
+      bool         computed = false;
       do
         {
-          bool      computed;
           const int code = pass(++k, computed);
           if (code != 0)
             return code;
@@ -211,7 +211,8 @@ namespace wheelrail
         }
       while (!enough(k));
       on_root(communicator_, [&]() {
-        write(k);
+        if (!computed) // all passages were there
+          write(k);
         Summary summary = read_summary(passage_folder(scene_.folder, k) + "/summary.json");
         if (!verdict_.empty())
           summary.note = verdict_ + ".";

@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/reference_figures.h>
 #include <wheelrail/reference/trust.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_texts.h>
@@ -109,18 +110,6 @@ namespace wheelrail
         summary.note = sliding_note(scene.traction_coefficient);
     }
 
-    /// Creepages and spin of the run, and where they count: from its pitch rate, its pose and the place of
-    /// the contact of half-spaces.
-    void
-    add_reference(const ContactReference &reference, Summary &summary)
-    {
-      set_figure(summary, "reference_ahead_of_axle_m", reference.ahead);
-      set_figure(summary, "reference_angle_rad", reference.angle);
-      set_figure(summary, "reference_creepage", reference.creepage);
-      set_figure(summary, "reference_lateral_creepage", reference.lateral_creepage);
-      set_figure(summary, "reference_spin_per_m", reference.spin);
-    }
-
     /// Holds the peak pressure against that of half-spaces, and adds both figures.
     PeakMiss
     compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
@@ -130,7 +119,7 @@ namespace wheelrail
           const HalfspacePressure halfspace = halfspace_pressure(
             scene, geometry, summary.normal_force, offsets_of_run(summary), summary.creepage);
           if (std::isfinite(get_figure(summary, "yaw_rad")))
-            add_reference(halfspace.reference, summary);
+            set_reference_figures(halfspace.reference, true, summary); // from its pitch rate and pose
           const Trust trust = trust_of(scene, summary, halfspace);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
           set_figure(summary, "relative_difference_max_pressure", trust.peak_difference);

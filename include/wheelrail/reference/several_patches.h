@@ -2,6 +2,8 @@
 
 #include <wheelrail/reference/plane_contact.h>
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -37,4 +39,8 @@ namespace wheelrail
                  const SectionOffsets             &offsets,
                  const std::vector<ContactRegion> &regions,
                  const PlaneContact               &one);
+
+  /// Before the keys of figures of one patch, from 1: "patch_2_".
+  std::string
+  patch_prefix(std::size_t number);
 } // namespace wheelrail
