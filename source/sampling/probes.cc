@@ -1,6 +1,4 @@
 #include <wheelrail/sampling/probes.h>
-#include <wheelrail/solid/point_state.h>
-#include <wheelrail/solid/stress_recovery.h>
 
 #include <algorithm>
 #include <array>
@@ -11,17 +9,8 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr unsigned int n_fields = 1 + probe_fields; // number of cells found, then the sums
-
     using Corners = std::array<Vector3, 8>;
     using Stress  = std::array<double, 6>;
-
-    /// A point to interpolate at and what was found there.
-    struct Probe
-    {
-      Vector3                      x{};
-      std::array<double, n_fields> sum{}; ///< number of cells that contain the point, then sums over them
-    };
 
     std::array<double, 8>
     shape(const Vector3 &xi)
@@ -125,85 +114,105 @@ namespace wheelrail
       }
     };
 
-    /// Fills the probes of a body from the nodal stresses.
-    void
-    interpolate(const Solid &solid, const Body body, const ProbeSource &source, std::vector<Probe> &probes)
+    /// Means over the cells that hold a point, of N numbers that `add(hit, sums)` adds for each.
+    template <std::size_t N, typename Add>
+    std::vector<std::array<double, N>>
+    means(const Probes &probes, const Add &add)
     {
-      Box all;
-      for (const Probe &probe : probes)
-        all.take(probe.x);
-      for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
+      std::vector<double> sums((N + 1) * probes.n_points, 0.); // number of cells, then the sums over them
+      for (const Probes::Hit &hit : probes.hits)
         {
-          if (solid.mesh.cell_body[c] != body)
-            continue;
-          Corners corner;
-          Box     box;
-          for (int v = 0; v < 8; ++v)
-            box.take(corner[v] = solid.position(solid.mesh.cells[c][v]));
-          // more than place_in_cell() lets a point lie outside
-          const Vector3 margin = 0.02 * (box.high - box.low);
-          box.take(box.low - margin);
-          box.take(box.high + margin);
-          if (!box.meets(all))
-            continue;
-          for (Probe &probe : probes)
-            {
-              Box point;
-              point.take(probe.x);
-              Vector3 xi;
-              if (!box.meets(point) || !place_in_cell(corner, probe.x, xi))
-                continue;
-              const Stress s = stress_in_cell(solid.mesh, solid.mesh.cells[c], source.nodal, xi);
-              probe.sum[0] += 1;
-              for (int k = 0; k < 6; ++k)
-                probe.sum[k + 1] += s[k];
-              probe.sum[7] += source.plastic_strain[c];
-            }
+          double *const at = &sums[(N + 1) * hit.point];
+          at[0] += 1;
+          add(hit, at + 1);
         }
+      MPI_Allreduce(
+        MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, probes.communicator);
+      std::vector<std::array<double, N>> values(probes.n_points);
+      for (std::size_t p = 0; p < probes.n_points; ++p)
+        {
+          const double *const s     = &sums[(N + 1) * p];
+          const double        found = s[0] > 0 ? s[0] : std::numeric_limits<double>::quiet_NaN();
+          for (std::size_t k = 0; k < N; ++k)
+            values[p][k] = s[k + 1] / found;
+        }
+      return values;
+    }
+
+    /// means() of one number.
+    template <typename Value>
+    std::vector<double>
+    means_of(const Probes &probes, const Value &value)
+    {
+      std::vector<double> numbers;
+      for (const auto &v : means<1>(probes, [&](const Probes::Hit &hit, double *sum) { *sum += value(hit); }))
+        numbers.push_back(v[0]);
+      return numbers;
     }
   } // namespace
 
 
-  ProbeSource
-  probe_source(const Solid &solid, const NodalStress &nodal)
+  Probes
+  find_probes(const Solid &solid, const Body body, const std::vector<Vector3> &points, MPI_Comm communicator)
   {
-    ProbeSource source{nodal, {}};
-    source.plastic_strain.resize(solid.mesh.cells.size());
-    for (const Body body : both_bodies)
+    Probes probes{points.size(), {}, communicator};
+    Box    all;
+    for (const Vector3 &point : points)
+      all.take(point);
+    for (unsigned int c = 0; c < solid.mesh.cells.size(); ++c)
       {
-        const auto strain = element_plastic_strain(solid.blocks[body]);
-        for (std::size_t e = 0; e < strain.size(); ++e)
-          source.plastic_strain[solid.block_cells[body][e]] = strain[e];
+        if (solid.mesh.cell_body[c] != body)
+          continue;
+        Corners corner;
+        Box     box;
+        for (int v = 0; v < 8; ++v)
+          box.take(corner[v] = solid.position(solid.mesh.cells[c][v]));
+        // more than place_in_cell() lets a point lie outside
+        const Vector3 margin = 0.02 * (box.high - box.low);
+        box.take(box.low - margin);
+        box.take(box.high + margin);
+        if (!box.meets(all))
+          continue;
+        for (std::size_t p = 0; p < points.size(); ++p)
+          {
+            Box point;
+            point.take(points[p]);
+            Vector3 xi;
+            if (box.meets(point) && place_in_cell(corner, points[p], xi))
+              probes.hits.push_back({p, c, xi});
+          }
       }
-    return source;
+    return probes;
   }
 
 
-  std::vector<std::array<double, probe_fields>>
-  probe_body(const Solid                &solid,
-             const Body                  body,
-             const ProbeSource          &source,
-             const std::vector<Vector3> &points,
-             MPI_Comm                    communicator)
+  std::vector<std::array<double, 6>>
+  probe_stress(const Probes &probes, const LocalMesh &mesh, const NodalStress &nodal)
   {
-    std::vector<Probe> probes;
-    for (const Vector3 &point : points)
-      probes.push_back({point, {}});
-    interpolate(solid, body, source, probes);
-    std::vector<double> sums;
-    for (const Probe &probe : probes)
-      sums.insert(sums.end(), probe.sum.begin(), probe.sum.end());
-    MPI_Allreduce(
-      MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, communicator);
+    return means<6>(probes, [&](const Probes::Hit &hit, double *sum) {
+      const Stress s = stress_in_cell(mesh, mesh.cells[hit.cell], nodal, hit.xi);
+      for (int k = 0; k < 6; ++k)
+        sum[k] += s[k];
+    });
+  }
 
-    std::vector<std::array<double, probe_fields>> values(points.size());
-    for (std::size_t p = 0; p < points.size(); ++p)
-      {
-        const double *s     = &sums[n_fields * p];
-        const double  found = s[0] > 0 ? s[0] : std::numeric_limits<double>::quiet_NaN();
-        for (unsigned int k = 0; k < probe_fields; ++k)
-          values[p][k] = s[k + 1] / found;
-      }
-    return values;
+
+  std::vector<double>
+  probe_nodes(const Probes &probes, const LocalMesh &mesh, const std::vector<double> &field)
+  {
+    return means_of(probes, [&](const Probes::Hit &hit) {
+      const auto N     = shape(hit.xi);
+      double     value = 0;
+      for (int v = 0; v < 8; ++v)
+        value += N[v] * field[mesh.cells[hit.cell][v]];
+      return value;
+    });
+  }
+
+
+  std::vector<double>
+  probe_cells(const Probes &probes, const std::vector<double> &field)
+  {
+    return means_of(probes, [&](const Probes::Hit &hit) { return field[hit.cell]; });
   }
 } // namespace wheelrail

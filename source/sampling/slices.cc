@@ -4,6 +4,7 @@
 #include <wheelrail/sampling/probes.h>
 #include <wheelrail/sampling/slices.h>
 #include <wheelrail/solid/cauchy.h>
+#include <wheelrail/solid/point_state.h>
 
 #include <algorithm>
 #include <array>
@@ -21,15 +22,14 @@ namespace wheelrail
       const char *name, *unit;
     };
     /// The last one only in a body that may flow.
-    constexpr unsigned int n_fields         = 1 + probe_fields;
-    constexpr Field        fields[n_fields] = {{"von_mises_stress", "Pa"},
-                                               {"stress_xx", "Pa"},
-                                               {"stress_yy", "Pa"},
-                                               {"stress_zz", "Pa"},
-                                               {"stress_yz", "Pa"},
-                                               {"stress_xz", "Pa"},
-                                               {"stress_xy", "Pa"},
-                                               {"plastic_strain", "1"}};
+    constexpr Field fields[] = {{"von_mises_stress", "Pa"},
+                                {"stress_xx", "Pa"},
+                                {"stress_yy", "Pa"},
+                                {"stress_zz", "Pa"},
+                                {"stress_yz", "Pa"},
+                                {"stress_xz", "Pa"},
+                                {"stress_xy", "Pa"},
+                                {"plastic_strain", "1"}};
 
     /// Where a slice runs over the lattice of the contact: nodes at both sides of every point of the line,
     /// and the weight of the second.
@@ -112,48 +112,35 @@ namespace wheelrail
       return depths;
     }
 
-    /// The slice of a line with the values at its points.
-    Slice
-    cut(const Model                &model,
-        const Line                 &line,
-        const Body                  body,
-        const std::vector<Vector3> &points,
-        const ProbeSource          &source,
-        MPI_Comm                    communicator)
+    /// Of each cell, of those of the other body 0 [1].
+    std::vector<double>
+    plastic_strain_of_cells(const Solid &solid, const Body body)
     {
-      Slice slice;
-      slice.offset       = line.offset;
-      slice.position     = line.position;
-      slice.depth        = depths(*model.contact);
-      const auto values  = probe_body(model.solid, body, source, points, communicator);
-      const bool plastic = model.solid.blocks[body].plastic();
-      slice.values.resize(plastic ? n_fields : n_fields - 1);
-      for (const auto &v : values)
-        {
-          slice.values[0].push_back(von_mises(v.data()));
-          for (std::size_t k = 1; k < slice.values.size(); ++k)
-            slice.values[k].push_back(v[k - 1]);
-        }
-      return slice;
+      std::vector<double> strain(solid.mesh.cells.size(), 0.);
+      const auto          of_elements = element_plastic_strain(solid.blocks[body]);
+      for (std::size_t e = 0; e < of_elements.size(); ++e)
+        strain[solid.block_cells[body][e]] = of_elements[e];
+      return strain;
     }
 
-    /// A nodal field of the rail at points.
-    std::vector<double>
-    probe_scalar(const Solid                &solid,
-                 const std::vector<double>  &field,
-                 const std::vector<Vector3> &points,
-                 MPI_Comm                    communicator)
+    /// The slice of a line with the values at its points.
+    Slice
+    cut(const Model &model, const Line &line, const Body body, const Probes &probes, const NodalStress &nodal)
     {
-      NodalStress in_place_of_stress; // the probes interpolate six numbers a node
-      in_place_of_stress.stress.assign(6 * field.size(), 0.);
-      in_place_of_stress.gradient.assign(18 * field.size(), 0.);
-      for (std::size_t n = 0; n < field.size(); ++n)
-        in_place_of_stress.stress[6 * n] = field[n];
-      const ProbeSource   source = probe_source(solid, in_place_of_stress);
-      std::vector<double> values;
-      for (const auto &v : probe_body(solid, Body::rail, source, points, communicator))
-        values.push_back(v[0]);
-      return values;
+      Slice slice;
+      slice.offset   = line.offset;
+      slice.position = line.position;
+      slice.depth    = depths(*model.contact);
+      slice.values.resize(7);
+      for (const auto &stress : probe_stress(probes, model.solid.mesh, nodal))
+        {
+          slice.values[0].push_back(von_mises(stress.data()));
+          for (int k = 0; k < 6; ++k)
+            slice.values[k + 1].push_back(stress[k]);
+        }
+      if (model.solid.blocks[body].plastic())
+        slice.values.push_back(probe_cells(probes, plastic_strain_of_cells(model.solid, body)));
+      return slice;
     }
 
     /// Node of the largest pressure: lateral coordinate and position ahead of the axle [m].
@@ -249,7 +236,6 @@ namespace wheelrail
   make_slices(const Model &model, const NodalStress &nodal, const double travelled, MPI_Comm communicator)
   {
     const Contact                      &contact  = *model.contact;
-    const ProbeSource                   source   = probe_source(model.solid, nodal);
     const auto                          peak     = place_of_peak(contact, travelled);
     const std::pair<const char *, Line> lines[4] = {{"AA", line_along(contact, travelled, 0)},
                                                     {"BB", line_across(contact, travelled, 0)},
@@ -260,7 +246,8 @@ namespace wheelrail
       for (const Body body : both_bodies)
         {
           const auto points = points_below(contact, line, body, depths(contact));
-          slices.push_back(cut(model, line, body, points, source, communicator));
+          const auto probes = find_probes(model.solid, body, points, communicator);
+          slices.push_back(cut(model, line, body, probes, nodal));
           slices.back().name = std::string(name) + "_" + body_name(body);
         }
     if (model.solid.blocks.rail.plastic())
@@ -284,16 +271,15 @@ namespace wheelrail
     std::vector<Slice> slices;
     if (along.top.size() < 2)
       return slices;
-    const RailRow     across = row_across_end(contact, along);
-    const ProbeSource source = probe_source(model.solid, nodal);
+    const RailRow across = row_across_end(contact, along);
     for (const auto &[name, row] : {std::make_pair("AA_behind_rail", &along), {"BB_behind_rail", &across}})
       {
-        const auto points = points_behind(contact, *row);
-        slices.push_back(cut(model, row->line, Body::rail, points, source, communicator));
+        const auto probes = find_probes(model.solid, Body::rail, points_behind(contact, *row), communicator);
+        slices.push_back(cut(model, row->line, Body::rail, probes, nodal));
         slices.back().name     = name;
         slices.back().unloaded = true;
         if (forward != nullptr)
-          slices.back().forward_shear = probe_scalar(model.solid, *forward, points, communicator);
+          slices.back().forward_shear = probe_nodes(probes, model.solid.mesh, *forward);
       }
     return slices;
   }

@@ -1,3 +1,4 @@
+#include <wheelrail/solid/patch_slopes.h>
 #include <wheelrail/solid/point_state.h>
 #include <wheelrail/solid/stress_recovery.h>
 
@@ -8,18 +9,7 @@ namespace wheelrail
 {
   namespace
   {
-    using Stress = std::array<double, 6>;
-
-    /// Sums over the elements around a point, weighted by volume; d counts from the point to the centres.
-    struct Moments
-    {
-      double                volume = 0;
-      double                flowed = 0; ///< volume that has flowed
-      Vector3               d{};
-      std::array<double, 6> dd{}; ///< xx yy zz yz xz xy
-      Stress                s{};
-      std::array<Stress, 3> sd{}; ///< s times each component of d
-    };
+    using namespace patches;
 
     /// Sums over the elements around a node: gradients of stress, G d, and where the gradients were taken,
     /// from the node.
@@ -39,44 +29,6 @@ namespace wheelrail
       std::array<Stress, 3> to_mean{};
     };
 
-    constexpr int first_of[6] = {0, 1, 2, 1, 0, 0}, second_of[6] = {0, 1, 2, 2, 2, 1};
-
-    template <typename Sums>
-    constexpr std::size_t numbers = sizeof(Sums) / sizeof(double);
-
-    /// Adds up what the ranks have for their shared nodes; Sums is a struct of doubles alone.
-    template <typename Sums>
-    void
-    sum_over_ranks(SharedSum &sum, std::vector<Sums> &sums)
-    {
-      AlignedVector<double> part(4 * sums.size());
-      for (std::size_t first = 0; first < numbers<Sums>; first += 4)
-        {
-          const std::size_t count = std::min<std::size_t>(4, numbers<Sums> - first);
-          for (std::size_t n = 0; n < sums.size(); ++n)
-            std::copy_n(reinterpret_cast<const double *>(&sums[n]) + first, count, &part[4 * n]);
-          sum(part.data(), count);
-          for (std::size_t n = 0; n < sums.size(); ++n)
-            std::copy_n(&part[4 * n], count, reinterpret_cast<double *>(&sums[n]) + first);
-        }
-    }
-
-    /// One element as the recovery sees it.
-    struct Element
-    {
-      const std::array<unsigned int, 8> *nodes;
-      Vector3                            centre;
-      Stress                             stress;
-      double                             volume;
-      bool                               flowed;
-    };
-
-    Vector3
-    reference_place(const LocalMesh &mesh, const unsigned int node)
-    {
-      return {mesh.reference[4 * node], mesh.reference[4 * node + 1], mesh.reference[4 * node + 2]};
-    }
-
     std::vector<Element>
     elements_of(const Solid &solid, const PerBody<std::vector<Stress>> &stress)
     {
@@ -95,129 +47,6 @@ namespace wheelrail
             }
         }
       return elements;
-    }
-
-    std::vector<Moments>
-    nodal_moments(const Solid &solid, const std::vector<Element> &elements, SharedSum &sum)
-    {
-      std::vector<Moments> moments(solid.mesh.n_nodes());
-      for (const Element &element : elements)
-        for (const unsigned int node : *element.nodes)
-          {
-            Moments      &m = moments[node];
-            const Vector3 d = element.centre - reference_place(solid.mesh, node);
-            const double  V = element.volume;
-            m.volume += V;
-            m.flowed += element.flowed ? V : 0;
-            add(m.d, V, d);
-            for (int k = 0; k < 6; ++k)
-              {
-                m.dd[k] += V * d[first_of[k]] * d[second_of[k]];
-                m.s[k] += V * element.stress[k];
-                for (int i = 0; i < 3; ++i)
-                  m.sd[i][k] += V * element.stress[k] * d[i];
-              }
-          }
-      sum_over_ranks(sum, moments);
-      return moments;
-    }
-
-    /// `share` of the moments about the point that lies -r from the one of `m`, added to `all`.
-    void
-    add_moved(Moments &all, const Moments &m, const Vector3 &r, const double share)
-    {
-      all.volume += share * m.volume;
-      add(all.d, share, m.d);
-      add(all.d, share * m.volume, r);
-      for (int k = 0; k < 6; ++k)
-        {
-          const int i = first_of[k], j = second_of[k];
-          all.dd[k] += share * (m.dd[k] + m.d[i] * r[j] + r[i] * m.d[j] + m.volume * r[i] * r[j]);
-          all.s[k] += share * m.s[k];
-          for (int l = 0; l < 3; ++l)
-            all.sd[l][k] += share * (m.sd[l][k] + m.s[k] * r[l]);
-        }
-    }
-
-    /// Rows of a symmetric 3 x 3 matrix.
-    using Rows = std::array<Vector3, 3>;
-
-    double
-    determinant(const Rows &row)
-    {
-      return dot(row[0], cross(row[1], row[2]));
-    }
-
-    Rows
-    inverse(const Rows &row)
-    {
-      const double det = determinant(row);
-      return {(1 / det) * cross(row[1], row[2]),
-              (1 / det) * cross(row[2], row[0]),
-              (1 / det) * cross(row[0], row[1])};
-    }
-
-    /// The gradient of one element by least squares over its patch, and where a gradient that changes evenly
-    /// has this value, from the element's centre.
-    struct ElementGradient
-    {
-      std::array<Stress, 3> G;
-      Vector3               place;
-    };
-
-    /// Slope of the plane through the stresses by least squares; zero where all centres lie in one layer.
-    ElementGradient
-    slope(const Moments &m)
-    {
-      // spread of the centres about their mean, of the size V^(5/3), with a trifle that keeps a single layer
-      // regular: half way between round-off and what would change a slope in the sixth digit
-      Rows C;
-      for (int k = 0; k < 6; ++k)
-        C[first_of[k]][second_of[k]] = C[second_of[k]][first_of[k]] =
-          m.dd[k] - m.d[first_of[k]] * m.d[second_of[k]] / m.volume;
-      const double trifle = 1e-10 * std::pow(m.volume, 5. / 3);
-      for (int i = 0; i < 3; ++i)
-        C[i][i] += trifle;
-      const Rows      of_spread = inverse(C);
-      ElementGradient gradient{{}, (1 / m.volume) * m.d};
-      for (int k = 0; k < 6; ++k)
-        {
-          Vector3 rhs;
-          for (int i = 0; i < 3; ++i)
-            rhs[i] = m.sd[i][k] - m.s[k] * m.d[i] / m.volume;
-          for (int i = 0; i < 3; ++i)
-            gradient.G[i][k] = dot(of_spread[i], rhs);
-        }
-      return gradient;
-    }
-
-    /// How much a node counts in the patch of an element: hardly, where its own elements lie to one side of
-    /// it. Below a surface the layers then weigh the same, and least squares give the slope in their middle.
-    double
-    share_of(const Moments &m, const Element &element)
-    {
-      const double aside = norm(m.d) / (m.volume * std::cbrt(element.volume));
-      return std::max(1e-4, 1 - 2.5 * aside);
-    }
-
-    std::vector<ElementGradient>
-    element_gradients(const Solid                &solid,
-                      const std::vector<Element> &elements,
-                      const std::vector<Moments> &moments)
-    {
-      std::vector<ElementGradient> gradients;
-      gradients.reserve(elements.size());
-      for (const Element &element : elements)
-        {
-          Moments around;
-          for (const unsigned int node : *element.nodes)
-            add_moved(around,
-                      moments[node],
-                      reference_place(solid.mesh, node) - element.centre,
-                      share_of(moments[node], element));
-          gradients.push_back(slope(around));
-        }
-      return gradients;
     }
 
     std::vector<GradientSum>
@@ -350,8 +179,8 @@ namespace wheelrail
             SharedSum                  &sum,
             std::vector<char>          &flowed)
     {
-      const std::vector<Moments>         moments     = nodal_moments(solid, elements, sum);
-      const std::vector<ElementGradient> of_elements = element_gradients(solid, elements, moments);
+      const std::vector<Moments>         moments     = nodal_moments(solid.mesh, elements, sum);
+      const std::vector<ElementGradient> of_elements = element_gradients(solid.mesh, elements, moments);
       const std::vector<GradientSum>     gradients   = nodal_gradients(solid, elements, of_elements, sum);
       const std::vector<BendSum> bends = nodal_bends(solid, elements, of_elements, moments, gradients, sum);
       flowed.resize(solid.mesh.n_nodes());

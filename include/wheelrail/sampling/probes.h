@@ -8,27 +8,38 @@
 
 namespace wheelrail
 {
-  /// What can be probed in the bodies of a rank.
-  struct ProbeSource
+  /// Places in a body at which its fields are asked for, and what a rank knows of them.
+  struct Probes
   {
-    const NodalStress  &nodal;          ///< see nodal_stress()
-    std::vector<double> plastic_strain; ///< of each cell [1]
+    /// A cell of this rank that holds a point.
+    struct Hit
+    {
+      std::size_t  point; ///< number of the point, 0 ... n_points - 1
+      unsigned int cell;  ///< see LocalMesh::cells
+      Vector3      xi;    ///< place in the unit cube that the cell's map takes to its corners, 0 ... 1
+    };
+
+    std::size_t      n_points = 0;
+    std::vector<Hit> hits; ///< none for a point outside, several where cells meet
+    MPI_Comm         communicator;
   };
 
-  /// `nodal` must live as long as what is returned.
-  ProbeSource
-  probe_source(const Solid &solid, const NodalStress &nodal);
+  /// Finds points [m] among the current positions of a body. All ranks pass the same points, here and so
+  /// below.
+  Probes
+  find_probes(const Solid &solid, Body body, const std::vector<Vector3> &points, MPI_Comm communicator);
 
-  /// xx, yy, zz, yz, xz, xy of Cauchy's stress [Pa], accumulated plastic strain [1].
-  constexpr unsigned int probe_fields = 7;
+  /// Cauchy's stress xx, yy, zz, yz, xz, xy [Pa] at the points, from values and gradients at the nodes
+  /// (nodal_stress()); as the other fields the mean where cells meet and NaN outside of the body, the same
+  /// on all ranks. Collective.
+  std::vector<std::array<double, 6>>
+  probe_stress(const Probes &probes, const LocalMesh &mesh, const NodalStress &nodal);
 
-  /// Values at points [m] of the current positions of a body: stresses interpolated in the cell from values
-  /// and gradients at its nodes, the plastic strain of the cell; the mean where cells meet, NaN outside of
-  /// the body. All ranks pass the same points and get the same values. Collective.
-  std::vector<std::array<double, probe_fields>>
-  probe_body(const Solid                &solid,
-             Body                        body,
-             const ProbeSource          &source,
-             const std::vector<Vector3> &points,
-             MPI_Comm                    communicator);
+  /// A field of one number a node, interpolated linearly, in its own unit. Collective.
+  std::vector<double>
+  probe_nodes(const Probes &probes, const LocalMesh &mesh, const std::vector<double> &field);
+
+  /// A field of one number a cell, in its own unit. Collective.
+  std::vector<double>
+  probe_cells(const Probes &probes, const std::vector<double> &field);
 } // namespace wheelrail

@@ -1,0 +1,133 @@
+#include <wheelrail/solid/patch_slopes.h>
+
+#include <cmath>
+
+namespace wheelrail::patches
+{
+  namespace
+  {
+    constexpr int first_of[6] = {0, 1, 2, 1, 0, 0}, second_of[6] = {0, 1, 2, 2, 2, 1};
+
+    /// `share` of the moments about the point that lies -r from the one of `m`, added to `all`.
+    void
+    add_moved(Moments &all, const Moments &m, const Vector3 &r, const double share)
+    {
+      all.volume += share * m.volume;
+      add(all.d, share, m.d);
+      add(all.d, share * m.volume, r);
+      for (int k = 0; k < 6; ++k)
+        {
+          const int i = first_of[k], j = second_of[k];
+          all.dd[k] += share * (m.dd[k] + m.d[i] * r[j] + r[i] * m.d[j] + m.volume * r[i] * r[j]);
+          all.s[k] += share * m.s[k];
+          for (int l = 0; l < 3; ++l)
+            all.sd[l][k] += share * (m.sd[l][k] + m.s[k] * r[l]);
+        }
+    }
+
+    /// Slope of the plane through the stresses by least squares; zero where all centres lie in one layer.
+    ElementGradient
+    slope(const Moments &m)
+    {
+      // spread of the centres about their mean, of the size V^(5/3), with a trifle that keeps a single layer
+      // regular: half way between round-off and what would change a slope in the sixth digit
+      Rows C;
+      for (int k = 0; k < 6; ++k)
+        C[first_of[k]][second_of[k]] = C[second_of[k]][first_of[k]] =
+          m.dd[k] - m.d[first_of[k]] * m.d[second_of[k]] / m.volume;
+      const double trifle = 1e-10 * std::pow(m.volume, 5. / 3);
+      for (int i = 0; i < 3; ++i)
+        C[i][i] += trifle;
+      const Rows      of_spread = inverse(C);
+      ElementGradient gradient{{}, (1 / m.volume) * m.d};
+      for (int k = 0; k < 6; ++k)
+        {
+          Vector3 rhs;
+          for (int i = 0; i < 3; ++i)
+            rhs[i] = m.sd[i][k] - m.s[k] * m.d[i] / m.volume;
+          for (int i = 0; i < 3; ++i)
+            gradient.G[i][k] = dot(of_spread[i], rhs);
+        }
+      return gradient;
+    }
+
+    /// How much a node counts in the patch of an element: hardly, where its own elements lie to one side of
+    /// it. Below a surface the layers then weigh the same, and least squares give the slope in their middle.
+    double
+    share_of(const Moments &m, const Element &element)
+    {
+      const double aside = norm(m.d) / (m.volume * std::cbrt(element.volume));
+      return std::max(1e-4, 1 - 2.5 * aside);
+    }
+  } // namespace
+
+
+  Vector3
+  reference_place(const LocalMesh &mesh, const unsigned int node)
+  {
+    return {mesh.reference[4 * node], mesh.reference[4 * node + 1], mesh.reference[4 * node + 2]};
+  }
+
+
+  std::vector<Moments>
+  nodal_moments(const LocalMesh &mesh, const std::vector<Element> &elements, SharedSum &sum)
+  {
+    std::vector<Moments> moments(mesh.n_nodes());
+    for (const Element &element : elements)
+      for (const unsigned int node : *element.nodes)
+        {
+          Moments      &m = moments[node];
+          const Vector3 d = element.centre - reference_place(mesh, node);
+          const double  V = element.volume;
+          m.volume += V;
+          m.flowed += element.flowed ? V : 0;
+          add(m.d, V, d);
+          for (int k = 0; k < 6; ++k)
+            {
+              m.dd[k] += V * d[first_of[k]] * d[second_of[k]];
+              m.s[k] += V * element.stress[k];
+              for (int i = 0; i < 3; ++i)
+                m.sd[i][k] += V * element.stress[k] * d[i];
+            }
+        }
+    sum_over_ranks(sum, moments);
+    return moments;
+  }
+
+
+  double
+  determinant(const Rows &row)
+  {
+    return dot(row[0], cross(row[1], row[2]));
+  }
+
+  Rows
+  inverse(const Rows &row)
+  {
+    const double det = determinant(row);
+    return {(1 / det) * cross(row[1], row[2]),
+            (1 / det) * cross(row[2], row[0]),
+            (1 / det) * cross(row[0], row[1])};
+  }
+
+
+  std::vector<ElementGradient>
+  element_gradients(const LocalMesh            &mesh,
+                    const std::vector<Element> &elements,
+                    const std::vector<Moments> &moments)
+  {
+    std::vector<ElementGradient> gradients;
+    gradients.reserve(elements.size());
+    for (const Element &element : elements)
+      {
+        Moments around;
+        for (const unsigned int node : *element.nodes)
+          add_moved(around,
+                    moments[node],
+                    reference_place(mesh, node) - element.centre,
+                    share_of(moments[node], element));
+        gradients.push_back(slope(around));
+      }
+    return gradients;
+  }
+} // namespace wheelrail::patches
