@@ -17,10 +17,8 @@ import subprocess
 import sys
 import time
 
-import h5py
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
-
 from checks import SMALL_SCENE, check, finish
+from interrupted import check_files, kill, summary_of, wait_for
 
 PROGRAM, MPIEXEC = sys.argv[1:3]
 SKIPPED = 77
@@ -40,6 +38,7 @@ end
 FIGURES = """normal_force_N longitudinal_force_N lateral_force_N max_pressure_Pa contact_area_m2 patch_lateral_m
     max_shear_traction_Pa stick_fraction creepage max_von_mises_Pa rolled_distance_m time_steps energy_error
     relative_roll_rad normal_force_std_N""".split()
+
 
 def skip(reason):
     print("skipped: " + reason, flush=True)
@@ -72,44 +71,6 @@ def run(folder, *options, ranks=1, sets=(), **how):
     return done.returncode, done.stdout
 
 
-def descendants(root):
-    """The processes that a process has started, and theirs."""
-    parents = {}
-    for path in glob.glob("/proc/[0-9]*/stat"):
-        try:
-            with open(path) as file:
-                text = file.read()
-        except OSError:
-            continue
-        fields = text[text.rindex(")") + 2:].split()
-        parents.setdefault(int(fields[1]), []).append(int(path.split("/")[2]))
-    found, waiting = [], [root]
-    while waiting:
-        children = parents.get(waiting.pop(), [])
-        found += children
-        waiting += children
-    return found
-
-
-def kill(process):
-    """kill -9 of the run and of all its ranks."""
-    for pid in descendants(process.pid) + [process.pid]:
-        try:
-            os.kill(pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
-    process.wait()
-
-
-def wait_for(path, text, process, seconds=300):
-    end = time.time() + seconds
-    while time.time() < end and process.poll() is None:
-        if os.path.exists(path) and text in open(path).read():
-            return True
-        time.sleep(0.01)
-    return False
-
-
 def copy(base, name):
     folder = os.path.abspath(name)
     shutil.rmtree(folder, ignore_errors=True)
@@ -128,44 +89,10 @@ def states_of(folder):
 
 # --- looking at what is there ---------------------------------------------------------------------
 
-def summary_of(folder):
-    with open(os.path.join(folder, "summary.json")) as file:
-        return json.load(file)
-
-
 def largest_difference(one, other):
     """Largest relative difference of the figures and its name; the energy error is relative in itself."""
     a, b = summary_of(one), summary_of(other)
     return max((abs(a[key] - b[key]) / (1 if key == "energy_error" else abs(a[key])), key) for key in FIGURES)
-
-
-def check_files(folder, what):
-    """Every file there is whole."""
-    broken = []
-    for path in glob.glob(os.path.join(folder, "*")):
-        name = os.path.basename(path)
-        try:
-            if name.endswith(".part"):
-                broken.append(name)
-            elif name.endswith(".h5"):
-                with h5py.File(path, "r") as file:
-                    file.visititems(lambda _, item: item[()] if isinstance(item, h5py.Dataset) else None)
-            elif name.endswith(".json"):
-                with open(path) as file:
-                    json.load(file)
-            elif name.endswith(".vtu"):
-                reader = vtkXMLUnstructuredGridReader()
-                reader.SetFileName(path)
-                reader.Update()
-                if reader.GetOutput().GetNumberOfCells() == 0 or reader.GetErrorCode() != 0:
-                    broken.append(name)
-            elif name.endswith(".pvd"):
-                with open(path) as file:
-                    if "</VTKFile>" not in file.read():
-                        broken.append(name)
-        except (OSError, ValueError, KeyError):
-            broken.append(name)
-    check(not broken, f"{what}: every file is whole {broken or ''}")
 
 
 def in_own_mounts():
