@@ -61,6 +61,18 @@ namespace
     set_figure(summary, "max_pressure_fitted_Pa", halfspaces);
     check(judge(input.scene, geometry, 40e-3, summary).empty() && summary.doubts.empty(),
           "the peak of half-spaces is trusted");
+    set_figure(summary, "plastic_band_depth_m", 5.9e-3); // five cells of 1 mm are fine, and one more
+    check(judge(input.scene, geometry, 40e-3, summary).empty(),
+          "steel that flows in fine cells is no matter");
+    set_figure(summary, "plastic_band_depth_m", 8.6e-3);
+    const auto deep = judge(input.scene, geometry, 40e-3, summary);
+    holds(deep.empty() ? "" : deep[0],
+          "steel has flowed down to 8.6 mm, below the fine cells, which are 5.0 mm deep: the depth of the "
+          "band and the "
+          "stresses left there are those of coarser cells; raise Mesh/Fine depth to 10 mm",
+          "flow below the fine cells");
+    check(summary.doubts.empty(), "is said, and leaves the figures of the patch trusted");
+    set_figure(summary, "plastic_band_depth_m", std::nan(""));
     set_figure(summary, "max_pressure_Pa", 0.7 * halfspaces);
     set_figure(summary, "max_pressure_fitted_Pa", 0.7 * halfspaces);
     const auto said = judge(input.scene, geometry, 40e-3, summary);

@@ -131,6 +131,21 @@ namespace wheelrail
                   true};
         }
     }
+
+    /// A band of plastic flow that reaches below the fine cells; empty where it does not.
+    std::string
+    flow_below_fine_cells(const Scene &scene, const Summary &summary)
+    {
+      const double band = get_figure(summary, "plastic_band_depth_m"), fine = scene.depth_of_fine_cells();
+      if (!(band > fine + scene.cell_size)) // where cell sizes meet, fine ones go on for a cell
+        return "";
+      return text(
+        "steel has flowed down to %.1f mm, below the fine cells, which are %.1f mm deep: the depth of the "
+        "band and the stresses left there are those of coarser cells; raise Mesh/Fine depth to %.0f mm",
+        1e3 * band,
+        1e3 * fine,
+        std::ceil(1e3 * (band + scene.cell_size)));
+    }
   } // namespace
 
 
@@ -144,6 +159,8 @@ namespace wheelrail
       summary.doubts += (summary.doubts.empty() ? "" : " ") + miss.sentence + ".";
     else if (!miss.sentence.empty())
       warnings.push_back(miss.sentence);
+    if (const std::string flow = flow_below_fine_cells(scene, summary); !flow.empty())
+      warnings.push_back(flow);
     if (!summary.doubts.empty())
       warnings.push_back("the figures should not be trusted: " + summary.doubts);
     return warnings;

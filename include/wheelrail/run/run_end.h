@@ -34,7 +34,8 @@ namespace wheelrail
 
   /// Adds to the summary of a finished run the doubts of doubts_about(), and those that its peak pressure
   /// raises: it is held against that of half-spaces under its normal force and in its pose, which takes some
-  /// hundredths of a second, and both figures are added too. Returns what is to be said on the screen.
+  /// hundredths of a second, and both figures are added too. Returns what is to be said on the screen, which
+  /// also names a band of plastic flow that reaches below the fine cells.
   std::vector<std::string>
   judge(const Scene &scene, const SceneGeometry &geometry, double from, Summary &summary);
 
