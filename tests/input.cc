@@ -108,6 +108,9 @@ namespace
       {"Run/Most passages", "30"},
       {"Run/Settled growth", "2e-05"},
       {"Run/Settled change", "0.05"},
+      {"Run/Passage jump", "12"},
+      {"Run/Jump error", "0.02"},
+      {"Run/Next wheel", "same"},
       {"Run/Rail", "output/first"},
       {"Material test/Body", "wheel"},
       {"Material test/Axial", "700 MPa, -500 MPa"},
@@ -120,6 +123,7 @@ namespace
       {"Mesh/Fine depth", "7 mm"},
       {"Mesh/Fine margin", "6 mm"},
       {"Mesh/Planned load", "150 kN"},
+      {"Mesh/Planned strip", "-17 mm, 20 mm"},
       {"Mesh/Prepared distance", "300 mm"},
       {"Mesh/Window", "fixed"},
       {"Mesh/Behind the wheel", "keep"},
@@ -175,6 +179,8 @@ namespace
     straight.scene.yaw              = 0;
     straight.scene.lateral_creepage = 0;
     straight.scene.left_wheel       = false; // the mesh at the other shift needs other sizes
+    straight.scene.passage_jump     = 0;     // there is a list
+    straight.scene.planned_strip.clear();    // nor that strip
     require_computable(straight);
     return input.scene;
   }

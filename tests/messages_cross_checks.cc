@@ -107,6 +107,49 @@ namespace
                    "coarse cells of 8 mm with 0.5 mm");
   }
 
+  /// Wheels at several places of one rail, and jumps over passages.
+  void
+  test_passages()
+  {
+    check_set(
+      "Mesh/Planned strip = 3 mm",
+      "--set: Mesh/Planned strip = 3 mm: two places are needed, the one nearer to the track centre first, "
+      "such as -15 mm, 12 mm");
+    check_set("Mesh/Planned strip = -60 mm, 60 mm",
+              "--set: Mesh/Planned strip = -60 mm, 60 mm: the running surface of the rail reaches from "
+              "-34.027 mm to 34.027 mm");
+    check_set(
+      "Mesh/Planned strip = 5 mm, 20 mm",
+      "--set: Mesh/Planned strip = 5 mm, 20 mm: the wheel touches the rail beside it, at -10.751 mm; write "
+      "none, or a strip around that place and a patch");
+    const auto answer = [](const std::vector<std::string> &sets) {
+      return message_of([&]() { require_computable(scene_from_text("", "x.prm", sets)); });
+    };
+    check_text(answer({"Mesh/Planned strip = -20 mm, 10 mm", "Wheelset/Yaw = 5 mrad"}),
+               "--set: Mesh/Planned strip = -20 mm, 10 mm: is for wheels without yaw; write none, or "
+               "Wheelset/Yaw = 0 mrad",
+               "a strip with yaw");
+    check_text(
+      answer({"Mesh/Planned strip = -30 mm, 10 mm"}),
+      "x.prm: Mesh/Coarse cell size = 16 mm: rail and wheel cannot be divided into cells at Wheelset/Lateral "
+      "shift = 0 mm: Mesh/Planned strip: with whole coarse blocks it is 48 mm wide, and the rail is too "
+      "steep "
+      "from 21.616 mm beside its middle on (positive to the track centre); take a narrower one, or a smaller "
+      "Mesh/Coarse cell size.",
+      "a strip that goes round the gauge corner");
+    const std::string yield = "Rail material/Yield stress = 400 MPa", jump = "Run/Passage jump = 5";
+    check_text(
+      answer({yield, jump, "Run/Passage list = wheels.csv"}),
+      "--set: Run/Passage jump = 5: extrapolates from wheels that are all alike, and there is Run/Passage "
+      "list = wheels.csv; write none for one of them",
+      "a jump over different wheels");
+    check_text(
+      answer({yield, jump, "Run/Next wheel = same"}),
+      "--set: Run/Passage jump = 5: extrapolates the rail alone, and Run/Next wheel = same keeps the "
+      "wheel, too; write none, or fresh",
+      "a jump with the same wheel");
+  }
+
   /// Half-spaces need no cells.
   void
   test_halfspace_checks()
@@ -306,6 +349,7 @@ int
 main()
 {
   test_cross_checks();
+  test_passages();
   test_accepted();
   test_halfspace_checks();
   test_warnings();

@@ -1,12 +1,17 @@
-// Where passages lead to, told from what each round adds; lists of wheels, and their messages.
+// Where passages lead to, told from what each round adds; lists of wheels, and their messages; when passages
+// may be jumped over, and what of that is wrong.
 
 #include "messages.h"
 
+#include <wheelrail/model/model.h>
 #include <wheelrail/reference/motion_file.h>
+#include <wheelrail/run/passage_jump.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/passage_trend.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -74,27 +79,138 @@ namespace
     const std::string path;
   };
 
+  std::vector<PassingWheel>
+  wheels_of(const Scene &scene)
+  {
+    return passing_wheels(scene, make_geometry(scene));
+  }
+
   void
   test_list()
   {
     Scene scene;
     scene.wheel_load           = 90e3;
     scene.traction_coefficient = 0.1;
-    check(passage_scenes(scene).size() == 1, "without a list the scene is the round");
+    check(wheels_of(scene).size() == 1, "without a list the scene is the round");
     const File file(
       "load [kN]; traction; velocity [km/h]\n100; 0.25; 140\n150; 0; 100  # heavy\n80; -25e-2; 140\n");
     scene.passage_list = file.path;
-    const auto round   = passage_scenes(scene);
+    const auto round   = wheels_of(scene);
     check(round.size() == 3, "three wheels");
-    check_near(round[1].wheel_load, 150e3, 1e-6, "the load of the second");
-    check_near(round[2].traction_coefficient, -0.25, 1e-12, "the third brakes");
-    check_near(round[1].velocity, 100 / 3.6, 1e-9, "the velocity of the second");
-    for (const Scene &one : round)
-      check_near(one.planned_load, 150e3, 1e-6, "fine cells are for the largest load");
+    check_near(round[1].scene.wheel_load, 150e3, 1e-6, "the load of the second");
+    check_near(round[2].scene.traction_coefficient, -0.25, 1e-12, "the third brakes");
+    check_near(round[1].scene.velocity, 100 / 3.6, 1e-9, "the velocity of the second");
+    for (const PassingWheel &one : round)
+      {
+        check_near(one.scene.planned_load, 150e3, 1e-6, "fine cells are for the largest load");
+        check(one.scene.planned_strip.empty(), "and at one place, where all touch");
+      }
     const File creepages("creepage [%]\n0.2\n");
     scene.passage_list = creepages.path;
-    check(passage_scenes(scene)[0].drive == Drive::rate, "a creepage is held");
-    check_near(passage_scenes(scene)[0].creepage, 2e-3, 1e-12, "of that size");
+    check(wheels_of(scene)[0].scene.drive == Drive::rate, "a creepage is held");
+    check_near(wheels_of(scene)[0].scene.creepage, 2e-3, 1e-12, "of that size");
+  }
+
+  /// Wheels at several places: each has its own contact, and all have the same fine cells, which are around
+  /// each of the patches.
+  void
+  test_shifts()
+  {
+    Scene      scene;
+    const File file("lateral shift [mm]\n-2\n0\n2\n");
+    scene.passage_list = file.path;
+    const auto round   = wheels_of(scene);
+    check(round.size() == 3, "three shifts");
+    const std::vector<double> strip = round[0].scene.planned_strip;
+    if (!check(strip.size() == 2 && strip[0] < strip[1], "there is a planned strip"))
+      return;
+    const SweepPlan first = sweep_plan(round[0].scene, round[0].geometry);
+    for (const PassingWheel &one : round)
+      {
+        const std::string at = " at " + std::to_string(1e3 * one.scene.lateral_shift) + " mm";
+        check(one.scene.planned_strip == strip, "the same strip" + at);
+        const double x = one.geometry.contact.rail_x;
+        check(x > strip[0] + 5e-3 && x < strip[1] - 5e-3, "it is around the contact point" + at);
+        const SweepPlan plan = sweep_plan(one.scene, one.geometry);
+        double          off  = plan.rail.corners.size() == first.rail.corners.size() ? 0 : HUGE_VAL;
+        for (std::size_t k = 0; k < first.rail.corners.size() && std::isfinite(off); ++k)
+          off = std::max(off,
+                         std::hypot(plan.rail.corners[k].x - first.rail.corners[k].x,
+                                    plan.rail.corners[k].y - first.rail.corners[k].y));
+        check_near(off, 0, 1e-12, "the section of the rail is divided alike [m]" + at);
+        check(plan.rail_stations == first.rail_stations, "and along" + at);
+        // where the wheel touches, its surface and that of the rail meet in the common frame
+        const ContactFrame &frame = plan.surfaces.frame;
+        const double        s     = frame.to_frame(one.geometry.contact.frame.origin).x;
+        check_near(
+          plan.surfaces.wheel.at(s).n - plan.surfaces.rail.at(s).n, 0, 1e-9, "the wheel touches" + at);
+        check_near(
+          plan.surfaces.wheel.at(s).slope - plan.surfaces.rail.at(s).slope, 0, 1e-5, "with one tangent" + at);
+      }
+    check(std::abs(round[0].geometry.contact.rail_x - round[2].geometry.contact.rail_x) > 5e-3,
+          "the places differ by more than a few cells");
+  }
+
+  /// Scenes in a list may not change the rail.
+  void
+  test_scenes()
+  {
+    Scene             scene;
+    const std::string folder =
+      std::filesystem::temp_directory_path() / ("scenes_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    const std::string heavy = folder + "/heavy.prm", other = folder + "/other.prm",
+                      lists = folder + "/list.prm";
+    std::ofstream(heavy)
+      << "subsection Wheelset\n  set Wheel load = 120 kN\n  set Lateral shift = 1 mm\nend\n"
+         "subsection Contact\n  set Friction coefficient = 0.3\nend\n";
+    std::ofstream(other) << "subsection Rail material\n  set Yield stress = 300 MPa\nend\n";
+    std::ofstream(lists) << "subsection Run\n  set Passage list = wheels.csv\nend\n";
+    scene.folder       = "output/family";
+    scene.passage_list = heavy + ", " + heavy;
+    const auto round   = wheels_of(scene);
+    check(round.size() == 2, "two files");
+    check_near(round[0].scene.wheel_load, 120e3, 1e-6, "the load of the file");
+    check_near(round[0].scene.friction_coefficient, 0.3, 1e-12, "and its friction");
+    test::check_text(round[0].scene.folder, "output/family", "the folder of the family");
+    scene.passage_list = other;
+    test::check_text(test::message_of([&]() { wheels_of(scene); }),
+                     other +
+                       ": Rail material/Yield stress = 300 MPa: that is another rail than that of the scene "
+                       "whose Run/Passage list has this file, where it is none; wheels, loads, shifts and "
+                       "friction may differ",
+                     "another steel");
+    scene.passage_list = lists;
+    test::check_text(test::message_of([&]() { wheels_of(scene); }),
+                     lists +
+                       ": Run/Passage list = wheels.csv: a scene of a list cannot have one of its own; write "
+                       "none",
+                     "a list in a list");
+    std::filesystem::remove_all(folder);
+  }
+
+  /// Growth that falls like a geometric series is extrapolated exactly; a rate that changes forbids long
+  /// jumps, and one that was wrong is found.
+  void
+  test_jumps()
+  {
+    double sum = 0;
+    for (int n = 1; n <= 7; ++n)
+      sum += std::pow(0.8, n);
+    check_near(jump_factor(0.8, 7), sum, 1e-14, "the sum of seven growths");
+    check_near(jump_factor(1, 9), 9, 1e-14, "of a steady one");
+    check(jump_length({1e-2, 1e-4, 0.9, 0.9}, 20, 0.01) == 20, "a rate that stays allows all");
+    check(jump_length({1e-2, 1e-3, 0.9, 0.5}, 20, 0.01) == 0, "one that has changed allows none");
+    const unsigned int some = jump_length({1e-2, 1e-4, 1, 0.9}, 20, 0.05);
+    check(some == 10, "or less: " + std::to_string(some));
+    PassageJump jump{5, 15, 1e-4, 0.9};
+    judge_jump(jump, 1e-4 * std::pow(0.9, 12), 0.01, 0.01);
+    check_near(jump.error, 0, 1e-12, "growth as extrapolated");
+    check(jump.judged && jump.kept, "the jump is kept");
+    jump = {5, 15, 1e-3, 0.9};
+    judge_jump(jump, 1e-3, 0.02, 0.01); // it has not fallen at all
+    check_near(jump.error, 1e-3 * (10 - jump_factor(0.9, 10)) / 0.02, 1e-12, "the growth that is missing");
+    check(jump.judged && !jump.kept, "the jump is taken back");
   }
 
   void
@@ -107,10 +223,9 @@ namespace
   void
   test_messages()
   {
-    refused(
-      "shift [mm]\n1\n",
-      ":1: column \"shift [mm]\" is not known; there are load, traction, velocity and creepage, each with "
-      "its unit in brackets, such as \"load [kN]\"");
+    refused("shift [mm]\n1\n",
+            ":1: column \"shift [mm]\" is not known; there are load, lateral shift, traction, velocity and "
+            "creepage, each with its unit in brackets, such as \"load [kN]\"");
     refused("traction [kN]\n1\n",
             ":1: column \"traction [kN]\": \"kN\" is no unit of a traction; %, or 1 is accepted");
     refused("load [kN]\n0\n",
@@ -130,6 +245,9 @@ main()
 {
   test_trend();
   test_list();
+  test_shifts();
+  test_scenes();
+  test_jumps();
   test_messages();
   return test::report();
 }

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -177,6 +178,57 @@ namespace
       "finished passages of another velocity");
   }
 
+  /// Wheels at two places in turn: the second one rolls over a rail of the same cells, starts with its
+  /// weight, and leaves its own band beside the first, whose plastic strain stays where it does not reach.
+  void
+  shifted_passages()
+  {
+    Scene two        = scene("shifted");
+    two.passage_list = "passages_shifts.csv";
+    std::ofstream(two.passage_list) << "lateral shift [mm]\n0\n2\n";
+    fs::remove_all(two.folder);
+    check(run(two, false) == 0, "two wheels at two places");
+    for (unsigned int k = 1; k <= 2; ++k)
+      {
+        const std::string folder = passage_folder(two.folder, k), text = ", passage " + std::to_string(k);
+        check_near(
+          figure(folder, "first_force_over_load"), 1, 0.01, "first vertical force over the load" + text);
+        check(figure(folder, "energy_error") < 5e-3, "the energy balance holds" + text);
+        check(figure(folder, "plastic_work_rail_J") > 0.1, "the rail yields" + text);
+      }
+    check(figure(passage_folder(two.folder, 2), "plastic_band_width_m") >
+            1.5 * figure(passage_folder(two.folder, 1), "plastic_band_width_m"),
+          "the band of both is wider than that of one");
+  }
+
+  /// A wheel that yields comes back: it starts with its weight and yields less than a new one.
+  void
+  same_wheel()
+  {
+    Scene fresh                          = scene("fresh_wheel");
+    fresh.passages                       = 2;
+    fresh.wheel_material.yield_stress    = 400e6;
+    fresh.wheel_material.tangent_modulus = 21e9;
+    Scene same                           = fresh;
+    same.next_wheel                      = NextWheel::same;
+    same.folder                          = "passages_same_wheel";
+    for (const Scene &one : {fresh, same})
+      {
+        fs::remove_all(one.folder);
+        check(run(one, false) == 0, "two passages of a wheel that yields");
+        const std::string folder = passage_folder(one.folder, 2);
+        check_near(figure(folder, "first_force_over_load"), 1, 0.01, "first vertical force over the load");
+        check(figure(folder, "energy_error") < 5e-3, "the energy balance holds");
+      }
+    const auto work = [](const Scene &of, const unsigned int k) {
+      return figure(passage_folder(of.folder, k), "plastic_work_wheel_J");
+    };
+    check(work(fresh, 2) > 0.7 * work(fresh, 1),
+          "each new wheel yields: " + std::to_string(work(fresh, 2)) + " J");
+    check(work(same, 2) < 0.5 * work(same, 1),
+          "the same one much less the second time: " + std::to_string(work(same, 2)) + " J");
+  }
+
   /// A passage that stops leaves those before it and says so.
   void
   stopped_passage()
@@ -237,11 +289,12 @@ namespace
     other               = scene("other");
     other.rail_from     = "passages_heavy";
     other.lateral_shift = 2e-3;
-    check_text(fault(other),
-               "Run/Rail = passages_heavy: that rail has another mesh; profiles, track, lateral shift and "
-               "the cells of "
-               "Mesh must be those of its run, and Mesh/Planned load the same in both where loads differ",
-               "another mesh");
+    check_text(
+      fault(other),
+      "Run/Rail = passages_heavy: that rail has another mesh; rail profile, track, rolling distance and "
+      "the cells of Mesh must be those of its run, and Mesh/Planned load the same in both where loads "
+      "differ, Mesh/Planned strip where lateral shifts or wheels differ",
+      "another mesh");
   }
 } // namespace
 
@@ -252,6 +305,8 @@ main(int argc, char **argv)
   light_passage(MeshWindow::fixed);
   light_passage(MeshWindow::moving);
   three_passages();
+  shifted_passages();
+  same_wheel();
   stopped_passage();
   faults();
   return parallel.report();

@@ -75,7 +75,7 @@ namespace wheelrail
       const CheckedScene checked = check_scene(input.scene, this_machine(ranks_of_launcher()));
       const Findings    &found   = checked.found;
       require_none(found.errors, input);
-      passage_scenes(input.scene); // throws where their list cannot be read
+      passing_wheels(input.scene, *checked.geometry); // throws where their list cannot be read
       for (const std::string &note : checked.geometry->notes)
         out << "note: " << note << "\n";
       for (const std::string &warning : found.warnings)

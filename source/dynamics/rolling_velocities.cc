@@ -25,7 +25,8 @@ namespace wheelrail
         double       *v = &solid.velocity[4 * n];
         if (solid.mesh.node_body[n] == Body::wheel)
           {
-            const Vector3 arm = Vector3{X[0], X[1], X[2]} - axle.centre;
+            const double *d   = &still[4 * n]; // dents turn with the wheel
+            const Vector3 arm = Vector3{X[0] + d[0], X[1] + d[1], X[2] + d[2]} - axle.centre;
             const Vector3 w   = pitch_rate * cross(axle.axis, arm);
             for (int i = 0; i < 3; ++i)
               v[i] = w[i] + H[3 * i] * w[0] + H[3 * i + 1] * w[1] + H[3 * i + 2] * w[2];

@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/dynamics/static_system.h>
 #include <wheelrail/dynamics/unloading.h>
+#include <wheelrail/dynamics/wheel_axes.h>
 #include <wheelrail/mesh/forest.h>
 #include <wheelrail/solid/kept_flow.h>
 
@@ -10,49 +11,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Changes the displacements of the wheel between those in the track's axes and those in the axes that
-    /// travel and turn with the axle.
-    class WheelAxes
-    {
-    public:
-      explicit WheelAxes(const Axle &axle)
-        : centre_(axle.data().centre)
-        , now_(axle.centre())
-        , forth_(axle.data().axis, axle.pitch_angle())
-        , back_(axle.data().axis, -axle.pitch_angle())
-      {
-      }
-
-      void
-      to_wheel(Solid &solid) const
-      {
-        change(solid, [&](const Vector3 &x) { return centre_ + back_(x - now_); });
-      }
-
-      void
-      to_track(Solid &solid) const
-      {
-        change(solid, [&](const Vector3 &x) { return now_ + forth_(x - centre_); });
-      }
-
-    private:
-      template <typename Move>
-      void
-      change(Solid &solid, const Move &move) const
-      {
-        for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
-          if (solid.mesh.node_body[n] == Body::wheel)
-            {
-              const Vector3 x = move(solid.position(n));
-              for (int i = 0; i < 3; ++i)
-                solid.displacement[4 * n + i] = x[i] - solid.mesh.reference[4 * n + i];
-            }
-      }
-
-      Vector3  centre_, now_;
-      Rotation forth_, back_;
-    };
-
     /// Forces of the elements in the present position, one step from the history `flow`, on what is free.
     StaticVector
     out_of_balance(Solid &solid, const KeptFlow &flow, const StaticSystem &system, SharedSum &sum)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <vector>
 
 namespace wheelrail
 {
@@ -206,6 +207,37 @@ namespace wheelrail
                            ": next to nothing presses the wheel on the rail; a railway vehicle has some 10 t "
                            "per wheel");
     }
+
+    void
+    check_strip(const Scene &scene, Sentences &errors)
+    {
+      const std::vector<double> &strip = scene.planned_strip;
+      if (strip.empty())
+        return;
+      const std::string entry = entry_text(scene, "Mesh", "Planned strip");
+      if (strip.size() != 2 || !(strip[0] < strip[1]))
+        errors.push_back(entry +
+                         ": two places are needed, the one nearer to the track centre first, such as "
+                         "-15 mm, 12 mm");
+      else if (scene.yaw != 0)
+        errors.push_back(entry + ": is for wheels without yaw; write none, or Wheelset/Yaw = 0 mrad");
+    }
+
+    /// Jumps over passages need wheels that are all alike and new.
+    void
+    check_jump(const Scene &scene, Sentences &errors)
+    {
+      if (scene.passage_jump == 0)
+        return;
+      const std::string jump = entry_text(scene, "Run", "Passage jump");
+      if (scene.passage_list != "none")
+        errors.push_back(jump + ": extrapolates from wheels that are all alike, and there is " +
+                         entry_text(scene, "Run", "Passage list") + "; write none for one of them");
+      else if (scene.next_wheel == NextWheel::same)
+        errors.push_back(jump + ": extrapolates the rail alone, and " +
+                         entry_text(scene, "Run", "Next wheel") +
+                         " keeps the wheel, too; write none, or fresh");
+    }
   } // namespace
 
 
@@ -236,6 +268,8 @@ namespace wheelrail
         entry_text(scene, "Run", "Rail") +
         ": a rail that does not yield keeps nothing of earlier runs; write new, or give Rail "
         "material/Yield stress");
+    check_strip(scene, found.errors);
+    check_jump(scene, found.errors);
     for (const std::string &fault : study_faults(scene))
       found.errors.push_back(fault);
     return found;

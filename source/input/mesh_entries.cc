@@ -77,6 +77,16 @@ namespace wheelrail
                 "auto",
                 0,
                 field(&S::planned_load)));
+    list.push_back(list_entry(
+      {"Mesh",
+       "Planned strip",
+       "Two places on the rail's section, positive to the field side, between which solution cells "
+       "are laid; none: around the patch of the scene. For wheels at several places of one rail."},
+      Dimension::length,
+      "mm",
+      B::between("-60 mm", "60 mm"),
+      2,
+      field(&S::planned_strip)));
     list.push_back(
       length_or_auto({"Mesh",
                       "Prepared distance",

@@ -31,9 +31,11 @@ namespace wheelrail
         {"Run",
          "Passage list",
          "none: all wheels are as the scene says; else a table of wheels with a row for each, columns load, "
-         "traction, velocity or creepage with units in the first line; Passages is how often they all pass."},
+         "lateral shift, traction, velocity or creepage with units in the first line, or scenes over the "
+         "same "
+         "rail, such as heavy.prm, worn.prm; Passages is how often they all pass."},
         {"none"},
-        "a table with commas",
+        "a table with commas, or names of .prm files",
         field(&S::passage_list)));
       list.push_back(
         count_entry({"Run", "Most passages", "Wheels after which Passages = until steady ends anyway."},
@@ -54,6 +56,38 @@ namespace wheelrail
                                 B::above("0", "0.5"),
                                 field(&S::settled_change)));
     }
+
+    /// Passages that are not computed, and what the next wheel is.
+    void
+    add_jumps(std::vector<Entry> &list)
+    {
+      list.push_back(with_word(
+        count_entry({"Run",
+                     "Passage jump",
+                     "Most passages at a time that are not computed: the rail is extrapolated over them from "
+                     "what the last ones have added, then three are computed again; none: all are computed."},
+                    1,
+                    1000,
+                    field(&S::passage_jump)),
+        "none",
+        0u,
+        field(&S::passage_jump)));
+      list.push_back(pure_entry(
+        {"Run",
+         "Jump error",
+         "Largest difference of extrapolated and computed growth of the plastic strain over a jump, "
+         "over that strain; a jump that misses by more is taken back and tried at half the length."},
+        B::above("0", "1"),
+        field(&S::jump_error)));
+      list.push_back(
+        choice_entry<NextWheel>({"Run",
+                                 "Next wheel",
+                                 "Of passages after the first. fresh: a new wheel; same: that of the passage "
+                                 "before, which comes back "
+                                 "with the same stretch of its tread and keeps what it has yielded."},
+                                {{"fresh", NextWheel::fresh}, {"same", NextWheel::same}},
+                                field(&S::next_wheel)));
+    }
   } // namespace
 
 
@@ -66,6 +100,7 @@ namespace wheelrail
                                 B::above("0 mm", "10 m"),
                                 field(&S::rolling_distance)));
     add_passages(list);
+    add_jumps(list);
     list.push_back(
       text_entry({"Run",
                   "Rail",

@@ -1,4 +1,5 @@
 #include <wheelrail/base/shown_text.h>
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/study_cases.h>
@@ -117,7 +118,8 @@ namespace wheelrail
           const bool may_be_file = entry.section == "Profiles" || path == "Half-space/Undeformed distance" ||
                                    path == "Material test/File" || path == "Run/Passage list";
           if (may_be_file && is_file_name(value))
-            text += digest_of_file(value) + "\n";
+            for (const std::string &file : split_list(value, ',')) // scenes of a list
+              text += digest_of_file(file.substr(std::min(file.size(), file.find_first_not_of(' ')))) + "\n";
         }
       return text;
     }

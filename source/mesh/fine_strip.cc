@@ -30,6 +30,15 @@ namespace wheelrail
       return end;
     }
 
+    FineStrip
+    divided(const ContactFrame &frame, const Range &strip, const unsigned int blocks)
+    {
+      FineStrip result{frame, {}};
+      for (unsigned int i = 0; i <= blocks; ++i)
+        result.s.push_back(strip.s0 + (strip.s1 - strip.s0) * i / blocks);
+      return result;
+    }
+
     void
     require(const bool good, const std::string &what, const double value)
     {
@@ -88,9 +97,32 @@ namespace wheelrail
     const double       width = strip.s1 - strip.s0;
     const unsigned int count = std::max(1., std::ceil(width / block_size - 0.25));
 
-    FineStrip result{contact.frame, {}};
-    for (unsigned int i = 0; i <= count; ++i)
-      result.s.push_back(strip.s0 + width * i / count);
-    return result;
+    return divided(contact.frame, strip, count);
+  }
+
+
+  FineStrip
+  fine_strip_over(const ContactFrame &frame,
+                  const FrameProfile &wheel,
+                  const FrameProfile &rail,
+                  const Range        &wanted,
+                  const double        block_size)
+  {
+    require(block_size > 0, "a block size", block_size);
+    const unsigned int blocks = std::max(1., std::ceil((wanted.s1 - wanted.s0) / block_size - 1e-9));
+    const double       middle = 0.5 * (wanted.s0 + wanted.s1), half = 0.5 * blocks * block_size;
+    const Range        strip{middle - half, middle + half};
+    for (const FrameProfile *profile : {&wheel, &rail})
+      {
+        const Range limits = strip_limits(*profile, *profile);
+        if (strip.s0 < limits.s0 || strip.s1 > limits.s1)
+          throw InputError("Mesh/Planned strip: with whole coarse blocks it is " +
+                           in_mm(strip.s1 - strip.s0) + " wide, and the " +
+                           (profile == &wheel ? "wheel" : "rail") + " is too steep from " +
+                           in_mm(limits.s0 > strip.s0 ? limits.s0 - middle : limits.s1 - middle) +
+                           " beside its middle on (positive to the track centre); take a narrower one, or a "
+                           "smaller Mesh/Coarse cell size.");
+      }
+    return divided(frame, strip, blocks);
   }
 } // namespace wheelrail

@@ -132,10 +132,13 @@ namespace wheelrail
   {
     const ContactGeometry &contact = profiles.contact;
     SweepPlan              plan;
-    plan.levels        = std::max(0L, std::lround(std::log2(sizes.coarse / sizes.cell)));
-    const double block = sizes.cell * std::pow(2., plan.levels);
-    plan.strip         = make_fine_strip(
-      contact, profiles.wheel_heights, profiles.rail_heights, sizes.approach, sizes.fine_margin, block);
+    plan.levels                       = std::max(0L, std::lround(std::log2(sizes.coarse / sizes.cell)));
+    const double        block         = sizes.cell * std::pow(2., plan.levels);
+    const FrameProfile &wheel_heights = profiles.wheel_heights, &rail_heights = profiles.rail_heights;
+    plan.strip =
+      sizes.strip.s1 > sizes.strip.s0
+        ? fine_strip_over(contact.frame, wheel_heights, rail_heights, sizes.strip, block)
+        : make_fine_strip(contact, wheel_heights, rail_heights, sizes.approach, sizes.fine_margin, block);
     plan.surfaces = surfaces_of_strip(profiles, plan.strip, sizes.cell);
 
     plan.sectors               = std::lround(2 * M_PI * contact.rolling_radius / block);

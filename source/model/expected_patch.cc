@@ -88,7 +88,9 @@ namespace wheelrail
     // the strip covers the interpenetration at the full approach, in whole blocks
     // at the full approach the overlap is wider and longer than at 0.55 of it: 1/sqrt(0.55) = 1.35 where the
     // profiles are parabolas, about 1.3 across on the flattening tread
-    const double width = std::ceil((1.3 * patch.width + 2 * scene.fine_margin) / coarse) * coarse;
+    const double wanted = scene.planned_strip.size() == 2 ? scene.planned_strip[1] - scene.planned_strip[0]
+                                                          : 1.3 * patch.width + 2 * scene.fine_margin;
+    const double width  = std::ceil(wanted / coarse) * coarse;
     const double bound = 1.35 * patch.length, whole = scene.mesh_distance() + bound + 2 * scene.fine_margin,
                  part = coarse + bound + std::max(scene.fine_margin, least_ahead) +
                         std::max(scene.fine_margin, least_behind),

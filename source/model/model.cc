@@ -4,6 +4,7 @@
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
+#include <wheelrail/model/planned_strip.h>
 #include <wheelrail/solid/highest_frequency.h>
 #include <wheelrail/solid/point_state.h>
 
@@ -232,7 +233,14 @@ namespace wheelrail
     sizes.distance    = scene.mesh_distance();
     sizes.rail_length = scene.rail_length;
     sizes.moving      = scene.window == MeshWindow::moving;
-    return make_sweep_plan(geometry, wheel, sizes);
+    if (scene.planned_strip.empty())
+      return make_sweep_plan(geometry, wheel, sizes);
+    // whatever wheel passes, at whatever place: the rail stays the same
+    planned.wheel_material           = planned.rail_material;
+    sizes.approach                   = expected_approach(planned, scene.track.nominal_radius);
+    const PlannedStrip planned_strip = plan_strip(scene, geometry);
+    sizes.strip                      = planned_strip.s;
+    return make_sweep_plan(planned_strip.profiles, wheel, sizes);
   }
 
 
@@ -305,11 +313,11 @@ namespace wheelrail
 
 
   void
-  keep_flowed_rail(const Scene &scene, Model &model, MPI_Comm communicator)
+  keep_flowed(const Scene &scene, Model &model, const Body body, MPI_Comm communicator)
   {
-    model.window.kept.rail.clear();
+    model.window.kept[body].clear();
     if (scene.behind_wheel != BehindWheel::coarsen)
-      model.window.kept.rail = flowed_columns(model.swept->plan(), model.solid, Body::rail, communicator);
+      model.window.kept[body] = flowed_columns(model.swept->plan(), model.solid, body, communicator);
   }
 
 

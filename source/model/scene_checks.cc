@@ -3,6 +3,7 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
+#include <wheelrail/model/planned_strip.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 
@@ -167,6 +168,27 @@ namespace wheelrail
         }
     }
 
+    /// Whether the planned strip is on the rail head and holds the contact point.
+    void
+    check_strip(const Scene &scene, const SceneGeometry &geometry, Sentences &errors)
+    {
+      if (scene.planned_strip.empty())
+        return;
+      const double x = geometry.contact.rail_x;
+      try
+        {
+          plan_strip(scene, geometry);
+          if (x < scene.planned_strip[0] || x > scene.planned_strip[1])
+            errors.push_back(entry_text(scene, "Mesh", "Planned strip") +
+                             ": the wheel touches the rail beside it, at " + in_mm(x) +
+                             "; write none, or a strip around that place and a patch");
+        }
+      catch (const InputError &error)
+        {
+          errors.push_back(error.what());
+        }
+    }
+
     /// The profiles in touch; nothing, and an error, when they cannot be read or do not touch.
     std::optional<SceneGeometry>
     find_geometry(const Scene &scene, Sentences &errors)
@@ -210,6 +232,8 @@ namespace wheelrail
       check_load(scene, found.errors);
       check_rail_length(scene, patch, found.errors);
       check_distances(scene, found);
+      if (geometry && found.errors.empty())
+        check_strip(scene, *geometry, found.errors);
       if (geometry && found.errors.empty())
         check_sections(scene, *geometry, found);
     }

@@ -50,6 +50,7 @@ namespace wheelrail
     {
       static const Columns list = {
         {Q::load, "load", Dimension::force, 1e3, 5e5, "1 kN to 500 kN"},
+        {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
         {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
         {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
         {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};

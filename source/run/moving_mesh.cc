@@ -29,12 +29,12 @@ namespace wheelrail
   bool
   follow_wheel(const MovingParts &run)
   {
-    const Model &model = run.model;
-    if (!model.swept ||
-        !move_window(run.scene,
-                     run.model,
-                     {run.axle.travelled(), model.geometry.rolling_radius * run.axle.pitch_angle()},
-                     run.communicator))
+    const Model           &model    = run.model;
+    const RunningSurfaces &surfaces = model.contact->surfaces();
+    if (!model.swept || !move_window(run.scene,
+                                     run.model,
+                                     {run.axle.travelled(), surfaces.rolling_radius * run.axle.pitch_angle()},
+                                     run.communicator))
       return false;
     change_mesh(run, prepare_window);
     return true;

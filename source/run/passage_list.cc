@@ -1,27 +1,160 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/split_list.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/planned_strip.h>
 #include <wheelrail/reference/motion_file.h>
 #include <wheelrail/run/passage_list.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace wheelrail
 {
-  std::vector<Scene>
-  passage_scenes(const Scene &scene)
+  namespace
+  {
+    /// A wheel of the list before its contact is known.
+    using NamedScene = std::pair<std::string, Scene>;
+
+    bool
+    is_scene_file(const std::string &name)
+    {
+      const std::string end = ".prm";
+      return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    }
+
+    /// Whether the rail, or what it is divided into, depends on an entry.
+    bool
+    of_rail(const Entry &entry)
+    {
+      const std::string path   = entry.path();
+      const auto        begins = [&](const char *with) { return path.rfind(with, 0) == 0; };
+      return begins("Rail material/") || begins("Track/") ||
+             (begins("Profiles/") && !begins("Profiles/Wheel")) ||
+             (begins("Mesh/") && path != "Mesh/Wheel element") || path == "Run/Rolling distance" ||
+             path == "Wheelset/Nominal rolling radius" || path == "Wheelset/Flange back distance" ||
+             path == "Wheelset/Side";
+    }
+
+    /// A scene file of the list over the rail of `family`, whose passages and outputs are its own.
+    Scene
+    scene_over_rail(const std::string &path, const Scene &family)
+    {
+      Scene one = read_scene(path, {}).scene;
+      for (const Entry &entry : entries())
+        {
+          if (of_rail(entry) && entry.get(one) != entry.get(family))
+            throw InputError(path + ": " + entry_text(one, entry.section, entry.name) +
+                             ": that is another rail than that of the scene whose Run/Passage list has this "
+                             "file, where it is " +
+                             entry.get(family) + "; wheels, loads, shifts and friction may differ");
+          if (entry.path() == "Run/Passage list" && entry.get(one) != "none")
+            throw InputError(path + ": " + entry_text(one, entry.section, entry.name) +
+                             ": a scene of a list cannot have one of its own; write none");
+          if (entry.section == "Output" || entry.section == "Study" ||
+              (entry.section == "Run" && entry.name != "Start" && entry.name != "Time step factor"))
+            entry.set(one, entry.get(family));
+        }
+      return one;
+    }
+
+    std::vector<NamedScene>
+    listed_scenes(const Scene &scene)
+    {
+      if (scene.passage_list == "none")
+        return {{"", scene}};
+      std::vector<NamedScene>  list;
+      std::vector<std::string> names = split_list(scene.passage_list, ',');
+      for (std::string &name : names)
+        {
+          name.erase(0, name.find_first_not_of(" \t"));
+          name.erase(name.find_last_not_of(" \t") + 1);
+        }
+      if (std::any_of(names.begin(), names.end(), is_scene_file))
+        {
+          for (const std::string &name : names)
+            list.push_back({name, scene_over_rail(name, scene)});
+          return list;
+        }
+      const MotionFile rows = read_passage_list(scene.passage_list);
+      for (std::size_t row = 0; row < rows.rows(); ++row)
+        list.push_back({scene.passage_list + ": row " + std::to_string(row + 1), scene_at(scene, rows, row)});
+      return list;
+    }
+
+    SceneGeometry
+    geometry_of(const NamedScene &named)
+    {
+      try
+        {
+          return make_geometry(named.second);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(named.first + ": " + error.what());
+        }
+    }
+
+    bool
+    same_contact(const ContactGeometry &a, const ContactGeometry &b)
+    {
+      return a.rail_x == b.rail_x && a.wheel_x == b.wheel_x && a.rolling_radius == b.rolling_radius &&
+             a.angle == b.angle && a.wheel_curvature == b.wheel_curvature;
+    }
+
+    /// Lays fine cells for the largest load in all scenes, when loads differ.
+    void
+    plan_load(std::vector<PassingWheel> &wheels)
+    {
+      double largest = 0, least = HUGE_VAL;
+      for (const PassingWheel &wheel : wheels)
+        {
+          const double load = std::max(wheel.scene.planned_load, expected_load(wheel.scene));
+          largest           = std::max(largest, load);
+          least             = std::min(least, load);
+        }
+      if (largest > least)
+        for (PassingWheel &wheel : wheels)
+          wheel.scene.planned_load = largest;
+    }
+
+    /// Lays them around all patches, when wheels touch the rail at different places; to 0.1 mm.
+    void
+    plan_strips(std::vector<PassingWheel> &wheels)
+    {
+      const auto here = [&](const PassingWheel &wheel) {
+        return same_contact(wheel.geometry.contact, wheels.front().geometry.contact);
+      };
+      if (!wheels.front().scene.planned_strip.empty() || std::all_of(wheels.begin(), wheels.end(), here))
+        return;
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (const PassingWheel &wheel : wheels)
+        {
+          const double load =
+            wheel.scene.planned_load > 0 ? wheel.scene.planned_load : expected_load(wheel.scene);
+          const std::vector<double> strip = strip_of_patch(wheel.scene, wheel.geometry, load);
+          low                             = std::min(low, strip[0]);
+          high                            = std::max(high, strip[1]);
+        }
+      for (PassingWheel &wheel : wheels)
+        wheel.scene.planned_strip = {std::floor(1e4 * low) / 1e4, std::ceil(1e4 * high) / 1e4};
+    }
+  } // namespace
+
+
+  std::vector<PassingWheel>
+  passing_wheels(const Scene &scene, const SceneGeometry &geometry)
   {
     if (scene.passage_list == "none")
-      return {scene};
-    const MotionFile   rows = read_passage_list(scene.passage_list);
-    std::vector<Scene> round;
-    double             planned = scene.planned_load;
-    for (std::size_t row = 0; row < rows.rows(); ++row)
-      {
-        round.push_back(scene_at(scene, rows, row));
-        if (rows.find(MotionQuantity::load))
-          planned = std::max(planned, round.back().wheel_load);
-      }
-    for (Scene &one : round)
-      one.planned_load = planned;
-    return round;
+      return {{"", scene, geometry}};
+    std::vector<PassingWheel> wheels;
+    for (const NamedScene &named : listed_scenes(scene))
+      wheels.push_back({named.first, named.second, geometry_of(named)});
+    plan_load(wheels);
+    plan_strips(wheels);
+    return wheels;
   }
 } // namespace wheelrail

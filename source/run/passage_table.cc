@@ -50,16 +50,17 @@ namespace wheelrail
       return list;
     }
 
-    /// What each value is more than the one before.
+    /// What each value is more than the one before; not a number where the passage before was jumped over.
     std::vector<double>
-    increments(const std::vector<double> &values)
+    increments(const std::vector<double> &values, const std::vector<unsigned int> &computed)
     {
       std::vector<double> added;
       double              before = 0;
-      for (const double value : values)
+      for (std::size_t k = 0; k < values.size(); ++k)
         {
-          added.push_back(value - before);
-          before = value;
+          const unsigned int last = k == 0 ? 0 : computed[k - 1];
+          added.push_back(computed[k] == last + 1 ? values[k] - before : std::nan(""));
+          before = values[k];
         }
       return added;
     }
@@ -107,11 +108,11 @@ namespace wheelrail
     }
 
     void
-    write_cuts(const hid_t file, const std::string &folder, const unsigned int n)
+    write_cuts(const hid_t file, const std::string &folder, const std::vector<unsigned int> &computed)
     {
       std::vector<double> passages;
       std::vector<Fields> cuts;
-      for (unsigned int k = 1; k <= n; ++k)
+      for (const unsigned int k : computed)
         {
           Fields cut = read_cut(passage_folder(folder, k));
           if (cut.empty() || (!cuts.empty() && (cut["position"].size() != cuts[0]["position"].size() ||
@@ -141,7 +142,9 @@ namespace wheelrail
               for (std::size_t i = 0; i < now.size(); ++i)
                 {
                   all.push_back(now[i]);
-                  added.push_back(k == 0 ? now[i] : now[i] - cuts[k - 1][field.name][i]);
+                  added.push_back(k == 0                              ? now[i]
+                                  : passages[k] > passages[k - 1] + 1 ? std::nan("")
+                                                                      : now[i] - cuts[k - 1][field.name][i]);
                 }
             }
           if (all.size() != cuts.size() * across * down)
@@ -170,17 +173,13 @@ namespace wheelrail
 
 
   FigureTable
-  passage_table(const std::string &folder, const unsigned int n)
+  passage_table(const std::string &folder, const std::vector<unsigned int> &computed)
   {
-    std::vector<double>  numbers;
     std::vector<Summary> summaries;
-    for (unsigned int k = 1; k <= n; ++k)
-      {
-        numbers.push_back(k);
-        summaries.push_back(read_summary(passage_folder(folder, k) + "/summary.json"));
-      }
+    for (const unsigned int k : computed)
+      summaries.push_back(read_summary(passage_folder(folder, k) + "/summary.json"));
     FigureTable table;
-    table.add("passage", "1", numbers);
+    table.add("passage", "1", {computed.begin(), computed.end()});
     for (const std::string &key : figure_keys())
       {
         std::vector<double> values;
@@ -188,26 +187,35 @@ namespace wheelrail
           values.push_back(get_figure(summary, key));
         table.add(key, figure_with_key(key)->si_unit(), values);
       }
-    table.add("plastic_strain_increment", "1", increments(*table.find("rail_plastic_strain")));
-    table.add("forward_flow_increment_m", "m", increments(*table.find("residual_forward_flow_m")));
+    table.add("plastic_strain_increment", "1", increments(*table.find("rail_plastic_strain"), computed));
+    table.add("forward_flow_increment_m", "m", increments(*table.find("residual_forward_flow_m"), computed));
     return table;
   }
 
 
   std::vector<RoundGrowth>
-  round_growths(const std::string &folder, const unsigned int n, const unsigned int of_round)
+  round_growths(const std::string               &folder,
+                const std::vector<unsigned int> &computed,
+                const unsigned int               of_round)
   {
     std::vector<RoundGrowth> rounds;
     // a rail in which nothing has yielded has no band
-    double strain = 0, forward = 0;
-    for (unsigned int k = of_round; k <= n; k += of_round)
+    double       strain = 0, forward = 0;
+    unsigned int last = 0;
+    for (const unsigned int k : computed)
       {
+        if (k % of_round != 0)
+          continue;
         const Summary summary = read_summary(passage_folder(folder, k) + "/summary.json");
         const double  now     = get_figure(summary, "rail_plastic_strain"),
                      at       = get_figure(summary, "residual_forward_flow_m"),
                      depth    = get_figure(summary, "plastic_band_depth_m");
         const double shear    = depth > 0 ? (at - forward) / depth : 0;
-        rounds.push_back({std::isnan(now) ? 0 : now - strain, shear});
+        if (k == last + of_round)
+          rounds.push_back({std::isnan(now) ? 0 : now - strain, shear});
+        else
+          rounds.clear();
+        last    = k;
         strain  = std::isnan(now) ? strain : now;
         forward = std::isnan(at) ? forward : at;
       }
@@ -216,14 +224,14 @@ namespace wheelrail
 
 
   void
-  write_passage_fields(const std::string &folder, const unsigned int n)
+  write_passage_fields(const std::string &folder, const std::vector<unsigned int> &computed)
   {
     const hdf5::Handle file(hdf5::open_in_memory(), H5Fclose, "make a file in memory");
-    const FigureTable  table = passage_table(folder, n);
+    const FigureTable  table = passage_table(folder, computed);
     for (std::size_t c = 1; c < table.keys.size(); ++c) // HDF5 counts the passages by itself
       hdf5::write_dataset(
         file, table.keys[c], {table.rows()}, table.columns[c], table.units[c], description_of(table.keys[c]));
-    write_cuts(file, folder, n);
+    write_cuts(file, folder, computed);
     const std::vector<char> bytes = hdf5::file_image(file);
     replace_file(folder + "/passages.h5", bytes.data(), bytes.size());
   }

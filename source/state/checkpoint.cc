@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace wheelrail
 {
@@ -70,54 +71,68 @@ namespace wheelrail
 
     // --- restoring ---
 
-    /// Whether the nodes of the rank lie where those of the saved state did, but for round-off.
+    /// Whether a body is the one that is asked for, or none is.
     bool
-    same_places(const std::vector<double> &saved, const LocalMesh &mesh)
+    of(const std::optional<Body> asked, const Body body)
+    {
+      return !asked || *asked == body;
+    }
+
+    /// Whether the nodes of a body (none: of both) that the rank has lie where those of the saved state did,
+    /// but for round-off.
+    bool
+    same_places(const std::vector<double> &saved, const LocalMesh &mesh, const std::optional<Body> body)
     {
       constexpr double tolerance = 1e-10; // [m]
       for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
         for (int d = 0; d < 3; ++d)
-          if (!(std::abs(saved[3 * std::size_t(mesh.node_number[n]) + d] - mesh.reference[4 * n + d]) <
-                tolerance))
+          if (of(body, mesh.node_body[n]) && !(std::abs(saved[3 * std::size_t(mesh.node_number[n]) + d] -
+                                                        mesh.reference[4 * n + d]) < tolerance))
             return false;
       return true;
     }
 
+    /// Whether a checkpoint has what bodies with this mesh need, or one of them.
     bool
-    fits(const Checkpoint &whole, const Solid &solid)
+    fits(const Checkpoint &whole, const Solid &solid, const std::optional<Body> body = {})
     {
-      const LocalMesh &mesh  = solid.mesh;
-      const auto       below = [](const std::vector<std::uint32_t> &numbers, const std::size_t n) {
-        return std::all_of(numbers.begin(), numbers.end(), [n](const std::uint32_t k) { return k < n; });
-      };
-      const bool same_mesh =
-        whole.node.size() == solid.quality.nodes && whole.cell.size() == solid.quality.elements &&
-        below(mesh.node_number, whole.node.size()) && below(mesh.cell_number, whole.cell.size());
+      const LocalMesh &mesh = solid.mesh;
+      bool             same_mesh =
+        body || (whole.node.size() == solid.quality.nodes && whole.cell.size() == solid.quality.elements);
+      for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+        same_mesh = same_mesh && (!of(body, mesh.node_body[n]) || mesh.node_number[n] < whole.node.size());
+      for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+        same_mesh = same_mesh && (!of(body, mesh.cell_body[c]) || mesh.cell_number[c] < whole.cell.size());
       const auto has = [](const auto &all, const std::string &name, const unsigned int n) {
         return all.count(name) == 1 && all.at(name).components >= n;
       };
       bool complete = has(whole.node_values, "position", 3) && has(whole.node_values, "displacement", 3) &&
                       has(whole.node_values, "velocity", 3);
-      for (const Body body : both_bodies)
-        visit_histories(solid.blocks[body], [&](const char *name, const unsigned int n, const auto &) {
-          complete = complete && has(whole.cell_values, name, n);
+      for (const Body other : both_bodies)
+        visit_histories(solid.blocks[other], [&](const char *name, const unsigned int n, const auto &) {
+          complete = complete && (!of(body, other) || has(whole.cell_values, name, n));
         });
-      return same_mesh && complete && same_places(whole.node_values.at("position").values, mesh);
+      return same_mesh && complete && same_places(whole.node_values.at("position").values, mesh, body);
     }
 
     void
-    restore_solid(const Checkpoint &whole, Solid &solid)
+    restore_solid(const Checkpoint &whole, Solid &solid, const std::optional<Body> body = {})
     {
-      const auto restore_nodes = [&](const char *name, AlignedVector<double> &values) {
+      const LocalMesh &mesh          = solid.mesh;
+      const auto       restore_nodes = [&](const char *name, AlignedVector<double> &values) {
         const auto &saved = whole.node_values.at(name).values;
-        for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
-          std::copy_n(&saved[3 * std::size_t(solid.mesh.node_number[n])], 3, &values[4 * n]);
+        for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+          if (of(body, mesh.node_body[n]))
+            std::copy_n(&saved[3 * std::size_t(mesh.node_number[n])], 3, &values[4 * n]);
       };
       restore_nodes("displacement", solid.displacement);
       restore_nodes("velocity", solid.velocity);
+      const std::vector<double> zeros(std::max(2, solid.blocks.wheel.history_rows()), 0.);
       set_cell_histories(solid, [&](const std::string &name, const std::size_t cell) {
+        if (!of(body, mesh.cell_body[cell]))
+          return zeros.data();
         const NumberedValues &saved = whole.cell_values.at(name);
-        return &saved.values[saved.components * std::size_t(solid.mesh.cell_number[cell])];
+        return &saved.values[saved.components * std::size_t(mesh.cell_number[cell])];
       });
     }
 
@@ -226,6 +241,17 @@ namespace wheelrail
     MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
     if (same == 1)
       restore_solid(whole, solid);
+    return same == 1;
+  }
+
+
+  bool
+  restore_rail_body(const Checkpoint &whole, Solid &solid, MPI_Comm communicator)
+  {
+    int same = fits(whole, solid, Body::rail) ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
+    if (same == 1)
+      restore_solid(whole, solid, Body::rail);
     return same == 1;
   }
 

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/dynamics/wheel_axes.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/solid/motion.h>
@@ -21,6 +22,23 @@ namespace wheelrail
     in_words(const Scene &scene)
     {
       return "Run/Rail = " + scene.rail_from + ": ";
+    }
+    /// Takes over where the fine cells of one body lie.
+    void
+    take_window(const FineWindow &from, const Body body, FineWindow &window)
+    {
+      window.column[body]   = from.column[body];
+      window.kept[body]     = from.kept[body];
+      window.path_end[body] = from.path_end[body];
+    }
+
+    /// Turns a wheel that was unloaded at the end of its way back to where it began.
+    void
+    turn_back(const Checkpoint &rail, Model &model, MPI_Comm communicator)
+    {
+      Axle axle(model.axle, 0, 0, communicator);
+      axle.set_state(rail.axle);
+      WheelAxes(axle).to_wheel(model.solid);
     }
   } // namespace
 
@@ -54,25 +72,60 @@ namespace wheelrail
   }
 
 
+  bool
+  extrapolate_rail(const std::string &before,
+                   const std::string &last,
+                   const double       factor,
+                   const std::string &to)
+  {
+    Checkpoint       rail = checkpoint_from_bytes(read_whole_file(last + file_name));
+    const Checkpoint old  = checkpoint_from_bytes(read_whole_file(before + file_name));
+    if (rail.node_values.at("position").values != old.node_values.at("position").values ||
+        rail.cell.size() != old.cell.size())
+      return false;
+    const auto extrapolate = [factor](NumberedValues &now, const NumberedValues &then) {
+      for (std::size_t k = 0; k < now.values.size(); ++k)
+        now.values[k] += factor * (now.values[k] - then.values[k]);
+    };
+    extrapolate(rail.node_values.at("displacement"), old.node_values.at("displacement"));
+    extrapolate(rail.cell_values.at("plastic_history"), old.cell_values.at("plastic_history"));
+    const std::vector<char> bytes = checkpoint_bytes(rail);
+    std::filesystem::create_directories(to);
+    replace_file(to + file_name, bytes.data(), bytes.size());
+    return true;
+  }
+
+
   void
   lay_rail(const Scene &scene, const Checkpoint &rail, Model &model, MPI_Comm communicator)
   {
-    FineWindow start = model.window;
+    const bool same_wheel = scene.next_wheel == NextWheel::same;
+    FineWindow start      = model.window;
     if (model.swept)
       {
-        model.window = rail.window;
+        take_window(rail.window, Body::rail, model.window);
+        if (same_wheel)
+          take_window(rail.window, Body::wheel, model.window);
         prepare_window_forest(model, communicator);
       }
-    if (!restore_bodies(rail, model.solid, communicator))
-      throw InputError(
-        in_words(scene) +
-        "that rail has another mesh; profiles, track, lateral shift and the cells of Mesh must be "
-        "those of its run, and Mesh/Planned load the same in both where loads differ");
+    if (!(same_wheel ? restore_bodies : restore_rail_body)(rail, model.solid, communicator))
+      throw InputError(in_words(scene) +
+                       "that rail has another mesh; rail profile, track, rolling distance and the cells of "
+                       "Mesh must be those of "
+                       "its run, and Mesh/Planned load the same in both where loads differ, Mesh/Planned "
+                       "strip where lateral "
+                       "shifts or wheels differ" +
+                       (same_wheel ? "; with Run/Next wheel = same the wheel and its place, too" : ""));
     std::fill(model.solid.velocity.begin(), model.solid.velocity.end(), 0.);
+    if (same_wheel)
+      turn_back(rail, model, communicator);
     if (model.swept)
       {
-        keep_flowed_rail(scene, model, communicator);
-        start.kept.rail            = model.window.kept.rail;
+        for (const Body body : both_bodies)
+          {
+            keep_flowed(scene, model, body, communicator);
+            start.kept[body] = model.window.kept[body];
+          }
         model.window               = start;
         const SolidChoice   choice = model.solid.choice;
         const SolidTransfer transfer(std::move(model.solid), 0, communicator);
@@ -81,12 +134,11 @@ namespace wheelrail
         transfer.fill(model.solid, node_inertia(model.solid), 0);
         std::fill(model.solid.velocity.begin(), model.solid.velocity.end(), 0.);
       }
-    for (std::size_t n = 0; n < model.solid.mesh.n_nodes(); ++n)
-      if (model.solid.mesh.node_body[n] == Body::wheel)
-        std::fill_n(&model.solid.displacement[4 * n], 4, 0.);
-    forget_flow(model.solid.blocks.wheel);
-    std::fill(model.solid.blocks.rail.plastic_work.begin(), model.solid.blocks.rail.plastic_work.end(), 0.);
     for (const Body body : both_bodies)
-      std::fill(model.solid.blocks[body].viscous.begin(), model.solid.blocks[body].viscous.end(), 0.);
+      {
+        ElementBlocks &blocks = model.solid.blocks[body];
+        std::fill(blocks.plastic_work.begin(), blocks.plastic_work.end(), 0.);
+        std::fill(blocks.viscous.begin(), blocks.viscous.end(), 0.);
+      }
   }
 } // namespace wheelrail

@@ -33,4 +33,14 @@ namespace wheelrail
                   double                 approach,
                   double                 margin,
                   double                 block_size);
+
+  /// The strip that covers the range `wanted` of s in `frame` [m], widened symmetrically to a whole number of
+  /// blocks of `block_size` [m], where neither profile may be too steep (strip_limits). Throws InputError
+  /// when one is.
+  FineStrip
+  fine_strip_over(const ContactFrame &frame,
+                  const FrameProfile &wheel,
+                  const FrameProfile &rail,
+                  const Range        &wanted,
+                  double              block_size);
 } // namespace wheelrail

@@ -51,6 +51,7 @@ namespace wheelrail
     double distance    = 0;     ///< that the wheel rolls
     bool   moving      = false; ///< the finest cells move with the wheel
     double rail_length = 0;     ///< its middle lies under that of the rolled stretch
+    Range  strip;               ///< of s with finest cells, whatever the patch; without length: around it
   };
 
   /// Least margins of finest cells that move with the wheel, ahead of the contact and behind it [m].

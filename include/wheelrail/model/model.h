@@ -61,10 +61,10 @@ namespace wheelrail
   bool
   move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator);
 
-  /// Keeps the columns of blocks fine in which the rail has flowed, unless Mesh/Behind the wheel makes all
-  /// coarse. Collective.
+  /// Keeps the columns of blocks fine in which a body has flowed, and no others, unless Mesh/Behind the wheel
+  /// makes all coarse. Collective.
   void
-  keep_flowed_rail(const Scene &scene, Model &model, MPI_Comm communicator);
+  keep_flowed(const Scene &scene, Model &model, Body body, MPI_Comm communicator);
 
   /// Gives the window a longer path [m]; whether that changes the range of the finest cells.
   bool

@@ -55,7 +55,8 @@ namespace wheelrail
   read_motion_file(const std::string &path);
 
   /// Reads a table of the same form whose rows are wheels that pass one after the other: "load [kN],
-  /// traction, velocity [km/h], creepage [%]", any of them. Throws InputError as read_motion_file().
+  /// lateral shift [mm], traction, velocity [km/h], creepage [%]", any of them. Throws InputError as
+  /// read_motion_file().
   MotionFile
   read_passage_list(const std::string &path);
 

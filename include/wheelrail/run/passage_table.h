@@ -12,18 +12,20 @@ namespace wheelrail
   std::string
   passage_folder(const std::string &folder, unsigned int passage);
 
-  /// The table passages.csv of the first `n` passages below `folder`, from their summaries.
+  /// The table passages.csv of the passages `computed` below `folder`, numbers from 1 that ascend, from their
+  /// summaries. A passage whose forerunner was jumped over has no increments.
   FigureTable
-  passage_table(const std::string &folder, unsigned int n);
+  passage_table(const std::string &folder, const std::vector<unsigned int> &computed);
 
-  /// What each whole round of `of_round` passages has added, of the first `n` passages.
+  /// What each whole round of `of_round` passages has added, of those that are computed; only the last rounds
+  /// that follow each other without a jump.
   std::vector<RoundGrowth>
-  round_growths(const std::string &folder, unsigned int n, unsigned int of_round);
+  round_growths(const std::string &folder, const std::vector<unsigned int> &computed, unsigned int of_round);
 
   /// Writes passages.h5: the columns of passages.csv, and in the group BB_behind_rail, from the residual.h5
   /// of the passages, that cut of the unloaded rail over passages, lateral place and depth, with what each
   /// passage has added to plastic and forward shear strain. Passages without that cut are left out of these.
   /// To be called on one rank.
   void
-  write_passage_fields(const std::string &folder, unsigned int n);
+  write_passage_fields(const std::string &folder, const std::vector<unsigned int> &computed);
 } // namespace wheelrail

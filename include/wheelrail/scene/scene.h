@@ -13,6 +13,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace wheelrail
 {
@@ -75,6 +76,13 @@ namespace wheelrail
     automatic, ///< those that have flowed stay, the others are made coarse
     coarsen,   ///< all are made coarse
     keep       ///< all stay
+  };
+
+  /// Which wheel passes when one has passed before.
+  enum class NextWheel
+  {
+    fresh, ///< a new one
+    same   ///< the one before, with what it has yielded
   };
 
   /// Where the rigid slip of the half-space contact comes from.
@@ -144,7 +152,8 @@ namespace wheelrail
     std::optional<ElementForm> rail_element, wheel_element; ///< none: as `element`
     MeshWindow                 window       = MeshWindow::moving;
     BehindWheel                behind_wheel = BehindWheel::automatic;
-    double planned_load      = 0; ///< for whose patch fine cells are laid [N], 0: the wheel load
+    double              planned_load = 0; ///< for whose patch fine cells are laid [N], 0: the wheel load
+    std::vector<double> planned_strip;    ///< rail section x, fine cells between [m]; none: around the patch
     double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 
     // Run
@@ -159,9 +168,12 @@ namespace wheelrail
     double       settled_growth     = 1e-5;   ///< of strain in a round, below which nothing grows any more
     double       settled_change     = 0.03;   ///< of the growth from round to round, below which it is steady
     std::string  passage_list       = "none"; ///< file of the wheels of a round, or none: one as the scene
-    std::string  rail_from          = "new";  ///< folder of the run that left the rail, or new
-    double       gravity            = 9.81;   ///< [m/s2]
-    double       energy_limit       = 0.005;  ///< energy error at which the run stops
+    unsigned int passage_jump       = 0;      ///< most passages that are extrapolated at a time, 0: none
+    double       jump_error         = 0.05; ///< of an extrapolated growth, over the strain, that is accepted
+    NextWheel    next_wheel         = NextWheel::fresh;
+    std::string  rail_from          = "new"; ///< folder of the run that left the rail, or new
+    double       gravity            = 9.81;  ///< [m/s2]
+    double       energy_limit       = 0.005; ///< energy error at which the run stops
 
     // Output
     std::string  folder              = "output/scene";

@@ -69,6 +69,11 @@ namespace wheelrail
   bool
   restore_bodies(const Checkpoint &whole, Solid &solid, MPI_Comm communicator);
 
+  /// The same for the rail alone, whose cells and nodes have the first numbers: the wheel may have any mesh.
+  /// Collective.
+  bool
+  restore_rail_body(const Checkpoint &whole, Solid &solid, MPI_Comm communicator);
+
   /// A whole checkpoint as the bytes of an HDF5 file.
   std::vector<char>
   checkpoint_bytes(const Checkpoint &whole);
