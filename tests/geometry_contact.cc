@@ -256,6 +256,12 @@ namespace
           "the command finds the jump near 0.67 mm");
     check(text.find("undeformed distance at s = -10 mm") != std::string::npos,
           "the command gives the details");
+    std::ostringstream two;
+    run_geometry_command(scene, read_profiles(scene), {-4.6e-3}, two);
+    check(two.str().find("Further points that 0.1 mm of approach would close\n\n    shift      gap") !=
+              std::string::npos &&
+            two.str().find("\n    -4.60   0.0086   -18.560   -16.047    7.679") != std::string::npos,
+          "further points have lines of their own");
     std::ostringstream rolled;
     scene.roll       = RollMode::given;
     scene.roll_angle = 2e-3;

@@ -134,6 +134,36 @@ namespace wheelrail
               c.wheel_segment + " on " + c.rail_segment + further_text(c)};
     }
 
+    /// One line for each further point that touches under load.
+    void
+    print_further(const std::vector<ContactGeometry> &contacts, std::ostream &out)
+    {
+      bool none = true;
+      for (const ContactGeometry &c : contacts)
+        for (const FurtherPoint &p : c.further)
+          if (p.gap < loaded_gap)
+            {
+              if (none)
+                {
+                  out << "\nFurther points that 0.1 mm of approach would close\n\n";
+                  print_row(out,
+                            {"shift", "gap", "wheel x", "rail x", "angle", "ahead", "", "rail R", "wheel R"});
+                  print_row(out, {"mm", "mm", "mm", "mm", "deg", "mm", "", "mm", "mm"});
+                }
+              none = false;
+              print_row(out,
+                        {fixed(1e3 * c.lateral_shift, 2),
+                         fixed(1e3 * p.gap, 4),
+                         fixed(1e3 * p.wheel_x, 3),
+                         fixed(1e3 * p.rail_x, 3),
+                         fixed(p.angle / degree, 3),
+                         fixed(1e3 * p.ahead, 3),
+                         "",
+                         radius_text(p.rail_curvature),
+                         radius_text(p.wheel_curvature)});
+            }
+    }
+
     void
     print_table(const Pair &pair, const std::vector<double> &shifts, std::ostream &out)
     {
@@ -155,6 +185,7 @@ namespace wheelrail
                  "zones"});
       print_row(out, {"mm", "mrad", "mm", "mm", "deg", "mm", "mm", "mm", "mm", "mm", ""});
 
+      std::vector<ContactGeometry>   contacts;
       std::vector<std::string>       jumps;
       std::optional<ContactGeometry> before;
       for (const double shift : shifts)
@@ -181,6 +212,7 @@ namespace wheelrail
                 }
             }
           print_row(out, row);
+          contacts.push_back(*here);
           before = here;
         }
       if (!jumps.empty())
@@ -188,6 +220,7 @@ namespace wheelrail
           << "\nThe contact point jumps (in the order of the table; a step with several shows the largest)\n";
       for (const std::string &jump : jumps)
         out << jump << '\n';
+      print_further(contacts, out);
     }
 
     void
