@@ -85,7 +85,7 @@ namespace wheelrail
                      Log                 &log,
                      MPI_Comm             communicator)
   {
-    constexpr double widest = 12e-3;
+    constexpr double widest = 24e-3;
     if (rail != nullptr)
       {
         lay_rail(scene, *rail, model, communicator);

@@ -25,7 +25,7 @@ namespace wheelrail
   RunStart
   start_from_rest(const Scene &scene, Model &model, Log &log, MPI_Comm communicator);
 
-  /// The same; when the patch reaches the edge of the fine cells, `scene.fine_margin` is doubled, to 12 mm at
+  /// The same; when the patch reaches the edge of the fine cells, `scene.fine_margin` is doubled, to 24 mm at
   /// most, and the model made anew. Where profiles conform, as in the root of the flange, small moves of the
   /// loaded bodies open a second patch beside the one that the profiles let expect. On a `rail` of an earlier
   /// run (none: a null pointer) the mesh stays that of the rail. Collective.
