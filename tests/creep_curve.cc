@@ -3,11 +3,13 @@
 #include "messages.h"
 #include "reference_table.h"
 
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/creep_curve.h>
 
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -122,6 +124,43 @@ namespace
     check(curve.values.size() == 41 && std::abs(curve.values[40] - 0.02) < 1e-15, "41 values to 2 %");
     check(parse_creep_curve("spin -1,0.5 1/m").values == std::vector<double>({-1, 0.5}), "two spins");
   }
+
+  /// Points that are drawn beside a curve.
+  void
+  test_beside()
+  {
+    const std::string path = "beside_of_test.csv";
+    const auto        read = [&](const std::string &text, const MotionQuantity over) {
+      std::ofstream(path) << text;
+      return read_curve_file(path, over);
+    };
+    const MotionFile points =
+      read("creepage [%],traction,spin moment [kN m]\n1,0.2,0.01\n-2,-0.3,0\n", MotionQuantity::creepage);
+    check_near((*points.find(MotionQuantity::creepage))[1], -0.02, 1e-15, "creepages in any order");
+    check_near((*points.find(MotionQuantity::spin_moment))[0], 10, 1e-12, "spin moment [N m]");
+    const auto refused =
+      [&](const std::string &text, const MotionQuantity over, const std::string &expected) {
+        test::check_text(test::message_of([&]() { read(text, over); }), path + expected, "--beside: " + text);
+      };
+    refused("spin [1/mm],traction\n1,0\n",
+            MotionQuantity::spin,
+            ":1: column \"spin [1/mm]\": \"1/mm\" is no unit of a spin; 1/m is accepted");
+    refused("creepage [%],traction\n1,0\n",
+            MotionQuantity::spin,
+            ": no spin; the curve runs over it: name a column \"spin [1/m]\"");
+    refused("spin [1/m],traction\n1,0\n",
+            MotionQuantity::creepage,
+            ": no creepage; the curve runs over it: name a column \"creepage [%]\"");
+    refused("creepage [%]\n1\n",
+            MotionQuantity::creepage,
+            ": nothing to draw; name a column longitudinal force, lateral force, spin moment or traction");
+    test::check_text(test::message_of([]() { read_curve_file("no_such.csv", MotionQuantity::spin); }),
+                     "no_such.csv: no such file; --beside needs a table of points to draw beside the curve",
+                     "--beside: no such file");
+    check(read_curve_file(WHEELRAIL_TEST_DIR "/reference/creep_curve_beside.csv", MotionQuantity::creepage)
+              .rows() == 7,
+          "CONTACT's points can be read");
+  }
 } // namespace
 
 int
@@ -130,5 +169,6 @@ main()
   test_against_contact();
   test_other_axes();
   test_messages();
+  test_beside();
   return test::report();
 }

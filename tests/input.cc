@@ -51,6 +51,8 @@ namespace
       {"Wheelset/Roll", "from contact"},
       {"Wheelset/Side", "left"},
       {"Wheelset/Yaw", "5 mrad"},
+      {"Wheelset/Motion", "motion.csv"},
+      {"Wheelset/Motion start", "12.5 m"},
       {"Wheelset/Rim width", "136 mm"},
       {"Wheelset/Rim inner radius", "365 mm"},
       {"Wheelset/Disc thickness", "25 mm"},
@@ -178,9 +180,10 @@ namespace
     SceneInput straight             = input; // runs know neither
     straight.scene.yaw              = 0;
     straight.scene.lateral_creepage = 0;
-    straight.scene.left_wheel       = false; // the mesh at the other shift needs other sizes
-    straight.scene.passage_jump     = 0;     // there is a list
-    straight.scene.planned_strip.clear();    // nor that strip
+    straight.scene.motion           = "none"; // its file is not there
+    straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
+    straight.scene.passage_jump     = 0;      // there is a list
+    straight.scene.planned_strip.clear();     // nor that strip
     require_computable(straight);
     return input.scene;
   }
@@ -252,6 +255,8 @@ namespace
     check_near(s.track.flange_back_distance, 1.361, 0, "field flange_back_distance");
     check_near(s.lateral_shift, -0.0035, 0, "field lateral_shift");
     check(s.roll == RollMode::from_contact, "field roll");
+    check_text(s.motion, "motion.csv", "field motion");
+    check_near(s.motion_start, 12.5, 0, "field motion_start");
     check_near(s.wheel.rim_width, 0.136, 0, "field rim_width");
     check_near(s.wheel.rim_inner_radius, 0.365, 0, "field rim_inner_radius");
     check_near(s.wheel.disc_thickness, 0.025, 0, "field disc_thickness");

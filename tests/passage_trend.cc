@@ -4,7 +4,7 @@
 #include "messages.h"
 
 #include <wheelrail/model/model.h>
-#include <wheelrail/reference/motion_file.h>
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/run/passage_jump.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/passage_trend.h>

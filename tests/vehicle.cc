@@ -57,7 +57,7 @@ namespace
   test_messages()
   {
     const std::string there =
-      "; there are time, distance, lateral shift, roll, yaw, load, velocity, torque, creepage and "
+      "; there are time, distance, lateral shift, roll, yaw, load, velocity, torque, traction, creepage and "
       "lateral creepage, each with its unit in brackets, such as \"load [kN]\"";
     refused("time [s],jaw [mrad]\n0,1\n",
             ":1: column \"jaw [mrad]\" is not known, perhaps yaw is meant" + there);
@@ -86,10 +86,9 @@ namespace
             ": torque and creepage; one follows from the other: leave one of the columns out");
     refused("# nothing\n",
             ": no rows; such a table has a first line with names and units, and rows of numbers");
-    test::check_text(
-      test::message_of([]() { read_motion_file("no_such.csv"); }),
-      "no_such.csv: no such file; the command vehicle needs a table of rows over time or distance",
-      "no file");
+    test::check_text(test::message_of([]() { read_motion_file("no_such.csv"); }),
+                     "no_such.csv: no such file; a motion is a table of rows over time or distance",
+                     "no file");
   }
 
   /// Those of the command itself.
@@ -110,6 +109,13 @@ namespace
       said({"vehicle", scene, file.path(), "--set", "Half-space/Undeformed distance = hertz"}),
       "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles",
       "a distance that is given");
+    test::check_text(
+      said({"run", scene, "--row", file.path() + ":1", "--set", "Wheelset/Motion = " + file.path()}),
+      "--row and Wheelset/Motion: a scene has one row, or follows a motion; leave one out",
+      "a row and a motion");
+    test::check_text(said({"halfspace", scene, "--beside", file.path()}),
+                     "--beside draws points beside a creep curve: give --creep-curve, too",
+                     "points beside nothing");
     check(read_motion_file(WHEELRAIL_SOURCE_DIR "/prm/s_curve.csv").rows() > 100,
           "the curve of prm/ can be read");
   }

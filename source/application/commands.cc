@@ -47,15 +47,25 @@ namespace wheelrail
       return options.count("file") ? options["file"].as<std::string>() : "";
     }
 
-    /// The file with the --set options, at the row of --row; without a file the defaults.
+    /// The file with the --set options; without a file the defaults.
+    SceneInput
+    file_input_of(const po::variables_map &options)
+    {
+      const std::string file = file_of(options);
+      return file.empty() ? scene_from_text("", "defaults", sets_of(options))
+                          : read_scene(file, sets_of(options));
+    }
+
+    /// The same at the row of --row, or where it starts to follow its motion.
     SceneInput
     input_of(const po::variables_map &options)
     {
-      const std::string file = file_of(options);
-      SceneInput        input =
-        file.empty() ? scene_from_text("", "defaults", sets_of(options)) : read_scene(file, sets_of(options));
-      if (options.count("row"))
-        input.scene = scene_of_row(input.scene, options["row"].as<std::string>());
+      SceneInput input = file_input_of(options);
+      if (options.count("row") && input.scene.motion != "none")
+        throw InputError(
+          "--row and Wheelset/Motion: a scene has one row, or follows a motion; leave one out");
+      input.scene = options.count("row") ? scene_of_row(input.scene, options["row"].as<std::string>())
+                                         : scene_at_start(input.scene);
       return input;
     }
 
@@ -93,14 +103,20 @@ namespace wheelrail
                          " prm/rolling.prm");
     }
 
+    void
+    require_one_scene(const SceneInput &input)
+    {
+      if (!input.scene.study.axes.empty())
+        throw InputError(input.name + ": a study, since Study/Axes is set; ./wheelrail study " + input.name +
+                         " computes its cases");
+    }
+
     /// The one scene of a file; throws InputError for a study.
     SceneInput
     one_scene_of(const po::variables_map &options)
     {
       SceneInput input = input_of(options);
-      if (!input.scene.study.axes.empty())
-        throw InputError(input.name + ": a study, since Study/Axes is set; ./wheelrail study " + input.name +
-                         " computes its cases");
+      require_one_scene(input);
       return input;
     }
 
@@ -152,6 +168,8 @@ namespace wheelrail
       const auto file = [&](const char *option) {
         return options.count(option) ? options[option].as<std::string>() : std::string();
       };
+      if (!file("beside").empty() && file("creep-curve").empty())
+        throw InputError("--beside draws points beside a creep curve: give --creep-curve, too");
       const SceneInput input = one_scene_of(options);
       const Findings   found = contact_checks(input.scene);
       require_none(found.errors, input);
@@ -164,6 +182,7 @@ namespace wheelrail
         return run_creep_curve_command(input.scene,
                                        geometry ? &*geometry : nullptr,
                                        parse_creep_curve(file("creep-curve")),
+                                       file("beside"),
                                        !options.count("no-pictures"),
                                        out);
       return run_halfspace_command(input.scene,
@@ -193,7 +212,9 @@ namespace wheelrail
         throw InputError(
           "vehicle needs a motion file, such as ./wheelrail vehicle prm/rolling.prm prm/s_curve.csv");
       const MotionFile motion = read_motion_file(options["motion"].as<std::string>());
-      const SceneInput input  = one_scene_of(options);
+      SceneInput       input  = file_input_of(options);
+      require_one_scene(input);
+      input.scene.motion = "none"; // the rows of the command take its place
       require_none(contact_checks(input.scene).errors, input);
       if (distance_is_given(input.scene))
         throw InputError(
@@ -272,7 +293,7 @@ namespace wheelrail
     act_study(const po::variables_map &options, const RunFunction &, std::ostream &out)
     {
       require_file(options, "study");
-      const std::string plan = study_plan(input_of(options));
+      const std::string plan = study_plan(file_input_of(options));
       if (options.count("plan"))
         {
           out << plan;
@@ -354,6 +375,11 @@ namespace wheelrail
            po::value<std::string>(),
            "forces over creepages or spin instead: \"longitudinal -2:2:0.1 %\", \"lateral ...\", "
            "\"spin -1:1:0.1 1/m\"");
+         options.add_options()(
+           "beside",
+           po::value<std::string>(),
+           "with --creep-curve: a table of points, measured or of another program, to draw "
+           "beside the curve");
          options.add_options()("contact-input",
                                po::value<std::string>(),
                                "also write the problem as input of the program CONTACT, basic module");

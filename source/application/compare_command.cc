@@ -1,10 +1,12 @@
 #include <wheelrail/application/compare_command.h>
+#include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
@@ -189,6 +191,8 @@ namespace wheelrail
     Summary                     run   = read_summary((path / "summary.json").string());
     SceneInput                  input = read_scene((path / "parameters.prm").string(), sets);
     use_kept_profiles(input.scene, folder);
+    if (const double place = get_figure(run, "motion_distance_m"); std::isfinite(place))
+      input.scene = scene_on_way(input.scene, place);
     const SceneGeometry geometry = require_touching(input);
     if (input.scene.halfspace_memory_length > 0 || input.scene.halfspace_layer_thickness > 0)
       out << "note: Half-space/Friction memory and Interface layer are left out, since a run has neither\n";
@@ -227,8 +231,7 @@ namespace wheelrail
                                    {"sentence", sentence}};
     replace_file((path / "compare.json").string(),
                  json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
-    TickFile patches((path / "halfspace.h5").string(), false, 0);
-    append_patch(patches, result.patch);
+    write_halfspace_patches(result, path.string());
     TickFile slices((path / "halfspace_slices.h5").string(), false, 0);
     append_slices(slices, result.patch.time, result.patch.rolled_distance, halfspace_stresses(result).slices);
     write_summary(run, (path / "summary.json").string());

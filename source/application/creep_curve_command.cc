@@ -1,6 +1,7 @@
 #include <wheelrail/application/creep_curve_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
@@ -8,6 +9,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -60,6 +62,46 @@ namespace wheelrail
           out << text;
         }
     }
+
+    void
+    add_abscissa(const CreepCurve &curve, const std::vector<double> &values, FigureTable &table)
+    {
+      if (curve.axis == CreepAxis::spin)
+        table.add("given_spin_per_m", "1/m", values);
+      else
+        table.add("given_" + creep_axis_name(curve.axis) + "_creepage", "1", values);
+    }
+
+    double
+    mean_of(const std::vector<double> &values)
+    {
+      return std::accumulate(values.begin(), values.end(), 0.) / values.size();
+    }
+
+    /// The points of another curve under the names of ours; tractions are shares of the normal force [N].
+    FigureTable
+    beside_table(const CreepCurve &curve, const MotionFile &other, const double normal_force)
+    {
+      using Q = MotionQuantity;
+      FigureTable table;
+      add_abscissa(curve, *other.find(curve.axis == CreepAxis::spin ? Q::spin : Q::creepage), table);
+      const bool        along   = curve.axis == CreepAxis::longitudinal;
+      const std::string force[] = {"longitudinal_force_N", "tangential_lateral_force_N"};
+      if (const auto *const traction = other.find(Q::traction))
+        {
+          std::vector<double> values = *traction;
+          for (double &value : values)
+            value *= normal_force;
+          table.add(force[along ? 0 : 1], "N", values);
+        }
+      if (const auto *const values = other.find(Q::longitudinal_force); values && !table.find(force[0]))
+        table.add(force[0], "N", *values);
+      if (const auto *const values = other.find(Q::lateral_force); values && !table.find(force[1]))
+        table.add(force[1], "N", *values);
+      if (const auto *const values = other.find(Q::spin_moment))
+        table.add("reference_spin_moment_Nm", "Nm", *values);
+      return table;
+    }
   } // namespace
 
 
@@ -67,9 +109,14 @@ namespace wheelrail
   run_creep_curve_command(const Scene         &scene,
                           const SceneGeometry *geometry,
                           const CreepCurve    &curve,
+                          const std::string   &beside,
                           const bool           draws,
                           std::ostream        &out)
   {
+    MotionFile other;
+    if (!beside.empty())
+      other = read_curve_file(
+        beside, curve.axis == CreepAxis::spin ? MotionQuantity::spin : MotionQuantity::creepage);
     const bool given  = distance_is_given(scene);
     const auto points = solve_creep_curve(scene, curve, [&](const Scene &point) {
       return given ? solve_given_distance(point, geometry)
@@ -84,10 +131,7 @@ namespace wheelrail
         failed += summaries.back().finished ? 0 : 1;
       }
     FigureTable table;
-    if (curve.axis == CreepAxis::spin)
-      table.add("given_spin_per_m", "1/m", curve.values);
-    else
-      table.add("given_" + creep_axis_name(curve.axis) + "_creepage", "1", curve.values);
+    add_abscissa(curve, curve.values, table);
     table.add_figures({"reference_creepage",
                        "reference_lateral_creepage",
                        "reference_spin_per_m",
@@ -111,6 +155,10 @@ namespace wheelrail
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     table.write_csv((folder / "creep_curve.csv").string());
     table.write_hdf5((folder / "creep_curve.h5").string());
+    std::filesystem::remove(folder / "beside.csv");
+    if (!beside.empty())
+      beside_table(curve, other, mean_of(*table.find("normal_force_N")))
+        .write_csv((folder / "beside.csv").string());
     if (failed > 0)
       out << failed << " of " << points.size() << " points could not be solved as they should; the first: " <<
         [&]() {

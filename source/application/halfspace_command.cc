@@ -88,19 +88,27 @@ namespace wheelrail
         }
     }
 
-    /// The patch into halfspace.h5, others into halfspace_patch_2.h5 and so on.
-    void
-    write_patches(const WheelRailSolution &result, const std::filesystem::path &folder)
-    {
-      TickFile file((folder / "halfspace.h5").string(), false, 0);
-      append_patch(file, result.patch);
-      for (std::size_t k = 0; k < result.others.size(); ++k)
-        {
-          TickFile other((folder / ("halfspace_patch_" + std::to_string(k + 2) + ".h5")).string(), false, 0);
-          append_patch(other, result.others[k].patch);
-        }
-    }
   } // namespace
+
+
+  void
+  write_halfspace_patches(const WheelRailSolution &result, const std::string &folder)
+  {
+    const std::filesystem::path path = folder;
+    TickFile                    file((path / "halfspace.h5").string(), false, 0);
+    append_patch(file, result.patch);
+    const auto other_file = [&](const std::size_t number) {
+      return path / ("halfspace_patch_" + std::to_string(number) + ".h5");
+    };
+    for (std::size_t k = 0; k < result.others.size(); ++k)
+      {
+        TickFile other(other_file(k + 2).string(), false, 0);
+        append_patch(other, result.others[k].patch);
+      }
+    // of an earlier solution with more patches
+    for (std::size_t k = result.others.size() + 2; std::filesystem::remove(other_file(k)); ++k)
+      ;
+  }
 
 
   int
@@ -148,7 +156,7 @@ namespace wheelrail
 
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
-    write_patches(result, folder);
+    write_halfspace_patches(result, folder.string());
     TickFile slices((folder / "slices.h5").string(), false, 0);
     append_slices(slices, result.patch.time, result.patch.rolled_distance, stresses.slices);
     write_summary(figures, (folder / "summary.json").string());

@@ -1,8 +1,9 @@
 #include <wheelrail/application/scene_row.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/motion_file.h>
+#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/reference/wheel_load.h>
 
 #include <charconv>
@@ -10,6 +11,20 @@
 
 namespace wheelrail
 {
+  namespace
+  {
+    /// Takes a torque [N m] as the traction coefficient that it has.
+    void
+    drive_with(const double torque, Scene &scene)
+    {
+      const SceneGeometry geometry = make_geometry(scene);
+      scene.drive                  = Drive::torque;
+      scene.traction_coefficient =
+        torque / (geometry.contact.rolling_radius * static_wheel_load(scene, geometry));
+    }
+  } // namespace
+
+
   Scene
   scene_of_row(const Scene &scene, const std::string &place)
   {
@@ -30,12 +45,20 @@ namespace wheelrail
     if (const auto *const loads = motion.find(MotionQuantity::load); loads && (*loads)[number - 1] == 0)
       refuse("without a load there is no contact; take another row");
     if (const auto *const torques = motion.find(MotionQuantity::torque))
-      {
-        const SceneGeometry geometry = make_geometry(at);
-        at.drive                     = Drive::torque;
-        at.traction_coefficient =
-          (*torques)[number - 1] / (geometry.contact.rolling_radius * static_wheel_load(at, geometry));
-      }
+      drive_with((*torques)[number - 1], at);
+    return at;
+  }
+
+
+  Scene
+  scene_at_start(const Scene &scene)
+  {
+    if (scene.motion == "none")
+      return scene;
+    const SceneMotion motion(scene);
+    Scene             at = motion.at(0);
+    if (motion.has(MotionQuantity::torque))
+      drive_with(motion.value(MotionQuantity::torque, 0), at);
     return at;
   }
 } // namespace wheelrail

@@ -18,8 +18,8 @@ namespace wheelrail
   void
   RollingContact::add_forces(const Instant &now, Solid &solid)
   {
-    const double wheel_ahead = contact_.surfaces().rolling_radius * axle_.pitch_angle() - axle_.travelled();
-    contact_.move_window(axle_.travelled(), wheel_ahead);
+    const double along = axle_.contact_along();
+    contact_.move_window(along, axle_.contact_on_wheel(contact_.surfaces().rolling_radius) - along);
     contact_.gather(solid.displacement.data(), solid.velocity.data());
     sums_ = contact_.evaluate(now.step);
     contact_.add_forces(solid.force.data());
@@ -67,13 +67,13 @@ namespace wheelrail
   void
   AddedMassRotation::add_forces(const Instant &, Solid &solid)
   {
-    const Vector3 centre = axle_.centre();
-    const double  rate2  = axle_.pitch_rate() * axle_.pitch_rate();
+    const Vector3 centre = axle_.centre(), axis = axle_.axis();
+    const double  rate2 = axle_.pitch_rate() * axle_.pitch_rate();
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       {
         const unsigned int n      = nodes_[k];
         const Vector3      arm    = solid.position(n) - centre;
-        const Vector3      radial = arm - dot(arm, axle_.data().axis) * axle_.data().axis;
+        const Vector3      radial = arm - dot(arm, axis) * axis;
         force_[k]                 = (-solid.added_mass[n] * rate2) * radial;
         for (int i = 0; i < 3; ++i)
           solid.force[4 * n + i] += force_[k][i];

@@ -17,8 +17,11 @@ namespace wheelrail
     AlignedVector<double> moving = solid.displacement;
     for (std::size_t k = 0; k < moving.size(); ++k)
       moving[k] -= still[k];
-    const auto gradient = travelling ? nodal_gradient(solid, moving.data(), communicator)
-                                     : std::vector<double>(9 * solid.mesh.n_nodes(), 0.);
+    const auto      gradient = travelling ? nodal_gradient(solid, moving.data(), communicator)
+                                          : std::vector<double>(9 * solid.mesh.n_nodes(), 0.);
+    GuidedWay::Rate led{{axle.lateral_creepage, 0, 0}, {}};
+    if (axle.way)
+      led = axle.way->rate(0);
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       {
         const double *H = &gradient[9 * n], *X = &solid.mesh.reference[4 * n];
@@ -30,7 +33,9 @@ namespace wheelrail
             const Vector3 w   = pitch_rate * cross(axle.axis, arm);
             for (int i = 0; i < 3; ++i)
               v[i] = w[i] + H[3 * i] * w[0] + H[3 * i + 1] * w[1] + H[3 * i + 2] * w[2];
-            v[0] += axle.lateral_creepage * axle.velocity;
+            const Vector3 moved = led.centre + cross(led.spin, arm);
+            for (int i = 0; i < 3; ++i)
+              v[i] += axle.velocity * moved[i];
             v[2] += axle.velocity;
           }
         else

@@ -3,10 +3,7 @@
 namespace wheelrail
 {
   WheelAxes::WheelAxes(const Axle &axle)
-    : centre_(axle.data().centre)
-    , now_(axle.centre())
-    , forth_(axle.data().axis, axle.pitch_angle())
-    , back_(axle.data().axis, -axle.pitch_angle())
+    : motion_(axle)
   {
   }
 
@@ -27,13 +24,13 @@ namespace wheelrail
   void
   WheelAxes::to_wheel(Solid &solid) const
   {
-    change(solid, [&](const Vector3 &x) { return centre_ + back_(x - now_); });
+    change(solid, [&](const Vector3 &x) { return motion_.back(x); });
   }
 
 
   void
   WheelAxes::to_track(Solid &solid) const
   {
-    change(solid, [&](const Vector3 &x) { return now_ + forth_(x - centre_); });
+    change(solid, [&](const Vector3 &x) { return motion_(x); });
   }
 } // namespace wheelrail

@@ -116,7 +116,8 @@ namespace wheelrail
           const std::string value = entry.get(scene);
           text += path + " = " + value + "\n";
           const bool may_be_file = entry.section == "Profiles" || path == "Half-space/Undeformed distance" ||
-                                   path == "Material test/File" || path == "Run/Passage list";
+                                   path == "Material test/File" || path == "Run/Passage list" ||
+                                   path == "Wheelset/Motion";
           if (may_be_file && is_file_name(value))
             for (const std::string &file : split_list(value, ',')) // scenes of a list
               text += digest_of_file(file.substr(std::min(file.size(), file.find_first_not_of(' ')))) + "\n";

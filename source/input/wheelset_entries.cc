@@ -3,6 +3,7 @@
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -225,6 +226,33 @@ namespace wheelrail
                    B::between("-0.1", "0.1"),
                    field(&S::lateral_creepage)));
     }
+
+    void
+    add_motion(std::vector<Entry> &list)
+    {
+      list.push_back(name_or_file_entry(
+        {"Wheelset",
+         "Motion",
+         "none: the wheelset keeps its pose; else a table over time or distance, of a vehicle simulation, "
+         "that "
+         "the run follows: its columns take the place of lateral shift, roll, yaw, load, velocity, torque, "
+         "traction, creepage, lateral creepage."},
+        {"none"},
+        "a table with commas",
+        field(&S::motion)));
+      const auto start = field(&S::motion_start);
+      list.push_back(with_word(number_entry({"Wheelset",
+                                             "Motion start",
+                                             "Where the run begins in that table: its distance, or, where it "
+                                             "has only time, the way since its first row."},
+                                            D::length,
+                                            "m",
+                                            B::between("-1e6 m", "1e6 m"),
+                                            start),
+                               "first row",
+                               std::numeric_limits<double>::infinity(),
+                               start));
+    }
   } // namespace
 
 
@@ -234,6 +262,7 @@ namespace wheelrail
     std::vector<Entry> list;
     add_wheelset(list);
     add_drive(list);
+    add_motion(list);
     return list;
   }
 } // namespace wheelrail

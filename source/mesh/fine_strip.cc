@@ -63,14 +63,15 @@ namespace wheelrail
                   const FrameProfile    &rail,
                   const double           approach,
                   const double           margin,
-                  const double           block_size)
+                  const double           block_size,
+                  const Range           &also)
   {
     require(approach > 0, "an approach", approach);
     require(margin >= 0, "a margin", margin);
     require(block_size > 0, "a block size", block_size);
 
     const std::vector<Range> parts = interpenetration(wheel, rail, approach);
-    Range                    hull;
+    Range                    hull  = also;
     for (const Range &range : parts)
       {
         hull.s0 = std::min(hull.s0, range.s0);

@@ -138,12 +138,14 @@ namespace wheelrail
     plan.strip =
       sizes.strip.s1 > sizes.strip.s0
         ? fine_strip_over(contact.frame, wheel_heights, rail_heights, sizes.strip, block)
-        : make_fine_strip(contact, wheel_heights, rail_heights, sizes.approach, sizes.fine_margin, block);
+        : make_fine_strip(
+            contact, wheel_heights, rail_heights, sizes.approach, sizes.fine_margin, block, sizes.across);
     plan.surfaces = surfaces_of_strip(profiles, plan.strip, sizes.cell);
 
-    plan.sectors               = std::lround(2 * M_PI * contact.rolling_radius / block);
-    const double     spacing   = plan.block_length();
-    const Range      overlap   = overlap_along(profiles, sizes.approach, sizes.fine_margin);
+    plan.sectors             = std::lround(2 * M_PI * contact.rolling_radius / block);
+    const double     spacing = plan.block_length();
+    const Range      start   = overlap_along(profiles, sizes.approach, sizes.fine_margin);
+    const Range      overlap{std::min(start.s0, sizes.along.s0), std::max(start.s1, sizes.along.s1)};
     constexpr double free_rail = 0.1;
     // pressure must not come to the outer two stations (Contact::at_border()), and stations lie up to a cell
     // within the stretch that is wanted
@@ -151,7 +153,7 @@ namespace wheelrail
     plan.reach          = std::max(-overlap.s0, overlap.s1) + margin;
     plan.around_block   = {overlap.s0 - std::max(least_behind, margin),
                            spacing + overlap.s1 + std::max(least_ahead, margin)};
-    plan.fine           = {-plan.reach, sizes.distance + plan.reach};
+    plan.fine           = {sizes.ahead.s0 - plan.reach, sizes.distance + sizes.ahead.s1 + plan.reach};
     plan.fine_depth     = sizes.fine_depth;
     const Range rail    = {0.5 * (sizes.distance - sizes.rail_length),
                            0.5 * (sizes.distance + sizes.rail_length)};

@@ -4,7 +4,9 @@
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
+#include <wheelrail/model/motion_way.h>
 #include <wheelrail/model/planned_strip.h>
+#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/solid/highest_frequency.h>
 #include <wheelrail/solid/point_state.h>
 
@@ -51,15 +53,6 @@ namespace wheelrail
                                        communicator);
     }
 
-    /// The torque that drives a wheel with a force along the wheelset [N m]: with yaw the vertical force has
-    /// an arm, too, since it acts ahead of the axle or behind it.
-    double
-    drive_torque(const ContactGeometry &geometry, const double driving, const double vertical)
-    {
-      const double ahead = geometry.ahead, radius = geometry.rolling_radius;
-      return driving * std::sqrt(radius * radius - ahead * ahead) + vertical * ahead;
-    }
-
     /// The axle without its torque, which follows from the load.
     AxleData
     make_axle(const Scene &scene, const WheelPose &wheel)
@@ -90,13 +83,12 @@ namespace wheelrail
       return mass;
     }
 
-    /// The largest step within the wanted fraction of the stable one that divides the rolling distance.
+    /// The largest step within the wanted fraction of the stable one that divides the time of the run.
     double
     time_step(const Scene &scene, const StableStep &stable)
     {
-      const double steps =
-        std::ceil(scene.rolling_distance / (scene.velocity * scene.time_step_factor * stable.step));
-      return scene.rolling_distance / (scene.velocity * steps);
+      const double duration = run_duration(scene);
+      return duration / std::ceil(duration / (scene.time_step_factor * stable.step));
     }
     /// The contact on a mesh whose finest cells lie in `range` of both bodies, and the added mass.
     void
@@ -216,58 +208,98 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    SweepSizes
+    sweep_sizes(const Scene &scene, const SceneGeometry &geometry, const std::vector<WaySample> &way)
+    {
+      SweepSizes sizes;
+      sizes.cell        = scene.cell_size;
+      sizes.coarse      = scene.coarse_cell_size;
+      sizes.fine_depth  = scene.depth_of_fine_cells();
+      sizes.fine_margin = scene.fine_margin;
+      Scene planned     = scene;
+      if (scene.planned_load > 0)
+        planned.wheel_load = scene.planned_load;
+      for (const WaySample &sample : way)
+        if (sample.scene.wheel_load > 0)
+          planned.wheel_load = std::max(planned.wheel_load, sample.scene.wheel_load);
+      sizes.approach    = expected_approach(planned, geometry.contact.rolling_radius);
+      sizes.distance    = scene.mesh_distance();
+      sizes.rail_length = scene.rail_length;
+      sizes.moving      = scene.window == MeshWindow::moving;
+      plan_for_way(geometry, way, sizes);
+      return sizes;
+    }
+
+    SweepPlan
+    plan_of(const Scene &scene, const SceneGeometry &geometry, SweepSizes sizes)
+    {
+      WheelDimensions wheel = scene.wheel;
+      wheel.nominal_radius  = scene.track.nominal_radius;
+      if (scene.planned_strip.empty())
+        return make_sweep_plan(geometry, wheel, sizes);
+      // whatever wheel passes, at whatever place: the rail stays the same
+      Scene planned = scene;
+      if (scene.planned_load > 0)
+        planned.wheel_load = scene.planned_load;
+      planned.wheel_material           = planned.rail_material;
+      sizes.approach                   = expected_approach(planned, scene.track.nominal_radius);
+      const PlannedStrip planned_strip = plan_strip(scene, geometry);
+      sizes.strip                      = planned_strip.s;
+      return make_sweep_plan(planned_strip.profiles, wheel, sizes);
+    }
+
+    /// Sprung mass, load and drive of the axle, once the mass of the wheel is known.
+    void
+    load_axle(const Scene                  &scene,
+              const SceneGeometry          &geometry,
+              const std::vector<WaySample> &way,
+              Model                        &model,
+              MPI_Comm                      communicator)
+    {
+      model.axle = make_axle(scene, model.contact->surfaces().pose);
+      const double unsprung =
+        scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
+      if (scene.wheel_load > 0)
+        model.axle.sprung_mass = sprung_mass_for(scene, unsprung);
+      model.wheel_load = (model.axle.sprung_mass + unsprung) * scene.gravity;
+      model.axle.torque =
+        drive_torque(geometry.contact, scene.traction_coefficient * model.wheel_load, model.wheel_load);
+      if (!way.empty())
+        model.axle.way = std::make_shared<GuidedWay>(make_way(scene, way, model.wheel_load));
+    }
+  } // namespace
+
+
   SweepPlan
   sweep_plan(const Scene &scene, const SceneGeometry &geometry)
   {
-    WheelDimensions wheel = scene.wheel;
-    wheel.nominal_radius  = scene.track.nominal_radius;
-    SweepSizes sizes;
-    sizes.cell        = scene.cell_size;
-    sizes.coarse      = scene.coarse_cell_size;
-    sizes.fine_depth  = scene.depth_of_fine_cells();
-    sizes.fine_margin = scene.fine_margin;
-    Scene planned     = scene;
-    if (scene.planned_load > 0)
-      planned.wheel_load = scene.planned_load;
-    sizes.approach    = expected_approach(planned, geometry.contact.rolling_radius);
-    sizes.distance    = scene.mesh_distance();
-    sizes.rail_length = scene.rail_length;
-    sizes.moving      = scene.window == MeshWindow::moving;
-    if (scene.planned_strip.empty())
-      return make_sweep_plan(geometry, wheel, sizes);
-    // whatever wheel passes, at whatever place: the rail stays the same
-    planned.wheel_material           = planned.rail_material;
-    sizes.approach                   = expected_approach(planned, scene.track.nominal_radius);
-    const PlannedStrip planned_strip = plan_strip(scene, geometry);
-    sizes.strip                      = planned_strip.s;
-    return make_sweep_plan(planned_strip.profiles, wheel, sizes);
+    return plan_of(scene, geometry, sweep_sizes(scene, geometry, sample_way(scene, geometry)));
   }
 
 
   Model
   make_model(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator)
   {
-    Model model;
+    const std::vector<WaySample> way   = sample_way(scene, geometry);
+    const SweepSizes             sizes = sweep_sizes(scene, geometry, way);
+    Model                        model;
     model.geometry          = geometry.contact;
     model.expected_approach = expected_approach(scene, geometry.contact.rolling_radius);
-    const Range overlap     = overlap_along(geometry, model.expected_approach, scene.fine_margin);
-    model.reach             = std::max(-overlap.s0, overlap.s1);
-    model.forest            = std::make_unique<Forest>(communicator, sweep_plan(scene, geometry));
-    model.solid.choice      = bodies_of(scene);
+    const Range overlap     = overlap_along(
+      geometry, std::max(model.expected_approach, way.empty() ? 0 : sizes.approach), scene.fine_margin);
+    model.reach        = std::max({-overlap.s0, overlap.s1, -sizes.along.s0, sizes.along.s1});
+    model.forest       = std::make_unique<Forest>(communicator, plan_of(scene, geometry, sizes));
+    model.solid.choice = bodies_of(scene);
     prepare_start(scene, model, communicator);
     if (scene.window == MeshWindow::moving)
       {
+        const double end      = scene.mesh_distance() + sizes.ahead.s1;
         model.swept           = std::make_unique<SweptMesh>(model.forest->plan());
-        model.window.path_end = {scene.mesh_distance(), scene.mesh_distance()};
+        model.window.path_end = {end, end};
       }
-    model.axle = make_axle(scene, model.contact->surfaces().pose);
-    const double unsprung =
-      scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
-    if (scene.wheel_load > 0)
-      model.axle.sprung_mass = sprung_mass_for(scene, unsprung);
-    model.wheel_load = (model.axle.sprung_mass + unsprung) * scene.gravity;
-    model.axle.torque =
-      drive_torque(geometry.contact, scene.traction_coefficient * model.wheel_load, model.wheel_load);
+    load_axle(scene, geometry, way, model, communicator);
     model.time_step = time_step(scene, model.solid.stable);
     return model;
   }

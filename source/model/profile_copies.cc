@@ -33,6 +33,7 @@ namespace wheelrail
     };
     keep(scene.wheel_profile, "wheel");
     keep(scene.rail_profile, "rail");
+    keep(scene.motion, "motion");
   }
 
 
@@ -46,5 +47,6 @@ namespace wheelrail
     };
     use(scene.wheel_profile, "wheel");
     use(scene.rail_profile, "rail");
+    use(scene.motion, "motion");
   }
 } // namespace wheelrail

@@ -44,6 +44,7 @@ namespace wheelrail
       {"pitch_rate", "angular velocity of the wheel, positive when it rolls forward"},
       {"drive_torque", "torque on the axle, positive when driving"},
       {"axle_height", "height of the axle against the unloaded position, positive up"},
+      {"velocity", "of the wheelset along the track"},
       {"energy_residual", "what the balance of all energies and works misses"}};
 
     bool

@@ -75,6 +75,8 @@ namespace wheelrail
       {"traction_over_friction", "", "kappa, traction over friction", "below 1: partial slip", "", 1, 3, false, nullptr},
       {"spin", "per_m", "spin", "", "1/m", 1, 4, false, nullptr},
       {"yaw", "rad", "yaw of the wheelset", "positive: nose to the track centre", "mrad", 1e3, 3, false, nullptr},
+      {"lateral_shift", "m", "lateral shift of the wheelset", "positive to the track centre", "mm", 1e3, 3, false, nullptr},
+      {"motion_distance", "m", "place of these means on the way", "of a run that follows a motion", "mm", 1e3, 1, false, nullptr},
       {"wheelset_roll", "rad", "roll of the wheelset", "positive from X to Y", "mrad", 1e3, 3, false, nullptr},
       {"reference_lateral", "m", "reference point, lateral in the track", "X: to the track centre from the running circle", "mm", 1e3, 3, false, nullptr},
       {"reference_vertical", "m", "reference point, height", "from the top of the rail", "mm", 1e3, 3, false, nullptr},

@@ -48,7 +48,8 @@ namespace wheelrail
                               "parameters.prm"})
         if (name == own)
           return true;
-      return ending == ".vtu" || ending == ".pvd" || name.rfind("checkpoint", 0) == 0;
+      return ending == ".vtu" || ending == ".pvd" || name.rfind("checkpoint", 0) == 0 ||
+             name.rfind("halfspace_patch_", 0) == 0;
     }
 
     void
@@ -61,7 +62,7 @@ namespace wheelrail
       if (fs::is_directory(folder / "profiles"))
         for (const auto &entry : fs::directory_iterator(folder / "profiles"))
           if (const std::string name = entry.path().filename().string();
-              name.rfind("wheel_", 0) == 0 || name.rfind("rail_", 0) == 0)
+              name.rfind("wheel_", 0) == 0 || name.rfind("rail_", 0) == 0 || name.rfind("motion_", 0) == 0)
             own.push_back(entry.path());
       if (fs::is_directory(folder / "pictures"))
         for (const auto &entry : fs::directory_iterator(folder / "pictures"))

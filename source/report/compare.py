@@ -17,6 +17,7 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 import cuts
 import maps
 import page
+import patch_pictures
 import run_data
 import style
 import subsurface_pictures
@@ -41,6 +42,7 @@ def draw_all(run, pair):
     fields_of = {name: Fields(tick, margin=4) for name, tick in pair.items()}
     pictures = [("Pressure, shear traction, stick and slip: finite elements above, half-spaces below, one scale each",
                  style.save(run, maps.draw_panels(fields_of), "compare_maps"))]
+    pictures += patch_pictures.draw_others(run, "compare_")
     pictures += [cuts.draw(run, fields_of, plane, f"compare_cut_{plane.lower()}") for plane in ("AA", "BB")]
     return pictures + subsurface_pictures.draw_all(run, "compare_")
 

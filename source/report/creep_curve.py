@@ -3,7 +3,8 @@
 
 Usage: creep_curve.py FOLDER
 
-FOLDER holds creep_curve.csv of the command halfspace --creep-curve; the picture is FOLDER/pictures/creep_curve.png.
+FOLDER holds creep_curve.csv of the command halfspace --creep-curve, and beside.csv where points of another curve are
+to be drawn beside it; the picture is FOLDER/pictures/creep_curve.png.
 """
 
 import os
@@ -17,7 +18,7 @@ import columns
 import style
 
 
-def draw(table, path):
+def draw(table, beside, path):
     given = next(iter(table))
     spin = given.endswith("spin_per_m")
     x = table[given] * (1 if spin else 100)
@@ -26,6 +27,9 @@ def draw(table, path):
                                ("tangential_lateral_force_N", "lateral", style.RED)):
         if name in table:
             axes.plot(x, 1e-3 * table[name], marker=".", color=color, label=label)
+        if name in beside:
+            axes.plot(beside[given] * (1 if spin else 100), 1e-3 * beside[name], "o", color=color, markersize=8,
+                      fillstyle="none", label=label + ", beside")
     axes.set_xlabel("spin [1/m]" if spin else f"{given.split('_')[1]} creepage [%]")
     axes.set_ylabel("force on the wheel, in the contact plane [kN]")
     axes.grid(True)
@@ -33,7 +37,10 @@ def draw(table, path):
         other = axes.twinx()
         other.plot(x, table["reference_spin_moment_Nm"], color=style.GREY, linestyle="--", linewidth=1,
                    label="spin moment on the rail (right)")
-        other.set_ylabel("N m")
+        if "reference_spin_moment_Nm" in beside:
+            other.plot(beside[given] * (1 if spin else 100), beside["reference_spin_moment_Nm"], "s", color=style.GREY,
+                       fillstyle="none", label="spin moment, beside")
+        other.set_ylabel("spin moment on the rail [N m]")
         lines = axes.get_lines() + other.get_lines()
         axes.legend(lines, [line.get_label() for line in lines], loc="best")
     else:
@@ -49,7 +56,9 @@ def main(arguments):
         return 1
     path = os.path.join(arguments[0], "pictures", "creep_curve.png")
     try:
-        draw(columns.read(os.path.join(arguments[0], "creep_curve.csv")), path)
+        beside = os.path.join(arguments[0], "beside.csv")
+        draw(columns.read(os.path.join(arguments[0], "creep_curve.csv")),
+             columns.read(beside) if os.path.exists(beside) else {}, path)
     except OSError as error:
         print(error, file=sys.stderr)
         return 1

@@ -23,7 +23,7 @@ def plain(name):
 def force_groups(history):
     """Names of the large forces and of the others, those that are there."""
     names = [name for name, values in history.items() if values.unit == "N" and np.isfinite(values).any()]
-    large = [name for name in names if name in ("normal_force", "vertical_force", "axle_vertical_force")]
+    large = [name for name in names if name in ("normal_force", "vertical_force", "axle_vertical_force", "wheel_load")]
     return [group for group in (large, [name for name in names if name not in large]) if group]
 
 
@@ -52,6 +52,25 @@ def draw_forces(run, x, label):
     rows[0, 0].set_title("Forces on the wheel")
     rows[-1, 0].set_xlabel(label)
     return [("Forces on the wheel", style.save(run, figure, "forces"))]
+
+
+def draw_motion(run, x, label):
+    """How a wheelset was led that follows a motion."""
+    names = [name for name in ("lateral_shift", "wheelset_roll", "yaw", "velocity")
+             if name in run.history and np.ptp(run.history[name]) > 0]
+    if "lateral_shift" not in run.history or not names:
+        return []
+    figure, rows = plt.subplots(len(names), 1, figsize=(7.6, 1.0 + 1.7 * len(names)), sharex=True, squeeze=False)
+    for axes, name in zip(rows[:, 0], names):
+        _, axis_label, factor = shown_as(run, name, run.history[name])
+        axes.plot(x, factor * run.history[name], color=style.BLUE, linewidth=1.2)
+        axes.set_ylabel(axis_label)
+        axes.grid(True)
+        axes.margins(x=0)
+        axes.ticklabel_format(axis="y", useOffset=False)
+    rows[0, 0].set_title("Motion that the wheelset follows")
+    rows[-1, 0].set_xlabel(label)
+    return [("Motion that the wheelset follows", style.save(run, figure, "motion"))]
 
 
 def draw_single(run, x, label, name):
@@ -98,5 +117,5 @@ def draw_all(run):
         run.remarks.append("The history has fewer than two rows; its pictures are left out.")
         return []
     x, label = abscissa(run.history)
-    return (draw_forces(run, x, label) + draw_single(run, x, label, "creepage") +
+    return (draw_forces(run, x, label) + draw_motion(run, x, label) + draw_single(run, x, label, "creepage") +
             draw_single(run, x, label, "energy_error"))

@@ -21,8 +21,11 @@ class Scale:
 
     def __init__(self, *fields):
         inside = [(f.lateral[f.loaded], f.along[f.loaded]) for f in fields]
-        self.lateral = (min(s.min() for s, _ in inside) - 1.5, max(s.max() for s, _ in inside) + 1.5)
-        self.along = (min(x.min() for _, x in inside) - 1.5, max(x.max() for _, x in inside) + 1.5)
+        # the edge of the patch lies up to a cell beyond the last loaded nodes
+        across = max(1.5, 1.25 * max(abs(f.lateral[0, 1] - f.lateral[0, 0]) for f in fields))
+        along = max(1.5, 1.25 * max(f.spacing for f in fields))
+        self.lateral = (min(s.min() for s, _ in inside) - across, max(s.max() for s, _ in inside) + across)
+        self.along = (min(x.min() for _, x in inside) - along, max(x.max() for _, x in inside) + along)
         self.pressure = style.round_top(max(f.pressure.max() for f in fields))
         self.shear = style.round_top(max(max(f.shear.max() for f in fields), 1e-9))
         self.shear_peak = max(max(f.shear.max() for f in fields), 1e-9)

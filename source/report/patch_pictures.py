@@ -78,6 +78,17 @@ def draw_instants(run):
     return [("Shear traction at the chosen instants", style.save(run, figure, "shear_instants"))]
 
 
+def draw_others(run, prefix=""):
+    """The further patches of a half-space solution, each in a plane of its own."""
+    pictures = []
+    for number, tick in run.other_patches():
+        if tick["pressure"].max() > 0 and min(tick["pressure"].shape) > 1:
+            figure = maps.draw_panels({"": Fields(tick, margin=4)})
+            pictures.append((f"Patch {number} in its own plane: pressure, shear traction, stick and slip",
+                             style.save(run, figure, f"{prefix}sheet_patch_{number}")))
+    return pictures
+
+
 def draw_all(run):
     """All pictures of the patch, a list of (caption, path)."""
     if run.patch is None:
@@ -104,4 +115,4 @@ def draw_all(run):
     pictures += [cuts.draw(run, {"": fields}, plane, f"cut_{plane.lower()}") for plane in ("AA", "BB")]
     if len(run.instants) > 1:
         pictures += draw_instants(run)
-    return pictures
+    return pictures + (draw_others(run) if run.is_halfspace else [])

@@ -35,6 +35,13 @@ class Run:
         """Whether the folder holds a half-space solution alone."""
         return self.data.has("halfspace.h5") and not self.data.has("patch.h5")
 
+    def other_patches(self):
+        """Number and fields of the further patches of a half-space solution, the second on."""
+        found = []
+        while self.data.has(f"halfspace_patch_{len(found) + 2}.h5"):
+            found.append((len(found) + 2, self.data.halfspace_patch(len(found) + 2)[-1]))
+        return found
+
     def try_to(self, read, without):
         """What `read` gives; None, with a remark, where its file is missing."""
         try:

@@ -203,6 +203,10 @@ class Run:
         """The half-space solution as one tick in the form of `patch`."""
         return Ticks(self.path("halfspace.h5"), "./wheelrail compare")
 
+    def halfspace_patch(self, number):
+        """The second, third ... patch of a half-space solution with several, each in its own plane."""
+        return Ticks(self.path(f"halfspace_patch_{number}.h5"), "./wheelrail halfspace or compare")
+
     @functools.cached_property
     def halfspace_slices(self):
         """Stresses below the half-spaces as one tick in the form of `slices`."""

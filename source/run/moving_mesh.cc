@@ -11,7 +11,7 @@ namespace wheelrail
     void
     change_mesh(const MovingParts &run, void (*remake)(Model &, MPI_Comm))
     {
-      run.rolling.change_mesh([&]() { remake(run.model, run.communicator); }, run.axle.travelled());
+      run.rolling.change_mesh([&]() { remake(run.model, run.communicator); }, run.axle.contact_along());
     }
   } // namespace
 
@@ -31,10 +31,11 @@ namespace wheelrail
   {
     const Model           &model    = run.model;
     const RunningSurfaces &surfaces = model.contact->surfaces();
-    if (!model.swept || !move_window(run.scene,
-                                     run.model,
-                                     {run.axle.travelled(), surfaces.rolling_radius * run.axle.pitch_angle()},
-                                     run.communicator))
+    if (!model.swept ||
+        !move_window(run.scene,
+                     run.model,
+                     {run.axle.contact_along(), run.axle.contact_on_wheel(surfaces.rolling_radius)},
+                     run.communicator))
       return false;
     change_mesh(run, prepare_window);
     return true;

@@ -1,10 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/split_list.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/planned_strip.h>
-#include <wheelrail/reference/motion_file.h>
 #include <wheelrail/run/passage_list.h>
 
 #include <algorithm>

@@ -110,6 +110,19 @@ namespace wheelrail
         summary.note = sliding_note(scene.traction_coefficient);
     }
 
+    /// How the wheelset stood in the middle of the stretch of the means.
+    void
+    add_motion(Summary &summary, const GuidedWay &way, const Range &stretch)
+    {
+      const double middle = 0.5 * (stretch.s0 + stretch.s1);
+      set_figure(summary, "motion_distance_m", middle);
+      set_figure(summary, "lateral_shift_m", way.lateral_shift.at(middle));
+      set_figure(summary, "wheelset_roll_rad", way.roll.at(middle));
+      set_figure(summary, "yaw_rad", way.yaw.at(middle));
+      summary.velocity = way.velocity.at(middle);
+      set_figure(summary, "frictional_power_W", get_figure(summary, "t_gamma_N") * summary.velocity);
+    }
+
     /// Holds the peak pressure against that of half-spaces, and adds both figures.
     PeakMiss
     compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
@@ -239,6 +252,8 @@ namespace wheelrail
     set_figure(summary, "contact_angle_rad", model.geometry.angle);
     if (model.geometry.yaw != 0 || model.axle.lateral_creepage != 0)
       set_figure(summary, "yaw_rad", model.geometry.yaw);
+    if (model.axle.way)
+      add_motion(summary, *model.axle.way, run.recorder.averaging_stretch(run.scene));
     add_pose(summary, run.scene, model, run.axle, run.communicator);
     summary.peak_memory = peak_memory(run.communicator);
     summary.wall_time   = tally.wall_time;

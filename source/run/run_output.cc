@@ -36,7 +36,7 @@ namespace wheelrail
     const auto   stress = nodal_stress(parts_.model.solid, parts_.communicator);
     const auto   slices = make_slices(parts_.model, stress, travelled, parts_.communicator);
     on_root(parts_.communicator, [&]() {
-      append_patch(*patch_file_, patch_fields(*parts_.model.contact, parts_.model.axle, time, travelled));
+      append_patch(*patch_file_, patch_fields(*parts_.model.contact, parts_.axle, time));
       append_slices(*slice_file_, time, travelled, slices);
       write_history(parts_.recorder.state().history, parts_.scene.folder + "/history.h5");
       write_history(parts_.recorder.state().patches, parts_.scene.folder + "/patch_history.h5");

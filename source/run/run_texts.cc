@@ -1,3 +1,4 @@
+#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/pose.h>
 
@@ -51,7 +52,7 @@ namespace wheelrail
               text("%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
                    "%.1f, Z %.1f mm%s",
                    1e6 * model.time_step,
-                   scene.rolling_distance / scene.velocity / model.time_step,
+                   run_duration(scene) / model.time_step,
                    1e6 * s.step,
                    1e3 * s.length,
                    body_name(s.body),
@@ -98,18 +99,18 @@ namespace wheelrail
   add_pose(Summary &summary, const Scene &scene, const Model &model, const Axle &axle, MPI_Comm communicator)
   {
     PoseQuery query;
-    query.axle_reference   = model.axle.centre;
-    query.axle_now         = axle.centre();
-    query.axis             = model.axle.axis;
-    query.angle            = axle.pitch_angle();
-    query.contact          = {model.geometry.frame.origin.x, model.geometry.frame.origin.y, axle.travelled()};
+    query.axle_reference = model.axle.centre;
+    query.axis           = model.axle.axis;
+    query.wheel_place    = Axle::Motion(axle);
+    query.contact = {model.geometry.frame.origin.x, model.geometry.frame.origin.y, axle.contact_along()};
     query.rim_inner_radius = scene.wheel.rim_inner_radius;
     const ContactPose pose = fit_pose(model.solid, query, communicator);
     set_figure(summary, "rail_head_lateral_m", pose.rail_head.lateral);
     set_figure(summary, "rail_head_roll_rad", pose.rail_head.roll);
     set_figure(summary, "wheel_rim_lateral_m", pose.wheel_rim.lateral);
     set_figure(summary, "wheel_rim_roll_rad", pose.wheel_rim.roll);
-    set_figure(summary, "relative_lateral_m", pose.relative_lateral() + axle.aside());
+    set_figure(
+      summary, "relative_lateral_m", pose.relative_lateral() + (scene.motion == "none" ? axle.aside() : 0));
     set_figure(summary, "relative_roll_rad", pose.relative_roll());
   }
 } // namespace wheelrail

@@ -4,6 +4,7 @@
 #include <wheelrail/base/print.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/moving_mesh.h>
@@ -126,6 +127,8 @@ namespace wheelrail
       must_stop() const;
       void
       finish(const std::string &stop_reason);
+      std::vector<std::string>
+      judge_means(Summary &summary) const;
       void
       leave_rail() const;
       void
@@ -275,7 +278,7 @@ namespace wheelrail
     Stop
     Simulation::roll()
     {
-      const unsigned long n_steps = std::lround(scene_.rolling_distance / scene_.velocity / model_.time_step);
+      const unsigned long n_steps = std::lround(run_duration(scene_) / model_.time_step);
       const unsigned long every   = std::max<unsigned long>(1, n_steps / 1000);
       Stop                stop;
       loop_start_ = seconds();
@@ -315,7 +318,7 @@ namespace wheelrail
     Simulation::record()
     {
       recorder_->add(*rolling_, *axle_);
-      recorder_->add_patch(patch_fields(*model_.contact, model_.axle, rolling_->time(), axle_->travelled()));
+      recorder_->add_patch(patch_fields(*model_.contact, *axle_, rolling_->time()));
     }
 
 
@@ -395,8 +398,7 @@ namespace wheelrail
         log_.value("changes of the mesh", text("%u, %.2f s", mesh_changes_, t.mesh));
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
       if (summary.finished)
-        for (const std::string &warning :
-             judge(scene_, geometry_, recorder_->averaging_stretch(scene_).s0, summary))
+        for (const std::string &warning : judge_means(summary))
           log_.warning(warning);
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
@@ -404,6 +406,18 @@ namespace wheelrail
         print_summary(summary, table);
         print(STDOUT_FILENO, table.str());
       });
+    }
+
+
+    /// What judge() says of the means, which are those of a place of the way.
+    std::vector<std::string>
+    Simulation::judge_means(Summary &summary) const
+    {
+      const double from = recorder_->averaging_stretch(scene_).s0;
+      if (scene_.motion == "none")
+        return judge(scene_, geometry_, from, summary);
+      const Scene there = scene_on_way(scene_, get_figure(summary, "motion_distance_m"));
+      return judge(there, make_geometry(there, {geometry_.rail, geometry_.wheel, {}}), from, summary);
     }
 
 

@@ -20,14 +20,13 @@ namespace wheelrail
   {
     /// Displacement of a node against the rigid motion of its body.
     Vector3
-    deformation(const Solid &solid, const unsigned int n, const Axle &axle)
+    deformation(const Solid &solid, const unsigned int n, const Axle::Motion &wheel)
     {
       const double *R = &solid.mesh.reference[4 * n];
       const Vector3 X = {R[0], R[1], R[2]};
       if (solid.mesh.node_body[n] == Body::rail)
         return solid.position(n) - X;
-      const AxleData &data = axle.data();
-      return solid.position(n) - axle.centre() - rotated(X - data.centre, data.axis, axle.pitch_angle());
+      return solid.position(n) - wheel(X);
     }
 
     /// Numbers the chosen nodes and fills points and fields.
@@ -233,14 +232,15 @@ namespace wheelrail
 
 
   PatchFields
-  patch_fields(const Contact &contact, const AxleData &axle, const double time, const double travelled)
+  patch_fields(const Contact &contact, const Axle &axle, const double time)
   {
     const Lattice &lattice = contact.lattice();
     const auto    &window  = contact.window();
     const Point2   t       = contact.surfaces().frame.tangent();
+    const double   along = axle.contact_along(), velocity = axle.velocity();
     PatchFields    patch;
     patch.time            = time;
-    patch.rolled_distance = travelled;
+    patch.rolled_distance = axle.travelled();
     patch.n_along         = window.rail.last - window.rail.first;
     patch.n_lateral       = lattice.n_lateral;
     for (int i = window.rail.first; i < window.rail.last; ++i)
@@ -248,14 +248,14 @@ namespace wheelrail
         {
           const std::size_t  k    = lattice.index(i, j);
           const ContactNode &node = contact.nodes()[k];
-          patch.along.push_back((lattice.first_station + i) * lattice.spacing_along - travelled);
+          patch.along.push_back((lattice.first_station + i) * lattice.spacing_along - along);
           patch.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
           patch.gap.push_back(node.gap);
           patch.pressure.push_back(node.pressure);
           patch.traction_along.push_back(node.traction[2]);
           patch.traction_lateral.push_back(node.traction[0] * t.x + node.traction[1] * t.y);
-          patch.slip_along.push_back(node.slip[2] / axle.velocity);
-          patch.slip_lateral.push_back((node.slip[0] * t.x + node.slip[1] * t.y) / axle.velocity);
+          patch.slip_along.push_back(node.slip[2] / velocity);
+          patch.slip_lateral.push_back((node.slip[0] * t.x + node.slip[1] * t.y) / velocity);
           patch.state.push_back(node.pressure <= 0 ? 0 : node.slipping ? 2 : 1);
           patch.area.push_back(contact.rail().area[k]);
         }
@@ -289,8 +289,9 @@ namespace wheelrail
       }
     for (const unsigned int n : builder.nodes())
       mesh.points.push_back(solid.position(n));
+    const Axle::Motion wheel(axle);
     builder.field(
-      "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, axle), v); });
+      "displacement", "m", 3, [&](unsigned int n, double *v) { copy(deformation(solid, n, wheel), v); });
     const std::vector<double> &stress  = nodal.stress;
     const bool                 plastic = solid.blocks.rail.plastic() || solid.blocks.wheel.plastic();
     if (selection == Selection::surface)

@@ -53,7 +53,7 @@ namespace wheelrail
         const bool    rail = solid.mesh.node_body[n] == Body::rail;
         const Vector3 arm  = X - query.axle_reference;
         // where the node would be without deformation
-        const Vector3 place = rail ? X : query.axle_now + rotated(arm, query.axis, query.angle);
+        const Vector3 place = rail ? X : query.wheel_place(X);
         const Vector3 away  = place - query.contact;
         if (std::abs(away[2]) > query.slab || std::hypot(away[0], away[1]) < query.keep_away)
           continue;

@@ -91,11 +91,21 @@ namespace wheelrail
     row.put("axle_lateral_force", "N", axle.reaction()[0]);
     row.put("axle_vertical_force", "N", axle.reaction()[1]);
     row.put("max_pressure", c.largest_pressure);
-    const double radius = model_.geometry.forward_radius, V = axle.data().velocity;
+    const GuidedWay *const way    = axle.data().way.get();
+    const double           rolled = axle.travelled(), V = axle.velocity(),
+                 radius = way ? way->forward_radius.at(rolled) : model_.geometry.forward_radius;
     row.put("creepage", (axle.pitch_rate() * radius - V) / V);
     row.put("pitch_rate", "rad/s", axle.pitch_rate());
     row.put("drive_torque", "N m", axle.applied_torque());
     row.put("axle_height", "m", axle.height());
+    if (way)
+      {
+        row.put("lateral_shift", "m", way->lateral_shift.at(rolled));
+        row.put("wheelset_roll", "rad", way->roll.at(rolled));
+        row.put("yaw", "rad", way->yaw.at(rolled));
+        row.put("velocity", "m/s", V);
+        row.put("wheel_load", "N", way->load.at(rolled));
+      }
     for (const EnergyTerm &term : e.terms())
       row.put(term.name, "J", term.value);
     row.put("energy_residual", "J", e.residual());

@@ -43,6 +43,7 @@ namespace wheelrail
       visit("damped", c.axle.work.damped);
       visit("torque_work", c.axle.work.torque_work);
       visit("hold_work", c.axle.work.hold_work);
+      visit("load_work", c.axle.work.load_work);
       visit("rail_column", c.window.column.rail);
       visit("wheel_column", c.window.column.wheel);
       visit("rail_path_end", c.window.path_end.rail);

@@ -91,6 +91,9 @@ namespace wheelrail
 
     const double      rolled = saved.axle.travelled;
     const std::string wanted = "Run/Rolling distance = " + rounded_mm(scene.rolling_distance);
+    if (scene.motion != "none" && scene.rolling_distance > saved.prepared_distance * (1 + 1e-12))
+      return wanted + ": fine cells and motion of the saved state were laid for " +
+             rounded_mm(saved.prepared_distance) + "; give at most that, or start anew";
     if (scene.rolling_distance > saved.longest_distance * (1 + 1e-12))
       return scene.window == MeshWindow::moving
                ? wanted + ": on the rail of the saved state the wheel can roll " +

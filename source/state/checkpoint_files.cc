@@ -18,7 +18,7 @@ namespace wheelrail
     using Json = nlohmann::ordered_json;
 
     /// Counts up whenever a field of a checkpoint is added or changes its meaning.
-    constexpr int format = 5;
+    constexpr int format = 6;
 
     constexpr const char *file_names[2] = {"checkpoint_0.h5", "checkpoint_1.h5"};
 

@@ -49,7 +49,8 @@ namespace wheelrail
               &book.term("potential_energy", EnergyKind::stored),
               &book.term("suspension_dissipation", EnergyKind::dissipated),
               &book.term("torque_work", EnergyKind::supplied),
-              &book.term("speed_hold_work", EnergyKind::supplied)};
+              &book.term("speed_hold_work", EnergyKind::supplied),
+              data_.way ? &book.term("load_work", EnergyKind::supplied) : nullptr};
   }
 
 
@@ -78,64 +79,126 @@ namespace wheelrail
     terms_.suspension->here += 0.5 * (before.damped + after.damped);
     terms_.torque->here += 0.5 * (before.torque_work + after.torque_work);
     terms_.hold->here += 0.5 * (before.hold_work + after.hold_work);
+    if (terms_.load)
+      terms_.load->here += 0.5 * (before.load_work + after.load_work);
+  }
+
+
+  Axle::Reaction
+  Axle::reaction_of(const Solid &solid) const
+  {
+    double       sums[7] = {0, 0, 0, 0, 0, 0, 0};
+    const Motion place(*this);
+    const auto   axis = this->axis(), now = centre();
+    for (std::size_t b = 0; b < bore_.size(); ++b)
+      if (solid.mesh.owned[bore_[b]])
+        {
+          const double *f      = &solid.force[4 * bore_[b]];
+          const Vector3 force  = {f[0], f[1], f[2]};
+          const Vector3 moment = cross(place(data_.centre + arm_[b]) - now, force);
+          for (int i = 0; i < 3; ++i)
+            {
+              sums[i] += force[i];
+              sums[4 + i] += moment[i];
+            }
+          sums[3] += dot(moment, axis);
+        }
+    ordered_sum(sums, communicator_);
+    return {{sums[0], sums[1], sums[2]}, {sums[4], sums[5], sums[6]}, sums[3]};
   }
 
 
   void
   Axle::move(Solid &solid, const Kick &kick, const double time_step)
   {
-    // 1. force and moment of the wheel on the axle
-    double         sums[4] = {0, 0, 0, 0};
-    const Rotation turn(data_.axis, angle_);
-    for (std::size_t b = 0; b < bore_.size(); ++b)
-      if (solid.mesh.owned[bore_[b]])
-        {
-          const double *f     = &solid.force[4 * bore_[b]];
-          const Vector3 force = {f[0], f[1], f[2]};
-          for (int i = 0; i < 3; ++i)
-            sums[i] += force[i];
-          sums[3] += dot(cross(turn(arm_[b]), force), data_.axis);
-        }
-    ordered_sum(sums, communicator_);
-    std::copy(sums, sums + 4, reaction_);
+    const Reaction reaction = reaction_of(solid);
+    reaction_               = reaction.force;
 
-    // 2. vertical motion with suspension, preload and weight
+    // vertical motion with suspension, preload and weight; the suspension is too slow to bring a change of
+    // the load to the axle
     const double stretch    = height_ - lift_ - sprung_height_;
     const double closing    = vertical_speed_ - sprung_speed_;
     const double suspension = data_.stiffness * stretch + data_.damping * closing;
     const double weight     = (data_.sprung_mass + data_.mass) * data_.gravity;
-    advance(height_, vertical_speed_, (sums[1] - weight - suspension) / total_mass_, kick, time_step);
+    const double added      = data_.way ? data_.way->load.at(0) - data_.way->load.at(travelled_) : 0;
+    const double before     = vertical_speed_;
+    advance(height_,
+            vertical_speed_,
+            (reaction.force[1] - weight - suspension + added) / total_mass_,
+            kick,
+            time_step);
+    work_.load_work += kick.duration * added * 0.5 * (before + vertical_speed_);
     if (data_.sprung_mass > 0)
       advance(sprung_height_, sprung_speed_, suspension / data_.sprung_mass, kick, time_step);
     work_.damped += kick.duration * data_.damping * closing * closing;
 
-    // 3. pitch: driven by the torque, or held
-    const double rate_before = pitch_rate_;
-    applied_torque_          = data_.rate_held ? -sums[3] : data_.torque;
-    advance(angle_, pitch_rate_, (sums[3] + applied_torque_) / total_inertia_, kick, time_step);
-    work_.torque_work += kick.duration * applied_torque_ * 0.5 * (rate_before + pitch_rate_);
-    work_.hold_work -= kick.duration * (sums[2] + sums[0] * data_.lateral_creepage) * data_.velocity;
-
-    // 4. along the track and aside, and the bore nodes
-    travelled_ += time_step * data_.velocity;
+    turn_wheel(reaction, kick, time_step);
+    go_on(reaction, kick, time_step);
     place_bore(solid, time_step);
+  }
+
+
+  void
+  Axle::turn_wheel(const Reaction &reaction, const Kick &kick, const double time_step)
+  {
+    // driven by the torque, or held
+    const double rate_before = pitch_rate_, moment = reaction.about_axis;
+    applied_torque_ = data_.way ? data_.way->torque.at(travelled_) : data_.torque;
+    if (data_.rate_held)
+      {
+        const double wanted =
+          data_.way ? data_.way->pitch_rate.at(travelled_ + 0.5 * time_step * velocity()) : pitch_rate_;
+        applied_torque_ = total_inertia_ * (wanted - pitch_rate_) / kick.duration - moment;
+      }
+    advance(angle_, pitch_rate_, (moment + applied_torque_) / total_inertia_, kick, time_step);
+    work_.torque_work += kick.duration * applied_torque_ * 0.5 * (rate_before + pitch_rate_);
+  }
+
+
+  void
+  Axle::go_on(const Reaction &reaction, const Kick &kick, const double time_step)
+  {
+    const Vector3 &force = reaction.force;
+    if (!data_.way)
+      {
+        work_.hold_work -= kick.duration * (force[2] + force[0] * data_.lateral_creepage) * data_.velocity;
+        travelled_ += time_step * data_.velocity;
+        return;
+      }
+    const GuidedWay::Rate rate = data_.way->rate(travelled_);
+    work_.hold_work -=
+      kick.duration * velocity() * (force[2] + dot(force, rate.centre) + dot(reaction.moment, rate.spin));
+    travelled_ += time_step * data_.way->velocity.at(travelled_ + 0.5 * time_step * velocity());
   }
 
 
   void
   Axle::place_bore(Solid &solid, const double time_step)
   {
-    const Vector3  now = centre();
-    const Rotation turn(data_.axis, angle_);
+    const Motion place(*this);
     for (std::size_t b = 0; b < bore_.size(); ++b)
       {
-        const Vector3 x = now + turn(arm_[b]);
+        const Vector3 x = place(data_.centre + arm_[b]);
         for (int i = 0; i < 3; ++i)
           {
             const double u                       = x[i] - solid.mesh.reference[4 * bore_[b] + i];
             solid.velocity[4 * bore_[b] + i]     = (u - solid.displacement[4 * bore_[b] + i]) / time_step;
             solid.displacement[4 * bore_[b] + i] = u;
           }
+      }
+  }
+
+
+  Axle::Motion::Motion(const Axle &axle)
+    : start_(axle.data_.centre)
+    , now_(axle.centre())
+    , turn_(axle.data_.axis, axle.angle_)
+    , turn_back_(axle.data_.axis, -axle.angle_)
+  {
+    if (axle.data_.way)
+      {
+        lead_      = axle.data_.way->lead(axle.travelled_);
+        lead_.move = {};
       }
   }
 

@@ -11,4 +11,9 @@ namespace wheelrail
   /// the wheel load. Throws InputError that names --row, file and number.
   Scene
   scene_of_row(const Scene &scene, const std::string &place);
+
+  /// The scene at the place where it starts to follow its Wheelset/Motion, or the scene itself when it
+  /// follows none; a torque likewise. Throws InputError as SceneMotion does.
+  Scene
+  scene_at_start(const Scene &scene);
 } // namespace wheelrail

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/motion_file.h>
 #include <wheelrail/scene/scene.h>
 
 #include <ostream>

@@ -25,7 +25,6 @@ namespace wheelrail
     void
     change(Solid &solid, const std::function<Vector3(const Vector3 &)> &move) const;
 
-    Vector3  centre_, now_;
-    Rotation forth_, back_;
+    Axle::Motion motion_;
   };
 } // namespace wheelrail

@@ -24,15 +24,16 @@ namespace wheelrail
   /// `approach` and `margin` on both sides of it [m]. It is widened symmetrically to a whole number
   /// of blocks of `block_size` [m]; where the profiles are too steep for that (strip_limits), it is
   /// cut there and divided evenly into blocks that are at most a quarter wider than `block_size`.
-  /// Throws InputError when an argument is not positive (a margin of zero is accepted) or when
-  /// no strip is left.
+  /// Besides it covers `also` [m], with the margin. Throws InputError when an argument is not positive (a
+  /// margin of zero is accepted) or when no strip is left.
   FineStrip
   make_fine_strip(const ContactGeometry &contact,
                   const FrameProfile    &wheel,
                   const FrameProfile    &rail,
                   double                 approach,
                   double                 margin,
-                  double                 block_size);
+                  double                 block_size,
+                  const Range           &also = {});
 
   /// The strip that covers the range `wanted` of s in `frame` [m], widened symmetrically to a whole number of
   /// blocks of `block_size` [m], where neither profile may be too steep (strip_limits). Throws InputError

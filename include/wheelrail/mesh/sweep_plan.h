@@ -52,6 +52,11 @@ namespace wheelrail
     bool   moving      = false; ///< the finest cells move with the wheel
     double rail_length = 0;     ///< its middle lies under that of the rolled stretch
     Range  strip;               ///< of s with finest cells, whatever the patch; without length: around it
+
+    // of a wheelset that is led
+    Range across; ///< where patches come to lie besides that of the start, over s
+    Range along;  ///< overlaps besides that of the start, from the contact point
+    Range ahead;  ///< how far the contact moves along besides the way
   };
 
   /// Least margins of finest cells that move with the wheel, ahead of the contact and behind it [m].

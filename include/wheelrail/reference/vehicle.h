@@ -1,8 +1,8 @@
 #pragma once
 
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/figure_table.h>
-#include <wheelrail/reference/motion_file.h>
 #include <wheelrail/scene/scene.h>
 
 #include <functional>

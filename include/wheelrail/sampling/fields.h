@@ -10,7 +10,7 @@ namespace wheelrail
   /// The contact patch of the moment on the rail nodes of the contact window. The coordinate along
   /// the track counts from the axle, shear and slip are in the directions of Z and of s.
   PatchFields
-  patch_fields(const Contact &contact, const AxleData &axle, double time, double travelled);
+  patch_fields(const Contact &contact, const Axle &axle, double time);
 
   /// Which cells of the mesh a file shows.
   enum class Selection

@@ -2,6 +2,8 @@
 
 #include <wheelrail/solid/solid.h>
 
+#include <functional>
+
 namespace wheelrail
 {
   /// Small rigid motion of a part of a body in the cross-section of the contact, against its
@@ -38,14 +40,15 @@ namespace wheelrail
   /// Where to fit: the contact point now, and the wheel's rigid motion.
   struct PoseQuery
   {
-    Vector3 contact{};                    ///< [m]
-    Vector3 axle_reference{}, axle_now{}; ///< centre of the axle [m]
-    Vector3 axis             = {1, 0, 0};
-    double  angle            = 0;     ///< turned about the axis [rad]
-    double  head_depth       = 0.036; ///< depth of the rail head below the contact point [m]
-    double  rim_inner_radius = 0.395; ///< [m]
-    double  slab             = 0.010; ///< half thickness along Z [m]
-    double  keep_away        = 0.022; ///< nodes nearer to the contact point are left out [m]
+    Vector3 contact{};        ///< [m]
+    Vector3 axle_reference{}; ///< centre of the axle [m]
+    Vector3 axis = {1, 0, 0}; ///< of the axle at the start
+    std::function<Vector3(const Vector3 &)>
+           wheel_place;              ///< of a reference place, by the wheel's rigid motion
+    double head_depth       = 0.036; ///< depth of the rail head below the contact point [m]
+    double rim_inner_radius = 0.395; ///< [m]
+    double slab             = 0.010; ///< half thickness along Z [m]
+    double keep_away        = 0.022; ///< nodes nearer to the contact point are left out [m]
   };
 
   /// Collective.

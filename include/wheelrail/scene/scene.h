@@ -131,6 +131,10 @@ namespace wheelrail
     double             traction_coefficient = 0.25;
     double             creepage             = 0; ///< used with Drive::rate, positive driving
 
+    std::string motion = "none"; ///< file of a motion that the run follows, or none
+    double      motion_start =
+      std::numeric_limits<double>::infinity(); ///< place there [m]; infinite: its first row
+
     // Contact
     double       friction_coefficient         = 0.5; ///< at rest
     FrictionKind friction_law                 = FrictionKind::constant;

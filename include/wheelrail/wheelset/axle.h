@@ -1,9 +1,11 @@
 #pragma once
 
 #include <wheelrail/solid/part.h>
+#include <wheelrail/wheelset/guided_way.h>
 
 #include <mpi.h>
 
+#include <memory>
 #include <vector>
 
 namespace wheelrail
@@ -23,6 +25,10 @@ namespace wheelrail
     double  lateral_creepage = 0;     ///< velocity along X over that along Z, held
     bool    rate_held        = false; ///< the pitch rate keeps its start value
     double  torque           = 0;     ///< drive torque about `axis`, positive driving [N m]
+
+    /// What leads the wheelset; none: all of the above stays as it is. `load` is what is on the rail with the
+    /// loads above: changes of it act on the axle.
+    std::shared_ptr<const GuidedWay> way;
   };
 
   /// Works and energies of axle, suspension and sprung mass [J].
@@ -32,11 +38,12 @@ namespace wheelrail
     double potential = 0; ///< of axle and preload in gravity, and the suspension's deviation from its preload
     double damped    = 0; ///< by the suspension's damper
     double torque_work = 0; ///< of the drive torque (or of the torque that holds the rate)
-    double hold_work   = 0; ///< of the forces that hold the longitudinal and the lateral speed
+    double hold_work   = 0; ///< of the forces that hold or lead the wheelset: speeds, roll and yaw
+    double load_work   = 0; ///< of changes of the load
   };
 
   /// The rigid axle: vertical motion and pitch are free, longitudinal and lateral speed are held, roll and
-  /// yaw are fixed. The bore nodes follow it exactly.
+  /// yaw are fixed, or all of these follow a way (GuidedWay). The bore nodes follow the axle exactly.
   class Axle : public Part
   {
   public:
@@ -81,23 +88,75 @@ namespace wheelrail
     {
       return travelled_;
     }
-    /// How far it has moved along X [m].
+    /// How far the middle of the wheelset has moved along X [m].
     double
     aside() const
     {
-      return data_.lateral_creepage * travelled_;
+      return data_.way ? data_.way->lateral_shift.at(travelled_) - data_.way->lateral_shift.at(0)
+                       : data_.lateral_creepage * travelled_;
     }
     /// Where its centre is now [m].
     Vector3
     centre() const
     {
-      return data_.centre + Vector3{aside(), height_, travelled_};
+      const Vector3 straight = data_.centre + Vector3{0, height_, travelled_};
+      return straight + (data_.way ? data_.way->lead(travelled_).move : Vector3{aside(), 0, 0});
     }
+    /// Its direction to the track centre now, a unit vector.
+    Vector3
+    axis() const
+    {
+      return data_.way ? data_.way->lead(travelled_).turned(data_.axis) : data_.axis;
+    }
+    /// Of the wheelset along the track, now [m/s].
+    double
+    velocity() const
+    {
+      return data_.way ? data_.way->velocity.at(travelled_) : data_.velocity;
+    }
+    /// Z of the contact, as the rigid profiles have it in the pose of now [m].
+    double
+    contact_along() const
+    {
+      return travelled_ +
+             (data_.way ? data_.way->contact_along.at(travelled_) - data_.way->contact_along.at(0) : 0);
+    }
+    /// The arc coordinate of the wheel there, at its rolling radius [m].
+    double
+    contact_on_wheel(const double rolling_radius) const
+    {
+      return rolling_radius * angle_ +
+             (data_.way ? data_.way->contact_ahead.at(travelled_) - data_.way->contact_ahead.at(0) : 0);
+    }
+
+    /// The rigid motion of the wheel from the start to now.
+    class Motion
+    {
+    public:
+      explicit Motion(const Axle &axle);
+
+      Vector3
+      operator()(const Vector3 &X) const
+      {
+        return now_ + lead_.turned(turn_(X - start_));
+      }
+      /// The place that is now at x.
+      Vector3
+      back(const Vector3 &x) const
+      {
+        return start_ + turn_back_(lead_.back(x - now_));
+      }
+
+    private:
+      Vector3     start_, now_;
+      RigidMotion lead_; ///< without its move
+      Rotation    turn_, turn_back_;
+    };
     /// Force of the wheel on the axle in the last step [N].
     Vector3
     reaction() const
     {
-      return {reaction_[0], reaction_[1], reaction_[2]};
+      return reaction_;
     }
     /// Torque applied in the last step [N m].
     double
@@ -145,8 +204,20 @@ namespace wheelrail
     struct Terms
     {
       EnergyTerm *kinetic = nullptr, *potential = nullptr, *suspension = nullptr, *torque = nullptr,
-                 *hold = nullptr;
+                 *hold = nullptr, *load = nullptr;
     };
+    /// Force and moment of the wheel on the axle, about its centre.
+    struct Reaction
+    {
+      Vector3 force{}, moment{};
+      double  about_axis = 0;
+    };
+    Reaction
+    reaction_of(const Solid &solid) const;
+    void
+    turn_wheel(const Reaction &reaction, const Kick &kick, double time_step);
+    void
+    go_on(const Reaction &reaction, const Kick &kick, double time_step);
     void
     move(Solid &solid, const Kick &kick, double time_step);
     void
@@ -162,7 +233,7 @@ namespace wheelrail
     double                    angle_ = 0, pitch_rate_ = 0;
     double                    travelled_     = 0;
     double                    sprung_height_ = 0, sprung_speed_ = 0; ///< against the static position
-    double                    reaction_[4]    = {0, 0, 0, 0};        ///< force and moment about the axis
+    Vector3                   reaction_{};
     double                    applied_torque_ = 0;
     AxleEnergy                work_;
     Terms                     terms_;

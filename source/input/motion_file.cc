@@ -3,8 +3,8 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/base/split_list.h>
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/output/replace_file.h>
-#include <wheelrail/reference/motion_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +40,7 @@ namespace wheelrail
         {Q::load, "load", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
         {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
         {Q::torque, "torque", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
+        {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
         {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
         {Q::lateral_creepage, "lateral creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
       return list;
@@ -54,6 +55,19 @@ namespace wheelrail
         {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
         {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
         {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
+      return list;
+    }
+
+    const Columns &
+    curve_columns()
+    {
+      static const Columns list = {
+        {Q::creepage, "creepage", Dimension::none, -1, 1, "-100 % to 100 %"},
+        {Q::spin, "spin", Dimension::none, -100, 100, "-100 1/m to 100 1/m"},
+        {Q::longitudinal_force, "longitudinal force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"},
+        {Q::lateral_force, "lateral force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"},
+        {Q::spin_moment, "spin moment", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
+        {Q::traction, "traction", Dimension::none, -2, 2, "-2 to 2"}};
       return list;
     }
 
@@ -77,7 +91,13 @@ namespace wheelrail
     double
     unit_factor(const Column &column, const std::string &unit)
     {
-      if (column.quantity == Q::torque)
+      if (column.quantity == Q::spin)
+        {
+          if (unit == "1/m")
+            return 1;
+          throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a spin; 1/m is accepted");
+        }
+      if (column.quantity == Q::torque || column.quantity == Q::spin_moment)
         {
           if (unit == "N m" || unit == "Nm")
             return 1;
@@ -234,9 +254,6 @@ namespace wheelrail
       if (columns_.empty() || motion_.rows() == 0)
         throw InputError(
           path_ + ": no rows; such a table has a first line with names and units, and rows of numbers");
-      if (motion_.find(Q::torque) && motion_.find(Q::creepage))
-        throw InputError(path_ +
-                         ": torque and creepage; one follows from the other: leave one of the columns out");
       return motion_;
     }
   } // namespace
@@ -248,6 +265,23 @@ namespace wheelrail
     const auto at = std::find(quantities.begin(), quantities.end(), quantity);
     return at == quantities.end() ? nullptr : &columns[at - quantities.begin()];
   }
+
+
+  namespace
+  {
+    /// Throws InputError for two columns that drive.
+    void
+    require_one_drive(const std::string &path, const MotionFile &rows)
+    {
+      std::vector<std::string> drives;
+      for (const MotionQuantity drive : {Q::torque, Q::traction, Q::creepage})
+        if (rows.find(drive))
+          drives.push_back(motion_name(drive));
+      if (drives.size() > 1)
+        throw InputError(path + ": " + drives[0] + " and " + drives[1] +
+                         "; one follows from the other: leave one of the columns out");
+    }
+  } // namespace
 
 
   std::string
@@ -276,8 +310,8 @@ namespace wheelrail
   read_motion_file(const std::string &path)
   {
     const MotionFile motion =
-      Reader(path, motion_columns(), "the command vehicle needs a table of rows over time or distance")
-        .read();
+      Reader(path, motion_columns(), "a motion is a table of rows over time or distance").read();
+    require_one_drive(path, motion);
     if (!motion.find(Q::time) && !motion.find(Q::distance))
       throw InputError(path +
                        ": neither time nor distance; one of them must be a column, such as \"time [s]\"");
@@ -288,12 +322,28 @@ namespace wheelrail
   MotionFile
   read_passage_list(const std::string &path)
   {
-    const MotionFile rows =
+    MotionFile rows =
       Reader(path, passage_columns(), "Run/Passage list needs a table with a row for each wheel").read();
-    if (rows.find(Q::traction) && rows.find(Q::creepage))
-      throw InputError(path +
-                       ": traction and creepage; one follows from the other: leave one of the columns out");
+    require_one_drive(path, rows);
     return rows;
+  }
+
+
+  MotionFile
+  read_curve_file(const std::string &path, const MotionQuantity over)
+  {
+    MotionFile rows =
+      Reader(path, curve_columns(), "--beside needs a table of points to draw beside the curve").read();
+    const std::string name = over == Q::spin ? "spin" : "creepage";
+    if (!rows.find(over))
+      throw InputError(path + ": no " + name + "; the curve runs over it: name a column \"" + name +
+                       (over == Q::spin ? " [1/m]\"" : " [%]\""));
+    for (const MotionQuantity shown : {Q::longitudinal_force, Q::lateral_force, Q::spin_moment, Q::traction})
+      if (rows.find(shown))
+        return rows;
+    throw InputError(path +
+                     ": nothing to draw; name a column longitudinal force, lateral force, spin moment or "
+                     "traction");
   }
 
 

@@ -20,7 +20,11 @@ namespace wheelrail
     torque,
     traction,
     creepage,
-    lateral_creepage
+    lateral_creepage,
+    spin,
+    longitudinal_force,
+    lateral_force,
+    spin_moment
   };
 
   /// Rows of numbers under names: of a vehicle simulation over time or distance, or one a passage.
@@ -59,6 +63,13 @@ namespace wheelrail
   /// read_motion_file().
   MotionFile
   read_passage_list(const std::string &path);
+
+  /// Reads a table of the same form whose rows are points of a creep curve, measured or of another program:
+  /// "creepage [%]" or "spin [1/m]", and "longitudinal force [kN], lateral force [kN], spin moment [N m],
+  /// traction", any of them. `over`: creepage or spin, which must be there. Throws InputError as
+  /// read_motion_file().
+  MotionFile
+  read_curve_file(const std::string &path, MotionQuantity over);
 
   /// The scene at a row: columns in the place of its entries. A torque is not an entry: see vehicle.h.
   Scene

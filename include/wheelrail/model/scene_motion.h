@@ -1,0 +1,80 @@
+#pragma once
+
+#include <wheelrail/base/smooth_curve.h>
+#include <wheelrail/input/motion_file.h>
+#include <wheelrail/scene/scene.h>
+
+#include <map>
+
+namespace wheelrail
+{
+  /// What the columns of Wheelset/Motion say over the way rolled since the start of the run, as smooth curves
+  /// through the rows (SmoothCurve), so that velocities of the wheelset are continuous, and a load that
+  /// comes down to zero does not fall below. Rows over time stand at the way that the velocities cover, with
+  /// the mean of neighbouring rows between them.
+  class SceneMotion
+  {
+  public:
+    /// Reads the file of the scene. Throws InputError when it cannot be read, when the run leaves it, has no
+    /// load where it starts, or passes several times.
+    explicit SceneMotion(const Scene &scene);
+
+    /// The scene at a place of its way [m]: columns in the place of its entries, the lateral creepage
+    /// from the change of the lateral shift. A torque is not an entry, see torque().
+    Scene
+    at(double rolled) const;
+
+    /// Time that the way takes [s].
+    double
+    duration(double rolled) const;
+
+    /// Whether the file has the column.
+    bool
+    has(MotionQuantity quantity) const
+    {
+      return curves_.count(quantity) > 0;
+    }
+
+    /// A column over the way [SI], or the constant that the scene has in its place.
+    SmoothCurve
+    curve(MotionQuantity quantity, double constant) const
+    {
+      return has(quantity) ? curves_.at(quantity) : SmoothCurve(constant);
+    }
+
+    /// A column at a place of the way [SI]; it must be there.
+    double
+    value(MotionQuantity quantity, double rolled) const
+    {
+      return curves_.at(quantity).at(rolled);
+    }
+
+    /// Lateral shift of the wheelset; without its column the one of the scene, drifting with the lateral
+    /// creepage [m].
+    const SmoothCurve &
+    lateral_shift() const
+    {
+      return shift_;
+    }
+
+  private:
+    std::vector<double>
+    rows_along(const MotionFile &motion) const;
+    void
+    check(const MotionFile &motion, const std::vector<double> &along, double start) const;
+    void
+    make_shift(const MotionFile &motion, const std::vector<double> &rolled);
+
+    Scene                                 scene_;
+    std::map<MotionQuantity, SmoothCurve> curves_; ///< over the way rolled
+    SmoothCurve                           shift_;
+  };
+
+  /// Time of a run [s].
+  double
+  run_duration(const Scene &scene);
+
+  /// The scene at a place of its way [m]; without a motion the scene itself.
+  Scene
+  scene_on_way(const Scene &scene, double rolled);
+} // namespace wheelrail
