@@ -87,6 +87,8 @@ namespace wheelrail
       void
       read_old_jumps();
       void
+      learn_from(const PassageJump &jump);
+      void
       judge_last_jump();
       void
       try_jump();
@@ -94,6 +96,8 @@ namespace wheelrail
       jump_over(const JumpBasis &basis, unsigned int n);
       unsigned int
       stand() const;
+      double
+      strain_after(unsigned int passage) const;
       void
       require_same(const Scene &one, const std::string &parameters) const;
 
@@ -230,14 +234,32 @@ namespace wheelrail
     }
 
 
+    /// Largest plastic strain in the rail [1].
+    double
+    Passages::strain_after(const unsigned int passage) const
+    {
+      return get_figure(read_summary(passage_folder(scene_.folder, passage) + "/summary.json"),
+                        "rail_plastic_strain");
+    }
+
+
+    /// After a jump that was taken back the next one is half as long, after one that was kept up to twice.
+    void
+    Passages::learn_from(const PassageJump &jump)
+    {
+      const unsigned int n = jump.to - jump.from;
+      longest_jump_        = jump.kept ? std::min(scene_.passage_jump, 2 * n) : n / 2;
+    }
+
+
     /// Jumps of the family that is gone on with. Collective.
     void
     Passages::read_old_jumps()
     {
       jumps_ = read_jumps(scene_.folder);
       for (const PassageJump &jump : jumps_)
-        if (jump.judged && !jump.kept)
-          longest_jump_ = std::min(longest_jump_, (jump.to - jump.from) / 2);
+        if (jump.judged)
+          learn_from(jump);
       MPI_Barrier(communicator_);
     }
 
@@ -248,13 +270,9 @@ namespace wheelrail
     {
       if (jumps_.empty() || jumps_.back().judged || computed_.back() != jumps_.back().to + 2)
         return;
-      PassageJump &jump = jumps_.back();
-      const auto   here = [&](const unsigned int k) {
-        return get_figure(read_summary(passage_folder(scene_.folder, k) + "/summary.json"),
-                          "rail_plastic_strain");
-      };
-      const double strain = here(jump.to + 2);
-      judge_jump(jump, strain - here(jump.to + 1), strain, scene_.jump_error);
+      PassageJump &jump   = jumps_.back();
+      const double strain = strain_after(jump.to + 2);
+      judge_jump(jump, strain - strain_after(jump.to + 1), strain, scene_.jump_error);
       MPI_Barrier(communicator_);
       on_root(communicator_, [&]() {
         char words[160];
@@ -274,10 +292,9 @@ namespace wheelrail
           for (unsigned int k = jump.to; k <= jump.to + 2; ++k)
             fs::remove_all(passage_folder(scene_.folder, k));
       });
-      if (jump.kept)
-        return;
-      longest_jump_ = (jump.to - jump.from) / 2;
-      computed_.resize(computed_.size() - 2);
+      learn_from(jump);
+      if (!jump.kept)
+        computed_.resize(computed_.size() - 2);
     }
 
 
@@ -324,20 +341,17 @@ namespace wheelrail
           last = &jump;
       if (k < (last == nullptr ? before_jump : last->to + after_jump))
         return;
-      const auto here = [&](const unsigned int passage) {
-        return get_figure(read_summary(passage_folder(scene_.folder, passage) + "/summary.json"),
-                          "rail_plastic_strain");
-      };
       JumpBasis    basis;
-      const double now = here(k), one = here(k - 1), two = here(k - 2);
+      const double now = strain_after(k), one = strain_after(k - 1), two = strain_after(k - 2);
       basis.strain = now;
       basis.growth = now - one;
       // growth does not go on growing
       const auto rate = [](const double of, const double over) {
         return over > 0 && of > 0 ? std::min(1., of / over) : 0;
       };
-      basis.rate   = rate(now - one, one - two);
-      basis.before = last == nullptr ? rate(one - two, two - here(k - 3)) : std::min(1., last->computed_rate);
+      basis.rate = rate(now - one, one - two);
+      basis.before =
+        last == nullptr ? rate(one - two, two - strain_after(k - 3)) : std::min(1., last->computed_rate);
       // enough passages must follow to judge it
       const unsigned int left = most_ > k + after_jump ? most_ - k - after_jump : 0;
       const unsigned int n    = jump_length(basis, std::min(longest_jump_, left), scene_.jump_error);
