@@ -52,8 +52,11 @@ def dress(axes, fields, scale, title, lines=True):
     options = dict(color="#1a3fbf", linewidth=0.8, linestyle=(0, (5, 4)))
     axes.axvline(places["AA"], **options)
     axes.axhline(places["BB"], **options)
-    axes.text(places["AA"], scale.along[0], "AA ", color="#1a3fbf", fontsize=8, ha="right", va="bottom")
-    axes.text(scale.lateral[0], places["BB"], "BB ", color="#1a3fbf", fontsize=8, ha="right", va="bottom")
+    # above a patch that reaches the border
+    words = dict(color="#1a3fbf", fontsize=8, ha="right", va="bottom", zorder=6,
+                 bbox=dict(facecolor="white", edgecolor="none", alpha=0.7, pad=0.3))
+    axes.text(places["AA"], scale.along[0], "AA ", **words)
+    axes.text(scale.lateral[0], places["BB"], "BB ", **words)
 
 
 def draw_edge(axes, fields):
