@@ -75,11 +75,12 @@ namespace wheelrail
               balance  = search.balance();
               progress = StaticProgress();
             }
-          const bool close = residual < nearly && std::abs(missing) < 10 * nearly * result.wheel_load;
-          // a patch that presses on the edge of the lattice for so long finds no equilibrium there
-          const bool   pressed_out = step >= 20 && balance.sums.at_border && !close;
-          const double norm        = std::hypot(balance.residual.l2_norm(), missing);
-          const bool   stuck       = progress.stuck(norm);
+          const bool   close = residual < nearly && std::abs(missing) < 10 * nearly * result.wheel_load;
+          const double norm  = std::hypot(balance.residual.l2_norm(), missing);
+          const bool   stuck = progress.stuck(norm);
+          // a patch that presses on the edge of the lattice for so long, or gets stuck there, finds no
+          // equilibrium there
+          const bool pressed_out = (step >= 20 || stuck) && balance.sums.at_border && !close;
           if (pressed_out || ((step == most_steps || stuck) && close))
             {
               result.converged = false;

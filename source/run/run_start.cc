@@ -5,6 +5,7 @@
 #include <wheelrail/state/rail_state.h>
 
 #include <chrono>
+#include <exception>
 #include <string>
 #include <utility>
 
@@ -91,7 +92,13 @@ namespace wheelrail
         lay_rail(scene, *rail, model, communicator);
         return start_from_rest(scene, model, log, communicator);
       }
-    RunStart start = start_from_rest(scene, model, log, communicator);
+    RunStart           start = start_from_rest(scene, model, log, communicator);
+    std::exception_ptr failure; // of the last start
+    const auto         as_it_is = [&]() {
+      if (failure)
+        std::rethrow_exception(failure);
+      return start;
+    };
     while (start.at_border && 2 * scene.fine_margin <= widest)
       {
         Scene wider = scene;
@@ -108,10 +115,10 @@ namespace wheelrail
           }
         catch (const InputError &) // no room; the run tells what is wrong with the mesh that there is
           {
-            return start;
+            return as_it_is();
           }
         if (same_cells(wide, model))
-          return start;
+          return as_it_is();
         model = std::move(wide);
         scene = wider;
         log.warning(
@@ -119,8 +126,18 @@ namespace wheelrail
                "Mesh/Fine margin = %g mm",
                1e3 * scene.fine_margin));
         log.value("mesh", mesh_text(model.solid.quality));
-        start = start_from_rest(scene, model, log, communicator);
+        try
+          {
+            failure = nullptr;
+            start   = start_from_rest(scene, model, log, communicator);
+          }
+        catch (const RunError &)
+          {
+            // a patch on its way to a place beyond the mesh may be stuck before it
+            failure         = std::current_exception();
+            start.at_border = true;
+          }
       }
-    return start;
+    return as_it_is();
   }
 } // namespace wheelrail
