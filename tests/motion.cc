@@ -10,6 +10,7 @@
 #include "check.h"
 #include "messages.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>

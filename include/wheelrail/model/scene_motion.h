@@ -5,6 +5,7 @@
 #include <wheelrail/scene/scene.h>
 
 #include <map>
+#include <vector>
 
 namespace wheelrail
 {

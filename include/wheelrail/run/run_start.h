@@ -28,8 +28,8 @@ namespace wheelrail
   /// The same; when the patch reaches the edge of the fine cells, `scene.fine_margin` is doubled, to 24 mm at
   /// most, and the model made anew. Where profiles conform, as in the root of the flange, small moves of the
   /// loaded bodies open a second patch beside the one that the profiles let expect; a start that fails on a
-  /// wider mesh counts as one at its edge. On a `rail` of an earlier
-  /// run (none: a null pointer) the mesh stays that of the rail. Collective.
+  /// wider mesh counts as one at its edge. On a `rail` of an earlier run (none: a null pointer) the mesh
+  /// stays that of the rail. Collective.
   RunStart
   start_on_wide_mesh(Scene               &scene,
                      const SceneGeometry &geometry,
