@@ -3,8 +3,8 @@
 
 #include "messages.h"
 
-#include <wheelrail/model/model.h>
 #include <wheelrail/input/motion_file.h>
+#include <wheelrail/model/model.h>
 #include <wheelrail/run/passage_jump.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/passage_trend.h>
