@@ -251,7 +251,7 @@ namespace
 
         const auto most    = start_tractions(contact, friction * load, steel, velocity);
         double     largest = 0;
-        for (double creepage = start.creepage; creepage < 10 * start.creepage; creepage *= 1.1)
+        for (double creepage = start.creepage; creepage < 8 * start.creepage; creepage *= 1.25)
           largest = std::max(largest, start_tractions_at_creepage(contact, creepage, steel, velocity).force);
         check(most.saturated && largest < 0.97 * friction * load,
               name + "the force at full slip is beyond it");

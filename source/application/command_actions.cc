@@ -1,0 +1,321 @@
+#include <wheelrail/application/command_actions.h>
+#include <wheelrail/application/compare_command.h>
+#include <wheelrail/application/creep_curve_command.h>
+#include <wheelrail/application/geometry_command.h>
+#include <wheelrail/application/geometry_picture.h>
+#include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/material_command.h>
+#include <wheelrail/application/report_script.h>
+#include <wheelrail/application/scene_row.h>
+#include <wheelrail/application/study_command.h>
+#include <wheelrail/application/vehicle_command.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/input/cross_checks.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/input/parameter_reference.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/reference/given_distance.h>
+#include <wheelrail/run/passage_list.h>
+#include <wheelrail/run/simulation.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace po = boost::program_options;
+
+  namespace
+  {
+    std::vector<std::string>
+    sets_of(const po::variables_map &options)
+    {
+      return options.count("set") ? options["set"].as<std::vector<std::string>>()
+                                  : std::vector<std::string>();
+    }
+
+    std::string
+    file_of(const po::variables_map &options)
+    {
+      return options.count("file") ? options["file"].as<std::string>() : "";
+    }
+
+    /// The file with the --set options; without a file the defaults.
+    SceneInput
+    file_input_of(const po::variables_map &options)
+    {
+      const std::string file = file_of(options);
+      return file.empty() ? scene_from_text("", "defaults", sets_of(options))
+                          : read_scene(file, sets_of(options));
+    }
+
+    /// The same at the row of --row, or where it starts to follow its motion.
+    SceneInput
+    input_of(const po::variables_map &options)
+    {
+      SceneInput input = file_input_of(options);
+      if (options.count("row") && input.scene.motion != "none")
+        throw InputError(
+          "--row and Wheelset/Motion: a scene has one row, or follows a motion; leave one out");
+      input.scene = options.count("row") ? scene_of_row(input.scene, options["row"].as<std::string>())
+                                         : scene_at_start(input.scene);
+      return input;
+    }
+
+    /// The processes that the launcher would start a run on, which it tells by an environment variable; 0
+    /// when it does not.
+    unsigned int
+    ranks_of_launcher()
+    {
+      const char *const told = std::getenv("WHEELRAIL_RANKS");
+      return told ? static_cast<unsigned int>(std::strtoul(told, nullptr, 10)) : 0;
+    }
+
+    int
+    validate(const po::variables_map &options, std::ostream &out)
+    {
+      const SceneInput   input   = input_of(options);
+      const CheckedScene checked = check_scene(input.scene, this_machine(ranks_of_launcher()));
+      const Findings    &found   = checked.found;
+      require_none(found.errors, input);
+      passing_wheels(input.scene, *checked.geometry); // throws where their list cannot be read
+      for (const std::string &note : checked.geometry->notes)
+        out << "note: " << note << "\n";
+      for (const std::string &warning : found.warnings)
+        out << "warning: " << warning << "\n";
+      out << file_of(options) << ": all entries are valid"
+          << (found.warnings.empty() ? "" : ", with the warnings above") << "\n";
+      return 0;
+    }
+
+    void
+    require_file(const po::variables_map &options, const std::string &command)
+    {
+      if (file_of(options).empty())
+        throw InputError(command + " needs a parameter file, such as ./wheelrail " + command +
+                         " prm/rolling.prm");
+    }
+
+    void
+    require_one_scene(const SceneInput &input)
+    {
+      if (!input.scene.study.axes.empty())
+        throw InputError(input.name + ": a study, since Study/Axes is set; ./wheelrail study " + input.name +
+                         " computes its cases");
+    }
+
+    /// The one scene of a file; throws InputError for a study.
+    SceneInput
+    one_scene_of(const po::variables_map &options)
+    {
+      SceneInput input = input_of(options);
+      require_one_scene(input);
+      return input;
+    }
+
+    void
+    require_folder(const po::variables_map &options, const std::string &command)
+    {
+      const std::string folder = file_of(options);
+      if (!std::filesystem::is_directory(folder))
+        throw InputError(folder.empty()
+                           ? command + " needs the output folder of a run, such as output/rolling"
+                           : folder + ": no such folder; " + command + " needs the output folder of a run");
+    }
+  } // namespace
+
+
+  int
+  act_run(const po::variables_map &options, const RunFunction &run, std::ostream &out)
+  {
+    require_file(options, "run");
+    if (options.count("validate"))
+      return validate(options, out);
+    RunOptions run_options;
+    run_options.overwrite = options.count("overwrite") > 0;
+    run_options.resume    = options.count("resume") > 0;
+    if (run_options.overwrite && run_options.resume)
+      throw InputError("--overwrite starts anew and --resume goes on: give one of them");
+    const SceneInput    input    = one_scene_of(options);
+    const SceneGeometry geometry = require_computable(input);
+    run_options.prm_text         = input.text;
+    for (const std::string &set : sets_of(options))
+      run_options.prm_text += "# --set \"" + set + "\"\n";
+    if (options.count("row"))
+      run_options.prm_text += "# --row " + options["row"].as<std::string>() + "\n";
+    run_options.parameters_text = print_parameters(input.scene);
+    run_options.program_version = WHEELRAIL_VERSION;
+    return run(input.scene, geometry, run_options);
+  }
+
+
+  int
+  act_geometry(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    std::vector<double> shifts;
+    if (options.count("shifts"))
+      shifts = parse_shifts(options["shifts"].as<std::string>());
+    const Scene         scene    = input_of(options).scene;
+    const SceneProfiles profiles = read_profiles(scene);
+    const int           code     = run_geometry_command(scene, profiles, shifts, out);
+    if (code == 0 && options.count("profiles"))
+      {
+        const std::string stem = std::filesystem::path(file_of(options)).stem().string();
+        draw_profiles(
+          scene, make_geometry(scene, profiles), (stem.empty() ? "" : stem + "_") + "profiles", out);
+      }
+    return code;
+  }
+
+
+  int
+  act_halfspace(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_file(options, "halfspace");
+    const auto file = [&](const char *option) {
+      return options.count(option) ? options[option].as<std::string>() : std::string();
+    };
+    if (!file("beside").empty() && file("creep-curve").empty())
+      throw InputError("--beside draws points beside a creep curve: give --creep-curve, too");
+    const SceneInput input = one_scene_of(options);
+    const Findings   found = contact_checks(input.scene);
+    require_none(found.errors, input);
+    std::optional<SceneGeometry> geometry;
+    if (needs_profiles(input.scene) || !file("contact-wheel-rail-input").empty())
+      geometry = require_touching(input);
+    for (const std::string &warning : found.warnings)
+      out << "warning: " << warning << "\n";
+    if (!file("creep-curve").empty())
+      return run_creep_curve_command(input.scene,
+                                     geometry ? &*geometry : nullptr,
+                                     parse_creep_curve(file("creep-curve")),
+                                     file("beside"),
+                                     !options.count("no-pictures"),
+                                     out);
+    return run_halfspace_command(input.scene,
+                                 geometry ? &*geometry : nullptr,
+                                 {file("contact-input"), file("contact-wheel-rail-input")},
+                                 !options.count("no-pictures"),
+                                 out);
+  }
+
+
+  int
+  act_material(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_file(options, "material");
+    const SceneInput input = input_of(options);
+    const Findings   found = contact_checks(input.scene);
+    require_none(found.errors, input);
+    for (const std::string &warning : found.warnings)
+      out << "warning: " << warning << "\n";
+    return run_material_command(input.scene, !options.count("no-pictures"), out);
+  }
+
+
+  int
+  act_vehicle(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_file(options, "vehicle");
+    if (!options.count("motion"))
+      throw InputError(
+        "vehicle needs a motion file, such as ./wheelrail vehicle prm/rolling.prm prm/s_curve.csv");
+    const MotionFile motion = read_motion_file(options["motion"].as<std::string>());
+    SceneInput       input  = file_input_of(options);
+    require_one_scene(input);
+    input.scene.motion = "none"; // the rows of the command take its place
+    require_none(contact_checks(input.scene).errors, input);
+    if (distance_is_given(input.scene))
+      throw InputError(
+        "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
+    return run_vehicle_command(input.scene,
+                               read_profiles(input.scene),
+                               motion,
+                               options.count("both-wheels") > 0,
+                               !options.count("no-pictures"),
+                               out);
+  }
+
+
+  int
+  act_parameters(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    if (options.count("validate"))
+      {
+        require_file(options, "parameters --validate");
+        return validate(options, out);
+      }
+    if (options.count("markdown") + options.count("json") + options.count("xml") > 1)
+      throw InputError("parameters prints in one style: give one of --json, --xml and --markdown");
+    if (options.count("markdown") && !(file_of(options).empty() && sets_of(options).empty()))
+      throw InputError("parameters --markdown prints the defaults of all entries: leave file and --set out");
+    if (options.count("markdown"))
+      {
+        out << parameter_reference();
+        return 0;
+      }
+    const SceneInput    input    = input_of(options);
+    const SceneGeometry geometry = require_computable(input);
+    if (options.count("ranks"))
+      {
+        const double elements = expected_elements(input.scene, expected_patch(input.scene, geometry));
+        out << useful_ranks(elements, options["ranks"].as<unsigned int>()) << "\n";
+        return 0;
+      }
+    out << print_parameters(input.scene,
+                            options.count("json")  ? ParameterStyle::json
+                            : options.count("xml") ? ParameterStyle::xml
+                                                   : ParameterStyle::prm);
+    return 0;
+  }
+
+
+  int
+  act_compare(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_folder(options, "compare");
+    return run_compare_command(file_of(options), sets_of(options), !options.count("no-pictures"), out);
+  }
+
+
+  int
+  act_report(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_folder(options, "report");
+    out.flush();
+    std::vector<std::string> words = {file_of(options)};
+    if (options.count("tick"))
+      words.insert(words.end(), {"--tick", options["tick"].as<std::string>()});
+    return run_script("report.py", words);
+  }
+
+
+  int
+  act_study(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_file(options, "study");
+    const std::string plan = study_plan(file_input_of(options));
+    if (options.count("plan"))
+      {
+        out << plan;
+        return 0;
+      }
+    out.flush();
+    std::vector<std::string> words;
+    for (const std::string name : {"jobs", "ranks", "profile"})
+      if (options.count(name))
+        words.push_back("--" + name + "=" + options[name].as<std::string>());
+    for (const std::string name : {"dry-run", "no-pictures"})
+      if (options.count(name))
+        words.push_back("--" + name);
+    run_study(plan, words);
+    return 0;
+  }
+} // namespace wheelrail
