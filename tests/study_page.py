@@ -10,6 +10,7 @@ import os
 import shutil
 import subprocess
 import sys
+import types
 
 from browser import find_browser
 from checks import check, finish, small_study
@@ -19,6 +20,9 @@ PROGRAM = sys.argv[1]
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "source", "report"))
 sys.dont_write_bytecode = True
 import wheelrail  # noqa: E402
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "source", "study"))
+import page_stamp  # noqa: E402
 
 
 def check_figures(page, row_of):
@@ -60,4 +64,19 @@ with open("study/table.csv") as file:
 runs = [wheelrail.load(os.path.join("study", case["name"])) for case in plan["cases"]]
 check_page("study/study.html", ["view-figures", "view-patch", "view-cuts", "view-slices"],
            lambda page: (check_figures(page, lambda key: [float(row[key]) for row in table]), check_cases(page, runs)))
+
+# the same command again draws nothing; a page is drawn anew for other figures, another title, or when it is gone
+drawn = os.stat("study/study.html").st_mtime_ns
+again = subprocess.run([PROGRAM, "study", "study.prm"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+check(again.returncode == 0 and "the page is" in again.stdout and os.stat("study/study.html").st_mtime_ns == drawn,
+      f"a second call leaves the page {again.stdout[-300:]}")
+study = types.SimpleNamespace(title="small", path=lambda *names: os.path.join("study", *names),
+                              work=lambda name: os.path.join("study", "workflow", name))
+check(page_stamp.is_current(study), "the page is that of its tables")
+study.title = "another"
+check(not page_stamp.is_current(study), "not under another title")
+study.title = "small"
+with open("study/table.csv", "a") as file:
+    file.write("\n")
+check(not page_stamp.is_current(study), "nor with another table")
 finish()

@@ -16,6 +16,7 @@ import threading
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
 
 import engine
+import page_stamp
 import progress
 import study_folder
 import study_table
@@ -119,9 +120,12 @@ def main(arguments):
                 return INTERRUPTED
             page = ""
             if not options.no_pictures:
-                import study_page  # plotting takes a second to load
+                if not page_stamp.is_current(study):
+                    import study_page  # plotting takes a second to load
 
-                page = "; the page is " + study_page.write(study, failures)
+                    study_page.write(study, failures)
+                    page_stamp.write(study)
+                page = "; the page is " + study.path("study.html")
             study_table.show(study)
             print(f"Tables: {study.path('table.csv')}, {study.path('costs.csv')}, {study.path('table.h5')}{page}")
             return STOPPED if failed or study.open_cases() else FINISHED
