@@ -270,14 +270,27 @@ namespace wheelrail
       return;
     dealii::IterationNumberControl control(most_steps, tolerance * norm);
     dealii::SolverCG<Vector>       cg(control);
-    m.out = 0;
-    cg.solve(m.matrix, m.out, m.in, *m.preconditioner);
-    if (!(control.last_value() <= norm) && ++failures_ == patience)
+    m.out     = 0;
+    bool lost = false;
+    try
       {
+        cg.solve(m.matrix, m.out, m.in, *m.preconditioner);
+      }
+    catch (const dealii::SolverControl::NoConvergence &)
+      {
+        lost = true; // a residual that is no number: incomplete factors without a pivot
+      }
+    if (lost && failures_ >= patience)
+      std::fill(m.out.begin(), m.out.end(), std::nan("")); // it is for the caller to notice
+    else if (lost || (!(control.last_value() <= norm) && failures_ + 1 == patience))
+      {
+        failures_ = patience;
         m.preconditioner.reset();
         make_preconditioner();
         conjugate_gradients();
       }
+    else if (!(control.last_value() <= norm))
+      ++failures_;
   }
 
 
