@@ -13,14 +13,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
 using namespace wheelrail;
 using namespace test;
-namespace fs = std::filesystem;
 
 namespace
 {
@@ -131,25 +129,16 @@ namespace
     const std::string table =
       "time [ms],lateral shift [mm],roll [mrad],yaw [mrad],load [kN],velocity [km/h],traction\n"
       "0,0,0,1,100,140,0.1\n1,0.02,0.1,1.2,110,141,0.2\n2,0.1,0,1,90,139,0.1\n";
-    const Scene parts = following(base, "parts", table);
-    Scene       whole = parts;
-    whole.folder      = "motion_one_go";
-    check(run(parts, false, 50) == 3, "interrupted soon after the static start");
-    fs::remove_all(whole.folder);
-    fs::copy(parts.folder, whole.folder, fs::copy_options::recursive);
-    check(run(whole, true) == 0, "gone on to the end in one go");
-    const Summary summary = read_summary(whole.folder + "/summary.json");
-    check(summary.energy_error < 5e-3, "the energy balance holds");
-    check(run(parts, true, static_cast<unsigned long>(0.8 * summary.time_steps)) == 3, "interrupted again");
-    check(run(parts, true) == 0, "gone on to the end");
-    const History a = read_history(whole.folder + "/history.h5"),
-                  b = read_history(parts.folder + "/history.h5");
-    check(a.columns[0].size() > 50 && a.columns == b.columns, "the same history, bit for bit");
-    check_near(column(a, "rolled_distance").back() / 18e-3, 1, 1e-6, "way rolled");
+    const Scene parts             = following(base, "parts", table);
+    Scene       whole             = parts;
+    whole.folder                  = "motion_one_go";
+    const auto [summary, history] = stopped_twice(parts, whole);
+    check_near(column(history, "rolled_distance").back() / 18e-3, 1, 1e-6, "way rolled");
     const SceneMotion motion(parts);
-    check_near(column(a, "time").back() / motion.duration(18e-3), 1, 1e-9, "its time");
-    check_near(column(a, "yaw").back(), motion.at(18e-3).yaw, 1e-9, "yaw at the end [rad]");
-    check_near(column(a, "wheel_load").back() / motion.at(18e-3).wheel_load, 1, 1e-5, "load at the end");
+    check_near(column(history, "time").back() / motion.duration(18e-3), 1, 1e-9, "its time");
+    check_near(column(history, "yaw").back(), motion.at(18e-3).yaw, 1e-9, "yaw at the end [rad]");
+    check_near(
+      column(history, "wheel_load").back() / motion.at(18e-3).wheel_load, 1, 1e-5, "load at the end");
   }
 
   void

@@ -1,19 +1,16 @@
 // Runs of a wheelset with yaw, on coarse cells: its lateral force against half-spaces, no such force without
 // friction, and a run that is stopped and goes on.
 
-#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/reference/trust.h>
 
 #include "parallel.h"
 #include "yaw_scene.h"
 
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 using namespace wheelrail;
 using namespace test;
-namespace fs = std::filesystem;
 
 namespace
 {
@@ -43,24 +40,14 @@ namespace
   void
   rolling()
   {
-    Scene base            = yaw_scene("parts");
-    base.rolling_distance = 18e-3;
-    Scene whole           = base;
-    whole.folder          = "yaw_one_go";
-    check(run(base, false, 50) == 3, "interrupted soon after the static start");
-    fs::remove_all(whole.folder);
-    fs::copy(base.folder, whole.folder);
-    check(run(whole, true) == 0, "gone on to the end in one go");
-    const Summary summary = read_summary(whole.folder + "/summary.json");
-    check(summary.energy_error < 5e-3, "the energy balance holds");
-    check(run(base, true, static_cast<unsigned long>(0.8 * summary.time_steps)) == 3, "interrupted again");
-    check(run(base, true) == 0, "gone on to the end");
-    const History a = read_history(whole.folder + "/history.h5"),
-                  b = read_history(base.folder + "/history.h5");
-    check(a.columns[0].size() > 50 && a.columns == b.columns, "the same history, bit for bit");
-    for (std::size_t c = 0; c < a.names.size(); ++c)
-      if (a.names[c] == "mesh_change_work")
-        check(a.columns[c].front() != a.columns[c].back(), "the mesh has changed");
+    Scene base                    = yaw_scene("parts");
+    base.rolling_distance         = 18e-3;
+    Scene whole                   = base;
+    whole.folder                  = "yaw_one_go";
+    const auto [summary, history] = stopped_twice(base, whole);
+    for (std::size_t c = 0; c < history.names.size(); ++c)
+      if (history.names[c] == "mesh_change_work")
+        check(history.columns[c].front() != history.columns[c].back(), "the mesh has changed");
     check_forces(whole, summary);
   }
 

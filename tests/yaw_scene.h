@@ -2,12 +2,14 @@
 
 // A wheelset with yaw on coarse cells, and its figures.
 
+#include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 
 #include "check.h"
 #include "small_scene.h"
 #include "stopped_runs.h"
 
+#include <filesystem>
 #include <string>
 
 namespace test
@@ -38,5 +40,34 @@ namespace test
     const wheelrail::Summary summary = wheelrail::read_summary(scene.folder + "/summary.json");
     check(summary.energy_error < 5e-3, scene.title + ": the energy balance holds");
     return summary;
+  }
+
+  /// A run that went to its end.
+  struct EndedRun
+  {
+    wheelrail::Summary summary;
+    wheelrail::History history;
+  };
+
+  /// Stops the run `parts` soon after its static start and once more before it ends; from the first stop
+  /// `whole`, the same scene with another folder, goes on in one go. Their histories must be the same.
+  inline EndedRun
+  stopped_twice(const wheelrail::Scene &parts, const wheelrail::Scene &whole)
+  {
+    namespace fs = std::filesystem;
+    check(run(parts, false, 50) == 3, "interrupted soon after the static start");
+    fs::remove_all(whole.folder);
+    fs::copy(parts.folder, whole.folder, fs::copy_options::recursive);
+    check(run(whole, true) == 0, "gone on to the end in one go");
+    EndedRun ended{wheelrail::read_summary(whole.folder + "/summary.json"), {}};
+    check(ended.summary.energy_error < 5e-3, "the energy balance holds");
+    check(run(parts, true, static_cast<unsigned long>(0.8 * ended.summary.time_steps)) == 3,
+          "interrupted again");
+    check(run(parts, true) == 0, "gone on to the end");
+    ended.history                = wheelrail::read_history(whole.folder + "/history.h5");
+    const wheelrail::History two = wheelrail::read_history(parts.folder + "/history.h5");
+    check(ended.history.columns[0].size() > 50 && ended.history.columns == two.columns,
+          "the same history, bit for bit");
+    return ended;
   }
 } // namespace test

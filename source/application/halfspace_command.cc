@@ -87,7 +87,6 @@ namespace wheelrail
           out << line;
         }
     }
-
   } // namespace
 
 

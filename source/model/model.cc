@@ -85,9 +85,8 @@ namespace wheelrail
 
     /// The largest step within the wanted fraction of the stable one that divides the time of the run.
     double
-    time_step(const Scene &scene, const StableStep &stable)
+    time_step(const Scene &scene, const double duration, const StableStep &stable)
     {
-      const double duration = run_duration(scene);
       return duration / std::ceil(duration / (scene.time_step_factor * stable.step));
     }
     /// The contact on a mesh whose finest cells lie in `range` of both bodies, and the added mass.
@@ -210,6 +209,16 @@ namespace wheelrail
 
   namespace
   {
+    /// The scene under the load that its fine cells are laid for.
+    Scene
+    under_planned_load(const Scene &scene)
+    {
+      Scene planned = scene;
+      if (scene.planned_load > 0)
+        planned.wheel_load = scene.planned_load;
+      return planned;
+    }
+
     SweepSizes
     sweep_sizes(const Scene &scene, const SceneGeometry &geometry, const std::vector<WaySample> &way)
     {
@@ -218,9 +227,7 @@ namespace wheelrail
       sizes.coarse      = scene.coarse_cell_size;
       sizes.fine_depth  = scene.depth_of_fine_cells();
       sizes.fine_margin = scene.fine_margin;
-      Scene planned     = scene;
-      if (scene.planned_load > 0)
-        planned.wheel_load = scene.planned_load;
+      Scene planned     = under_planned_load(scene);
       for (const WaySample &sample : way)
         if (sample.scene.wheel_load > 0)
           planned.wheel_load = std::max(planned.wheel_load, sample.scene.wheel_load);
@@ -240,9 +247,7 @@ namespace wheelrail
       if (scene.planned_strip.empty())
         return make_sweep_plan(geometry, wheel, sizes);
       // whatever wheel passes, at whatever place: the rail stays the same
-      Scene planned = scene;
-      if (scene.planned_load > 0)
-        planned.wheel_load = scene.planned_load;
+      Scene planned                    = under_planned_load(scene);
       planned.wheel_material           = planned.rail_material;
       sizes.approach                   = expected_approach(planned, scene.track.nominal_radius);
       const PlannedStrip planned_strip = plan_strip(scene, geometry);
@@ -300,7 +305,8 @@ namespace wheelrail
         model.window.path_end = {end, end};
       }
     load_axle(scene, geometry, way, model, communicator);
-    model.time_step = time_step(scene, model.solid.stable);
+    model.duration  = run_duration(scene);
+    model.time_step = time_step(scene, model.duration, model.solid.stable);
     return model;
   }
 

@@ -66,13 +66,8 @@ namespace wheelrail
     {
       if (scene.passage_list == "none")
         return {{"", scene}};
-      std::vector<NamedScene>  list;
-      std::vector<std::string> names = split_list(scene.passage_list, ',');
-      for (std::string &name : names)
-        {
-          name.erase(0, name.find_first_not_of(" \t"));
-          name.erase(name.find_last_not_of(" \t") + 1);
-        }
+      std::vector<NamedScene>        list;
+      const std::vector<std::string> names = split_list(scene.passage_list, ',');
       if (std::any_of(names.begin(), names.end(), is_scene_file))
         {
           for (const std::string &name : names)

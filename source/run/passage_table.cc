@@ -224,10 +224,11 @@ namespace wheelrail
 
 
   void
-  write_passage_fields(const std::string &folder, const std::vector<unsigned int> &computed)
+  write_passage_fields(const std::string               &folder,
+                       const std::vector<unsigned int> &computed,
+                       const FigureTable               &table)
   {
     const hdf5::Handle file(hdf5::open_in_memory(), H5Fclose, "make a file in memory");
-    const FigureTable  table = passage_table(folder, computed);
     for (std::size_t c = 1; c < table.keys.size(); ++c) // HDF5 counts the passages by itself
       hdf5::write_dataset(
         file, table.keys[c], {table.rows()}, table.columns[c], table.units[c], description_of(table.keys[c]));

@@ -229,8 +229,9 @@ namespace wheelrail
     void
     Passages::write() const
     {
-      passage_table(scene_.folder, computed_).write_csv(scene_.folder + "/passages.csv");
-      write_passage_fields(scene_.folder, computed_);
+      const FigureTable table = passage_table(scene_.folder, computed_);
+      table.write_csv(scene_.folder + "/passages.csv");
+      write_passage_fields(scene_.folder, computed_, table);
     }
 
 

@@ -1,4 +1,3 @@
-#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/pose.h>
 
@@ -52,7 +51,7 @@ namespace wheelrail
               text("%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
                    "%.1f, Z %.1f mm%s",
                    1e6 * model.time_step,
-                   run_duration(scene) / model.time_step,
+                   model.duration / model.time_step,
                    1e6 * s.step,
                    1e3 * s.length,
                    body_name(s.body),

@@ -278,7 +278,7 @@ namespace wheelrail
     Stop
     Simulation::roll()
     {
-      const unsigned long n_steps = std::lround(run_duration(scene_) / model_.time_step);
+      const unsigned long n_steps = std::lround(model_.duration / model_.time_step);
       const unsigned long every   = std::max<unsigned long>(1, n_steps / 1000);
       Stop                stop;
       loop_start_ = seconds();

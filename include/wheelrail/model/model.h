@@ -26,6 +26,7 @@ namespace wheelrail
     std::unique_ptr<Contact>   contact;
     AxleData                   axle;
     double                     wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
+    double                     duration          = 0; ///< of the run [s]
     double                     time_step         = 0; ///< [s]
     double                     expected_approach = 0; ///< from Hertz' scaling with the load [m]
     double reach = 0; ///< of the undeformed overlap at that approach, along the track from the contact [m]

@@ -22,10 +22,12 @@ namespace wheelrail
   std::vector<RoundGrowth>
   round_growths(const std::string &folder, const std::vector<unsigned int> &computed, unsigned int of_round);
 
-  /// Writes passages.h5: the columns of passages.csv, and in the group BB_behind_rail, from the residual.h5
-  /// of the passages, that cut of the unloaded rail over passages, lateral place and depth, with what each
-  /// passage has added to plastic and forward shear strain. Passages without that cut are left out of these.
-  /// To be called on one rank.
+  /// Writes passages.h5: the columns of passages.csv, which are those of `table`, and in the group
+  /// BB_behind_rail, from the residual.h5 of the passages, that cut of the unloaded rail over passages,
+  /// lateral place and depth, with what each passage has added to plastic and forward shear strain. Passages
+  /// without that cut are left out of these. To be called on one rank.
   void
-  write_passage_fields(const std::string &folder, const std::vector<unsigned int> &computed);
+  write_passage_fields(const std::string               &folder,
+                       const std::vector<unsigned int> &computed,
+                       const FigureTable               &table);
 } // namespace wheelrail
