@@ -238,6 +238,29 @@ namespace
     check_near(twice, 0, 1e-12, "pressure is stiffness x penetration + damping x closing speed");
   }
 
+  /// A wheel moved by many cells, as friction bends it aside in the static start, presses all the same.
+  void
+  springs_reach_any_foot(Model &model)
+  {
+    for (const double cells : {0., 1.6, 5.3})
+      {
+        place(model, {60e-6, cells * model.contact->lattice().spacing_along, 0});
+        const ContactSums sums    = model.contact->evaluate(0);
+        const auto        springs = model.contact->springs();
+        double            normal  = 0; // largest sum of the weights: a rigid motion must not stretch a spring
+        for (const auto &spring : springs)
+          {
+            double sum = 0;
+            for (const auto &[node, weight] : spring.nodes)
+              sum += weight;
+            normal = std::max(normal, std::abs(sum));
+          }
+        check(sums.nodes > 40 && springs.size() == sums.nodes && normal < 1e-12,
+              std::to_string(springs.size()) + " springs at " + std::to_string(sums.nodes) +
+                " pressed nodes, the wheel " + std::to_string(cells) + " cells ahead");
+      }
+  }
+
   void
   coulomb_friction(Model &model)
   {
@@ -361,6 +384,7 @@ main(int argc, char **argv)
   undeformed_distance_is_met(model);
   no_cogging(model);
   action_and_reaction(model);
+  springs_reach_any_foot(model);
   coulomb_friction(model);
   work_is_energy(model);
   many_rows();

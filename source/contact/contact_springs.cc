@@ -36,11 +36,7 @@ namespace wheelrail
         {
           const std::size_t  k    = lattice().index(i, j);
           const ContactNode &node = nodes_[k];
-          // feet more than two cells away belong to iterates far from the solution; no matrix has room
-          // for them
-          const bool far = std::abs(2 * (node.foot.i - i) + 1) > 3 ||
-                           std::abs(2 * (node.foot.j - static_cast<int>(j)) + 1) > 3;
-          if (node.pressure <= 0 || far)
+          if (node.pressure <= 0)
             continue;
           Spring spring;
           spring.point     = k;
