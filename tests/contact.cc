@@ -255,7 +255,7 @@ namespace
               sum += weight;
             normal = std::max(normal, std::abs(sum));
           }
-        check(sums.nodes > 40 && springs.size() == sums.nodes && normal < 1e-12,
+        check(sums.nodes > 40 && springs.size() == std::size_t(sums.nodes) && normal < 1e-12,
               std::to_string(springs.size()) + " springs at " + std::to_string(sums.nodes) +
                 " pressed nodes, the wheel " + std::to_string(cells) + " cells ahead");
       }

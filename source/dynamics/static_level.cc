@@ -250,7 +250,7 @@ namespace wheelrail
           forces[springs_.parts()[k].spring] += images_[k][i] * residual.data()[4 * n + i];
     MPI_Allreduce(
       MPI_IN_PLACE, forces.data(), static_cast<int>(forces.size()), MPI_DOUBLE, MPI_SUM, communicator_);
-    coupling_.solve(forces);
+    coupling_.solve(forces.data());
     return forces;
   }
 
@@ -291,7 +291,7 @@ namespace wheelrail
   StaticLevel::make_coupling()
   {
     const auto &parts = springs_.parts();
-    coupling_         = BandCholesky(springs_.size(), springs_.band());
+    coupling_         = BandCholesky<double>(springs_.size(), springs_.band());
     images_.assign(parts.size(), Vector3{});
     std::map<unsigned int, std::vector<std::size_t>> at_node; // parts of the rank's own nodes
     for (std::size_t k = 0; k < parts.size(); ++k)

@@ -100,7 +100,7 @@ namespace wheelrail
         blocks = &blocks_.back();
         mesh   = &coarse.mesh;
       }
-    bottom_ = std::make_unique<StaticBottom>(*mesh, *blocks, held_.back(), communicator_);
+    bottom_ = make_static_bottom(forest, *mesh, *blocks, held_.back());
   }
 
 

@@ -81,6 +81,7 @@ namespace wheelrail
     };
     Node node;
     node.global    = finest_.global_node[number];
+    node.key       = finest_.node_key[number];
     node.reference = place(number);
     node.body      = finest_.node_body[number];
     if (const unsigned int k = hangs_[number]; k != unknown)
@@ -88,7 +89,7 @@ namespace wheelrail
         {
           const unsigned int parent         = finest_.parents[p];
           node.parents.at(node.n_parents++) = {
-            finest_.global_node[parent], finest_.weights[p], place(parent)};
+            finest_.global_node[parent], finest_.node_key[parent], finest_.weights[p], place(parent)};
         }
     return node;
   }

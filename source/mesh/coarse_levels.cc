@@ -29,12 +29,16 @@ namespace wheelrail
       Numbers    local;
 
       unsigned int
-      operator()(const std::uint32_t global, const std::array<double, 3> &X, const Body body)
+      operator()(const std::uint32_t          global,
+                 const std::uint64_t          key,
+                 const std::array<double, 3> &X,
+                 const Body                   body)
       {
         const auto [entry, fresh] = local.try_emplace(global, mesh.n_nodes());
         if (fresh)
           {
             mesh.global_node.push_back(global);
+            mesh.node_key.push_back(key);
             mesh.reference.insert(mesh.reference.end(), {X[0], X[1], X[2], 0.});
             mesh.node_body.push_back(body);
           }
@@ -80,7 +84,7 @@ namespace wheelrail
           for (unsigned int v = 0; v < 8; ++v)
             {
               const NodeData known = vertices.at(cell->vertex_index(v));
-              nodes[v]             = node(known.global, known.reference, known.body);
+              nodes[v]             = node(known.global, known.key, known.reference, known.body);
               if (nodes[v] == data.size())
                 data.push_back(known);
             }
@@ -99,7 +103,7 @@ namespace wheelrail
             for (unsigned int p = 0; p < data[n].n_parents; ++p)
               {
                 const auto &parent = data[n].parents[p];
-                mesh.parents.push_back(node(parent.global, parent.reference, data[n].body));
+                mesh.parents.push_back(node(parent.global, parent.key, parent.reference, data[n].body));
                 mesh.weights.push_back(parent.weight);
               }
             mesh.hanging_begin.push_back(mesh.parents.size());

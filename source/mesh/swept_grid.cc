@@ -143,6 +143,27 @@ namespace wheelrail
   }
 
 
+  std::array<Vector3, 3>
+  SweptGrid::axes(const int section) const
+  {
+    if (body_ == Body::rail)
+      return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+    const auto    at    = [&](const Point2 &p) { return at_station(p, section * parts_); };
+    const Vector3 along = at({1, 1}) - at({0, 1}), outwards = at({0, 2}) - at({0, 1});
+    return {along, outwards, cross(along, outwards)};
+  }
+
+
+  std::array<Vector3, 8>
+  SweptGrid::coarse_vertices(const int block, const int column) const
+  {
+    std::array<Vector3, 8> X;
+    for (int v = 0; v < 8; ++v)
+      X[v] = position(block, (v & 1) * parts_, (v >> 1 & 1) * parts_, (column + (v >> 2)) * parts_);
+    return X;
+  }
+
+
   const SweptGrid::Measures &
   SweptGrid::measures(const CellPlace &cell) const
   {

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <gsl/gsl_matrix.h>
-
+#include <complex>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace wheelrail
 {
-  /// A symmetric positive definite matrix whose entries (i, j) vanish for |i - j| > band, and its factor
-  /// L L^T (Cholesky, by GSL).
+  /// A Hermitian positive definite matrix of double or std::complex<double> whose entries (i, j) vanish for
+  /// |i - j| > band, and its factor L L^H (Cholesky, by LAPACK).
+  template <typename Number>
   class BandCholesky
   {
   public:
@@ -18,41 +17,34 @@ namespace wheelrail
     BandCholesky(std::size_t size, std::size_t band);
 
     /// Entry (row, column) of the lower half, row - band <= column <= row.
-    double &
+    Number &
     operator()(const std::size_t row, const std::size_t column)
     {
-      return *gsl_matrix_ptr(values_.get(), column, row - column);
+      return values_[column * (band_ + 1) + row - column];
     }
 
     /// All entries, for sums over ranks.
-    double *
+    Number *
     data()
     {
-      return values_ ? values_->data : nullptr;
+      return values_.data();
     }
     std::size_t
     n_data() const
     {
-      return values_ ? values_->size1 * values_->size2 : 0;
+      return values_.size();
     }
 
     /// Replaces the matrix by its factor. Throws std::runtime_error when it is not positive definite.
     void
     factorise();
 
-    /// x becomes the solution for the right-hand side x.
+    /// The right-hand side x, of the matrix's size, becomes the solution.
     void
-    solve(std::vector<double> &x) const;
+    solve(Number *x) const;
 
   private:
-    struct Free
-    {
-      void
-      operator()(gsl_matrix *matrix) const
-      {
-        gsl_matrix_free(matrix);
-      }
-    };
-    std::unique_ptr<gsl_matrix, Free> values_; ///< row k: the column k of the lower half, diagonal first
+    std::size_t         size_ = 0, band_ = 0;
+    std::vector<Number> values_; ///< the columns of the lower half, each from its diagonal on
   };
 } // namespace wheelrail

@@ -3,61 +3,44 @@
 #include <wheelrail/dynamics/static_springs.h>
 #include <wheelrail/solid/element_blocks.h>
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
-
-namespace dealii
-{
-  class DynamicSparsityPattern;
-}
 
 namespace wheelrail
 {
-  /// The coarsest level of the static start: its stiffness as a matrix, solved for roughly by conjugate
-  /// gradients before smoothed aggregation (Trilinos' ML).
+  class Forest;
+
+  /// The coarsest level of the static start: the coarse blocks of both bodies with the contact springs.
   class StaticBottom
   {
   public:
-    /// `blocks`: elements of rail and wheel of this mesh, of which material and form count. `held`: 1 for
-    /// nodes that do not move. The mesh must outlive the object. Collective.
-    StaticBottom(const LocalMesh                  &mesh,
-                 const PerBody<ElementBlocks>     &blocks,
-                 const std::vector<unsigned char> &held,
-                 MPI_Comm                          communicator);
-    ~StaticBottom();
+    virtual ~StaticBottom() = default;
 
-    /// Takes the springs of the moment into the matrix and makes the preconditioner, unless those that it
-    /// knows are near enough to serve on. Collective.
-    void
-    set_springs(const StaticSprings &springs);
+    /// Takes the springs of the moment. Collective.
+    virtual void
+    set_springs(const StaticSprings &springs) = 0;
 
-    /// z = the displacements under the forces, to a fifth; not quite linear in them. Collective.
-    void
-    solve(const StaticVector &forces, StaticVector &z);
-
-  private:
-    struct Matrix;
-    std::uint32_t
-    dof(const unsigned int node, const int component) const
-    {
-      return 3 * mesh_.global_node[node] + component;
-    }
-    void
-    make_modes();
-    dealii::DynamicSparsityPattern
-    pattern() const;
-    void
-    assemble();
-    void
-    make_preconditioner();
-    void
-    conjugate_gradients();
-
-    const LocalMesh           &mesh_;
-    std::vector<unsigned char> held_;
-    MPI_Comm                   communicator_;
-    std::unique_ptr<Matrix>    matrix_;
-    unsigned int               failures_ = 0; ///< of incomplete factors as smoother, until Chebyshev's turn
+    /// z = the displacements under the forces, from those of the nodes that the rank owns. Collective.
+    virtual void
+    solve(const StaticVector &forces, StaticVector &z) = 0;
   };
+
+  /// A direct solver where its factors take less than a gigabyte, an iterative one beyond. `blocks`: elements
+  /// of rail and wheel, of which material and form count. `held`: 1 for nodes of the mesh that do not move.
+  /// Forest and mesh must outlive the object. Collective.
+  std::unique_ptr<StaticBottom>
+  make_static_bottom(const Forest                     &forest,
+                     const LocalMesh                  &mesh,
+                     const PerBody<ElementBlocks>     &blocks,
+                     const std::vector<unsigned char> &held);
+
+  /// Stiffness of springs between pairs of nodes (numbers over all ranks), 3 x 3, row-major [N/m].
+  using SpringBlocks = std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<double, 9>>;
+
+  SpringBlocks
+  spring_blocks(const StaticSprings &springs);
 } // namespace wheelrail

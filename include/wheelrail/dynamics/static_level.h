@@ -107,6 +107,6 @@ namespace wheelrail
     double                             largest_ = 0;
     StaticSprings                      springs_;
     std::vector<Vector3>               images_;   ///< of the springs' parts: diagonal^-1 times the weight
-    BandCholesky                       coupling_; ///< 1/stiffness + B diagonal^-1 B^T
+    BandCholesky<double>               coupling_; ///< 1/stiffness + B diagonal^-1 B^T
   };
 } // namespace wheelrail

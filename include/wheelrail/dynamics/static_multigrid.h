@@ -24,7 +24,7 @@ namespace wheelrail
     void
     set_springs(const std::vector<Contact::Spring> &springs);
 
-    /// One V-cycle from zero: z = about the displacements under the forces. Symmetric and linear but for the
+    /// One V-cycle from zero: z = about the displacements under the forces. Symmetric and linear but for a
     /// rough solution of the coarsest level. Collective.
     void
     cycle(const StaticVector &forces, StaticVector &z);

@@ -27,12 +27,14 @@ namespace wheelrail
     struct Node
     {
       std::uint32_t         global = 0;
+      std::uint64_t         key    = 0;  ///< as LocalMesh::node_key
       std::array<double, 3> reference{}; ///< [m]
       Body                  body      = Body::rail;
       unsigned int          n_parents = 0; ///< not zero: the node hangs
       struct Parent
       {
         std::uint32_t         global;
+        std::uint64_t         key;
         double                weight;
         std::array<double, 3> reference; ///< [m]
       };

@@ -46,6 +46,11 @@ namespace wheelrail
     {
       return plan_;
     }
+    const SweptGrid &
+    grid(const Body body) const
+    {
+      return grids_[body];
+    }
     const dealii::DoFHandler<3> &
     dofs() const
     {

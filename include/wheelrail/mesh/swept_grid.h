@@ -47,6 +47,45 @@ namespace wheelrail
       return body_ == Body::wheel;
     }
 
+    /// Corners of the section's blocks, which come first among its points.
+    unsigned int
+    n_corners() const
+    {
+      return first_edge_point_;
+    }
+    /// Those of one block, in the order of Section::Block.
+    const std::array<unsigned int, 4> &
+    corners(const int block) const
+    {
+      return section().blocks[block].corner;
+    }
+    /// Sections between the coarse blocks along the body: one more than columns, but on the closed wheel.
+    int
+    n_sections() const
+    {
+      return n_columns_ + !closed();
+    }
+    /// Corner and section of a node of the coarse blocks, by its key.
+    unsigned int
+    corner_of_key(const std::uint64_t key) const
+    {
+      return key >> 24 & 0x3fffffffff;
+    }
+    int
+    section_of_key(const std::uint64_t key) const
+    {
+      return static_cast<int>(key & 0xffffff) / parts_;
+    }
+
+    /// Directions in which all sections look alike: those of the track for the rail; along the axle, outwards
+    /// and around for the section of a wheel.
+    std::array<Vector3, 3>
+    axes(int section) const;
+
+    /// Reference positions [m] of a coarse block's vertices, lexicographic.
+    std::array<Vector3, 8>
+    coarse_vertices(int block, int column) const;
+
     /// Number of a point of the section: place (i, j) of the finest lattice of a block, 0 to 2^levels. Blocks
     /// that share an edge or a corner share its points.
     std::uint32_t
