@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
 #include <wheelrail/reference/trust.h>
@@ -159,6 +160,15 @@ namespace wheelrail
         1e3 * fine,
         std::ceil(1e3 * (band + scene.cell_size)));
     }
+
+
+    /// The means are those of a place of the way.
+    PeakMiss
+    compare_peak_on_way(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
+    {
+      const Scene there = scene_on_way(scene, get_figure(summary, "motion_distance_m"));
+      return compare_peak(there, make_geometry(there, {geometry.rail, geometry.wheel, {}}), summary);
+    }
   } // namespace
 
 
@@ -167,7 +177,8 @@ namespace wheelrail
   {
     std::vector<std::string> warnings;
     summary.doubts      = doubts_about(summary, from);
-    const PeakMiss miss = compare_peak(scene, geometry, summary);
+    const PeakMiss miss = scene.motion == "none" ? compare_peak(scene, geometry, summary)
+                                                 : compare_peak_on_way(scene, geometry, summary);
     if (miss.is_fault)
       summary.doubts += (summary.doubts.empty() ? "" : " ") + miss.sentence + ".";
     else if (!miss.sentence.empty())

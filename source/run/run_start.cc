@@ -1,5 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/dynamics/rolling_velocities.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/output/root.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/state/rail_state.h>
@@ -8,6 +10,7 @@
 #include <exception>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace wheelrail
 {
@@ -27,6 +30,24 @@ namespace wheelrail
       return a.elements == b.elements && a.finest_elements == b.finest_elements;
     }
   } // namespace
+
+
+  std::vector<std::string>
+  check_on_machine(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator)
+  {
+    MPI_Comm node;
+    int      ranks = 1;
+    MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+    MPI_Comm_size(node, &ranks);
+    MPI_Comm_free(&node);
+    Findings found;
+    on_root(communicator, [&]() {
+      found = check_scene(scene, geometry, this_machine(ranks));
+      if (!found.errors.empty())
+        throw InputError(found.errors.front());
+    });
+    return found.warnings;
+  }
 
 
   StaticLoads

@@ -71,6 +71,23 @@ namespace wheelrail
 
 
   void
+  write_timing(Log &log, const RunParts &run, const Summary &summary, const unsigned int mesh_changes)
+  {
+    const auto &t = run.rolling.timing();
+    log.value("time per step",
+              text("%.2f ns per element update of all ranks together; elements %.1f s, exchange %.1f s, "
+                   "contact and axle %.1f s, update %.1f s",
+                   1e9 / summary.element_updates_per_second,
+                   t.elements,
+                   t.exchange,
+                   t.parts,
+                   t.update));
+    if (run.model.swept)
+      log.value("changes of the mesh", text("%u, %.2f s", mesh_changes, t.mesh));
+  }
+
+
+  void
   write_way_on(Log          &log,
                const Scene  &scene,
                const Stop   &stop,

@@ -3,8 +3,6 @@
 #include <wheelrail/base/log.h>
 #include <wheelrail/base/print.h>
 #include <wheelrail/model/profile_copies.h>
-#include <wheelrail/model/scene_checks.h>
-#include <wheelrail/model/scene_motion.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/moving_mesh.h>
@@ -41,24 +39,6 @@ namespace wheelrail
       return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     }
 
-    /// The warnings of the cross-checks. Throws InputError for a scene that this machine cannot hold.
-    std::vector<std::string>
-    check_machine(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator)
-    {
-      MPI_Comm node;
-      int      ranks = 1;
-      MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
-      MPI_Comm_size(node, &ranks);
-      MPI_Comm_free(&node);
-      Findings found;
-      on_root(communicator, [&]() {
-        found = check_scene(scene, geometry, this_machine(ranks));
-        if (!found.errors.empty())
-          throw InputError(found.errors.front());
-      });
-      return found.warnings;
-    }
-
     /// One run from the static start, or from a saved state, to the summary.
     class Simulation
     {
@@ -77,7 +57,7 @@ namespace wheelrail
       int
       run()
       {
-        warnings_ = check_machine(scene_, geometry_, communicator_);
+        warnings_ = check_on_machine(scene_, geometry_, communicator_);
         open_folder();
         model_ = make_model(scene_, geometry_, communicator_);
         folder_->begin(options_.parameters_text, resume_point_.has_value());
@@ -127,8 +107,6 @@ namespace wheelrail
       must_stop() const;
       void
       finish(const std::string &stop_reason);
-      std::vector<std::string>
-      judge_means(Summary &summary) const;
       void
       leave_rail() const;
       void
@@ -385,20 +363,11 @@ namespace wheelrail
       summary.program_version = options_.program_version;
       summary.finished        = stop_reason.empty();
       summary.stop_reason     = stop_reason;
-      const auto &t           = rolling_->timing();
-      log_.value("time per step",
-                 text("%.2f ns per element update of all ranks together; elements %.1f s, exchange %.1f s, "
-                      "contact and axle %.1f s, update %.1f s",
-                      1e9 / summary.element_updates_per_second,
-                      t.elements,
-                      t.exchange,
-                      t.parts,
-                      t.update));
-      if (model_.swept)
-        log_.value("changes of the mesh", text("%u, %.2f s", mesh_changes_, t.mesh));
+      write_timing(log_, *parts_, summary, mesh_changes_);
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
       if (summary.finished)
-        for (const std::string &warning : judge_means(summary))
+        for (const std::string &warning :
+             judge(scene_, geometry_, recorder_->averaging_stretch(scene_).s0, summary))
           log_.warning(warning);
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
@@ -406,18 +375,6 @@ namespace wheelrail
         print_summary(summary, table);
         print(STDOUT_FILENO, table.str());
       });
-    }
-
-
-    /// What judge() says of the means, which are those of a place of the way.
-    std::vector<std::string>
-    Simulation::judge_means(Summary &summary) const
-    {
-      const double from = recorder_->averaging_stretch(scene_).s0;
-      if (scene_.motion == "none")
-        return judge(scene_, geometry_, from, summary);
-      const Scene there = scene_on_way(scene_, get_figure(summary, "motion_distance_m"));
-      return judge(there, make_geometry(there, {geometry_.rail, geometry_.wheel, {}}), from, summary);
     }
 
 

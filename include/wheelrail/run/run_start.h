@@ -5,6 +5,9 @@
 #include <wheelrail/model/model.h>
 #include <wheelrail/state/checkpoint.h>
 
+#include <string>
+#include <vector>
+
 namespace wheelrail
 {
   /// What the axle starts with; the state of the bodies and of the contact is in the model.
@@ -14,6 +17,11 @@ namespace wheelrail
     double rate      = 0;     ///< pitch rate [rad/s]
     bool   at_border = false; ///< the patch touches the border of the fine cells
   };
+
+  /// The warnings of check_scene() with what this machine has for each rank. Collective; throws InputError
+  /// for a scene that it cannot hold.
+  std::vector<std::string>
+  check_on_machine(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator);
 
   /// What the static start of a scene is asked for.
   StaticLoads

@@ -3,6 +3,7 @@
 #include <wheelrail/base/log.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/sampling/run_parts.h>
 #include <wheelrail/state/stop.h>
 
 #include <cstdio>
@@ -34,6 +35,10 @@ namespace wheelrail
                int                             ranks,
                const std::vector<std::string> &profile_notes,
                const std::vector<std::string> &warnings);
+
+  /// Writes where the time of the steps went; `mesh_changes`: of fine cells that move.
+  void
+  write_timing(Log &log, const RunParts &run, const Summary &summary, unsigned int mesh_changes);
 
   /// Writes what a run that stopped has saved, the state at `saved` [m] rolled of `bytes` on the disk (or no
   /// state, null), and the command that goes on from it on as many ranks; where that would only stop again at
