@@ -23,10 +23,11 @@ namespace
     double cells      = 0; ///< of this rank
     double nodes      = 0; ///< held by this rank
     double neighbours = 0;
-    double shared     = 0; ///< bytes sent to neighbours in a step
-    double window     = 0; ///< bytes of the contact window sent in a step
-    double received   = 0; ///< bytes of the contact window received in a step
-    double memory     = 0; ///< resident [bytes]
+    double shared     = 0;     ///< bytes sent to neighbours in a step
+    double window     = 0;     ///< bytes of the contact window sent in a step
+    double received   = 0;     ///< bytes of the contact window received in a step
+    bool   holds      = false; ///< nodes of the contact window
+    double memory     = 0;     ///< resident [bytes]
   };
 
   Counts
@@ -50,7 +51,10 @@ namespace
         for (std::size_t k = surface.lattice.index(stations.first, 0);
              k < surface.lattice.index(stations.last, 0);
              ++k)
-          (surface.owner[k] == rank ? counts.window : counts.received) += 6. * sizeof(double);
+          {
+            (surface.owner[k] == rank ? counts.window : counts.received) += 6. * sizeof(double);
+            counts.holds = counts.holds || surface.local[k] >= 0;
+          }
       }
     dealii::Utilities::System::MemoryStats memory;
     dealii::Utilities::System::get_memory_stats(memory);
@@ -72,14 +76,15 @@ namespace
                  most = largest(counts.cells), nodes = largest(counts.nodes),
                  neighbours = largest(counts.neighbours), shared = largest(counts.shared),
                  window = largest(counts.window), received = largest(counts.received),
-                 memory = largest(counts.memory);
+                 memory  = largest(counts.memory),
+                 holders = dealii::Utilities::MPI::sum(counts.holds ? 1. : 0., MPI_COMM_WORLD);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
       return;
     if (n == 1)
       std::printf(
         "ranks  cells of the busiest  over the mean  nodes   neighbours  sent to them kB  window sent kB"
-        "  window received kB  memory MB\n");
-    std::printf("%5.0f  %20.0f  %13.3f  %6.0f  %10.0f  %15.1f  %14.1f  %18.1f  %9.0f\n",
+        "  window received kB  ranks that hold it  memory MB\n");
+    std::printf("%5.0f  %20.0f  %13.3f  %6.0f  %10.0f  %15.1f  %14.1f  %18.1f  %18.0f  %9.0f\n",
                 n,
                 most,
                 most * n / cells,
@@ -88,6 +93,7 @@ namespace
                 1e-3 * shared,
                 1e-3 * window,
                 1e-3 * received,
+                holders,
                 1e-6 * memory);
   }
 } // namespace
