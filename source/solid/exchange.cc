@@ -21,7 +21,7 @@ namespace wheelrail
 
 
   void
-  SharedSum::operator()(double *values, const int components)
+  SharedSum::operator()(double *values, const int components, const std::size_t stride)
   {
     if (links_.empty())
       return;
@@ -35,7 +35,7 @@ namespace wheelrail
         double *out = link.send.data();
         for (const unsigned int node : link.nodes)
           for (int i = 0; i < components; ++i)
-            *out++ = values[4 * node + i];
+            *out++ = values[stride * node + i];
         MPI_Isend(link.send.data(), n, MPI_DOUBLE, link.rank, 17, communicator_, &requests.emplace_back());
       }
     own_.resize(shared_.size() * components);
@@ -43,8 +43,8 @@ namespace wheelrail
     for (const unsigned int node : shared_)
       for (int i = 0; i < components; ++i)
         {
-          *own++               = values[4 * node + i];
-          values[4 * node + i] = 0;
+          *own++                    = values[stride * node + i];
+          values[stride * node + i] = 0;
         }
     MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
 
@@ -52,7 +52,7 @@ namespace wheelrail
       const double *in = own_.data();
       for (const unsigned int node : shared_)
         for (int i = 0; i < components; ++i)
-          values[4 * node + i] += *in++;
+          values[stride * node + i] += *in++;
     };
     bool own_added = false;
     for (const auto &link : links_)
@@ -65,7 +65,7 @@ namespace wheelrail
         const double *in = link.receive.data();
         for (const unsigned int node : link.nodes)
           for (int i = 0; i < components; ++i)
-            values[4 * node + i] += *in++;
+            values[stride * node + i] += *in++;
       }
     if (!own_added)
       add_own();

@@ -51,12 +51,12 @@ namespace wheelrail::patches
       return gradient;
     }
 
-    /// How much a node counts in the patch of an element: hardly, where its own elements lie to one side of
+    /// How much a node counts in the patch of an element of this size: hardly, where its own elements lie to one side of
     /// it. Below a surface the layers then weigh the same, and least squares give the slope in their middle.
     double
-    share_of(const Moments &m, const Element &element)
+    share_of(const Moments &m, const double size)
     {
-      const double aside = norm(m.d) / (m.volume * std::cbrt(element.volume));
+      const double aside = norm(m.d) / (m.volume * size);
       return std::max(1e-4, 1 - 2.5 * aside);
     }
   } // namespace
@@ -120,12 +120,13 @@ namespace wheelrail::patches
     gradients.reserve(elements.size());
     for (const Element &element : elements)
       {
-        Moments around;
+        Moments      around;
+        const double size = std::cbrt(element.volume);
         for (const unsigned int node : *element.nodes)
           add_moved(around,
                     moments[node],
                     reference_place(mesh, node) - element.centre,
-                    share_of(moments[node], element));
+                    share_of(moments[node], size));
         gradients.push_back(slope(around));
       }
     return gradients;

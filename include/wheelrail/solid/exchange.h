@@ -2,6 +2,7 @@
 
 #include <wheelrail/mesh/local_mesh.h>
 
+#include <cstddef>
 #include <vector>
 
 #include <mpi.h>
@@ -17,9 +18,9 @@ namespace wheelrail
   public:
     SharedSum(const LocalMesh &mesh, MPI_Comm communicator);
 
-    /// values: 4 numbers a node, the first `components` are summed.
+    /// values: `stride` numbers a node, the first `components` are summed.
     void
-    operator()(double *values, int components = 3);
+    operator()(double *values, int components = 3, std::size_t stride = 4);
 
   private:
     struct Link

@@ -78,15 +78,6 @@ namespace wheelrail::patches
   void
   sum_over_ranks(SharedSum &sum, std::vector<Sums> &sums)
   {
-    AlignedVector<double> part(4 * sums.size());
-    for (std::size_t first = 0; first < numbers<Sums>; first += 4)
-      {
-        const std::size_t count = std::min<std::size_t>(4, numbers<Sums> - first);
-        for (std::size_t n = 0; n < sums.size(); ++n)
-          std::copy_n(reinterpret_cast<const double *>(&sums[n]) + first, count, &part[4 * n]);
-        sum(part.data(), count);
-        for (std::size_t n = 0; n < sums.size(); ++n)
-          std::copy_n(&part[4 * n], count, reinterpret_cast<double *>(&sums[n]) + first);
-      }
+    sum(reinterpret_cast<double *>(sums.data()), numbers<Sums>, numbers<Sums>);
   }
 } // namespace wheelrail::patches
