@@ -103,7 +103,7 @@ function patchMaps(view, field, number, withArrows) {
     layout.annotations.push({...mark, x: tick.places.AA, y: range.along[0], text: "AA", yanchor: "bottom", xanchor: "right"});
     layout.annotations.push({...mark, x: range.s[1], y: tick.places.BB, text: "BB", yanchor: "bottom", xanchor: "right"});
     if (view.sources[k].name)
-      layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1.08, yanchor: "bottom", showarrow: false, text: `<b>${view.sources[k].name}</b>`});
+      layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1.08, xanchor: "center", yanchor: "bottom", showarrow: false, text: `<b>${view.sources[k].name}</b>`});
     layout.annotations.push(...sides(k, n));
   });
   const width = plotOf(view).clientWidth, ratio = (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]);
@@ -123,7 +123,7 @@ function patchSurfaces(view, field, number) {
       aspectratio: {x: 1.4, y: 1.4 * (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]), z: 0.8}, camera: {eye: {x: 1.1, y: -1.7, z: 1.1}},
       xaxis: {title: "s [mm] (G.C. at large s)", range: range.s}, yaxis: {title: "rolling direction [mm]", range: range.along},
       zaxis: {title: field.unit, range: [scale.zmin, scale.zmax]}};
-    if (source.name) layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1, yanchor: "bottom", showarrow: false, text: `<b>${source.name}</b>`});
+    if (source.name) layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1, xanchor: "center", yanchor: "bottom", showarrow: false, text: `<b>${source.name}</b>`});
   });
   return [traces, layout];
 }
@@ -193,7 +193,7 @@ async function drawSlices(view) {
   const names = Object.keys(view.planes), cases = view.cases ?? [view];  // of a study, one after the other
   const redraw = () => {
     const plane = cases[Number(caseSlider.value)].planes[planeChoice.value], kind = fieldChoice.value, AA = planeChoice.value[0] === "A", n = plane.sources.length, traces = [];
-    const layout = {font: FONT, margin: {l: 55, r: 20, t: 50, b: 50}, annotations: [], shapes: []};
+    const layout = {font: FONT, margin: {l: 55, r: 20, t: 65, b: 50}, annotations: [], shapes: []};
     const top = plane.top[kind], ends = AA ? plane.view : [plane.view[1], plane.view[0]];
     plane.sources.forEach((source, k) => {
       const id = k ? String(k + 1) : "", axes = {xaxis: "x" + id, yaxis: "y" + id};
@@ -205,7 +205,7 @@ async function drawSlices(view) {
       layout["yaxis" + id] = {range: [-10, 10], title: k ? "" : "from the surface: wheel +, rail \u2212 [mm]", scaleanchor: "x" + id, anchor: "x" + id, constrain: "domain"};
       layout.shapes.push({type: "line", xref: "x" + id, yref: "y" + id, x0: plane.view[0], x1: plane.view[1], y0: 0, y1: 0, line: {width: 1.5}});
       const where = AA ? `s = ${source.offset.toFixed(2)} mm` : `${source.offset.toFixed(2)} mm ahead of the contact point`;
-      layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1.02, yanchor: "bottom", showarrow: false, text: (source.name ? `<b>${source.name}</b>, ` : "") + where});
+      layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1.02, xanchor: "center", yanchor: "bottom", showarrow: false, text: (source.name ? `<b>${source.name}</b><br>` : "") + where});
     });
     const width = plotOf(view).clientWidth;
     layout.height = Math.round(Math.min(640, Math.max(320, 100 + 20 / (plane.view[1] - plane.view[0]) * (width - 160) / n)));
