@@ -51,8 +51,9 @@ namespace wheelrail::patches
       return gradient;
     }
 
-    /// How much a node counts in the patch of an element of this size: hardly, where its own elements lie to one side of
-    /// it. Below a surface the layers then weigh the same, and least squares give the slope in their middle.
+    /// How much a node counts in the patch of an element of this size: hardly, where its own elements lie to
+    /// one side of it. Below a surface the layers then weigh the same, and least squares give the slope in
+    /// their middle.
     double
     share_of(const Moments &m, const double size)
     {
