@@ -1,18 +1,13 @@
-// Reading and listing of parameter files: every entry, defaults, round trips, the ready scenes, the
-// manual, and the command line.
+// The entries of parameter files: every one, defaults, round trips.
 
 #include "check.h"
 
-#include <wheelrail/application/command_line.h>
-#include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
-#include <wheelrail/run/simulation.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
@@ -339,134 +334,6 @@ namespace
       longest = std::max(longest, line.size());
     check(longest <= 100, "no line of the listing is longer than 100 characters");
   }
-
-  void
-  test_syntax()
-  {
-    const std::string text =
-      "set Title = a = b # remark\r\n\r\n# only a remark\r\nsubsection Run\r\n\tset Rolling "
-      "distance=30mm\r\nend # of Run\r\nsubsection Contact\nend\nsubsection Run\nset Energy "
-      "limit = 1/100\nend";
-    const auto read = [](const std::string &given, const std::vector<std::string> &sets = {}) {
-      return scene_from_text(given, "t.prm", sets).scene;
-    };
-    const Scene scene = read(text, {"Contact/Friction coefficient=0.4", "Title = c"});
-    check_near(scene.rolling_distance, 0.03, 0, "CRLF, tabs and no blanks around =");
-    check_near(scene.energy_limit, 0.01, 0, "a subsection may come twice, the last line may lack its end");
-    check_near(scene.friction_coefficient, 0.4, 0, "--set of an entry");
-    check_text(scene.title, "c", "--set goes before the file");
-    check_text(read(text).title, "a = b", "= and remark in a value");
-    check_text(read("\xEF\xBB\xBFset Title = mark").title, "mark", "byte order mark");
-    check_text(read("SUBSECTION Run\nEND\nSET Title = x").title, "x", "keywords in capital letters");
-  }
-
-  /// A line that ends with a backslash goes on in the next one.
-  void
-  test_continuation()
-  {
-    const auto read = [](const std::string &text) { return scene_from_text(text, "t.prm", {}).scene; };
-    check_text(read("set Title = one \\\n   two \\  \r\n\tthree # four").title,
-               "one two three",
-               "three lines, blanks after the backslash");
-    check_text(read("set \\\nTitle = x").title, "x", "a line is broken before the name");
-    const Scene remark = read("# a remark \\\nset Title = x # another \\\nsubsection Run # \\\nend");
-    check_text(remark.title, "x", "a backslash in a remark goes on nowhere");
-    const SceneInput input = scene_from_text("set Title = a\\\n b\n# \\\nsubsection Run\nend", "t.prm", {});
-    check_text(input.text, "set Title = ab\n#\nsubsection Run\nend\n", "the text that is kept");
-  }
-
-  void
-  test_ready_files()
-  {
-    const std::filesystem::path source = WHEELRAIL_SOURCE_DIR;
-    for (const auto &file : std::filesystem::directory_iterator(source / "prm"))
-      if (file.path().extension() == ".prm")
-        {
-          std::string message;
-          try
-            {
-              require_computable(read_scene(file.path().string(), {}));
-            }
-          catch (const InputError &error)
-            {
-              message = error.what();
-            }
-          check_text(message, "", "prm/" + file.path().filename().string() + " is valid");
-        }
-  }
-
-  /// In what a ready scene differs from prm/rolling.prm, which it includes.
-  void
-  check_difference(const std::string &name, const std::map<std::string, std::string> &expected)
-  {
-    const std::string prm = std::string(WHEELRAIL_SOURCE_DIR) + "/prm/";
-    const Scene base = read_scene(prm + "rolling.prm", {}).scene, scene = read_scene(prm + name, {}).scene;
-    std::string found, wanted;
-    for (const Entry &entry : entries())
-      {
-        if (entry.get(scene) != entry.get(base))
-          found += entry.path() + " = " + entry.get(scene) + ";";
-        if (const auto value = expected.find(entry.path()); value != expected.end())
-          wanted += value->first + " = " + value->second + ";";
-      }
-    check_text(found, wanted, "prm/" + name + " and prm/rolling.prm");
-  }
-
-  void
-  test_included_scenes()
-  {
-    check_difference("quickstart.prm",
-                     {{"Title", "quick start, coarse cells"},
-                      {"Mesh/Solution cell size", "2 mm"},
-                      {"Run/Rolling distance", "30 mm"},
-                      {"Run/Averaging distance", "10 mm"},
-                      {"Output/Folder", "output/quickstart"},
-                      {"Output/Ticks", "6"}});
-    check_difference("rolling_plastic.prm",
-                     {{"Title", "S1002 on 54E1, 140 km/h, driving, elastic-plastic"},
-                      {"Rail material/Yield stress", "480 MPa"},
-                      {"Wheel material/Yield stress", "480 MPa"},
-                      {"Run/Rolling distance", "100 mm"},
-                      {"Output/Folder", "output/rolling_plastic"}});
-  }
-
-  void
-  test_commands()
-  {
-    const std::string file = std::string(WHEELRAIL_SOURCE_DIR) + "/prm/quickstart.prm";
-    Scene             scene;
-    RunOptions        options;
-    const RunFunction run = [&](const Scene &s, const SceneGeometry &, const RunOptions &o) {
-      scene   = s;
-      options = o;
-      return 3;
-    };
-    std::ostringstream out;
-    check_near(
-      execute({"run", file, "--set", "Title = x", "--set", "Contact/Damping = 0.1", "--overwrite"}, run, out),
-      3,
-      0,
-      "run hands on the exit code");
-    check_text(scene.title, "x", "run: --set");
-    check_near(scene.contact_damping, 0.1, 0, "run: second --set");
-    check(options.overwrite && !options.resume, "run: --overwrite");
-    const std::string tail = "# --set \"Title = x\"\n# --set \"Contact/Damping = 0.1\"\n";
-    check(options.prm_text.find("set Title = quick start") != std::string::npos &&
-            options.prm_text.substr(options.prm_text.size() - tail.size()) == tail,
-          "run: the file as given with the changes as remarks");
-    check_text(options.parameters_text, print_parameters(scene), "run: all entries in force");
-    check_near(execute({"parameters", file}, run, out), 0, 0, "parameters");
-    check_text(out.str(), print_parameters(read_scene(file, {}).scene), "parameters prints the listing");
-    check(needs_mpi({"run", "x.prm"}) && !needs_mpi({"run", "x.prm", "--validate"}) &&
-            !needs_mpi({"geometry"}) && !needs_mpi({}),
-          "only a run needs MPI");
-    const std::vector<double> shifts = parse_shifts("-6:6:0.5");
-    check_near(static_cast<double>(shifts.size()), 25, 0, "shifts: number");
-    check_near(shifts.front(), -0.006, 0, "shifts: first");
-    check_near(shifts.back(), 0.006, 0, "shifts: last");
-    check_near(parse_shifts("-5.5,0,2").at(2), 0.002, 0, "shifts: list");
-    check_near(static_cast<double>(parse_shifts("0:0.3:0.1").size()), 4, 0, "shifts: 0.3 in steps of 0.1");
-  }
 } // namespace
 
 int
@@ -476,10 +343,5 @@ main()
   test_independence();
   test_fields();
   test_round_trip();
-  test_syntax();
-  test_continuation();
-  test_ready_files();
-  test_included_scenes();
-  test_commands();
   return test::report();
 }

@@ -10,6 +10,7 @@ import glob
 import json
 import os
 import random
+import re
 import shutil
 import signal
 import socket
@@ -303,28 +304,38 @@ def kills(base):
         check(difference == 0, f"kill {k}: the same figures bit for bit ({difference:.1e}, {name})")
         check_files(folder, f"kill {k}")
     check(cut >= 10, f"{cut} of 17 runs were killed before their end")
-    fresh_kills(draw, length)
+    fresh_kills(draw)
 
 
-def fresh_kills(draw, length):
+def fresh_kills(draw, count=3, sets=(), earliest=0.2):
     """The same from the very start: the static start is computed anew when no state was saved."""
     one_go = os.path.abspath("fresh_one_go")
     begin = time.time()
-    check(run(one_go, "--overwrite", ranks=2)[0] == 0, "a run from the start")
+    code, text = run(one_go, "--overwrite", ranks=2, sets=sets)
+    check(code == 0, "a run from the start")
     length = time.time() - begin
-    for k in range(3):
+    for k in range(count):
         folder = os.path.abspath("fresh_killed")
         shutil.rmtree(folder, ignore_errors=True)
-        process = start(folder, ranks=2)
-        moment = draw.uniform(0.2, 0.9) * length
+        process = start(folder, ranks=2, sets=sets)
+        moment = draw.uniform(earliest, 0.95) * length
         time.sleep(moment)
         kill(process)
         options = ["--resume"] if os.path.exists(os.path.join(folder, "parameters.prm")) else []
         if not (os.path.exists(os.path.join(folder, "summary.json")) and summary_of(folder)["finished"]):
-            check(run(folder, *options, ranks=2)[0] == 0, f"fresh kill {k} after {moment:.1f} s: gone on")
+            check(run(folder, *options, ranks=2, sets=sets)[0] == 0, f"fresh kill {k} after {moment:.1f} s: gone on")
         difference, name = largest_difference(one_go, folder)
         check(difference < 1e-9, f"fresh kill {k}: the same figures, largest difference {difference:.1e} ({name})")
         check_files(folder, f"fresh kill {k}")
+    return text
+
+
+def changes():
+    """kill -9 at 20 random moments of a path on which the fine cells move four times."""
+    text = fresh_kills(random.Random(1906), 20,
+                       ["Run/Rolling distance = 70 mm", "Track/Rail length = 500 mm", "Output/Ticks = 4"], earliest=0.3)
+    found = re.search(r"changes of the mesh +(\d+)", text)
+    check(found and int(found[1]) >= 4, "the mesh changes at least four times")
 
 
 def ranks():
@@ -344,7 +355,8 @@ def ranks():
 
 if __name__ == "__main__":
     tests = dict(interrupt=interrupt, resume=resume, limit=limit, unfinished=unfinished, together=together,
-                 lines=lines, title=title, disk=disk, rights=rights, kills=kills, ranks=ranks)
+                 lines=lines, title=title, disk=disk, rights=rights, kills=kills, changes=changes,
+                 ranks=ranks)
     arguments = [os.path.join(sys.argv[4], "base")] if len(sys.argv) > 4 else []
     tests[sys.argv[3]](*arguments)
     finish()
