@@ -17,8 +17,8 @@ namespace wheelrail
 {
   namespace
   {
-    using Complex = std::complex<double>;
-    using Block   = std::array<std::array<double, 3>, 3>;
+    using Complex   = std::complex<double>;
+    using Stiffness = std::array<double, 24 * 24>; // row-major, row = 3 vertex + component
 
     /// Places of the corners of a section in an order that keeps neighbours near (Cuthill and McKee 1969).
     struct CornerOrder
@@ -43,52 +43,61 @@ namespace wheelrail
       }
     };
 
-    /// Stiffness between vertices a and b of a coarse block, each in the directions of its section.
-    struct BlockStiffness
+    /// Stiffness of a coarse block, each vertex in the directions of its section.
+    Stiffness
+    block_stiffness(const SweptGrid  &grid,
+                    const int         block,
+                    const int         column,
+                    const Elasticity &material,
+                    const ElementForm form)
     {
-      std::array<double, 24 * 24>           K;
-      std::array<std::array<Vector3, 3>, 2> axes;
+      const Stiffness K =
+        element_stiffness(element_geometry(grid.coarse_vertices(block, column)), material, form);
+      const std::array<Vector3, 3> axes[2] = {grid.axes(column), grid.axes(column + 1)};
+      Stiffness                    turned;
+      for (int row = 0; row < 24; ++row)
+        for (int at = 0; at < 24; ++at)
+          {
+            const int a = row / 3, b = at / 3;
+            double    sum = 0;
+            for (int k = 0; k < 3; ++k)
+              for (int l = 0; l < 3; ++l)
+                sum += axes[a / 4][row % 3][k] * K[24 * (3 * a + k) + 3 * b + l] * axes[b / 4][at % 3][l];
+            turned[24 * row + at] = sum;
+          }
+      return turned;
+    }
 
-      BlockStiffness(const SweptGrid  &grid,
-                     const int         block,
-                     const int         column,
-                     const Elasticity &material,
-                     const ElementForm form)
-        : K(element_stiffness(element_geometry(grid.coarse_vertices(block, column)), material, form))
-        , axes{grid.axes(column), grid.axes(column + 1)}
-      {
-      }
+    /// Adds the lower half of a block's stiffness for the vertices that are not held. Functions of vertices
+    /// give the first of their rows, whether they are held, and the factor between two of them.
+    template <typename Number, typename Row, typename Held, typename Factor>
+    void
+    add_stiffness(BandCholesky<Number> &matrix,
+                  const Stiffness      &K,
+                  const Row            &row,
+                  const Held           &held,
+                  const Factor         &factor)
+    {
+      for (int p = 0; p < 8; ++p)
+        for (int q = 0; q < 8; ++q)
+          {
+            if (held(p) || held(q) || row(p) < row(q))
+              continue;
+            const Number share = factor(p, q);
+            for (int i = 0; i < 3; ++i)
+              for (int j = 0; j < 3; ++j)
+                if (row(p) + i >= row(q) + j)
+                  matrix(row(p) + i, row(q) + j) += share * K[24 * (3 * p + i) + 3 * q + j];
+          }
+    }
 
-      Block
-      operator()(const int a, const int b) const
-      {
-        Block result;
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j)
-            {
-              double sum = 0;
-              for (int k = 0; k < 3; ++k)
-                for (int l = 0; l < 3; ++l)
-                  sum += axes[a / 4][i][k] * K[24 * (3 * a + k) + 3 * b + l] * axes[b / 4][j][l];
-              result[i][j] = sum;
-            }
-        return result;
-      }
-    };
-
-    /// Adds the lower half of a block of the matrix, times a factor.
+    /// The equations of a node that does not move.
     template <typename Number>
     void
-    add_block(BandCholesky<Number> &matrix,
-              const std::size_t     row,
-              const std::size_t     column,
-              const Block          &block,
-              const Number          factor)
+    hold(BandCholesky<Number> &matrix, const std::size_t row)
     {
       for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-          if (row + i >= column + j)
-            matrix(row + i, column + j) += factor * block[i][j];
+        matrix(row + i, row + i) = 1;
     }
 
     class RailSolver : public SweptSolver
@@ -107,24 +116,18 @@ namespace wheelrail
         for (int column = 0; column < grid.n_columns(); ++column)
           for (int b = 0; b < grid.n_blocks(); ++b)
             {
-              const BlockStiffness stiffness(grid, b, column, material, form);
-              const auto          &corner  = grid.corners(b);
-              const auto           section = [&](const int v) { return column + v / 4; };
-              for (int p = 0; p < 8; ++p)
-                for (int q = 0; q < 8; ++q)
-                  {
-                    const std::size_t row = index(corner[p % 4], section(p)),
-                                      at  = index(corner[q % 4], section(q));
-                    if (row >= at && !held[n_corners * section(p) + corner[p % 4]] &&
-                        !held[n_corners * section(q) + corner[q % 4]])
-                      add_block(matrix_, row, at, stiffness(p, q), 1.);
-                  }
+              const auto &corner = grid.corners(b);
+              add_stiffness(
+                matrix_,
+                block_stiffness(grid, b, column, material, form),
+                [&](const int v) { return index(corner[v % 4], column + v / 4); },
+                [&](const int v) { return held[n_corners * (column + v / 4) + corner[v % 4]]; },
+                [](int, int) { return 1.; });
             }
         for (int section = 0; section < n_sections_; ++section)
           for (unsigned int c = 0; c < n_corners; ++c)
             if (held[n_corners * section + c])
-              for (int i = 0; i < 3; ++i)
-                matrix_(index(c, section) + i, index(c, section) + i) = 1;
+              hold(matrix_, index(c, section));
         matrix_.factorise();
       }
 
@@ -233,9 +236,9 @@ namespace wheelrail
             throw std::logic_error("a wheel is held at a part of a circle");
         for (int k = 0; k < n_sectors_; ++k)
           axes_.push_back(grid.axes(k));
-        std::vector<BlockStiffness> blocks;
+        std::vector<Stiffness> blocks;
         for (int b = 0; b < grid.n_blocks(); ++b)
-          blocks.emplace_back(grid, b, 0, material, form);
+          blocks.push_back(block_stiffness(grid, b, 0, material, form));
         for (int m = 0; m <= n_sectors_ / 2; ++m)
           {
             auto &matrix = harmonics_.emplace_back(n_unknowns_, 3 * order_.band + 2);
@@ -243,8 +246,7 @@ namespace wheelrail
               add(matrix, blocks[b], grid.corners(b), held, 2 * M_PI * m / n_sectors_);
             for (unsigned int c = 0; c < n_corners; ++c)
               if (held[c])
-                for (int i = 0; i < 3; ++i)
-                  matrix(3 * order_.place[c] + i, 3 * order_.place[c] + i) = 1;
+                hold(matrix, 3 * order_.place[c]);
             matrix.factorise();
           }
       }
@@ -270,18 +272,17 @@ namespace wheelrail
       /// The part of a block in the matrix for displacements that turn by `phase` from sector to sector.
       void
       add(BandCholesky<Complex>             &matrix,
-          const BlockStiffness              &stiffness,
+          const Stiffness                   &stiffness,
           const std::array<unsigned int, 4> &corner,
           const std::vector<unsigned char>  &held,
           const double                       phase) const
       {
-        for (int p = 0; p < 8; ++p)
-          for (int q = 0; q < 8; ++q)
-            {
-              const unsigned int row = 3 * order_.place[corner[p % 4]], at = 3 * order_.place[corner[q % 4]];
-              if (row >= at && !held[corner[p % 4]] && !held[corner[q % 4]])
-                add_block(matrix, row, at, stiffness(p, q), std::polar(1., (q / 4 - p / 4) * phase));
-            }
+        add_stiffness(
+          matrix,
+          stiffness,
+          [&](const int v) { return 3 * order_.place[corner[v % 4]]; },
+          [&](const int v) { return held[corner[v % 4]]; },
+          [phase](const int p, const int q) { return std::polar(1., (q / 4 - p / 4) * phase); });
       }
 
       /// Calls a function for each axis of each node: with its three numbers in the directions of the track
