@@ -171,26 +171,21 @@ namespace wheelrail
       return bends;
     }
 
-    /// Nodal stresses and gradients from the elements' stresses, and whether elements around a node have
-    /// flowed.
+    /// Nodal stresses and gradients from the elements' stresses; means alone where elements around a node
+    /// have flowed.
     NodalStress
-    recover(const Solid                &solid,
-            const std::vector<Element> &elements,
-            SharedSum                  &sum,
-            std::vector<char>          &flowed)
+    recover(const Solid &solid, const std::vector<Element> &elements, SharedSum &sum)
     {
       const std::vector<Moments>         moments     = nodal_moments(solid.mesh, elements, sum);
       const std::vector<ElementGradient> of_elements = element_gradients(solid.mesh, elements, moments);
       const std::vector<GradientSum>     gradients   = nodal_gradients(solid, elements, of_elements, sum);
       const std::vector<BendSum> bends = nodal_bends(solid, elements, of_elements, moments, gradients, sum);
-      flowed.resize(solid.mesh.n_nodes());
-      NodalStress result;
+      NodalStress                result;
       result.stress.resize(6 * solid.mesh.n_nodes());
       result.gradient.resize(18 * solid.mesh.n_nodes());
       for (std::size_t node = 0; node < solid.mesh.n_nodes(); ++node)
         {
           const Moments &m = moments[node];
-          flowed[node]     = m.flowed > 0;
           for (int k = 0; k < 6 && m.volume > 0; ++k)
             {
               result.stress[6 * node + k] = m.s[k] / m.volume;
@@ -212,22 +207,14 @@ namespace wheelrail
       return result;
     }
 
-    /// Adds to the elements' stresses what the nodal ones do not give back at the centres, where no
-    /// element around has flowed. What is missing there is about twice that at the nodes: three quarters of
-    /// it leave a like part of both.
+    /// Adds to the elements' stresses what the nodal ones do not give back at the centres. What is missing
+    /// there is about twice that at the nodes: three quarters of it leave a like part of both.
     void
-    sharpen(const Solid             &solid,
-            const NodalStress       &nodal,
-            const std::vector<char> &flowed,
-            std::vector<Element>    &elements)
+    sharpen(const Solid &solid, const NodalStress &nodal, std::vector<Element> &elements)
     {
       constexpr double part = 0.75;
       for (Element &element : elements)
         {
-          if (std::any_of(element.nodes->begin(), element.nodes->end(), [&](const unsigned int n) {
-                return flowed[n];
-              }))
-            continue;
           Stress centre{};
           for (const unsigned int node : *element.nodes)
             {
@@ -252,9 +239,8 @@ namespace wheelrail
   {
     SharedSum            sum(solid.mesh, communicator);
     std::vector<Element> elements = elements_of(solid, stress);
-    std::vector<char>    flowed;
-    sharpen(solid, recover(solid, elements, sum, flowed), flowed, elements);
-    return recover(solid, elements, sum, flowed);
+    sharpen(solid, recover(solid, elements, sum), elements);
+    return recover(solid, elements, sum);
   }
 
 

@@ -30,7 +30,9 @@ namespace wheelrail
   /// Below surfaces, where the elements around one lie to one side of it, G is moved to its centre by the
   /// slope of the G around it, and quadratic stresses come out exactly at surfaces, too. What is still
   /// flattened is sought where the centres are given back from the nodes and added once more. Nodes of
-  /// elements that have flowed keep mean(s), which stays within the yield surface. Collective.
+  /// elements that have flowed have mean(s) alone, of stresses to which this is added: gradients change
+  /// suddenly at the border of what has flowed, and would carry stresses beyond the yield surface.
+  /// Collective.
   NodalStress
   recovered_stress(const Solid                                       &solid,
                    const PerBody<std::vector<std::array<double, 6>>> &stress,
