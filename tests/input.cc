@@ -177,7 +177,7 @@ namespace
     straight.scene.lateral_creepage = 0;
     straight.scene.motion           = "none"; // its file is not there
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
-    straight.scene.passage_jump     = 0;      // there is a list
+    straight.scene.passage_jump     = 0;      // the wheel is the same again
     straight.scene.planned_strip.clear();     // nor that strip
     require_computable(straight);
     return input.scene;

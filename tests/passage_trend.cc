@@ -204,11 +204,11 @@ namespace
     const unsigned int some = jump_length({1e-2, 1e-4, 1, 0.9}, 20, 0.05);
     check(some == 10, "or less: " + std::to_string(some));
     PassageJump jump{5, 15, 1e-4, 0.9};
-    judge_jump(jump, 1e-4 * std::pow(0.9, 12), 0.01, 0.01);
+    judge_jump(jump, 10, 1e-4 * std::pow(0.9, 12), 0.01, 0.01);
     check_near(jump.error, 0, 1e-12, "growth as extrapolated");
     check(jump.judged && jump.kept, "the jump is kept");
     jump = {5, 15, 1e-3, 0.9};
-    judge_jump(jump, 1e-3, 0.02, 0.01); // it has not fallen at all
+    judge_jump(jump, 10, 1e-3, 0.02, 0.01); // it has not fallen at all
     check_near(jump.error, 1e-3 * (10 - jump_factor(0.9, 10)) / 0.02, 1e-12, "the growth that is missing");
     check(jump.judged && !jump.kept, "the jump is taken back");
   }

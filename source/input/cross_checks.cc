@@ -223,18 +223,12 @@ namespace wheelrail
         errors.push_back(entry + ": is for wheels without yaw; write none, or Wheelset/Yaw = 0 mrad");
     }
 
-    /// Jumps over passages need wheels that are all alike and new.
+    /// Jumps over passages need wheels that are new.
     void
     check_jump(const Scene &scene, Sentences &errors)
     {
-      if (scene.passage_jump == 0)
-        return;
-      const std::string jump = entry_text(scene, "Run", "Passage jump");
-      if (scene.passage_list != "none")
-        errors.push_back(jump + ": extrapolates from wheels that are all alike, and there is " +
-                         entry_text(scene, "Run", "Passage list") + "; write none for one of them");
-      else if (scene.next_wheel == NextWheel::same)
-        errors.push_back(jump + ": extrapolates the rail alone, and " +
+      if (scene.passage_jump > 0 && scene.next_wheel == NextWheel::same)
+        errors.push_back(entry_text(scene, "Run", "Passage jump") + ": extrapolates the rail alone, and " +
                          entry_text(scene, "Run", "Next wheel") +
                          " keeps the wheel, too; write none, or fresh");
     }

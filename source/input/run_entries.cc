@@ -62,13 +62,15 @@ namespace wheelrail
     add_jumps(std::vector<Entry> &list)
     {
       list.push_back(with_word(
-        count_entry({"Run",
-                     "Passage jump",
-                     "Most passages at a time that are not computed: the rail is extrapolated over them from "
-                     "what the last ones have added, then three are computed again; none: all are computed."},
-                    1,
-                    1000,
-                    field(&S::passage_jump)),
+        count_entry(
+          {"Run",
+           "Passage jump",
+           "Most passages at a time that are not computed, with a Passage list most rounds of it: the "
+           "rail is extrapolated over them from what the last ones have added, then three are "
+           "computed again; none: all are computed."},
+          1,
+          1000,
+          field(&S::passage_jump)),
         "none",
         0u,
         field(&S::passage_jump)));

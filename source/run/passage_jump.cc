@@ -34,10 +34,13 @@ namespace wheelrail
 
 
   void
-  judge_jump(PassageJump &jump, const double growth, const double strain, const double error)
+  judge_jump(PassageJump       &jump,
+             const unsigned int n,
+             const double       growth,
+             const double       strain,
+             const double       error)
   {
-    const unsigned int n = jump.to - jump.from;
-    jump.computed_rate   = jump.growth > 0 && growth > 0 ? std::pow(growth / jump.growth, 1. / (n + 2)) : 0;
+    jump.computed_rate = jump.growth > 0 && growth > 0 ? std::pow(growth / jump.growth, 1. / (n + 2)) : 0;
     jump.error =
       std::abs(jump.growth * (jump_factor(jump.computed_rate, n) - jump_factor(jump.rate, n))) / strain;
     jump.judged = true;
