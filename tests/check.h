@@ -41,6 +41,13 @@ namespace test
     return good;
   }
 
+  /// The same for value over expected.
+  inline bool
+  check_relative(const double value, const double expected, const double tolerance, const std::string &text)
+  {
+    return check_near(value / expected, 1, tolerance, text + " over expected");
+  }
+
   /// Whether sanitizers watch every access to memory, which takes ten to fifty times as long: tests that go
   /// through the same code many times then leave repetitions out.
 #ifdef __SANITIZE_ADDRESS__

@@ -14,6 +14,7 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::check_relative;
 
 namespace
 {
@@ -27,13 +28,6 @@ namespace
     problem.motion              = HalfspaceMotion::none;
     return problem;
   }
-
-  void
-  check_relative(const double value, const double expected, const double tolerance, const std::string &text)
-  {
-    check_near(value / expected, 1, tolerance, text + " over expected");
-  }
-
   /// The rows of CONTACT's normal problems, each at its own grid.
   void
   test_contact_table()

@@ -11,6 +11,7 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::check_relative;
 
 namespace
 {
@@ -41,12 +42,6 @@ namespace
                         number(14)});
       }
     return rows;
-  }
-
-  void
-  check_relative(const double value, const double expected, const double tolerance, const std::string &text)
-  {
-    check_near(value / expected, 1, tolerance, text + " over expected");
   }
 } // namespace
 

@@ -14,15 +14,10 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::check_relative;
 
 namespace
 {
-  void
-  check_relative(const double value, const double expected, const double tolerance, const std::string &text)
-  {
-    check_near(value / expected, 1, tolerance, text + " over expected");
-  }
-
   /// 100 kN, relative radii 460 and 300 mm, steel.
   HalfspaceProblem
   ellipse(const double dx)

@@ -15,15 +15,10 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::check_relative;
 
 namespace
 {
-  void
-  check_relative(const double value, const double expected, const double tolerance, const std::string &text)
-  {
-    check_near(value / expected, 1, tolerance, text + " over expected");
-  }
-
   /// Cattaneo (1938), Mindlin (1949): sphere R 50 mm, G 200 MPa, nu 0.42, mu 0.4, a = 1 mm, F = 7/8 mu N:
   /// adhesion within a / 2, tractions mu p0 (sqrt(1 - r^2 / a^2) - sqrt(1 / 4 - r^2 / a^2)), shift 8.172
   /// micrometres.

@@ -12,15 +12,10 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::check_relative;
 
 namespace
 {
-  void
-  check_relative(const double value, const double expected, const double tolerance, const std::string &text)
-  {
-    check_near(value / expected, 1, tolerance, text + " over expected");
-  }
-
   /// The undeformed distance from our own profiles; CONTACT's differs by up to 0.3 micrometres.
   void
   test_variants()

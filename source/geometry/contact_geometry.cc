@@ -64,26 +64,16 @@ namespace wheelrail
     std::vector<GapMinimum>
     gap_minima(const FrameProfile &wheel, const FrameProfile &rail)
     {
-      const double low = std::max(wheel.s_min(), rail.s_min()), high = std::min(wheel.s_max(), rail.s_max());
-      std::vector<double> points = {low, high};
-      for (const FrameProfile *profile : {&wheel, &rail})
-        for (const double s : profile->joints())
-          if (s > low && s < high)
-            points.push_back(s);
-      const int n = static_cast<int>(std::ceil((high - low) / 2e-4));
-      for (int i = 1; i < n; ++i)
-        points.push_back(low + (high - low) * i / n);
-      std::sort(points.begin(), points.end());
-
-      const auto slope = [&](const double X) { return wheel.at(X).slope - rail.at(X).slope; };
-      const auto entry = [&](const double X) {
+      const std::vector<double> points = common_places(wheel, rail, 2e-4);
+      const auto                slope  = [&](const double X) { return wheel.at(X).slope - rail.at(X).slope; };
+      const auto                entry  = [&](const double X) {
         return GapMinimum{X, undeformed_distance(wheel, rail, X), std::abs(slope(X)) < 1e-3};
       };
 
       std::vector<GapMinimum> minima;
-      bool                    rising = slope(low) > 0;
+      bool                    rising = slope(points.front()) > 0;
       if (rising)
-        minima.push_back(entry(low));
+        minima.push_back(entry(points.front()));
       for (std::size_t i = 1; i < points.size(); ++i)
         {
           const bool now = slope(points[i]) > 0;
@@ -97,7 +87,7 @@ namespace wheelrail
           rising = now;
         }
       if (!rising)
-        minima.push_back(entry(high));
+        minima.push_back(entry(points.back()));
       std::sort(minima.begin(), minima.end(), [](const auto &a, const auto &b) { return a.gap < b.gap; });
       return minima;
     }

@@ -192,6 +192,23 @@ namespace wheelrail
   }
 
 
+  std::vector<double>
+  common_places(const FrameProfile &wheel, const FrameProfile &rail, const double spacing)
+  {
+    const double low = std::max(wheel.s_min(), rail.s_min()), high = std::min(wheel.s_max(), rail.s_max());
+    std::vector<double> places = {low, high};
+    for (const FrameProfile *profile : {&wheel, &rail})
+      for (const double s : profile->joints())
+        if (s > low && s < high)
+          places.push_back(s);
+    const int n = static_cast<int>(std::ceil((high - low) / spacing));
+    for (int i = 1; i < n; ++i)
+      places.push_back(low + (high - low) * i / n);
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+
   double
   undeformed_distance(const FrameProfile &wheel, const FrameProfile &rail, const double s)
   {
@@ -202,17 +219,7 @@ namespace wheelrail
   std::vector<Range>
   interpenetration(const FrameProfile &wheel, const FrameProfile &rail, const double approach)
   {
-    const double low = std::max(wheel.s_min(), rail.s_min()), high = std::min(wheel.s_max(), rail.s_max());
-    std::vector<double> points = {low, high};
-    for (const FrameProfile *profile : {&wheel, &rail})
-      for (const double s : profile->joints())
-        if (s > low && s < high)
-          points.push_back(s);
-    const int n = static_cast<int>(std::ceil((high - low) / 1e-4));
-    for (int i = 1; i < n; ++i)
-      points.push_back(low + (high - low) * i / n);
-    std::sort(points.begin(), points.end());
-
+    const std::vector<double> points = common_places(wheel, rail, 1e-4);
     const auto overlaps = [&](const double s) { return undeformed_distance(wheel, rail, s) < approach; };
     std::vector<Range> ranges;
     bool               inside = false;
@@ -226,7 +233,7 @@ namespace wheelrail
               for (double a = points[i - 1], m = 0.5 * (a + edge); m > a && m < edge; m = 0.5 * (a + edge))
                 (overlaps(m) == inside ? a : edge) = m;
             if (now)
-              ranges.push_back({edge, high});
+              ranges.push_back({edge, points.back()});
             else
               ranges.back().s1 = edge;
           }

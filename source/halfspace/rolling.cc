@@ -1,4 +1,5 @@
 #include <wheelrail/halfspace/friction_field.h>
+#include <wheelrail/halfspace/measures.h>
 #include <wheelrail/halfspace/normal.h>
 #include <wheelrail/halfspace/tangential.h>
 
@@ -93,14 +94,10 @@ namespace wheelrail
       tangential_problem();
       VectorField
       rigid_slip();
-      double
-      creepage_work() const;
       /// Sets the coefficients to the slip of the last round; the largest change over the larger coefficient
       /// of the law.
       double
       update_friction();
-      void
-      measure();
       void
       displacements();
       void
@@ -280,7 +277,10 @@ namespace wheelrail
             break;
         }
       displacements();
-      measure();
+      solution_.xi  = tangential_.creepage[0];
+      solution_.eta = tangential_.creepage[1];
+      solution_.phi = problem_.phi;
+      measure(problem_, friction_ ? tangential_.slipping : std::vector<char>(), solution_);
       tell();
       return solution_;
     }
@@ -312,70 +312,6 @@ namespace wheelrail
       s.gap.assign(n, 0.);
       for (std::size_t e = 0; e < n && !pressure_given_; ++e)
         s.gap[e] = problem_.undeformed_distance[e] + s.displacement_n[e] - s.approach;
-    }
-
-    void
-    Solver::measure()
-    {
-      HalfspaceSolution &s       = solution_;
-      const double       area    = grid_.element_area();
-      int                first_x = grid_.mx, last_x = -1, first_y = grid_.my, last_y = -1;
-      s.state.assign(grid_.size(), HalfspaceSolution::exterior);
-      for (int j = 0; j < grid_.my; ++j)
-        for (int i = 0; i < grid_.mx; ++i)
-          {
-            const int    e = i + grid_.mx * j;
-            const double p = s.pressure[e], tx = s.traction_x[e], ty = s.traction_y[e];
-            if (p <= 0)
-              continue;
-            const bool slips = friction_ && tangential_.slipping[e];
-            s.state[e]       = slips ? HalfspaceSolution::slip : HalfspaceSolution::adhesion;
-            (slips ? s.slip_area : s.adhesion_area) += area;
-            ++s.contact_elements;
-            s.fn += p * area;
-            s.fx += tx * area;
-            s.fy += ty * area;
-            s.spin_moment += (grid_.x(i) * ty - grid_.y(j) * tx) * area;
-            s.peak_pressure = std::max(s.peak_pressure, p);
-            s.peak_shear    = std::max(s.peak_shear, std::hypot(tx, ty));
-            first_x         = std::min(first_x, i);
-            last_x          = std::max(last_x, i);
-            first_y         = std::min(first_y, j);
-            last_y          = std::max(last_y, j);
-          }
-      s.area = s.adhesion_area + s.slip_area;
-      if (s.contact_elements > 0)
-        {
-          s.length_x = (last_x - first_x + 1) * grid_.dx;
-          s.width_y  = (last_y - first_y + 1) * grid_.dy;
-          s.touches_grid_edge =
-            first_x == 0 || first_y == 0 || last_x == grid_.mx - 1 || last_y == grid_.my - 1;
-        }
-      s.xi            = tangential_.creepage[0];
-      s.eta           = tangential_.creepage[1];
-      s.phi           = problem_.phi;
-      s.creepage_work = creepage_work();
-    }
-
-
-    double
-    Solver::creepage_work() const
-    {
-      if (problem_.motion != HalfspaceMotion::steady)
-        return std::nan("");
-      const HalfspaceSolution &s  = solution_;
-      const auto               of = [](const std::vector<double> &field, const int e) {
-        return field.empty() ? 0 : field[e];
-      };
-      double work = 0;
-      for (int j = 0; j < grid_.my; ++j)
-        for (int i = 0; i < grid_.mx; ++i)
-          {
-            const int e = i + grid_.mx * j;
-            work -= s.traction_x[e] * (s.xi - s.phi * grid_.y(j) + of(problem_.rigid_slip_x, e)) +
-                    s.traction_y[e] * (s.eta + s.phi * grid_.x(i) + of(problem_.rigid_slip_y, e));
-          }
-      return work * grid_.element_area();
     }
 
     void

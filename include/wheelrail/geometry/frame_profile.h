@@ -76,6 +76,11 @@ namespace wheelrail
     std::vector<Piece>  pieces_; ///< piece i covers joints_[i] to joints_[i + 1]
   };
 
+  /// Places s that both profiles have, ascending: the ends of that range, all joints within, and others
+  /// between them no farther than `spacing` apart [m].
+  std::vector<double>
+  common_places(const FrameProfile &wheel, const FrameProfile &rail, double spacing);
+
   /// Undeformed distance d(s) = n_wheel(s) - n_rail(s) [m] at rolling coordinate 0; zero at s = 0.
   double
   undeformed_distance(const FrameProfile &wheel, const FrameProfile &rail, double s);

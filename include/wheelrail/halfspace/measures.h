@@ -1,0 +1,14 @@
+#pragma once
+
+#include <wheelrail/halfspace/problem.h>
+
+#include <vector>
+
+namespace wheelrail
+{
+  /// Fills in what follows from the tractions of a solution, its creepages and its rigid slip: state of the
+  /// elements, forces [N], spin moment [N m], peaks [Pa], areas [m2], extents [m], and the work of creepage.
+  /// `slipping`: of each element that touches, whether it slips; empty without friction.
+  void
+  measure(const HalfspaceProblem &problem, const std::vector<char> &slipping, HalfspaceSolution &solution);
+} // namespace wheelrail

@@ -1,0 +1,72 @@
+#include <wheelrail/halfspace/measures.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Work of friction over the way rolled, from what its tractions are against: creepage, spin and other
+    /// rigid slip; NaN where the motion is not steady [N].
+    double
+    creepage_work(const HalfspaceProblem &problem, const HalfspaceSolution &s)
+    {
+      if (problem.motion != HalfspaceMotion::steady)
+        return std::nan("");
+      const auto of = [](const std::vector<double> &field, const int e) {
+        return field.empty() ? 0 : field[e];
+      };
+      const HalfspaceGrid &grid = s.grid;
+      double               work = 0;
+      for (int j = 0; j < grid.my; ++j)
+        for (int i = 0; i < grid.mx; ++i)
+          {
+            const int e = i + grid.mx * j;
+            work -= s.traction_x[e] * (s.xi - s.phi * grid.y(j) + of(problem.rigid_slip_x, e)) +
+                    s.traction_y[e] * (s.eta + s.phi * grid.x(i) + of(problem.rigid_slip_y, e));
+          }
+      return work * grid.element_area();
+    }
+  } // namespace
+
+
+  void
+  measure(const HalfspaceProblem &problem, const std::vector<char> &slipping, HalfspaceSolution &s)
+  {
+    const HalfspaceGrid &grid    = s.grid;
+    const double         area    = grid.element_area();
+    int                  first_x = grid.mx, last_x = -1, first_y = grid.my, last_y = -1;
+    s.state.assign(grid.size(), HalfspaceSolution::exterior);
+    for (int j = 0; j < grid.my; ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        {
+          const int    e = i + grid.mx * j;
+          const double p = s.pressure[e], tx = s.traction_x[e], ty = s.traction_y[e];
+          if (p <= 0)
+            continue;
+          const bool slips = !slipping.empty() && slipping[e];
+          s.state[e]       = slips ? HalfspaceSolution::slip : HalfspaceSolution::adhesion;
+          (slips ? s.slip_area : s.adhesion_area) += area;
+          ++s.contact_elements;
+          s.fn += p * area;
+          s.fx += tx * area;
+          s.fy += ty * area;
+          s.spin_moment += (grid.x(i) * ty - grid.y(j) * tx) * area;
+          s.peak_pressure = std::max(s.peak_pressure, p);
+          s.peak_shear    = std::max(s.peak_shear, std::hypot(tx, ty));
+          first_x         = std::min(first_x, i);
+          last_x          = std::max(last_x, i);
+          first_y         = std::min(first_y, j);
+          last_y          = std::max(last_y, j);
+        }
+    s.area = s.adhesion_area + s.slip_area;
+    if (s.contact_elements > 0)
+      {
+        s.length_x          = (last_x - first_x + 1) * grid.dx;
+        s.width_y           = (last_y - first_y + 1) * grid.dy;
+        s.touches_grid_edge = first_x == 0 || first_y == 0 || last_x == grid.mx - 1 || last_y == grid.my - 1;
+      }
+    s.creepage_work = creepage_work(problem, s);
+  }
+} // namespace wheelrail
