@@ -109,6 +109,8 @@ namespace
       {"Run/Jump error", "0.02"},
       {"Run/Next wheel", "same"},
       {"Run/Rail", "output/first"},
+      {"Run/Start offset", "32 mm"},
+      {"Run/Staggered starts", "4"},
       {"Material test/Body", "wheel"},
       {"Material test/Axial", "700 MPa, -500 MPa"},
       {"Material test/Shear", "0.01"},
@@ -179,6 +181,8 @@ namespace
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
     straight.scene.passage_jump     = 0;      // the wheel is the same again
     straight.scene.planned_strip.clear();     // nor that strip
+    straight.scene.start_offset     = 0;      // the window is fixed
+    straight.scene.staggered_starts = 1;
     require_computable(straight);
     return input.scene;
   }

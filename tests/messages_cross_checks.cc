@@ -142,6 +142,21 @@ namespace
       "--set: Run/Passage jump = 5: extrapolates the rail alone, and Run/Next wheel = same keeps the "
       "wheel, too; write none, or fresh",
       "a jump with the same wheel");
+    check_text(answer({"Run/Start offset = 16 mm", "Mesh/Window = fixed"}),
+               "--set: Run/Start offset = 16 mm: with Mesh/Window = fixed the cells of the rail change with "
+               "the start; "
+               "leave it out, or set Mesh/Window = moving",
+               "another start on a fixed mesh");
+    check_text(answer({"Run/Staggered starts = 3", "Mesh/Window = fixed"}),
+               "--set: Run/Staggered starts = 3: with Mesh/Window = fixed the cells of the rail change with "
+               "the start; "
+               "leave it out, or set Mesh/Window = moving",
+               "several starts on a fixed mesh");
+    check_text(answer({"Run/Start offset = 800 mm"}),
+               "x.prm: Run/Rolling distance = 60 mm: with 100 mm of free rail at each end and Run/Start "
+               "offset = 800 mm this "
+               "needs a rail of 1860 mm, and Track/Rail length is 1800 mm; lengthen the rail",
+               "a start too far along");
   }
 
   /// Half-spaces need no cells.

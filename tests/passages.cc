@@ -62,7 +62,7 @@ namespace
           model.window = rail.window;
           prepare_window_forest(model, MPI_COMM_WORLD);
         }
-      check(restore_bodies(rail, model.solid, MPI_COMM_WORLD),
+      check(restore_bodies(rail, model.solid, 0, MPI_COMM_WORLD),
             "the rail of " + folder + " has the mesh of its run");
     }
     std::vector<std::array<double, 6>>

@@ -232,6 +232,18 @@ namespace wheelrail
                          entry_text(scene, "Run", "Next wheel") +
                          " keeps the wheel, too; write none, or fresh");
     }
+    /// A rail has the same cells from wherever the wheel starts only where these move with it.
+    void
+    check_start(const Scene &scene, Sentences &errors)
+    {
+      const char *entry = scene.start_offset > 0       ? "Start offset"
+                          : scene.staggered_starts > 1 ? "Staggered starts"
+                                                       : nullptr;
+      if (entry && scene.window == MeshWindow::fixed)
+        errors.push_back(
+          entry_text(scene, "Run", entry) + ": with " + entry_text(scene, "Mesh", "Window") +
+          " the cells of the rail change with the start; leave it out, or set Mesh/Window = moving");
+    }
   } // namespace
 
 
@@ -264,6 +276,7 @@ namespace wheelrail
         "material/Yield stress");
     check_strip(scene, found.errors);
     check_jump(scene, found.errors);
+    check_start(scene, found.errors);
     for (const std::string &fault : study_faults(scene))
       found.errors.push_back(fault);
     return found;

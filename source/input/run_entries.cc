@@ -89,6 +89,19 @@ namespace wheelrail
                                  "with the same stretch of its tread and keeps what it has yielded."},
                                 {{"fresh", NextWheel::fresh}, {"same", NextWheel::same}},
                                 field(&S::next_wheel)));
+      list.push_back(with_word(
+        count_entry({"Run",
+                     "Staggered starts",
+                     "Places on the rail, each at least a patch farther along than the one before, "
+                     "at which passages start: the first wheel at the first, where it leaves a pit, "
+                     "those after it at the others in turn; auto: two where the way has room for "
+                     "them, else one."},
+                    1,
+                    100,
+                    field(&S::staggered_starts)),
+        "auto",
+        0u,
+        field(&S::staggered_starts)));
     }
   } // namespace
 
@@ -109,6 +122,14 @@ namespace wheelrail
                   "new: a rail without stress; else the folder of a finished run, whose rail is rolled over "
                   "as it was left."},
                  field(&S::rail_from)));
+    list.push_back(length_entry(
+      {"Run",
+       "Start offset",
+       "How much farther along the rail the wheel starts than it does otherwise, in whole coarse "
+       "cells, the nearest number of them."},
+      "mm",
+      B::between("0 mm", "5 m"),
+      field(&S::start_offset)));
     list.push_back(length_entry(
       {"Run", "Averaging distance", "The figures of the summary are means over a stretch of this length."},
       "mm",

@@ -9,13 +9,13 @@ namespace wheelrail
   Range
   window_range(const SweepPlan &plan, const FineWindow &window, const Body body)
   {
-    const double at    = window.column[body] * plan.block_length();
+    const double block = plan.block_length(), at = window.column[body] * block;
     Range        range = {at + plan.around_block.s0, at + plan.around_block.s1};
-    if (window.column[body] >= 0)
-      range.s0 = std::max(range.s0, -plan.reach);
+    if (window.column[body] >= window.start[body])
+      range.s0 = std::max(range.s0, window.start[body] * block - plan.reach);
     // later a cut end would leave little to divide ahead of the wheel, and the few cells would take up what
     // momentum chords lack: measured, the normal force then swings by 0.2 % in place of 0.1 %
-    if (window.column[body] <= 0)
+    if (window.column[body] <= window.start[body])
       range.s1 = std::min(range.s1, window.path_end[body] + plan.reach);
     return range;
   }

@@ -39,16 +39,17 @@ namespace wheelrail
       long first, last;
     };
 
-    /// The wheel's spacing over the range that is needed and a metre beyond, as far as the rail goes.
+    /// The wheel's spacing over the range that is needed and a metre beyond, as far as the rail goes. There
+    /// must be room for starts up to `start` blocks farther along.
     EvenBlocks
-    even_blocks(const Range &rail, const Range &needed, const double spacing)
+    even_blocks(const Range &rail, const Range &needed, const double spacing, const int start)
     {
       constexpr double beyond = 1;
       const auto       up     = [&](const double z) { return static_cast<long>(std::ceil(z / spacing)); };
       const auto       down   = [&](const double z) { return static_cast<long>(std::floor(z / spacing)); };
       const EvenBlocks even{up(std::max(needed.s0 - beyond, rail.s0 + spacing)),
                             down(std::min(needed.s1 + beyond, rail.s1 - spacing))};
-      const long       first = down(needed.s0) - 1, last = up(needed.s1) + 1;
+      const long       first = down(needed.s0) - 1, last = up(needed.s1) + 1 + start;
       if (first < even.first || last > even.last)
         throw InputError(
           "Track/Rail length is too short: the rolled stretch with its fine cells reaches from " +
@@ -149,19 +150,23 @@ namespace wheelrail
     constexpr double free_rail = 0.1;
     // pressure must not come to the outer two stations (Contact::at_border()), and stations lie up to a cell
     // within the stretch that is wanted
-    const double margin = std::max(sizes.fine_margin, 3 * sizes.cell);
-    plan.reach          = std::max(-overlap.s0, overlap.s1) + margin;
-    plan.around_block   = {overlap.s0 - std::max(least_behind, margin),
-                           spacing + overlap.s1 + std::max(least_ahead, margin)};
-    plan.fine           = {sizes.ahead.s0 - plan.reach, sizes.distance + sizes.ahead.s1 + plan.reach};
-    plan.fine_depth     = sizes.fine_depth;
-    const Range rail    = {0.5 * (sizes.distance - sizes.rail_length),
-                           0.5 * (sizes.distance + sizes.rail_length)};
-    const auto  even    = even_blocks(rail, plan.fine, spacing);
-    plan.rail_stations  = rail_stations(rail, even, spacing);
-    plan.longest_path =
-      std::max(sizes.distance,
-               std::min((even.last - 1) * spacing - plan.reach, rail.s1 - std::max(free_rail, 3 * spacing)));
+    const double margin  = std::max(sizes.fine_margin, 3 * sizes.cell);
+    plan.reach           = std::max(-overlap.s0, overlap.s1) + margin;
+    plan.around_block    = {overlap.s0 - std::max(least_behind, margin),
+                            spacing + overlap.s1 + std::max(least_ahead, margin)};
+    plan.fine            = {sizes.ahead.s0 - plan.reach, sizes.distance + sizes.ahead.s1 + plan.reach};
+    plan.fine_depth      = sizes.fine_depth;
+    const Range rail     = {0.5 * (sizes.distance - sizes.rail_length),
+                            0.5 * (sizes.distance + sizes.rail_length)};
+    plan.start_block     = static_cast<int>(std::lround(sizes.start / spacing));
+    const auto even      = even_blocks(rail, plan.fine, spacing, plan.start_block);
+    plan.rail_stations   = rail_stations(rail, even, spacing);
+    const double farther = plan.start_block * spacing;
+    for (double &station : plan.rail_stations)
+      station -= farther;
+    plan.longest_path = std::max(
+      sizes.distance,
+      std::min((even.last - 1) * spacing - plan.reach, rail.s1 - std::max(free_rail, 3 * spacing)) - farther);
     if (sizes.moving)
       plan.fine.s1 = std::min(plan.fine.s1, plan.around_block.s1);
 

@@ -234,6 +234,7 @@ namespace wheelrail
       sizes.approach    = expected_approach(planned, geometry.contact.rolling_radius);
       sizes.distance    = scene.mesh_distance();
       sizes.rail_length = scene.rail_length;
+      sizes.start       = scene.start_offset;
       sizes.moving      = scene.window == MeshWindow::moving;
       plan_for_way(geometry, way, sizes);
       return sizes;

@@ -23,21 +23,20 @@ namespace wheelrail
     void
     check_rail_length(const Scene &scene, const std::optional<ExpectedPatch> &patch, Sentences &found)
     {
-      // the stress field below a patch of 13 mm reaches some 50 mm; the rail needs a few coarse cells
-      // beyond the fine ones
-      const double reach = patch ? 0.7 * patch->length : 0;
-      const double needed =
-        std::max(0.1, std::ceil(1e3 * (reach + scene.fine_margin + 3 * scene.coarse_cell_size)) / 1e3);
-      const double length = scene.mesh_distance() + 2 * needed;
+      const double needed = free_rail(scene, patch ? patch->length : 0);
+      const double length = scene.mesh_distance() + 2 * (needed + scene.start_offset);
       if (length > scene.rail_length * (1 + 1e-12))
-        found.push_back(
-          (scene.prepared_distance > 0 ? entry_text(scene, "Mesh", "Prepared distance")
-                                       : entry_text(scene, "Run", "Rolling distance")) +
-          ": with " + rounded_mm(needed) + " of free rail at each end this needs a rail of " +
-          rounded_mm(length) + ", and Track/Rail length is " + rounded_mm(scene.rail_length) + "; " +
-          (scene.rail_length > 2 * needed
-             ? "roll at most " + rounded_mm(scene.rail_length - 2 * needed) + " or lengthen the rail"
-             : "lengthen the rail"));
+        found.push_back((scene.prepared_distance > 0 ? entry_text(scene, "Mesh", "Prepared distance")
+                                                     : entry_text(scene, "Run", "Rolling distance")) +
+                        ": with " + rounded_mm(needed) + " of free rail at each end" +
+                        (scene.start_offset > 0 ? " and " + entry_text(scene, "Run", "Start offset") : "") +
+                        " this needs a rail of " + rounded_mm(length) + ", and Track/Rail length is " +
+                        rounded_mm(scene.rail_length) + "; " +
+                        (scene.rail_length > 2 * (needed + scene.start_offset)
+                           ? "roll at most " +
+                               rounded_mm(scene.rail_length - 2 * (needed + scene.start_offset)) +
+                               " or lengthen the rail"
+                           : "lengthen the rail"));
     }
 
     void
@@ -238,6 +237,14 @@ namespace wheelrail
         check_sections(scene, *geometry, found);
     }
   } // namespace
+
+
+  double
+  free_rail(const Scene &scene, const double patch_length)
+  {
+    const double reach = 0.7 * patch_length;
+    return std::max(0.1, std::ceil(1e3 * (reach + scene.fine_margin + 3 * scene.coarse_cell_size)) / 1e3);
+  }
 
 
   CheckedScene

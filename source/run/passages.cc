@@ -10,12 +10,14 @@
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/passage_table.h>
 #include <wheelrail/run/passages.h>
+#include <wheelrail/run/staggered_starts.h>
 #include <wheelrail/state/checkpoint_checks.h>
 #include <wheelrail/state/rail_state.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,8 +61,9 @@ namespace wheelrail
         : scene_(scene)
         , options_(options)
         , wheels_(passing_wheels(scene, geometry))
+        , starts_(scene, geometry)
         , most_(scene.passages == 0 ? scene.most_passages : of_round() * scene.passages)
-        , jumps_(scene, of_round(), most_, communicator_)
+        , jumps_(scene, std::lcm(of_round(), starts_.period()), most_, communicator_)
       {
       }
 
@@ -88,6 +91,7 @@ namespace wheelrail
       const RunOptions         &options_;
       MPI_Comm                  communicator_ = MPI_COMM_WORLD;
       std::vector<PassingWheel> wheels_; ///< of a round
+      StaggeredStarts           starts_;
       unsigned int              most_;
       PassageJumps              jumps_;
       std::vector<unsigned int> computed_; ///< passages so far, those jumped over left out
@@ -139,6 +143,8 @@ namespace wheelrail
       one.passages              = 1;
       one.passage_list          = "none";
       one.passage_jump          = 0;
+      one.staggered_starts      = 1;
+      one.start_offset          = starts_.offset(k);
       one.folder                = passage_folder(scene_.folder, k);
       if (k > 1)
         one.rail_from = passage_folder(scene_.folder, k - 1);

@@ -90,14 +90,16 @@ namespace wheelrail
   {
     const Meanwhile back(model.solid);
     Residual        residual;
-    residual.way        = unload(*model.forest, model.solid, axle);
-    const double behind = model.reach;
+    residual.way = unload(*model.forest, model.solid, axle);
+    // the same place on the rail, whatever the start: the one that the wheel without an offset has just left
+    const double offset = model.forest->plan().start_block * model.forest->plan().block_length();
+    const double behind = model.reach + offset;
     residual.stress     = nodal_stress(model.solid, communicator);
     const auto forward  = outward_change(model, communicator);
     residual.slices = slices_behind(model, residual.stress, axle.travelled(), behind, communicator, &forward);
     residual.largest = largest_before(model.solid, axle.travelled() - behind, communicator);
     residual.forward =
-      forward_flow(model.solid, 0.5 * axle.travelled(), axle.travelled() - behind, communicator);
+      forward_flow(model.solid, 0.5 * axle.travelled() - offset, axle.travelled() - behind, communicator);
     meanwhile();
     return residual;
   }

@@ -79,22 +79,31 @@ namespace wheelrail
     }
 
     /// Whether the nodes of a body (none: of both) that the rank has lie where those of the saved state did,
-    /// but for round-off.
+    /// those of the rail `farther` along, but for round-off.
     bool
-    same_places(const std::vector<double> &saved, const LocalMesh &mesh, const std::optional<Body> body)
+    same_places(const std::vector<double> &saved,
+                const LocalMesh           &mesh,
+                const double               farther,
+                const std::optional<Body>  body)
     {
       constexpr double tolerance = 1e-10; // [m]
       for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-        for (int d = 0; d < 3; ++d)
-          if (of(body, mesh.node_body[n]) && !(std::abs(saved[3 * std::size_t(mesh.node_number[n]) + d] -
-                                                        mesh.reference[4 * n + d]) < tolerance))
-            return false;
+        for (int d = 0; d < 3 && of(body, mesh.node_body[n]); ++d)
+          {
+            const double moved = d == 2 && mesh.node_body[n] == Body::rail ? farther : 0;
+            if (!(std::abs(saved[3 * std::size_t(mesh.node_number[n]) + d] + moved -
+                           mesh.reference[4 * n + d]) < tolerance))
+              return false;
+          }
       return true;
     }
 
     /// Whether a checkpoint has what bodies with this mesh need, or one of them.
     bool
-    fits(const Checkpoint &whole, const Solid &solid, const std::optional<Body> body = {})
+    fits(const Checkpoint         &whole,
+         const Solid              &solid,
+         const double              farther,
+         const std::optional<Body> body = {})
     {
       const LocalMesh &mesh = solid.mesh;
       bool             same_mesh =
@@ -112,7 +121,8 @@ namespace wheelrail
         visit_histories(solid.blocks[other], [&](const char *name, const unsigned int n, const auto &) {
           complete = complete && (!of(body, other) || has(whole.cell_values, name, n));
         });
-      return same_mesh && complete && same_places(whole.node_values.at("position").values, mesh, body);
+      return same_mesh && complete &&
+             same_places(whole.node_values.at("position").values, mesh, farther, body);
     }
 
     void
@@ -157,6 +167,8 @@ namespace wheelrail
     Checkpoint       part;
     part.time_step = model.time_step;
     part.window    = model.window;
+    if (model.swept)
+      part.start_block = model.swept->plan().start_block;
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
       if (mesh.owned[n])
         part.node.push_back(mesh.node_number[n]);
@@ -226,6 +238,7 @@ namespace wheelrail
     whole.longest_distance  = part.longest_distance;
     whole.fine_margin       = part.fine_margin;
     whole.window            = part.window;
+    whole.start_block       = part.start_block;
     whole.contact           = part.contact;
     whole.axle              = part.axle;
     whole.rolling           = part.rolling;
@@ -235,9 +248,9 @@ namespace wheelrail
 
 
   bool
-  restore_bodies(const Checkpoint &whole, Solid &solid, MPI_Comm communicator)
+  restore_bodies(const Checkpoint &whole, Solid &solid, const double farther, MPI_Comm communicator)
   {
-    int same = fits(whole, solid) ? 1 : 0;
+    int same = fits(whole, solid, farther) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
     if (same == 1)
       restore_solid(whole, solid);
@@ -246,9 +259,9 @@ namespace wheelrail
 
 
   bool
-  restore_rail_body(const Checkpoint &whole, Solid &solid, MPI_Comm communicator)
+  restore_rail_body(const Checkpoint &whole, Solid &solid, const double farther, MPI_Comm communicator)
   {
-    int same = fits(whole, solid, Body::rail) ? 1 : 0;
+    int same = fits(whole, solid, farther, Body::rail) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
     if (same == 1)
       restore_solid(whole, solid, Body::rail);
@@ -264,7 +277,7 @@ namespace wheelrail
                      Recorder         &recorder,
                      MPI_Comm          communicator)
   {
-    if (!restore_bodies(whole, model.solid, communicator))
+    if (!restore_bodies(whole, model.solid, 0, communicator))
       throw InputError(
         "--resume: the mesh is not that of the saved state, since a profile file or the program has changed: "
         "start anew without --resume");

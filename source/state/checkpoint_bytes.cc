@@ -46,6 +46,9 @@ namespace wheelrail
       visit("load_work", c.axle.work.load_work);
       visit("rail_column", c.window.column.rail);
       visit("wheel_column", c.window.column.wheel);
+      visit("rail_start_column", c.window.start.rail);
+      visit("wheel_start_column", c.window.start.wheel);
+      visit("start_block", c.start_block);
       visit("rail_path_end", c.window.path_end.rail);
       visit("wheel_path_end", c.window.path_end.wheel);
       visit("rail_first", c.contact.window.rail.first);

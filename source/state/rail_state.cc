@@ -23,13 +23,22 @@ namespace wheelrail
     {
       return "Run/Rail = " + scene.rail_from + ": ";
     }
-    /// Takes over where the fine cells of one body lie.
+
+    /// Takes over where the fine cells of one body lie, which now is `farther` along, in blocks of the length
+    /// `block` [m].
     void
-    take_window(const FineWindow &from, const Body body, FineWindow &window)
+    take_window(const FineWindow &from,
+                const Body        body,
+                const int         farther,
+                const double      block,
+                FineWindow       &window)
     {
-      window.column[body]   = from.column[body];
-      window.kept[body]     = from.kept[body];
-      window.path_end[body] = from.path_end[body];
+      window.column[body] = from.column[body] + farther;
+      window.start[body]  = from.start[body] + farther;
+      window.kept[body]   = from.kept[body];
+      for (int &column : window.kept[body])
+        column += farther;
+      window.path_end[body] = from.path_end[body] + farther * block;
     }
 
     /// Turns a wheel that was unloaded at the end of its way back to where it began.
@@ -101,14 +110,18 @@ namespace wheelrail
   {
     const bool same_wheel = scene.next_wheel == NextWheel::same;
     FineWindow start      = model.window;
+    double     farther    = 0; // along the track than in the earlier run, which may have started elsewhere
     if (model.swept)
       {
-        take_window(rail.window, Body::rail, model.window);
+        const SweepPlan &plan   = model.swept->plan();
+        const int        blocks = rail.start_block - plan.start_block;
+        farther                 = blocks * plan.block_length();
+        take_window(rail.window, Body::rail, blocks, plan.block_length(), model.window);
         if (same_wheel)
-          take_window(rail.window, Body::wheel, model.window);
+          take_window(rail.window, Body::wheel, 0, plan.block_length(), model.window);
         prepare_window_forest(model, communicator);
       }
-    if (!(same_wheel ? restore_bodies : restore_rail_body)(rail, model.solid, communicator))
+    if (!(same_wheel ? restore_bodies : restore_rail_body)(rail, model.solid, farther, communicator))
       throw InputError(in_words(scene) +
                        "that rail has another mesh; rail profile, track, rolling distance and the cells of "
                        "Mesh must be those of "

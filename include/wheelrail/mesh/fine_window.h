@@ -14,6 +14,7 @@ namespace wheelrail
   {
     PerBody<int>              column; ///< of blocks, that the contact was in at the last move
     PerBody<std::vector<int>> kept;   ///< columns that stay fine, ascending
+    PerBody<int> start = {0, 0};      ///< column of the first contact of the wheel that the window follows
 
     /// How far the contact is to come on each body [m]: in the first block, what lies further than
     /// SweepPlan::reach beyond that needs no fine cells, nor what lies so far behind the start.

@@ -33,6 +33,7 @@ namespace wheelrail
     double          reach = 0;         ///< of finest cells at both ends of the rolled stretch, beyond it [m]
     Range           around_block;     ///< finest cells that move, with the contact in the block from 0 on [m]
     double          longest_path = 0; ///< that the rail lets the wheel roll when they move [m]
+    int             start_block  = 0; ///< blocks by which the wheel starts farther along the rail
 
     /// Length of a coarse block on the running circle [m]; where the wheel rolls, the stations of the rail
     /// are its multiples, too.
@@ -50,8 +51,9 @@ namespace wheelrail
     double approach    = 0;     ///< of wheel and rail under the load, expected
     double distance    = 0;     ///< that the wheel rolls
     bool   moving      = false; ///< the finest cells move with the wheel
-    double rail_length = 0;     ///< its middle lies under that of the rolled stretch
-    Range  strip;               ///< of s with finest cells, whatever the patch; without length: around it
+    double rail_length = 0;     ///< its middle lies under that of the rolled stretch, without `start`
+    double start       = 0; ///< how much farther along the rail the wheel starts; the nearest whole blocks
+    Range  strip;           ///< of s with finest cells, whatever the patch; without length: around it
 
     // of a wheelset that is led
     Range across; ///< where patches come to lie besides that of the start, over s
@@ -68,7 +70,8 @@ namespace wheelrail
   /// block in place of the whole stretch, and reach further, by least_ahead and least_behind at least, so
   /// that cells are divided and made coarse where fields are smooth; at the start they reach no further than
   /// those that do not move. Blocks of the rail are even under the stretch and a metre beyond it; from there
-  /// on each is a quarter longer than the one before, up to four times as long. Throws InputError when the
+  /// on each is a quarter longer than the one before, up to four times as long; a rail that the wheel starts
+  /// farther along has the same blocks, all of them as much nearer to the start. Throws InputError when the
   /// rail is too short for them or a section cannot be divided, RunError when a block would be folded.
   SweepPlan
   make_sweep_plan(const TouchingProfiles &profiles, const WheelDimensions &wheel, const SweepSizes &sizes);

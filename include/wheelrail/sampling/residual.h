@@ -14,7 +14,8 @@ namespace wheelrail
   struct Residual
   {
     NodalStress stress; ///< recovered at the nodes of the rank
-    /// AA_behind and BB_behind (slices_behind()) of the rail that the patch has left.
+    /// AA_behind and BB_behind (slices_behind()) of the rail that the patch has left; with a start farther
+    /// along the rail BB_behind is at the same place of the rail as without.
     std::vector<Slice> slices;
     Unloading          way;
     double largest; ///< von Mises, of elements of that rail that have flowed [Pa]; NaN without one

@@ -176,6 +176,8 @@ namespace wheelrail
     double       jump_error         = 0.05; ///< of an extrapolated growth, over the strain, that is accepted
     NextWheel    next_wheel         = NextWheel::fresh;
     std::string  rail_from          = "new"; ///< folder of the run that left the rail, or new
+    double       start_offset       = 0;     ///< how much farther along the rail the wheel starts [m]
+    unsigned int staggered_starts   = 0;     ///< places where passages start, 0: two where there is room
     double       gravity            = 9.81;  ///< [m/s2]
     double       energy_limit       = 0.005; ///< energy error at which the run stops
 

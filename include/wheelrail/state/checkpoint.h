@@ -25,7 +25,8 @@ namespace wheelrail
     double       longest_distance  = 0; ///< to which the run may be gone on with [m]
     double       fine_margin       = 0; ///< with which the mesh was made [m]
 
-    FineWindow window; ///< where the fine cells lie, when they move
+    FineWindow window;          ///< where the fine cells lie, when they move
+    int        start_block = 0; ///< see SweepPlan
 
     std::vector<std::uint32_t>                 node, cell;  ///< numbers of the nodes and cells that follow
     std::map<std::string, NumberedValues>      node_values; ///< position, displacement [m], velocity [m/s]
@@ -65,14 +66,15 @@ namespace wheelrail
                      MPI_Comm          communicator);
 
   /// Puts displacements, velocities and histories of a whole checkpoint into bodies; whether their mesh is
-  /// that of the checkpoint, else nothing is changed. Collective.
+  /// that of the checkpoint, else nothing is changed. The rail may lie `farther` along the track [m] than it
+  /// did. Collective.
   bool
-  restore_bodies(const Checkpoint &whole, Solid &solid, MPI_Comm communicator);
+  restore_bodies(const Checkpoint &whole, Solid &solid, double farther, MPI_Comm communicator);
 
   /// The same for the rail alone, whose cells and nodes have the first numbers: the wheel may have any mesh.
   /// Collective.
   bool
-  restore_rail_body(const Checkpoint &whole, Solid &solid, MPI_Comm communicator);
+  restore_rail_body(const Checkpoint &whole, Solid &solid, double farther, MPI_Comm communicator);
 
   /// A whole checkpoint as the bytes of an HDF5 file.
   std::vector<char>

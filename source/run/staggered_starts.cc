@@ -1,0 +1,53 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/model.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/run/staggered_starts.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  StaggeredStarts::StaggeredStarts(const Scene &scene, const SceneGeometry &geometry)
+    : places_{scene.start_offset}
+  {
+    if (scene.staggered_starts == 1 || scene.window == MeshWindow::fixed)
+      return;
+    const double length = 0.9 * expected_patch(scene, geometry).length; // that is some 10 % too long
+    const double block  = sweep_plan(scene, geometry).block_length();
+    const double step   = std::ceil(length / block) * block;
+    // to the place where passages are compared, one patch behind the end of the first wheel's way
+    const double way  = scene.rolling_distance - length - scene.start_offset;
+    const double rail = 0.5 * (scene.rail_length - scene.mesh_distance()) - free_rail(scene, length);
+    const auto   fits = [&](const unsigned int n, const double settle) {
+      return (n - 1) * step <= way - settle && scene.start_offset + (n - 1) * step <= rail;
+    };
+    unsigned int n = scene.staggered_starts;
+    if (n == 0)
+      n = fits(2, 2 * length) ? 2 : 1;
+    else if (!fits(n, length))
+      throw InputError(
+        entry_text(scene, "Run", "Staggered starts") + ": each start lies " + rounded_mm(step) +
+        " farther along than the one before, and the last one leaves no way that all wheels "
+        "have rolled over; take fewer, or a longer Run/Rolling distance and Track/Rail length");
+    for (unsigned int k = 1; k < n; ++k)
+      places_.push_back(scene.start_offset + k * step);
+  }
+
+
+  double
+  StaggeredStarts::offset(const unsigned int k) const
+  {
+    return k == 1 ? places_.front() : places_[places_.size() == 1 ? 0 : 1 + (k - 2) % period()];
+  }
+
+
+  unsigned int
+  StaggeredStarts::period() const
+  {
+    return std::max<unsigned int>(1, static_cast<unsigned int>(places_.size()) - 1);
+  }
+} // namespace wheelrail
