@@ -270,4 +270,30 @@ namespace wheelrail
     summary.wall_time   = tally.wall_time;
     return summary;
   }
+
+
+  void
+  write_failure(const Scene       &scene,
+                const std::string &program_version,
+                const Recorder    *recorder,
+                const Axle        *axle,
+                const std::string &error)
+  {
+    try
+      {
+        Summary summary;
+        summary.title           = scene.title;
+        summary.program_version = program_version;
+        if (recorder)
+          recorder->fill(summary, recorder->averaging_stretch(scene));
+        if (axle)
+          summary.rolled_distance = axle->travelled();
+        summary.stop_reason = error;
+        write_summary(summary, scene.folder + "/summary.json");
+      }
+    catch (const std::exception &)
+      {
+        // the failure itself is reported on the screen
+      }
+  }
 } // namespace wheelrail

@@ -1,6 +1,7 @@
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/pose.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wheelrail
@@ -67,6 +68,29 @@ namespace wheelrail
       log.value("profile", note);
     for (const std::string &warning : warnings)
       log.warning(warning);
+  }
+
+
+  TickLine
+  tick_line(const RunParts     &run,
+            const unsigned long first_step,
+            const double        first_distance,
+            const double        elapsed)
+  {
+    const double travelled = run.axle.travelled();
+    const Point2 normal    = run.model.geometry.frame.normal();
+    const auto  &force     = run.rolling.contact_sums().force;
+    const double updates   = (run.rolling.steps() - first_step) * double(run.model.solid.quality.elements);
+    TickLine     line;
+    line.rolled_distance    = travelled;
+    line.normal_force       = force[0] * normal.x + force[1] * normal.y;
+    line.longitudinal_force = force[2];
+    line.lateral_force      = force[0];
+    line.energy_error       = run.rolling.energy().error();
+    line.updates_per_second = updates / elapsed;
+    line.seconds_left =
+      elapsed * std::max(0., run.scene.rolling_distance - travelled) / (travelled - first_distance);
+    return line;
   }
 
 

@@ -72,7 +72,8 @@ namespace wheelrail
           }
         catch (const RunError &error)
           {
-            leave_word(error.what());
+            if (rank_ == 0)
+              write_failure(scene_, options_.program_version, recorder_.get(), axle_.get(), error.what());
             throw;
           }
         if (!stop.reason.empty() && stop.reason != interrupted)
@@ -109,8 +110,6 @@ namespace wheelrail
       finish(const std::string &stop_reason);
       void
       leave_rail() const;
-      void
-      leave_word(const std::string &error) const;
 
       Scene                         scene_;
       const RunOptions             &options_;
@@ -310,20 +309,7 @@ namespace wheelrail
     void
     Simulation::tick()
     {
-      const double elapsed = seconds() - loop_start_;
-      TickLine     line;
-      line.rolled_distance    = axle_->travelled();
-      const Point2 normal     = model_.geometry.frame.normal();
-      const auto  &force      = rolling_->contact_sums().force;
-      line.normal_force       = force[0] * normal.x + force[1] * normal.y;
-      line.longitudinal_force = force[2];
-      line.lateral_force      = force[0];
-      line.energy_error       = rolling_->energy().error();
-      line.updates_per_second =
-        (rolling_->steps() - first_step_) * double(model_.solid.quality.elements) / elapsed;
-      line.seconds_left = elapsed * std::max(0., scene_.rolling_distance - axle_->travelled()) /
-                          (axle_->travelled() - first_distance_);
-      log_.tick(line);
+      log_.tick(tick_line(*parts_, first_step_, first_distance_, seconds() - loop_start_));
       output_->tick(tick_);
     }
 
@@ -388,31 +374,6 @@ namespace wheelrail
       part.parameters  = options_.parameters_text;
       part.fine_margin = scene_.fine_margin;
       save_rail(part, scene_.folder, communicator_);
-    }
-
-
-    /// After a failure: why, in summary.json with the means so far, as far as that can still be written.
-    void
-    Simulation::leave_word(const std::string &error) const
-    {
-      if (rank_ > 0)
-        return;
-      try
-        {
-          Summary summary;
-          summary.title           = scene_.title;
-          summary.program_version = options_.program_version;
-          if (recorder_)
-            recorder_->fill(summary, recorder_->averaging_stretch(scene_));
-          if (axle_)
-            summary.rolled_distance = axle_->travelled();
-          summary.stop_reason = error;
-          write_summary(summary, scene_.folder + "/summary.json");
-        }
-      catch (const std::exception &)
-        {
-          // the failure itself is reported on the screen
-        }
     }
   } // namespace
 

@@ -47,4 +47,13 @@ namespace wheelrail
   /// moment, see nodal_stress(). Collective.
   Summary
   summary_of(const RunParts &run, const RunTally &tally, const NodalStress &stress);
+
+  /// After a failure: writes why into summary.json, with the means so far where there is a recorder and an
+  /// axle, as far as that can still be written. To be called on one rank.
+  void
+  write_failure(const Scene       &scene,
+                const std::string &program_version,
+                const Recorder    *recorder,
+                const Axle        *axle,
+                const std::string &error);
 } // namespace wheelrail

@@ -36,6 +36,11 @@ namespace wheelrail
                const std::vector<std::string> &profile_notes,
                const std::vector<std::string> &warnings);
 
+  /// The line of an output tick; this part of the run began after `first_step` steps and `first_distance`
+  /// [m], and has gone on for `elapsed` [s].
+  TickLine
+  tick_line(const RunParts &run, unsigned long first_step, double first_distance, double elapsed);
+
   /// Writes where the time of the steps went; `mesh_changes`: of fine cells that move.
   void
   write_timing(Log &log, const RunParts &run, const Summary &summary, unsigned int mesh_changes);
