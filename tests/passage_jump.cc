@@ -95,7 +95,7 @@ main(int argc, char **argv)
   if (parallel.rank == 0)
     std::ofstream("two_wheels.csv") << "load [kN], traction\n105, 0.25\n90, 0.1\n";
   MPI_Barrier(MPI_COMM_WORLD);
-  Scene rounds             = scene("rounds", 9);
+  Scene rounds             = scene("rounds", 10);
   rounds.passage_list      = "two_wheels.csv";
   Scene over_rounds        = rounds;
   over_rounds.folder       = "passage_jump_over_rounds";
