@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 namespace wheelrail
 {
@@ -100,10 +99,7 @@ namespace wheelrail
 
     /// Whether a checkpoint has what bodies with this mesh need, or one of them.
     bool
-    fits(const Checkpoint         &whole,
-         const Solid              &solid,
-         const double              farther,
-         const std::optional<Body> body = {})
+    fits(const Checkpoint &whole, const Solid &solid, const double farther, const std::optional<Body> body)
     {
       const LocalMesh &mesh = solid.mesh;
       bool             same_mesh =
@@ -126,7 +122,7 @@ namespace wheelrail
     }
 
     void
-    restore_solid(const Checkpoint &whole, Solid &solid, const std::optional<Body> body = {})
+    restore_solid(const Checkpoint &whole, Solid &solid, const std::optional<Body> body)
     {
       const LocalMesh &mesh          = solid.mesh;
       const auto       restore_nodes = [&](const char *name, AlignedVector<double> &values) {
@@ -248,23 +244,16 @@ namespace wheelrail
 
 
   bool
-  restore_bodies(const Checkpoint &whole, Solid &solid, const double farther, MPI_Comm communicator)
+  restore_bodies(const Checkpoint         &whole,
+                 Solid                    &solid,
+                 const double              farther,
+                 MPI_Comm                  communicator,
+                 const std::optional<Body> body)
   {
-    int same = fits(whole, solid, farther) ? 1 : 0;
+    int same = fits(whole, solid, farther, body) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
     if (same == 1)
-      restore_solid(whole, solid);
-    return same == 1;
-  }
-
-
-  bool
-  restore_rail_body(const Checkpoint &whole, Solid &solid, const double farther, MPI_Comm communicator)
-  {
-    int same = fits(whole, solid, farther, Body::rail) ? 1 : 0;
-    MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
-    if (same == 1)
-      restore_solid(whole, solid, Body::rail);
+      restore_solid(whole, solid, body);
     return same == 1;
   }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -121,7 +122,8 @@ namespace wheelrail
           take_window(rail.window, Body::wheel, 0, plan.block_length(), model.window);
         prepare_window_forest(model, communicator);
       }
-    if (!(same_wheel ? restore_bodies : restore_rail_body)(rail, model.solid, farther, communicator))
+    const std::optional<Body> rail_alone = same_wheel ? std::optional<Body>() : Body::rail;
+    if (!restore_bodies(rail, model.solid, farther, communicator, rail_alone))
       throw InputError(in_words(scene) +
                        "that rail has another mesh; rail profile, track, rolling distance and the cells of "
                        "Mesh must be those of "

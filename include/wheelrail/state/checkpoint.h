@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,16 +66,16 @@ namespace wheelrail
                      Recorder         &recorder,
                      MPI_Comm          communicator);
 
-  /// Puts displacements, velocities and histories of a whole checkpoint into bodies; whether their mesh is
-  /// that of the checkpoint, else nothing is changed. The rail may lie `farther` along the track [m] than it
-  /// did. Collective.
+  /// Puts displacements, velocities and histories of a whole checkpoint into both bodies, or into the one
+  /// that is asked for, such as the rail, whose cells and nodes have the first numbers: the wheel may then
+  /// have any mesh. Whether their mesh is that of the checkpoint, else nothing is changed. The rail may lie
+  /// `farther` along the track [m] than it did. Collective.
   bool
-  restore_bodies(const Checkpoint &whole, Solid &solid, double farther, MPI_Comm communicator);
-
-  /// The same for the rail alone, whose cells and nodes have the first numbers: the wheel may have any mesh.
-  /// Collective.
-  bool
-  restore_rail_body(const Checkpoint &whole, Solid &solid, double farther, MPI_Comm communicator);
+  restore_bodies(const Checkpoint   &whole,
+                 Solid              &solid,
+                 double              farther,
+                 MPI_Comm            communicator,
+                 std::optional<Body> body = {});
 
   /// A whole checkpoint as the bytes of an HDF5 file.
   std::vector<char>
