@@ -2,10 +2,13 @@
 
 import sys
 
-# a small rolling scene; Track and Mesh
+# a small rolling scene, driving; Track, Wheelset and Mesh
 SMALL_SCENE = """
 subsection Track
   set Rail length = 300 mm
+end
+subsection Wheelset
+  set Traction coefficient = 0.25
 end
 subsection Mesh
   set Solution cell size = 4 mm

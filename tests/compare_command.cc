@@ -51,6 +51,7 @@ namespace
   test_same_solution()
   {
     Scene scene;
+    scene.traction_coefficient   = 0.25;
     scene.halfspace_element_size = 0.5e-3;
     write_run(scene, {-0.2e-3, -1.5e-3, 0.3e-3});
     std::ostringstream out;

@@ -49,7 +49,7 @@ namespace
   void
   test_peak()
   {
-    const SceneInput    input    = scene_from_text("", "defaults", {});
+    const SceneInput    input    = scene_from_text("", "driving", {"Wheelset/Traction coefficient = 0.25"});
     const SceneGeometry geometry = require_touching(input);
     Summary             summary  = quiet();
     set_figure(summary, "patch_lateral_m", 14e-3);

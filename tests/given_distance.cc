@@ -25,6 +25,7 @@ namespace
     Scene scene;
     scene.halfspace_distance     = "hertz";
     scene.halfspace_normal_force = 100e3;
+    scene.traction_coefficient   = 0.25;
     scene.halfspace_element_size = 0.25e-3;
     return scene;
   }

@@ -29,7 +29,8 @@ namespace
   solve(const std::string &spin, const std::string &traction)
   {
     fs::create_directories(folder);
-    std::ofstream(folder / "scene.prm") << "set Title = half-spaces\n";
+    std::ofstream(folder / "scene.prm")
+      << "set Title = half-spaces\nsubsection Wheelset\n  set Traction coefficient = 0.25\nend\n";
     std::ostringstream out;
     const int          code = execute({"halfspace",
                                        (folder / "scene.prm").string(),

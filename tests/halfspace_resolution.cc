@@ -26,6 +26,7 @@ namespace
     scene.halfspace_radius_along  = 0.3;
     scene.halfspace_radius_across = 0.3;
     scene.halfspace_normal_force  = force;
+    scene.traction_coefficient    = 0.25;
     return scene;
   }
 

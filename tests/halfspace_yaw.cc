@@ -66,15 +66,16 @@ namespace
   test_sides()
   {
     Scene scene;
-    scene.wheel_load       = 100e3;
-    scene.lateral_shift    = 2e-3;
-    scene.yaw              = 4e-3;
-    scene.roll             = RollMode::from_contact;
-    scene.lateral_creepage = 1e-3;
-    scene.left_wheel       = true;
-    const auto left        = solved(scene);
-    scene.left_wheel       = false;
-    const auto right       = solved(scene);
+    scene.wheel_load           = 100e3;
+    scene.traction_coefficient = 0.25;
+    scene.lateral_shift        = 2e-3;
+    scene.yaw                  = 4e-3;
+    scene.roll                 = RollMode::from_contact;
+    scene.lateral_creepage     = 1e-3;
+    scene.left_wheel           = true;
+    const auto left            = solved(scene);
+    scene.left_wheel           = false;
+    const auto right           = solved(scene);
     check_near(left.roll, -right.roll, 1e-12, "roll of the wheelset, seen from its other wheel [rad]");
     test::check(std::abs(left.lateral - right.lateral) > 1e3, "both wheels have other forces");
     scene.lateral_shift *= -1;

@@ -58,24 +58,31 @@ namespace
     check_text(input.text, "set Title = ab\n#\nsubsection Run\nend\n", "the text that is kept");
   }
 
+  /// Every scene of prm/ is valid, and they and those of tests/runs/ say themselves what drives the wheel.
   void
   test_ready_files()
   {
     const std::filesystem::path source = WHEELRAIL_SOURCE_DIR;
-    for (const auto &file : std::filesystem::directory_iterator(source / "prm"))
-      if (file.path().extension() == ".prm")
-        {
-          std::string message;
-          try
-            {
-              require_computable(read_scene(file.path().string(), {}));
-            }
-          catch (const InputError &error)
-            {
-              message = error.what();
-            }
-          check_text(message, "", "prm/" + file.path().filename().string() + " is valid");
-        }
+    for (const char *const folder : {"prm", "prm/studies", "tests/runs"})
+      for (const auto &file : std::filesystem::directory_iterator(source / folder))
+        if (file.path().extension() == ".prm")
+          {
+            const std::string name = folder + ("/" + file.path().filename().string());
+            std::string       message;
+            try
+              {
+                const SceneInput input = read_scene(file.path().string(), {});
+                check(input.origin.count("Wheelset/Traction coefficient") == 1,
+                      name + " states its traction");
+                if (folder == std::string("prm"))
+                  require_computable(input);
+              }
+            catch (const InputError &error)
+              {
+                message = error.what();
+              }
+            check_text(message, "", name + " is valid");
+          }
   }
 
   /// In what a ready scene differs from prm/rolling.prm, which it includes.

@@ -27,9 +27,10 @@ namespace
   scene_with(const std::string &table)
   {
     std::ofstream(file) << table;
-    Scene scene            = {};
-    scene.motion           = file;
-    scene.rolling_distance = 0.1;
+    Scene scene                = {};
+    scene.traction_coefficient = 0.25;
+    scene.motion               = file;
+    scene.rolling_distance     = 0.1;
     return scene;
   }
 

@@ -187,7 +187,7 @@ def search(program, seed):
     draw, refused = random.Random(seed), []
     folder = f"scene_{seed}"
     with open(f"{folder}.prm", "w") as file:
-        file.write("# entries by --set\n")
+        file.write("# more entries by --set\nsubsection Wheelset\n  set Traction coefficient = 0.25\nend\n")
     while True:
         chosen = {**FIXED, **entries(draw), "Output/Folder": folder, "Title": f"random scene {seed}"}
         options = as_options(chosen)

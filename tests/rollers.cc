@@ -26,6 +26,7 @@ namespace
     Scene scene;
     scene.halfspace_distance     = "rollers";
     scene.halfspace_normal_force = 1e3;
+    scene.traction_coefficient   = 0.25;
     scene.wheel_roller           = {23.5e-3, 0};
     scene.rail_roller            = {23.5e-3, 0};
     scene.roller_width           = 10e-3;

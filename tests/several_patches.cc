@@ -65,6 +65,7 @@ namespace
     scene.wheel_profile          = "several_patches_wheel.txt";
     scene.track.inclination      = 0;
     scene.wheel_load             = load;
+    scene.traction_coefficient   = 0.25;
     scene.halfspace_element_size = 0.6e-3;
     return scene;
   }

@@ -6,18 +6,19 @@
 
 namespace test
 {
-  /// S1002 on 54E1 with the given finest cells [m], 0.3 m of rail and 6 mm of rolling.
+  /// S1002 on 54E1, driving, with the given finest cells [m], 0.3 m of rail and 6 mm of rolling.
   inline wheelrail::Scene
   small_scene(const double cell_size, const double coarse_cell_size = 16e-3)
   {
     wheelrail::Scene scene;
-    scene.cell_size          = cell_size;
-    scene.coarse_cell_size   = coarse_cell_size;
-    scene.fine_depth         = 2 * cell_size;
-    scene.fine_margin        = 2 * cell_size;
-    scene.rail_length        = 0.3;
-    scene.rolling_distance   = 6e-3;
-    scene.averaging_distance = 3e-3;
+    scene.cell_size            = cell_size;
+    scene.coarse_cell_size     = coarse_cell_size;
+    scene.fine_depth           = 2 * cell_size;
+    scene.fine_margin          = 2 * cell_size;
+    scene.rail_length          = 0.3;
+    scene.traction_coefficient = 0.25;
+    scene.rolling_distance     = 6e-3;
+    scene.averaging_distance   = 3e-3;
     return scene;
   }
 

@@ -37,6 +37,7 @@ namespace
   {
     Scene scene;
     scene.velocity               = 10;
+    scene.traction_coefficient   = 0.25;
     scene.lateral_shift          = 1.5e-3;
     scene.halfspace_element_size = 0.25e-3;
     const auto files             = wheel_rail_input(scene, make_geometry(scene), 100e3, "r.txt", "w.txt");
