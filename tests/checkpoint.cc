@@ -166,6 +166,8 @@ namespace
     change_a_bit(newest_file(again.folder));
     check(run(again, true, 250) == 3, "gone on from the older state, since the newer one is damaged");
     check(log_of(again).find("goes on from the state before it") != std::string::npos, "and it says so");
+    check(log_of(again).find("driving, traction coefficient 0.25 of friction 0.5") != std::string::npos,
+          "the log says in words what is computed");
     const std::string newest = newest_file(again.folder);
     on_disk([&]() { fs::resize_file(newest, fs::file_size(newest) / 3); });
     check(run(again, true, 350) == 3, "gone on from the older state, since the newer one is torn");

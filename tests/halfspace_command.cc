@@ -43,6 +43,15 @@ namespace
                              {},
                              out);
     check_near(code, 0, 0, spin + ": exit code");
+    check(out.str().rfind(
+            "  wheel and rail  S1002 wheel on 54E1 rail, inclination 1:40\n"
+            "  running         wheel load 103.2 kN, 140 km/h, lateral shift 0 mm, yaw 0 mrad\n" +
+              std::string(traction[0] == '-' ? "  drive           braking, traction coefficient -0.25"
+                                             : "  drive           driving, traction coefficient 0.25") +
+              " of friction 0.5\n"
+              "  elements        of 0.4 mm\n",
+            0) == 0,
+          spin + ": begins with what is computed");
     check(out.str().find("peak pressure") != std::string::npos, spin + ": prints a table");
     return read_summary((folder / "scene-halfspace" / "summary.json").string());
   }

@@ -8,6 +8,7 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_head.h>
 #include <wheelrail/run/simulation.h>
 
 #include <filesystem>
@@ -120,6 +121,52 @@ namespace
                       {"Output/Folder", "output/rolling_plastic"}});
   }
 
+  /// What stands above the figures, in words.
+  void
+  test_head()
+  {
+    const auto head = [](const std::vector<std::string> &sets, const HeadOf of = HeadOf::run) {
+      const Scene scene = read_scene(std::string(WHEELRAIL_SOURCE_DIR) + "/prm/rolling.prm", sets).scene;
+      std::string text;
+      for (const HeadLine &line : scene_head(scene, 103.24e3, of))
+        text += line.name + ": " + line.text + "; ";
+      return text;
+    };
+    check_text(head({}),
+               "wheel and rail: S1002 wheel on 54E1 rail, inclination 1:40; "
+               "running: wheel load 103.2 kN, 140 km/h, lateral shift 0 mm, yaw 0 mrad; "
+               "drive: driving, traction coefficient 0.25 of friction 0.5; "
+               "steel: rail elastic, wheel elastic; cells: of 1 mm; ",
+               "the main scene in words");
+    check_text(
+      head({"Wheelset/Side = left",
+            "Profiles/Rail = measured/a.ban",
+            "Track/Rail inclination = 0",
+            "Wheelset/Lateral shift = -2.5 mm",
+            "Wheelset/Yaw = 5 mrad",
+            "Wheelset/Roll = from contact",
+            "Wheelset/Lateral creepage = 0.001",
+            "Wheelset/Traction coefficient = 0",
+            "Contact/Friction law = exponential",
+            "Rail material/Yield stress = 480 MPa",
+            "Mesh/Solution cell size = 2 mm"}),
+      "wheel and rail: left S1002 wheel on a.ban rail, inclination 0; "
+      "running: wheel load 103.2 kN, 140 km/h, lateral shift -2.5 mm, yaw 5 mrad, roll from contact, "
+      "lateral creepage 0.1 %; "
+      "drive: rolling freely, traction coefficient 0, friction 0.5 at rest, 0.4 at high sliding speed; "
+      "steel: rail yields at 480 MPa, wheel elastic; cells: of 2 mm; ",
+      "another scene");
+    check_text(head({"Half-space/Undeformed distance = hertz",
+                     "Half-space/Normal force = 100 kN",
+                     "Wheelset/Drive = rate",
+                     "Wheelset/Creepage = 0.002",
+                     "Half-space/Element size = 0.25 mm"},
+                    HeadOf::halfspaces),
+               "surfaces: Half-space/Undeformed distance = hertz; running: normal force 100 kN, 140 km/h; "
+               "drive: turning rate held at a creepage of 0.2 %, friction 0.5; elements: of 0.25 mm; ",
+               "half-spaces without profiles");
+  }
+
   void
   test_commands()
   {
@@ -166,6 +213,7 @@ main()
   test_continuation();
   test_ready_files();
   test_included_scenes();
+  test_head();
   test_commands();
   return test::report();
 }

@@ -2,6 +2,7 @@
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/model/scene_head.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iomanip>
 
 namespace wheelrail
 {
@@ -35,6 +37,14 @@ namespace wheelrail
       replace_file((whole.parent_path() / rail).string(), files.rail);
       replace_file((whole.parent_path() / wheel).string(), files.wheel);
       replace_file(path, files.input);
+    }
+
+    void
+    print_head(const Scene &scene, const double wheel_load, std::ostream &out)
+    {
+      for (const HeadLine &line : scene_head(scene, wheel_load, HeadOf::halfspaces))
+        out << "  " << std::left << std::setw(16) << line.name << line.text << '\n';
+      out << std::right << std::flush;
     }
 
     void
@@ -117,11 +127,12 @@ namespace wheelrail
                         const bool               draws,
                         std::ostream            &out)
   {
-    const bool              given = distance_is_given(scene);
-    const WheelRailSolution result =
-      given ? solve_given_distance(scene, geometry)
-            : solve_wheel_rail(scene, *geometry, scene_load(scene, *geometry), scene_offsets(scene));
-    Summary figures = halfspace_summary(scene, result);
+    const bool          given = distance_is_given(scene);
+    const WheelRailLoad load  = given ? WheelRailLoad() : scene_load(scene, *geometry);
+    print_head(scene, load.force, out);
+    const WheelRailSolution result  = given ? solve_given_distance(scene, geometry)
+                                            : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
+    Summary                 figures = halfspace_summary(scene, result);
     if (!inputs.basic.empty())
       replace_file(inputs.basic, contact_input(result.problem, scene.title));
     if (!inputs.wheel_rail.empty())

@@ -1,3 +1,4 @@
+#include <wheelrail/model/scene_head.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/pose.h>
 
@@ -23,6 +24,7 @@ namespace wheelrail
                const Scene                    &scene,
                const Model                    &model,
                const int                       ranks,
+               const std::string              &note,
                const std::vector<std::string> &profile_notes,
                const std::vector<std::string> &warnings)
   {
@@ -31,6 +33,10 @@ namespace wheelrail
     const ContactGeometry &g       = model.geometry;
     const Lattice         &lattice = model.contact->lattice();
     log.value("scene", scene.title);
+    for (const HeadLine &line : scene_head(scene, model.wheel_load, HeadOf::run))
+      log.value(line.name, line.text);
+    if (!note.empty())
+      log.line("note: " + note);
     log.value("output", scene.folder);
     log.value("ranks", std::to_string(ranks));
     log.value("contact point",
@@ -39,7 +45,6 @@ namespace wheelrail
                    1e3 * g.wheel_x,
                    g.angle * 180 / M_PI));
     log.value("rolling radius", text("%.4f mm", 1e3 * g.rolling_radius));
-    log.value("wheel load", text("%.2f kN (sprung mass, axle and wheel)", 1e-3 * model.wheel_load));
     log.value("mesh", mesh_text(q));
     log.value("cell sizes",
               text("%.3f to %.1f mm; in the fine zone %.4f mm along, %.4f mm across",

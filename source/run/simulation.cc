@@ -167,7 +167,7 @@ namespace wheelrail
     Simulation::set_out()
     {
       on_root(communicator_, [&]() { log_ = Log(scene_.folder + "/log.txt", resume_point_.has_value()); });
-      write_header(log_, scene_, model_, size_, geometry_.notes, warnings_);
+      write_header(log_, scene_, model_, size_, options_.note, geometry_.notes, warnings_);
       log_.value("set-up", format_duration(seconds() - start_));
       if (options_.resume && !resume_point_)
         log_.warning("the run in this folder had not saved a state yet; it starts anew");

@@ -26,13 +26,14 @@ namespace wheelrail
   std::string
   mesh_text(const MeshQuality &q);
 
-  /// Writes what a run starts from: contact point, load, mesh, time step, contact stiffness, the notes on
-  /// profile files, and the warnings of the checks.
+  /// Writes what a run starts from: the scene in words (scene_head()) with a `note` on it, if any, contact
+  /// point, mesh, time step, contact stiffness, the notes on profile files, and the warnings of the checks.
   void
   write_header(Log                            &log,
                const Scene                    &scene,
                const Model                    &model,
                int                             ranks,
+               const std::string              &note,
                const std::vector<std::string> &profile_notes,
                const std::vector<std::string> &warnings);
 

@@ -1,0 +1,126 @@
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/model/scene_head.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// To four digits, and never -0.
+    std::string
+    shown(const double value)
+    {
+      char text[32];
+      std::snprintf(text, sizeof(text), "%.4g", value == 0 ? 0. : value);
+      return text;
+    }
+
+    /// "S1002 wheel on 54E1 rail, inclination 1:40"; of files the name without the folder.
+    std::string
+    bodies_in_touch(const Scene &scene)
+    {
+      const auto name = [](const std::string &path) {
+        return std::filesystem::path(path).filename().string();
+      };
+      const double n = 1 / scene.track.inclination;
+      return (scene.left_wheel ? "left " : "") + name(scene.wheel_profile) + " wheel on " +
+             name(scene.rail_profile) + " rail, inclination " +
+             (std::abs(n - std::round(n)) < 1e-9 * n ? "1:" + shown(n) : shown(scene.track.inclination));
+    }
+
+    std::string
+    kilometres_per_hour(const Scene &scene)
+    {
+      return shown(3.6 * scene.velocity) + " km/h";
+    }
+
+    /// What presses surfaces together that are no profiles, with a comma behind it.
+    std::string
+    pressed(const Scene &scene, const double wheel_load)
+    {
+      if (scene.halfspace_approach > 0)
+        return entry_text(scene, "Half-space", "Approach") + ", ";
+      const double force = scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force : wheel_load;
+      return force > 0 ? "normal force " + shown(1e-3 * force) + " kN, " : "";
+    }
+
+    /// Load, speed and pose.
+    std::string
+    running(const Scene &scene, const double wheel_load)
+    {
+      std::string text = wheel_load > 0 ? "wheel load " + shown(1e-3 * wheel_load) + " kN, " : "";
+      text += kilometres_per_hour(scene) + ", lateral shift " + shown(1e3 * scene.lateral_shift) +
+              " mm, yaw " + shown(1e3 * scene.yaw) + " mrad";
+      if (scene.roll == RollMode::given)
+        text += ", roll " + shown(1e3 * scene.roll_angle) + " mrad";
+      else if (scene.roll == RollMode::from_contact)
+        text += ", roll from contact";
+      if (scene.lateral_creepage != 0)
+        text += ", lateral creepage " + shown(100 * scene.lateral_creepage) + " %";
+      return text;
+    }
+
+    std::string
+    friction(const Scene &scene)
+    {
+      const std::string at_rest = "friction " + shown(scene.friction_coefficient);
+      if (scene.friction_law == FrictionKind::constant)
+        return at_rest;
+      return at_rest + " at rest, " + shown(scene.dynamic_friction_coefficient) + " at high sliding speed";
+    }
+
+    std::string
+    what_drives(const Scene &scene)
+    {
+      if (scene.drive == Drive::rate)
+        return "turning rate held at a creepage of " + shown(100 * scene.creepage) + " %, " + friction(scene);
+      const double c = scene.traction_coefficient;
+      if (c == 0)
+        return "rolling freely, traction coefficient 0, " + friction(scene);
+      return (c > 0 ? "driving" : "braking") + (", traction coefficient " + shown(c)) + " of " +
+             friction(scene);
+    }
+
+    std::string
+    steel(const MaterialData &material)
+    {
+      if (!material.yields())
+        return "elastic";
+      return (material.law == SteelLaw::chaboche ? "of cyclic hardening, yields at " : "yields at ") +
+             shown(1e-6 * material.yield_stress) + " MPa";
+    }
+  } // namespace
+
+
+  std::vector<HeadLine>
+  scene_head(const Scene &scene, const double wheel_load, const HeadOf of)
+  {
+    std::vector<HeadLine> head;
+    if (of == HeadOf::halfspaces && scene.halfspace_distance != "profiles")
+      {
+        head.push_back({"surfaces", entry_text(scene, "Half-space", "Undeformed distance")});
+        head.push_back({"running", pressed(scene, wheel_load) + kilometres_per_hour(scene)});
+      }
+    else
+      {
+        head.push_back({"wheel and rail", bodies_in_touch(scene)});
+        head.push_back({"running", running(scene, wheel_load)});
+      }
+    head.push_back({"drive", what_drives(scene)});
+    if (scene.motion != "none")
+      head.push_back({"motion", "follows " + scene.motion + "; the values above are those at its start"});
+    if (of == HeadOf::halfspaces)
+      head.push_back({"elements", "of " + in_mm(scene.halfspace_element_size)});
+    else
+      {
+        head.push_back(
+          {"steel", "rail " + steel(scene.rail_material) + ", wheel " + steel(scene.wheel_material)});
+        head.push_back({"cells", "of " + in_mm(scene.cell_size)});
+      }
+    return head;
+  }
+} // namespace wheelrail
