@@ -254,10 +254,10 @@ namespace
     check_line({"geometri"},
                "\"geometri\" is no command; there are run, geometry, halfspace, material, vehicle, "
                "parameters, compare, report, study, version and help, perhaps geometry is meant");
-    check_line(
-      {"run", "a.prm", "--overwrit"},
-      "run: --overwrit is no option; there are --set, --row, --overwrite, --resume, --validate and --help, "
-      "perhaps --overwrite is meant; \"wheelrail run --help\" tells more");
+    check_line({"run", "a.prm", "--overwrit"},
+               "run: --overwrit is no option; there are --set, --row, --traction, --overwrite, --resume, "
+               "--validate and --help, "
+               "perhaps --overwrite is meant; \"wheelrail run --help\" tells more");
     check_line({"run", "a.prm", "b.prm"},
                "run: only one FILE.prm can be given; \"wheelrail run --help\" tells more");
     check_line({"version", "x"},

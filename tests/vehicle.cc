@@ -150,6 +150,74 @@ namespace
                      "a row without a load");
   }
 
+  /// Rows without a column that drives: they roll freely though the scene drives, unless they are to.
+  void
+  test_free_rows()
+  {
+    const File        file("time [s], lateral shift [mm], load [kN]\n0, 0, 90\n");
+    const std::string scene  = WHEELRAIL_SOURCE_DIR "/prm/rolling.prm"; // traction 0.25
+    const auto        answer = [&](std::vector<std::string> more) {
+      std::ostringstream out;
+      Arguments          line = {
+                 "vehicle", scene, file.path(), "--no-pictures", "--set", "Half-space/Element size = 2 mm"};
+      line.insert(line.end(), {"--set", "Output/Folder = vehicle_rows"});
+      line.insert(line.end(), more.begin(), more.end());
+      test::check_near(execute(line, {}, out), 0, 0, "exit code");
+      return out.str();
+    };
+    const auto force = []() {
+      std::ifstream table("vehicle_rows-vehicle/vehicle.csv");
+      std::string   keys, values, key, value;
+      std::getline(table, keys);
+      std::getline(table, values);
+      std::istringstream key_words(keys), value_words(values);
+      while (std::getline(key_words, key, ',') && std::getline(value_words, value, ','))
+        if (key == "right_wheelset_longitudinal_force_N")
+          return std::stod(value);
+      return std::nan("");
+    };
+    const std::string none = "note: no torque, traction or creepage in the rows: the wheels ";
+    check(answer({}).rfind(none +
+                             "roll freely, whatever the scene says; --traction from scene drives them as it "
+                             "says\n",
+                           0) == 0,
+          "the screen says that they roll freely");
+    check_near(force(), 0, 1, "and so they do [N]");
+    const std::vector<std::vector<std::string>> options = {{"--traction", "from", "scene"},
+                                                           {"--traction", "from scene"}};
+    for (const auto &words : options)
+      check(answer(words).rfind(none + "are driven as the scene says, Wheelset/Traction coefficient = 0.25\n",
+                                0) == 0,
+            "the screen says what drives them");
+    check_near(force(), 0.25 * 90e3, 30, "and it does [N]");
+    check_near(scene_of_row(read_scene(scene, {}).scene, file.path() + ":1").traction_coefficient,
+               0,
+               0,
+               "a row as a scene, the same");
+    check_near(scene_of_row(read_scene(scene, {}).scene, file.path() + ":1", RowDrive::from_scene)
+                 .traction_coefficient,
+               0.25,
+               0,
+               "and driven");
+    const auto said = [](const Arguments &arguments) {
+      std::ostringstream out;
+      return test::message_of([&]() { execute(arguments, {}, out); });
+    };
+    test::check_text(said({"vehicle", scene, file.path(), "--traction", "0.1"}),
+                     "--traction 0.1: write --traction from scene, or leave it out for rows that roll freely",
+                     "a value");
+    test::check_text(
+      said({"halfspace", scene, "--traction", "from", "scene"}),
+      "--traction says what drives a row: give --row, too, or set Wheelset/Traction coefficient",
+      "without a row");
+    const File driven("time [s], torque [kN m]\n0, 1\n");
+    test::check_text(
+      said({"vehicle", scene, driven.path(), "--traction", "from", "scene"}),
+      "--traction from scene: the rows have a torque, traction or creepage of their own; leave the "
+      "option or the column out",
+      "two drives");
+  }
+
   void
   test_rows()
   {
@@ -205,6 +273,7 @@ main()
   test_messages();
   test_command();
   test_scene_of_row();
+  test_free_rows();
   test_rows();
   return test::report();
 }

@@ -12,6 +12,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/expected_patch.h>
@@ -56,6 +57,13 @@ namespace wheelrail
                           : read_scene(file, sets_of(options));
     }
 
+    /// What drives rows without a column for it.
+    RowDrive
+    row_drive_of(const po::variables_map &options)
+    {
+      return options.count("traction") ? row_drive(options["traction"].as<std::string>()) : RowDrive::none;
+    }
+
     /// The same at the row of --row, or where it starts to follow its motion.
     SceneInput
     input_of(const po::variables_map &options)
@@ -64,9 +72,31 @@ namespace wheelrail
       if (options.count("row") && input.scene.motion != "none")
         throw InputError(
           "--row and Wheelset/Motion: a scene has one row, or follows a motion; leave one out");
-      input.scene = options.count("row") ? scene_of_row(input.scene, options["row"].as<std::string>())
-                                         : scene_at_start(input.scene);
+      if (options.count("traction") && !options.count("row"))
+        throw InputError(
+          "--traction says what drives a row: give --row, too, or set Wheelset/Traction coefficient");
+      input.scene = options.count("row")
+                      ? scene_of_row(input.scene, options["row"].as<std::string>(), row_drive_of(options))
+                      : scene_at_start(input.scene);
       return input;
+    }
+
+    /// What the user should know of the drive of a scene that does not say it; empty when it does.
+    std::string
+    drive_note(const po::variables_map &options, const SceneInput &input)
+    {
+      if (options.count("row"))
+        return drive_of_rows(input.scene,
+                             read_motion_file(file_of_row(options["row"].as<std::string>())),
+                             row_drive_of(options));
+      return "";
+    }
+
+    void
+    print_note(const std::string &note, std::ostream &out)
+    {
+      if (!note.empty())
+        out << "note: " << note << "\n";
     }
 
     /// The processes that the launcher would start a run on, which it tells by an environment variable; 0
@@ -86,8 +116,9 @@ namespace wheelrail
       const Findings    &found   = checked.found;
       require_none(found.errors, input);
       passing_wheels(input.scene, *checked.geometry); // throws where their list cannot be read
+      print_note(drive_note(options, input), out);
       for (const std::string &note : checked.geometry->notes)
-        out << "note: " << note << "\n";
+        print_note(note, out);
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
       out << file_of(options) << ": all entries are valid"
@@ -150,6 +181,7 @@ namespace wheelrail
       run_options.prm_text += "# --set \"" + set + "\"\n";
     if (options.count("row"))
       run_options.prm_text += "# --row " + options["row"].as<std::string>() + "\n";
+    run_options.note            = drive_note(options, input);
     run_options.parameters_text = print_parameters(input.scene);
     run_options.program_version = WHEELRAIL_VERSION;
     return run(input.scene, geometry, run_options);
@@ -192,6 +224,7 @@ namespace wheelrail
       geometry = require_touching(input);
     for (const std::string &warning : found.warnings)
       out << "warning: " << warning << "\n";
+    print_note(drive_note(options, input), out);
     if (!file("creep-curve").empty())
       return run_creep_curve_command(input.scene,
                                      geometry ? &*geometry : nullptr,
@@ -231,6 +264,8 @@ namespace wheelrail
     SceneInput       input  = file_input_of(options);
     require_one_scene(input);
     input.scene.motion = "none"; // the rows of the command take its place
+    print_note(drive_of_rows(input.scene, motion, row_drive_of(options)), out);
+    input.scene = scene_for_rows(input.scene, motion, row_drive_of(options));
     require_none(contact_checks(input.scene).errors, input);
     if (distance_is_given(input.scene))
       throw InputError(

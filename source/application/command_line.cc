@@ -91,6 +91,19 @@ namespace wheelrail
       return error.what();
     }
 
+    /// The option `--traction from scene` has a value of two words, which may come without quotes.
+    Arguments
+    with_joined_words(Arguments arguments)
+    {
+      for (auto word = arguments.begin(); arguments.end() - word > 2; ++word)
+        if (word[0] == "--traction" && word[1] == "from" && word[2] == "scene")
+          {
+            word[1] = "from scene";
+            arguments.erase(word + 2);
+          }
+      return arguments;
+    }
+
     po::variables_map
     parse_options(const Command &command, const Arguments &arguments)
     {
@@ -107,7 +120,11 @@ namespace wheelrail
           // no guessing of abbreviated options
           const int         style = po::command_line_style::default_style & ~Style::allow_guessing;
           po::variables_map values;
-          po::store(po::command_line_parser(arguments).options(all).positional(positions).style(style).run(),
+          po::store(po::command_line_parser(with_joined_words(arguments))
+                      .options(all)
+                      .positional(positions)
+                      .style(style)
+                      .run(),
                     values);
           return values;
         }

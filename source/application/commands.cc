@@ -24,11 +24,22 @@ namespace wheelrail
     }
 
     void
+    add_traction_option(po::options_description &options)
+    {
+      options.add_options()(
+        "traction",
+        po::value<std::string>(),
+        "\"from scene\": rows without torque, traction or creepage are driven as the scene "
+        "says, and do not roll freely");
+    }
+
+    void
     add_row_option(po::options_description &options)
     {
       options.add_options()("row",
                             po::value<std::string>(),
                             "the scene at a row of a vehicle simulation, such as prm/s_curve.csv:25");
+      add_traction_option(options);
     }
   } // namespace
 
@@ -106,6 +117,7 @@ namespace wheelrail
            "the rows: time or distance, lateral shift, roll, yaw, load, velocity, torque or "
            "creepage, with units in the first line");
          options.add_options()("both-wheels", "compute the right and the left wheel");
+         add_traction_option(options);
          add_no_pictures_option(options);
        },
        act_vehicle},

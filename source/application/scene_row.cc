@@ -1,7 +1,7 @@
 #include <wheelrail/application/scene_row.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
-#include <wheelrail/input/motion_file.h>
+#include <wheelrail/input/entries.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/reference/wheel_load.h>
@@ -25,8 +25,56 @@ namespace wheelrail
   } // namespace
 
 
+  RowDrive
+  row_drive(const std::string &option)
+  {
+    if (option != "from scene")
+      throw InputError("--traction " + shown_text(option) +
+                       ": write --traction from scene, or leave it out for rows that roll freely");
+    return RowDrive::from_scene;
+  }
+
+
   Scene
-  scene_of_row(const Scene &scene, const std::string &place)
+  scene_for_rows(const Scene &scene, const MotionFile &rows, const RowDrive drive)
+  {
+    if (drive == RowDrive::from_scene && has_drive(rows))
+      throw InputError(
+        "--traction from scene: the rows have a torque, traction or creepage of their own; "
+        "leave the option or the column out");
+    Scene base = scene;
+    if (drive == RowDrive::none)
+      {
+        base.drive                = Drive::torque;
+        base.traction_coefficient = 0;
+        base.creepage             = 0;
+      }
+    return base;
+  }
+
+
+  std::string
+  drive_of_rows(const Scene &scene, const MotionFile &rows, const RowDrive drive)
+  {
+    if (has_drive(rows))
+      return "";
+    const std::string none = "no torque, traction or creepage in the rows: the wheels ";
+    if (drive == RowDrive::none)
+      return none + "roll freely, whatever the scene says; --traction from scene drives them as it says";
+    return none + "are driven as the scene says, " +
+           entry_text(scene, "Wheelset", scene.drive == Drive::rate ? "Creepage" : "Traction coefficient");
+  }
+
+
+  std::string
+  file_of_row(const std::string &place)
+  {
+    return place.substr(0, place.rfind(':'));
+  }
+
+
+  Scene
+  scene_of_row(const Scene &scene, const std::string &place, const RowDrive drive)
   {
     const auto refuse = [&](const std::string &why) -> void {
       throw InputError("--row \"" + shown_text(place) + "\": " + why);
@@ -38,10 +86,10 @@ namespace wheelrail
           place.data() + place.size() ||
         colon + 1 == place.size())
       refuse("write a file of rows and the number of one, such as prm/s_curve.csv:25");
-    const MotionFile motion = read_motion_file(place.substr(0, colon));
+    const MotionFile motion = read_motion_file(file_of_row(place));
     if (number < 1 || number > motion.rows())
       refuse("the file has the rows 1 to " + std::to_string(motion.rows()));
-    Scene at = scene_at(scene, motion, number - 1);
+    Scene at = scene_at(scene_for_rows(scene, motion, drive), motion, number - 1);
     if (const auto *const loads = motion.find(MotionQuantity::load); loads && (*loads)[number - 1] == 0)
       refuse("without a load there is no contact; take another row");
     if (const auto *const torques = motion.find(MotionQuantity::torque))

@@ -284,6 +284,13 @@ namespace wheelrail
   } // namespace
 
 
+  bool
+  has_drive(const MotionFile &motion)
+  {
+    return motion.find(Q::torque) || motion.find(Q::traction) || motion.find(Q::creepage);
+  }
+
+
   std::string
   motion_name(const MotionQuantity quantity)
   {

@@ -43,6 +43,10 @@ namespace wheelrail
     find(MotionQuantity quantity) const;
   };
 
+  /// Whether a column says what drives the wheels of the rows: torque, traction or creepage.
+  bool
+  has_drive(const MotionFile &motion);
+
   /// The name of a column, as in the file.
   std::string
   motion_name(MotionQuantity quantity);
