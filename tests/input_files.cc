@@ -6,12 +6,14 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_head.h>
 #include <wheelrail/run/simulation.h>
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -121,6 +123,59 @@ namespace
                       {"Output/Folder", "output/rolling_plastic"}});
   }
 
+  /// Scenes that say nowhere what drives the wheel: they were driven in earlier versions.
+  void
+  test_former_drive()
+  {
+    const std::string said =
+      ": Wheelset/Traction coefficient is not set: the wheel rolls freely, since its default is 0 now and "
+      "was 0.25 "
+      "in earlier versions; write \"set Traction coefficient = 0.25\" in subsection Wheelset for what they "
+      "did, or "
+      "0 to be rid of this note";
+    const auto write = [](const std::string &name, const std::string &text) { std::ofstream(name) << text; };
+    write("free.csv", "time [s], load [kN]\n0, 90\n1, 90\n");
+    write("driven.csv", "time [s], torque [kN m]\n0, 1\n1, 1\n");
+    write("wheels.csv", "load [kN]\n90\n");
+    write("driven_wheels.csv", "load [kN], traction\n90, 0.1\n");
+    write("says.prm", "subsection Wheelset\n  set Traction coefficient = 0.25\nend\n");
+    write("silent.prm", "set Title = silent\n");
+    const auto note = [](const std::vector<std::string> &sets) {
+      return former_drive_note(scene_from_text("", "x.prm", sets));
+    };
+    check_text(note({}), "x.prm" + said, "nothing said");
+    check_near(scene_from_text("", "x.prm", {}).scene.traction_coefficient, 0, 0, "which rolls freely");
+    check_text(note({"Wheelset/Motion = free.csv"}), "x.prm" + said, "nor in the table of the motion");
+    check_text(note({"Run/Passage list = wheels.csv"}), "x.prm" + said, "nor in that of the passages");
+    check_text(
+      note({"Study/Axes = Contact/Friction coefficient: 0.1, 0.2"}), "x.prm" + said, "nor by a study");
+    check_text(note({"Run/Passage list = silent.prm, says.prm, silent.prm"}),
+               "silent.prm" + said,
+               "one of the scenes of a list");
+    for (const std::string set : {"Wheelset/Traction coefficient = 0",
+                                  "Wheelset/Drive = rate",
+                                  "Wheelset/Motion = driven.csv",
+                                  "Wheelset/Motion = missing.csv",
+                                  "Run/Passage list = driven_wheels.csv",
+                                  "Run/Passage list = says.prm, says.prm",
+                                  "Study/Axes = Wheelset/Traction coefficient: 0, 0.1"})
+      check_text(note({set}), "", set + " says it");
+
+    std::string        told;
+    std::ostringstream out;
+    const RunFunction  run = [&](const Scene &, const SceneGeometry &, const RunOptions &options) {
+      told = options.note;
+      return 0;
+    };
+    execute({"run", "silent.prm"}, run, out);
+    check_text(told, "silent.prm" + said, "a run has it in its head");
+    check(out.str().empty(), "and only there");
+    execute({"run", "silent.prm", "--validate"}, run, out);
+    check(out.str().rfind("note: silent.prm" + said + "\n", 0) == 0, "--validate tells it");
+    execute({"run", "says.prm"}, run, out);
+    check_text(told, "", "no note where the scene says it");
+  }
+
   /// What stands above the figures, in words.
   void
   test_head()
@@ -213,6 +268,7 @@ main()
   test_continuation();
   test_ready_files();
   test_included_scenes();
+  test_former_drive();
   test_head();
   test_commands();
   return test::report();

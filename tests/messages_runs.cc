@@ -4,7 +4,9 @@
 
 #include "messages.h"
 
+#include <wheelrail/input/listing.h>
 #include <wheelrail/output/folder.h>
+#include <wheelrail/state/checkpoint_checks.h>
 #include <wheelrail/state/checkpoint_files.h>
 
 #include <deal.II/base/mpi.h>
@@ -168,6 +170,11 @@ namespace
   void
   test_differences()
   {
+    Scene driven; // by the default of an earlier version
+    driven.traction_coefficient = 0.25;
+    check_text(other_entries(print_parameters(driven), print_parameters(Scene())),
+               "Wheelset/Traction coefficient = 0, saved with 0.25",
+               "a run is not gone on with another drive");
     check_text(answer(parameters), "no message", "a state of the same entries is read");
     check_state(
       answer("set Title = y\nsubsection Run\n  set Rolling distance = 20 mm\nend\n"

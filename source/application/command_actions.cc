@@ -11,6 +11,7 @@
 #include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/cross_checks.h>
+#include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/parameter_reference.h>
@@ -89,7 +90,7 @@ namespace wheelrail
         return drive_of_rows(input.scene,
                              read_motion_file(file_of_row(options["row"].as<std::string>())),
                              row_drive_of(options));
-      return "";
+      return former_drive_note(input);
     }
 
     void
@@ -180,7 +181,8 @@ namespace wheelrail
     for (const std::string &set : sets_of(options))
       run_options.prm_text += "# --set \"" + set + "\"\n";
     if (options.count("row"))
-      run_options.prm_text += "# --row " + options["row"].as<std::string>() + "\n";
+      run_options.prm_text += "# --row " + options["row"].as<std::string>() +
+                              (options.count("traction") ? " --traction from scene\n" : "\n");
     run_options.note            = drive_note(options, input);
     run_options.parameters_text = print_parameters(input.scene);
     run_options.program_version = WHEELRAIL_VERSION;
@@ -224,7 +226,8 @@ namespace wheelrail
       geometry = require_touching(input);
     for (const std::string &warning : found.warnings)
       out << "warning: " << warning << "\n";
-    print_note(drive_note(options, input), out);
+    if (file("creep-curve").rfind("longitudinal", 0) != 0) // which runs over what drives
+      print_note(drive_note(options, input), out);
     if (!file("creep-curve").empty())
       return run_creep_curve_command(input.scene,
                                      geometry ? &*geometry : nullptr,
@@ -336,12 +339,14 @@ namespace wheelrail
   act_study(const po::variables_map &options, const RunFunction &, std::ostream &out)
   {
     require_file(options, "study");
-    const std::string plan = study_plan(file_input_of(options));
+    const SceneInput  input = file_input_of(options);
+    const std::string plan  = study_plan(input);
     if (options.count("plan"))
       {
         out << plan;
         return 0;
       }
+    print_note(former_drive_note(input), out);
     out.flush();
     std::vector<std::string> words;
     for (const std::string name : {"jobs", "ranks", "profile"})

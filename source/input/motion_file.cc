@@ -336,6 +336,17 @@ namespace wheelrail
   }
 
 
+  bool
+  is_list_of_scenes(const std::string &passage_list)
+  {
+    const std::string              end   = ".prm";
+    const std::vector<std::string> names = split_list(passage_list, ',');
+    return std::any_of(names.begin(), names.end(), [&](const std::string &name) {
+      return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
+    });
+  }
+
+
   MotionFile
   read_curve_file(const std::string &path, const MotionQuantity over)
   {

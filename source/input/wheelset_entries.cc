@@ -208,7 +208,7 @@ namespace wheelrail
         pure_entry({"Wheelset",
                     "Traction coefficient",
                     "Longitudinal force over static wheel load, used with Drive = torque; positive drives, "
-                    "negative brakes."},
+                    "negative brakes, 0 rolls freely."},
                    B::between("-1", "1"),
                    field(&S::traction_coefficient)));
       list.push_back(

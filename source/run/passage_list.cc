@@ -19,13 +19,6 @@ namespace wheelrail
     /// A wheel of the list before its contact is known.
     using NamedScene = std::pair<std::string, Scene>;
 
-    bool
-    is_scene_file(const std::string &name)
-    {
-      const std::string end = ".prm";
-      return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;
-    }
-
     /// Whether the rail, or what it is divided into, depends on an entry.
     bool
     of_rail(const Entry &entry)
@@ -66,11 +59,10 @@ namespace wheelrail
     {
       if (scene.passage_list == "none")
         return {{"", scene}};
-      std::vector<NamedScene>        list;
-      const std::vector<std::string> names = split_list(scene.passage_list, ',');
-      if (std::any_of(names.begin(), names.end(), is_scene_file))
+      std::vector<NamedScene> list;
+      if (is_list_of_scenes(scene.passage_list))
         {
-          for (const std::string &name : names)
+          for (const std::string &name : split_list(scene.passage_list, ','))
             list.push_back({name, scene_over_rail(name, scene)});
           return list;
         }

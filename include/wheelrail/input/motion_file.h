@@ -68,6 +68,10 @@ namespace wheelrail
   MotionFile
   read_passage_list(const std::string &path);
 
+  /// Whether a Run/Passage list names scenes, "a.prm, b.prm", and not a table.
+  bool
+  is_list_of_scenes(const std::string &passage_list);
+
   /// Reads a table of the same form whose rows are points of a creep curve, measured or of another program:
   /// "creepage [%]" or "spin [1/m]", and "longitudinal force [kN], lateral force [kN], spin moment [N m],
   /// traction", any of them. `over`: creepage or spin, which must be there. Throws InputError as

@@ -128,7 +128,7 @@ namespace wheelrail
     double             suspension_damping   = 2500;      ///< [N s/m]
     double             velocity             = 140 / 3.6; ///< [m/s]
     Drive              drive                = Drive::torque;
-    double             traction_coefficient = 0.25;
+    double             traction_coefficient = 0;
     double             creepage             = 0; ///< used with Drive::rate, positive driving
 
     std::string motion = "none"; ///< file of a motion that the run follows, or none
