@@ -1,0 +1,163 @@
+"""The launcher `wheelrail`, in a checkout of its own whose program is the one under test and whose cmake, ctest, mpirun and
+dpkg-query are stand-ins, so that nothing is built, installed or computed for long.
+
+Usage: launcher.py PROGRAM MPIEXEC WHAT
+
+WHAT is one of the functions at the end; each works in the current folder.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+
+from checks import check, finish
+
+PROGRAM = os.path.abspath(sys.argv[1])
+SOURCES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PLACE = os.path.abspath(sys.argv[3])
+CHECKOUT, TOOLS, ELSEWHERE = (os.path.join(PLACE, name) for name in ("checkout", "tools", "elsewhere"))
+LAUNCHER = "../checkout/wheelrail"  # from ELSEWHERE
+
+STAND_INS = {
+    "cmake": f'[ "$1" = --build ] || touch "{CHECKOUT}/build/CMakeCache.txt" "{CHECKOUT}/build/build.ninja"',
+    "ctest": 'echo "ctest $*"',
+    "dpkg-query": 'printf "install ok installed"',
+    "lscpu": 'printf "0,0\\n1,0\\n"',
+    "mpirun": 'echo "mpirun $*"',
+    "nproc": "echo 2",
+}
+
+
+def write_program(name, lines):
+    path = os.path.join(TOOLS, name)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("#!/bin/bash\n" + lines + "\n")
+    os.chmod(path, 0o755)
+
+
+def prepare():
+    """The checkout, the stand-ins, and an empty folder to call from."""
+    shutil.rmtree(PLACE, ignore_errors=True)
+    for folder in (os.path.join(CHECKOUT, "build"), TOOLS, ELSEWHERE):
+        os.makedirs(folder)
+    shutil.copy(os.path.join(SOURCES, "wheelrail"), CHECKOUT)
+    os.symlink(PROGRAM, os.path.join(CHECKOUT, "build", "wheelrail"))
+    for name in ("prm", "source"):
+        os.symlink(os.path.join(SOURCES, name), os.path.join(CHECKOUT, name))
+    for name, lines in STAND_INS.items():
+        write_program(name, lines)
+
+
+def environment():
+    own = {key: value for key, value in os.environ.items() if not key.startswith("OMP_")}
+    return {**own, "PATH": TOOLS + ":" + os.environ["PATH"]}
+
+
+def call(*words, folder=ELSEWHERE, **how):
+    """Exit code, screen and errors of a call."""
+    done = subprocess.run([LAUNCHER, *words], capture_output=True, text=True, cwd=folder, env=environment(), **how)
+    return done.returncode, done.stdout, done.stderr
+
+
+def left_behind():
+    """What lies in the folder of the call, which is emptied."""
+    names = sorted(os.listdir(ELSEWHERE))
+    shutil.rmtree(ELSEWHERE)
+    os.mkdir(ELSEWHERE)
+    return names
+
+
+def in_shell(script):
+    """What the launcher's functions print: a script that reads it."""
+    done = subprocess.run(["bash", "-c", f"source {LAUNCHER}\n{script}"], capture_output=True, text=True, cwd=ELSEWHERE,
+                          env=environment())
+    return done.stdout.strip(), done.stderr
+
+
+# --- the tests ------------------------------------------------------------------------------------
+
+# two lines of /proc/stat, one after the other: user nice system idle iowait irq softirq steal
+TIMES = {
+    "free": ("100 0 20 1000 0 0 0 0", "101 0 20 1099 0 0 0 0", 4),
+    "half busy": ("100 0 20 1000 0 0 0 0", "148 0 22 1050 0 0 0 0", 2),
+    "busy": ("100 0 20 1000 0 0 0 0", "195 0 25 1000 0 0 0 0", 0),
+    "busy with work of low priority": ("100 0 20 1000 0 0 0 0", "100 99 21 1000 0 0 0 0", 4),
+    "waiting for its disk": ("100 0 20 1000 50 0 0 0", "100 0 20 1000 150 0 0 0", 4),
+    "one that does not count": ("100 0 20 1000 0 0 0 0", "100 0 20 1000 0 0 0 0", 4),
+}
+
+
+def ranks():
+    """No more ranks than free processors, without a word that is not meant and without a file."""
+    for name, (before, after, free) in TIMES.items():
+        told, errors = in_shell(f"""processors() {{ echo 4; }}
+            sleep() {{ :; }}
+            processor_times() {{ [ -e second ] && echo "cpu  {after}" || echo "cpu  {before}"; touch second; }}
+            free_processors; rm second""")
+        check(told == str(free) and errors == "", f"a machine that is {name}: {told} of 4 processors free {errors}")
+        check(left_behind() == [], "and no file is left")
+    told, errors = in_shell("processor_times() { return 1; }; free_processors")
+    check(told == "2" and errors == "", f"without /proc/stat all count as free: {told} {errors}")
+
+    # on the machine as it is, which may be at work
+    code, screen, errors = call("run", "../checkout/prm/quickstart.prm")
+    note = "note: the machine is at other work: 1 of 2 processes are started (--ranks 2 starts all)\n"
+    busy = note in errors
+    check(code == 0 and errors.replace(note, "").startswith("building the program, once"), f"run: {errors!r}")
+    check(f"-n {1 if busy else 2} " in screen, f"without --ranks as many as are free: {screen!r}")
+    check(left_behind() == [], "and no file is left")
+    for share, started in (("free", 2), ("busy", 1)):
+        before, after, _ = TIMES[share]
+        write_program("grep", f"""if [ "$*" = "^cpu  /proc/stat" ]; then
+              if [ -e {PLACE}/second ]; then echo "cpu  {after}"; else echo "cpu  {before}"; fi
+              touch {PLACE}/second
+            else exec /usr/bin/env PATH=/usr/bin:/bin grep "$@"; fi""")
+        code, screen, errors = call("run", "../checkout/prm/quickstart.prm")
+        os.remove(os.path.join(PLACE, "second"))
+        check(code == 0 and errors == (note if started == 1 else ""), f"a {share} machine of two cores: {errors!r}")
+        check(f"-n {started} " in screen and left_behind() == [], f"starts {started}, and leaves no file: {screen!r}")
+
+
+def commands():
+    """Every command once from another folder: its exit code, nothing on stderr, and only its own files there."""
+    with open(os.path.join(PLACE, "rows.csv"), "w", encoding="utf-8") as file:
+        file.write("distance [m],lateral shift [mm]\n0,0\n1,0.5\n")
+    scene = "../checkout/prm/rolling.prm"
+    coarse = ["--no-pictures", "--set", "Half-space/Element size = 2 mm", "--set", "Output/Folder = out"]
+    code, screen, errors = call("build")
+    check(code == 0 and errors == "building the program, once (log: build/build.log)\n", f"build, the first call: {errors!r}")
+    check(left_behind() == [], "and leaves nothing")
+    calls = [
+        ([], 0, "wheelrail computes how", []),
+        (["help"], 0, "wheelrail computes how", []),
+        (["--help"], 0, "wheelrail computes how", []),
+        (["version"], 0, "wheelrail", []),
+        (["build"], 0, "", []),
+        (["test", "-R", "input"], 0, "ctest --output-on-failure -j 2 -LE long -R input", []),
+        (["test", "--all"], 0, "ctest --output-on-failure -j 2\n", []),
+        (["run", "--help"], 0, "--validate", []),
+        (["run", scene, "--validate"], 0, "all entries are valid", []),
+        (["run", scene, "--ranks", "1"], 0, "-n 1 ", []),
+        (["geometry", scene, "--shifts", "0"], 0, "contact", []),
+        (["halfspace", scene, *coarse], 0, "out-halfspace", ["out-halfspace"]),
+        (["vehicle", scene, "../rows.csv", *coarse], 0, "2 rows", ["out-vehicle"]),
+        (["material", scene, "--no-pictures", "--set", "Output/Folder = out", "--set", "Material test/Axial = 0.001"], 0, "",
+         ["out-material"]),
+        (["parameters", scene], 0, "subsection Contact", []),
+        (["study", "../checkout/prm/studies/friction.prm", "--dry-run"], 0, "to compute", []),
+        (["compare", "nowhere"], 1, "nowhere: no such folder", []),
+        (["report", "nowhere"], 1, "nowhere: no such folder", []),
+        (["no_command"], 1, "is no command", []),
+    ]
+    for words, expected, said, files in calls:
+        code, screen, errors = call(*words)
+        name = " ".join(words) or "no command"
+        check(code == expected and said in screen + errors, f"{name}: exit code {code} {errors!r}")
+        check((errors == "") == (expected == 0), "with words on stderr only where there is a fault")
+        check((names := left_behind()) == files, f"it leaves {names or 'nothing'}")
+
+
+prepare()
+{f.__name__: f for f in (ranks, commands)}[sys.argv[3]]()
+finish()
