@@ -10,6 +10,7 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 
 from checks import check, finish
 
@@ -43,10 +44,23 @@ def prepare():
         os.makedirs(folder)
     shutil.copy(os.path.join(SOURCES, "wheelrail"), CHECKOUT)
     os.symlink(PROGRAM, os.path.join(CHECKOUT, "build", "wheelrail"))
-    for name in ("prm", "source"):
-        os.symlink(os.path.join(SOURCES, name), os.path.join(CHECKOUT, name))
+    os.symlink(os.path.join(SOURCES, "prm"), os.path.join(CHECKOUT, "prm"))
+    for name in ("include/new.h", "source/old.cc"):
+        os.mkdir(os.path.dirname(path := os.path.join(CHECKOUT, name)))
+        with open(path, "w", encoding="utf-8"):
+            os.utime(path, (1e9, 1e9))
     for name, lines in STAND_INS.items():
         write_program(name, lines)
+
+
+def text_of(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def skip(reason):
+    print("skipped: " + reason, flush=True)
+    sys.exit(77)
 
 
 def environment():
@@ -119,6 +133,90 @@ def ranks():
         check(f"-n {started} " in screen and left_behind() == [], f"starts {started}, and leaves no file: {screen!r}")
 
 
+def install():
+    """Two calls that both need packages, while another program holds apt's lists: one installs, all wait, the log is kept."""
+    installed, log = os.path.join(PLACE, "installed"), os.path.join(CHECKOUT, "build", "install.log")
+    os.mkdir(installed)
+    write_program("dpkg-query", f'[ ! -e "{installed}/${{@: -1}}" ] || printf "install ok installed"')
+    write_program("sudo", 'exec "$@"')
+    write_program("apt-get", f"""echo "apt-get $*"
+        case "$*" in
+          *update) [ -e "{PLACE}/free" ] && exit 0
+            touch "{PLACE}/free"
+            echo "E: Could not get lock /var/lib/apt/lists/lock. It is held by process 12 (apt-get)"
+            exit 100 ;;
+          *) sleep 1; for word in "$@"; do case $word in -* | install) ;; *) : >"{installed}/${{word##*/}}" ;; esac; done ;;
+        esac""")
+    with open(log, "w", encoding="utf-8") as file:
+        file.write("of an earlier call\n")
+    first = subprocess.Popen([LAUNCHER, "build"], cwd=ELSEWHERE, env=environment(), stderr=subprocess.PIPE, text=True)
+    while "apt-get -o" not in text_of(log):
+        time.sleep(0.05)
+    code, _, errors = call("build")
+    check(code == 0 and errors.startswith("another call of wheelrail installs packages; waiting for its end\n") and
+          "installing" not in errors, f"the second call waits: {errors!r}")
+    _, errors = first.communicate()
+    check(first.returncode == 0 and "installing g++ cmake" in errors and
+          "another program installs packages on this machine; waiting for its end\n" in errors, f"so does the first: {errors!r}")
+    text = text_of(log)
+    check(text.startswith("of an earlier call\n") and text.count("update") == 2 and text.count(" install ") == 1,
+          f"the log has it all: {text!r}")
+
+    os.remove(os.path.join(installed, "cmake"))
+    write_program("apt-get", "echo E: Unable to locate package; exit 100")
+    code, _, errors = call("build")
+    check(code == 2 and errors == "installing cmake (log: build/install.log)\nE: Unable to locate package\n"
+          "error: apt-get update failed; is there a network?\n",
+          f"other faults end the call: {errors!r}")
+    check(text_of(log).startswith(text), "and the log goes on")
+
+
+def rights():
+    """A user who may not write into the checkout runs the program that is built."""
+    program, source = os.path.join(CHECKOUT, "build", "wheelrail"), os.path.join(CHECKOUT, "include", "new.h")
+    how = {}
+    if os.geteuid() == 0:
+        how = {"user": 65534, "group": 65534, "extra_groups": []}
+        os.chmod(ELSEWHERE, 0o777)
+        if subprocess.run([PROGRAM, "version"], stdout=subprocess.DEVNULL, **how).returncode != 0:
+            skip("the program cannot be started by another user here")
+    check(call("build")[0] == 0, "the program is built by who may")
+    if os.geteuid() != 0:
+        for folder in (CHECKOUT, os.path.join(CHECKOUT, "build")):
+            os.chmod(folder, 0o555)
+    scene = "../checkout/prm/rolling.prm"
+    write_program("dpkg-query", "exit 1")  # what building needs is not asked for
+    for words in (["parameters", scene], ["run", scene, "--validate"], ["run", scene, "--ranks", "1"],
+                  ["study", "../checkout/prm/studies/friction.prm", "--dry-run"],
+                  ["halfspace", scene, "--no-pictures", "--set", "Half-space/Element size = 2 mm", "--set",
+                   "Output/Folder = out"]):
+        code, _, errors = call(*words, **how)
+        check(code == 0 and errors == "", f"{' '.join(words)}: exit code {code} {errors!r}")
+    code, _, errors = call("compare", "nowhere", **how)
+    check(code == 2 and "packages are missing" in errors and "xvfb" in errors, f"what else is missing is told: {errors!r}")
+    build = os.path.join(CHECKOUT, "build")
+    for command in ("build", "test"):
+        code, _, errors = call(command, **how)
+        check(code == 2 and errors == f"error: you may not write to {build}, so nothing can be built; who may calls: "
+              f"{LAUNCHER} build\n", f"{command}: {errors!r}")
+
+    os.utime(source, (2e9, 2e9))
+    code, _, errors = call("parameters", scene, **how)
+    check(code == 0 and errors == "note: include/new.h is newer than the program, which runs as it is, since you may not "
+          f"write to {build}; who may calls: {LAUNCHER} build\n", f"newer sources: {errors!r}")
+    if os.geteuid() != 0:
+        os.chmod(build, 0o755)
+    os.remove(program)
+    if os.geteuid() != 0:
+        os.chmod(build, 0o555)
+    code, _, errors = call("parameters", scene, **how)
+    check(code == 2 and errors == f"error: the program is not built, and you may not write to {build}; who may calls: "
+          f"{LAUNCHER} build\n", f"no program: {errors!r}")
+    if os.geteuid() != 0:
+        for folder in (CHECKOUT, build):
+            os.chmod(folder, 0o755)
+
+
 def commands():
     """Every command once from another folder: its exit code, nothing on stderr, and only its own files there."""
     with open(os.path.join(PLACE, "rows.csv"), "w", encoding="utf-8") as file:
@@ -159,5 +257,5 @@ def commands():
 
 
 prepare()
-{f.__name__: f for f in (ranks, commands)}[sys.argv[3]]()
+{f.__name__: f for f in (ranks, install, rights, commands)}[sys.argv[3]]()
 finish()
