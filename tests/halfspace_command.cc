@@ -1,6 +1,7 @@
 // The command halfspace: files it writes, balance of forces, figures of CONTACT, both kinds of spin.
 
 #include "check.h"
+#include "messages.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
@@ -10,9 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;
@@ -99,6 +103,61 @@ namespace
     check(code == 0 && out.str().find("The whole patch slides: the wheel spins up") != std::string::npos,
           "more force than falling friction carries: the wheel spins up");
   }
+
+  /// Half-spaces have no run beside them.
+  void
+  compared()
+  {
+    const std::string  results = (folder / "scene-halfspace").string();
+    std::ostringstream out;
+    test::check_text(test::message_of([&]() {
+                       execute({"compare", results}, {}, out);
+                     }),
+                     results +
+                       ": half-spaces, which have no run to be compared with; compare needs the "
+                       "output folder of a run",
+                     "compare of a folder of halfspace");
+    check(out.str().empty(), "and nothing is compared");
+  }
+
+  /// All commands that draw at their end fail when that fails; the results are there.
+  void
+  not_drawn()
+  {
+    std::ofstream(folder / "rows.csv") << "distance [m],lateral shift [mm]\n0,0\n";
+    const std::string scene = (folder / "scene.prm").string(), rows = (folder / "rows.csv").string();
+    struct Case
+    {
+      Arguments   arguments;
+      std::string script, results, file;
+    };
+    const std::vector<Case> cases = {{{"halfspace", scene}, "halfspace.py", "-halfspace", "halfspace.h5"},
+                                     {{"halfspace", scene, "--creep-curve", "longitudinal 0:1:1 %"},
+                                      "creep_curve.py",
+                                      "-halfspace",
+                                      "creep_curve.csv"},
+                                     {{"vehicle", scene, rows}, "vehicle.py", "-vehicle", "vehicle.csv"},
+                                     {{"material", scene, "--set", "Material test/Axial = 0.001"},
+                                      "material.py",
+                                      "-material",
+                                      "material.csv"}};
+    ::setenv("PYTHONHOME", "/nowhere", 1); // with which Python ends at its start
+    for (Case one : cases)
+      {
+        const std::string whole = (folder / "not_drawn").string();
+        for (const std::string &set :
+             {"Output/Folder = " + whole, std::string("Half-space/Element size = 1 mm")})
+          one.arguments.insert(one.arguments.end(), {"--set", set});
+        std::ostringstream out;
+        test::check_text(test::message_of([&]() { execute(one.arguments, {}, out); }),
+                         "The results in " + whole + one.results + " are whole, but " + one.script +
+                           " could not draw them; mend what it says above, or leave pictures out "
+                           "(--no-pictures).",
+                         one.script + " fails");
+        check(fs::exists(fs::path(whole + one.results) / one.file), one.file + " is there");
+      }
+    ::unsetenv("PYTHONHOME");
+  }
 } // namespace
 
 int
@@ -126,5 +185,7 @@ main()
   check_near(b.longitudinal_force / s.longitudinal_force, -1, 0.002, "braking force");
   check(b.creepage < 0, "braking creepage");
   too_much_force();
+  compared();
+  not_drawn();
   return test::report();
 }

@@ -7,6 +7,7 @@ WHAT is one of the functions at the end; each works in the current folder.
 """
 
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -19,11 +20,12 @@ SOURCES = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PLACE = os.path.abspath(sys.argv[3])
 CHECKOUT, TOOLS, ELSEWHERE = (os.path.join(PLACE, name) for name in ("checkout", "tools", "elsewhere"))
 LAUNCHER = "../checkout/wheelrail"  # from ELSEWHERE
+COARSE = ["--no-pictures", "--set", "Half-space/Element size = 2 mm", "--set", "Output/Folder = out"]
 
 STAND_INS = {
     "cmake": f'[ "$1" = --build ] || touch "{CHECKOUT}/build/CMakeCache.txt" "{CHECKOUT}/build/build.ninja"',
     "ctest": 'echo "ctest $*"',
-    "dpkg-query": 'printf "install ok installed"',
+    "dpkg-query": 'for package in "${@:4}"; do echo "$package install ok installed"; done',
     "lscpu": 'printf "0,0\\n1,0\\n"',
     "mpirun": 'echo "mpirun $*"',
     "nproc": "echo 2",
@@ -68,9 +70,9 @@ def environment():
     return {**own, "PATH": TOOLS + ":" + os.environ["PATH"]}
 
 
-def call(*words, folder=ELSEWHERE, **how):
+def call(*words, folder=ELSEWHERE, launcher=LAUNCHER, **how):
     """Exit code, screen and errors of a call."""
-    done = subprocess.run([LAUNCHER, *words], capture_output=True, text=True, cwd=folder, env=environment(), **how)
+    done = subprocess.run([launcher, *words], capture_output=True, text=True, cwd=folder, env=environment(), **how)
     return done.returncode, done.stdout, done.stderr
 
 
@@ -137,7 +139,9 @@ def install():
     """Two calls that both need packages, while another program holds apt's lists: one installs, all wait, the log is kept."""
     installed, log = os.path.join(PLACE, "installed"), os.path.join(CHECKOUT, "build", "install.log")
     os.mkdir(installed)
-    write_program("dpkg-query", f'[ ! -e "{installed}/${{@: -1}}" ] || printf "install ok installed"')
+    write_program("dpkg-query", f'''for package in "${{@:4}}"; do
+        [ ! -e "{installed}/$package" ] || echo "$package install ok installed"
+        done''')
     write_program("sudo", 'exec "$@"')
     write_program("apt-get", f"""echo "apt-get $*"
         case "$*" in
@@ -187,9 +191,7 @@ def rights():
     scene = "../checkout/prm/rolling.prm"
     write_program("dpkg-query", "exit 1")  # what building needs is not asked for
     for words in (["parameters", scene], ["run", scene, "--validate"], ["run", scene, "--ranks", "1"],
-                  ["study", "../checkout/prm/studies/friction.prm", "--dry-run"],
-                  ["halfspace", scene, "--no-pictures", "--set", "Half-space/Element size = 2 mm", "--set",
-                   "Output/Folder = out"]):
+                  ["study", "../checkout/prm/studies/friction.prm", "--dry-run"]):
         code, _, errors = call(*words, **how)
         check(code == 0 and errors == "", f"{' '.join(words)}: exit code {code} {errors!r}")
     code, _, errors = call("compare", "nowhere", **how)
@@ -217,12 +219,57 @@ def rights():
             os.chmod(folder, 0o755)
 
 
+def hints():
+    """Commands in messages work where they are read; another Python, first in the path, is not in the way."""
+    def hint(*words, after):
+        code, _, errors = call(*words)
+        check(code == 1 and after in errors, f"{' '.join(words)}: {errors!r}")
+        return shlex.split(errors.split(after)[-1])
+
+    def works(words, *more):
+        done = subprocess.run([*words, *more], capture_output=True, text=True, cwd=ELSEWHERE, env=environment())
+        check(done.returncode == 0, f"{' '.join(words)}: exit code {done.returncode} {done.stderr!r}")
+
+    call("build")
+    works(hint("run", "--validate", after="such as "), "--validate")
+    check(hint("halfspace", after="such as ")[1:] == ["halfspace", "../checkout/prm/rolling.prm"], "a scene for halfspace")
+    works(hint("material", after="such as "), *COARSE)
+    works(hint("study", after="such as "), "--dry-run")
+    vehicle = hint("vehicle", "../checkout/prm/rolling.prm", after="such as ")
+    check(os.path.exists(os.path.join(ELSEWHERE, vehicle[-1])), "a table of rows that is there")
+    works(hint("halfspace", "../checkout/prm/studies/friction.prm", after="Axes is set; ")[:3], "--dry-run")
+    works(hint("run", "--validate", "a.prm", "--overwrit", after="is meant; ")[0].split())
+    left_behind()
+
+    # from the folder itself, and by a link in the path
+    _, _, errors = call("run", "--validate", folder=CHECKOUT, launcher="./wheelrail")
+    check("such as ./wheelrail run prm/rolling.prm\n" in errors, f"from the folder itself: {errors!r}")
+    link = os.path.join(TOOLS, "wheelrail")
+    os.symlink(os.path.join(CHECKOUT, "wheelrail"), link)
+    _, _, errors = call("run", "--validate", launcher="wheelrail")
+    check(f"such as {link} run {CHECKOUT}/prm/rolling.prm\n" in errors, f"by a link: {errors!r}")
+    _, screen, _ = call("help")
+    check(f"\n  {LAUNCHER} run ../checkout/prm/quickstart.prm  " in screen and "./wheelrail" not in
+          screen.replace(LAUNCHER, ""), "help has them, too")
+
+    subprocess.run(["/usr/bin/python3", "-m", "venv", "--without-pip", os.path.join(PLACE, "venv")], check=True)
+    os.symlink(os.path.join(PLACE, "venv", "bin", "python3"), os.path.join(TOOLS, "python3"))
+    code, _, errors = call("study", "../checkout/prm/studies/friction.prm", "--dry-run")
+    check(code == 0 and errors == "", f"study in a virtual environment {errors!r}")
+    code, screen, errors = call("geometry", "../checkout/prm/rolling.prm", "--shifts", "0", "--profiles")
+    check(code == 0 and "rolling_profiles.png" in left_behind(), f"so do pictures {errors!r}")
+    done = subprocess.run([os.path.join(PLACE, "venv", "bin", "python3"), "-c", "import wheelrail"], capture_output=True,
+                          text=True, env={**os.environ, "PYTHONPATH": os.path.join(SOURCES, "source", "report")})
+    check(done.returncode == 1 and "No module named 'h5py'; the virtual environment" in done.stderr and
+          "hides Debian's packages: leave it (deactivate) and start your script by /usr/bin/python3" in done.stderr and
+          "install the Debian package" not in done.stderr, f"the module says what hides h5py: {done.stderr!r}")
+
+
 def commands():
     """Every command once from another folder: its exit code, nothing on stderr, and only its own files there."""
     with open(os.path.join(PLACE, "rows.csv"), "w", encoding="utf-8") as file:
         file.write("distance [m],lateral shift [mm]\n0,0\n1,0.5\n")
     scene = "../checkout/prm/rolling.prm"
-    coarse = ["--no-pictures", "--set", "Half-space/Element size = 2 mm", "--set", "Output/Folder = out"]
     code, screen, errors = call("build")
     check(code == 0 and errors == "building the program, once (log: build/build.log)\n", f"build, the first call: {errors!r}")
     check(left_behind() == [], "and leaves nothing")
@@ -234,19 +281,20 @@ def commands():
         (["build"], 0, "", []),
         (["test", "-R", "input"], 0, "ctest --output-on-failure -j 2 -LE long -R input", []),
         (["test", "--all"], 0, "ctest --output-on-failure -j 2\n", []),
-        (["run", "--help"], 0, "--validate", []),
+        (["run", "--help"], 0, "--ranks", []),
+        (["build", "--help"], 0, "wheelrail computes how", []),
         (["run", scene, "--validate"], 0, "all entries are valid", []),
         (["run", scene, "--ranks", "1"], 0, "-n 1 ", []),
         (["geometry", scene, "--shifts", "0"], 0, "contact", []),
-        (["halfspace", scene, *coarse], 0, "out-halfspace", ["out-halfspace"]),
-        (["vehicle", scene, "../rows.csv", *coarse], 0, "2 rows", ["out-vehicle"]),
+        (["halfspace", scene, *COARSE], 0, "out-halfspace", ["out-halfspace"]),
+        (["vehicle", scene, "../rows.csv", *COARSE], 0, "2 rows", ["out-vehicle"]),
         (["material", scene, "--no-pictures", "--set", "Output/Folder = out", "--set", "Material test/Axial = 0.001"], 0, "",
          ["out-material"]),
         (["parameters", scene], 0, "subsection Contact", []),
         (["study", "../checkout/prm/studies/friction.prm", "--dry-run"], 0, "to compute", []),
         (["compare", "nowhere"], 1, "nowhere: no such folder", []),
         (["report", "nowhere"], 1, "nowhere: no such folder", []),
-        (["no_command"], 1, "is no command", []),
+        (["no_command"], 1, "version, test, build and help", []),
     ]
     for words, expected, said, files in calls:
         code, screen, errors = call(*words)
@@ -257,5 +305,5 @@ def commands():
 
 
 prepare()
-{f.__name__: f for f in (ranks, install, rights, commands)}[sys.argv[3]]()
+{f.__name__: f for f in (ranks, install, rights, hints, commands)}[sys.argv[3]]()
 finish()

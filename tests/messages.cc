@@ -248,26 +248,36 @@ namespace
     };
     check_line({"simulate"},
                "\"simulate\" is no command; there are run, geometry, halfspace, material, vehicle, "
-               "parameters, compare, report, study, version and help");
+               "parameters, compare, report, study, version, test, build and help");
     check_line({"compare", "nowhere"}, "nowhere: no such folder; compare needs the output folder of a run");
+    check_line({"build"}, "build is a command of the launcher wheelrail beside the sources");
+    check_line({"run", "a.prm", "--ranks", "2"},
+               "--ranks 2: an option of the launcher, which starts the processes; the program itself is "
+               "started by mpirun -n with their number");
     check_line({"run"}, "run needs a parameter file, such as ./wheelrail run prm/rolling.prm");
-    check_line({"geometri"},
-               "\"geometri\" is no command; there are run, geometry, halfspace, material, vehicle, "
-               "parameters, compare, report, study, version and help, perhaps geometry is meant");
-    check_line({"run", "a.prm", "--overwrit"},
-               "run: --overwrit is no option; there are --set, --row, --traction, --overwrite, --resume, "
-               "--validate and --help, "
-               "perhaps --overwrite is meant; \"wheelrail run --help\" tells more");
+    check_line({"study"}, "study needs a parameter file, such as ./wheelrail study prm/studies/friction.prm");
+    check_line({"material"},
+               "material needs a parameter file, such as ./wheelrail material prm/rolling_plastic.prm --set "
+               "\"Material test/Axial = 0.01, -0.01\"");
+    check_line(
+      {"geometri"},
+      "\"geometri\" is no command; there are run, geometry, halfspace, material, vehicle, "
+      "parameters, compare, report, study, version, test, build and help, perhaps geometry is meant");
+    check_line(
+      {"run", "a.prm", "--overwrit"},
+      "run: --overwrit is no option; there are --set, --row, --traction, --ranks, --overwrite, --resume, "
+      "--validate and --help, "
+      "perhaps --overwrite is meant; \"./wheelrail run --help\" tells more");
     check_line({"run", "a.prm", "b.prm"},
-               "run: only one FILE.prm can be given; \"wheelrail run --help\" tells more");
+               "run: only one FILE.prm can be given; \"./wheelrail run --help\" tells more");
     check_line({"version", "x"},
-               "version: nothing but options can follow; \"wheelrail version --help\" tells more");
+               "version: nothing but options can follow; \"./wheelrail version --help\" tells more");
     check_line({"run", "a.prm", "--set"},
-               "run: --set needs a value after it; \"wheelrail run --help\" tells more");
+               "run: --set needs a value after it; \"./wheelrail run --help\" tells more");
     check_line({"run", "a.prm", "--overwrite=yes"},
-               "run: --overwrite takes no value; \"wheelrail run --help\" tells more");
+               "run: --overwrite takes no value; \"./wheelrail run --help\" tells more");
     check_line({"geometry", "--shifts", "1", "--shifts", "2"},
-               "geometry: --shifts is given more than once; \"wheelrail geometry --help\" tells more");
+               "geometry: --shifts is given more than once; \"./wheelrail geometry --help\" tells more");
     check_line({"parameters", "--markdown", "a.prm"},
                "parameters --markdown prints the defaults of all entries: leave file and --set out");
     check_line({"parameters", "--json", "--xml"},

@@ -10,6 +10,7 @@
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/hints.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/listing.h>
@@ -127,20 +128,23 @@ namespace wheelrail
       return 0;
     }
 
+    /// `example`: a ready scene, with what else makes a whole command of it.
     void
-    require_file(const po::variables_map &options, const std::string &command)
+    require_file(const po::variables_map &options,
+                 const std::string       &command,
+                 const std::string       &example = "rolling.prm")
     {
       if (file_of(options).empty())
-        throw InputError(command + " needs a parameter file, such as ./wheelrail " + command +
-                         " prm/rolling.prm");
+        throw InputError(command + " needs a parameter file, such as " + own_call() + " " + command + " " +
+                         ready_scene(example));
     }
 
     void
     require_one_scene(const SceneInput &input)
     {
       if (!input.scene.study.axes.empty())
-        throw InputError(input.name + ": a study, since Study/Axes is set; ./wheelrail study " + input.name +
-                         " computes its cases");
+        throw InputError(input.name + ": a study, since Study/Axes is set; " + own_call() + " study " +
+                         shell_word(input.name) + " computes its cases");
     }
 
     /// The one scene of a file; throws InputError for a study.
@@ -167,6 +171,10 @@ namespace wheelrail
   int
   act_run(const po::variables_map &options, const RunFunction &run, std::ostream &out)
   {
+    if (options.count("ranks"))
+      throw InputError("--ranks " + options["ranks"].as<std::string>() +
+                       ": an option of the launcher, which starts the processes; the program itself is "
+                       "started by mpirun -n with their number");
     require_file(options, "run");
     if (options.count("validate"))
       return validate(options, out);
@@ -246,7 +254,7 @@ namespace wheelrail
   int
   act_material(const po::variables_map &options, const RunFunction &, std::ostream &out)
   {
-    require_file(options, "material");
+    require_file(options, "material", "rolling_plastic.prm --set \"Material test/Axial = 0.01, -0.01\"");
     const SceneInput input = input_of(options);
     const Findings   found = contact_checks(input.scene);
     require_none(found.errors, input);
@@ -261,8 +269,8 @@ namespace wheelrail
   {
     require_file(options, "vehicle");
     if (!options.count("motion"))
-      throw InputError(
-        "vehicle needs a motion file, such as ./wheelrail vehicle prm/rolling.prm prm/s_curve.csv");
+      throw InputError("vehicle needs a motion file, such as " + own_call() + " vehicle " +
+                       ready_scene("rolling.prm") + " " + ready_scene("s_curve.csv"));
     const MotionFile motion = read_motion_file(options["motion"].as<std::string>());
     SceneInput       input  = file_input_of(options);
     require_one_scene(input);
@@ -338,7 +346,7 @@ namespace wheelrail
   int
   act_study(const po::variables_map &options, const RunFunction &, std::ostream &out)
   {
-    require_file(options, "study");
+    require_file(options, "study", "studies/friction.prm");
     const SceneInput  input = file_input_of(options);
     const std::string plan  = study_plan(input);
     if (options.count("plan"))

@@ -1,6 +1,7 @@
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/hints.h>
 
 #include <boost/program_options.hpp>
 
@@ -21,6 +22,13 @@ namespace wheelrail
           if (command.name == name)
             return command;
           names.push_back(command.name);
+        }
+      // the launcher's own
+      for (const std::string own : {"test", "build"})
+        {
+          if (name == own)
+            throw InputError(own + " is a command of the launcher wheelrail beside the sources");
+          names.push_back(own);
         }
       names.push_back("help");
       throw InputError("\"" + name + "\" is no command; there are " + join_choices(names, "and") +
@@ -52,7 +60,8 @@ namespace wheelrail
           const std::string usage = usage_of(command);
           out << "  " << usage << std::string(37 - usage.size(), ' ') << command.summary << "\n";
         }
-      out << "\n\"wheelrail COMMAND --help\" lists the options of a command.\n"
+      out << "\n\"" << own_call()
+          << " COMMAND --help\" lists the options of a command.\n"
              "Exit codes: 0 finished, 1 bad input, 2 stopped, 3 interrupted and saved.\n";
       return 0;
     }
@@ -130,8 +139,8 @@ namespace wheelrail
         }
       catch (const po::error &error)
         {
-          throw InputError(command.name + ": " + option_fault(error, command, options) + "; \"wheelrail " +
-                           command.name + " --help\" tells more");
+          throw InputError(command.name + ": " + option_fault(error, command, options) + "; \"" + own_call() +
+                           " " + command.name + " --help\" tells more");
         }
     }
   } // namespace

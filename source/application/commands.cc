@@ -54,6 +54,10 @@ namespace wheelrail
        [](po::options_description &options) {
          add_set_option(options);
          add_row_option(options);
+         options.add_options()("ranks",
+                               po::value<std::string>(),
+                               "processes; default: the physical cores that are free, as many as the scene "
+                               "can use");
          options.add_options()("overwrite", "replace the run in the output folder, finished or saved");
          options.add_options()("resume", "go on from the last checkpoint in the output folder");
          options.add_options()("validate", "check the file without running");

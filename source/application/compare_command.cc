@@ -2,6 +2,7 @@
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/hints.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/model/scene_checks.h>
@@ -146,8 +147,8 @@ namespace wheelrail
         const double value = get_figure(run, key);
         if (std::isfinite(value) && (value < low || value > high))
           throw RunError("The file \"" + path + "\" holds " + key + text(" = %.6g", value) +
-                         ", which no run of its scene gives; compute it again with \"./wheelrail run\" and "
-                         "--overwrite.");
+                         ", which no run of its scene gives; compute it again with \"" + own_call() +
+                         " run\" and --overwrite.");
       };
       if (!std::isfinite(run.vertical_force) || !std::isfinite(run.longitudinal_force) ||
           !std::isfinite(run.max_pressure))
@@ -187,9 +188,13 @@ namespace wheelrail
                       const bool                      draws,
                       std::ostream                   &out)
   {
-    const std::filesystem::path path  = folder;
-    Summary                     run   = read_summary((path / "summary.json").string());
-    SceneInput                  input = read_scene((path / "parameters.prm").string(), sets);
+    const std::filesystem::path path = folder;
+    if (std::filesystem::exists(path / "halfspace.h5") && !std::filesystem::exists(path / "patch.h5"))
+      throw InputError(folder +
+                       ": half-spaces, which have no run to be compared with; compare needs the "
+                       "output folder of a run");
+    Summary    run   = read_summary((path / "summary.json").string());
+    SceneInput input = read_scene((path / "parameters.prm").string(), sets);
     use_kept_profiles(input.scene, folder);
     if (const double place = get_figure(run, "motion_distance_m"); std::isfinite(place))
       input.scene = scene_on_way(input.scene, place);
@@ -235,7 +240,8 @@ namespace wheelrail
     TickFile slices((path / "halfspace_slices.h5").string(), false, 0);
     append_slices(slices, result.patch.time, result.patch.rolled_distance, halfspace_stresses(result).slices);
     write_summary(run, (path / "summary.json").string());
-    const int drawn = draws ? run_script("compare.py", {path.string()}) : 0;
-    return halfspace.finished && drawn == 0 ? 0 : 2;
+    if (draws)
+      draw_results("compare.py", path.string());
+    return halfspace.finished ? 0 : 2;
   }
 } // namespace wheelrail

@@ -170,7 +170,7 @@ namespace wheelrail
           << '\n';
     out << "Table in " << (folder / "creep_curve.csv").string() << std::endl;
     if (draws)
-      run_script("creep_curve.py", {folder.string()});
+      draw_results("creep_curve.py", folder.string());
     return failed == 0 ? 0 : 2;
   }
 } // namespace wheelrail

@@ -172,7 +172,7 @@ namespace wheelrail
     write_summary(figures, (folder / "summary.json").string());
     out << "Results in " << folder.string() << std::endl;
     if (draws)
-      run_script("halfspace.py", {folder.string()});
+      draw_results("halfspace.py", folder.string());
     return figures.finished ? 0 : 2;
   }
 } // namespace wheelrail

@@ -227,7 +227,7 @@ namespace wheelrail
     cycle_table(cycles).write_csv((folder / "cycles.csv").string());
     out << "Results in " << folder.string() << std::endl;
     if (draws)
-      run_script("material.py", {folder.string()});
+      draw_results("material.py", folder.string());
     return 0;
   }
 } // namespace wheelrail

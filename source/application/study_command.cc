@@ -1,3 +1,4 @@
+#include <wheelrail/application/report_script.h>
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shared_files.h>
@@ -82,7 +83,7 @@ namespace wheelrail
         std::fflush(file) != 0)
       throw RunError("The plan of the study cannot be written into the folder of temporary files, " +
                      std::filesystem::temp_directory_path().string() + ": make room there.");
-    std::vector<std::string> words = {"python3",
+    std::vector<std::string> words = {debian_python,
                                       shared_file("study/study.py"),
                                       "--program",
                                       std::filesystem::read_symlink("/proc/self/exe").string(),
@@ -94,7 +95,7 @@ namespace wheelrail
       pointers.push_back(word.data());
     pointers.push_back(nullptr);
     // in place of this process, so that a signal reaches the script
-    ::execv("/usr/bin/python3", pointers.data());
+    ::execv(debian_python, pointers.data());
     throw RunError(
       "/usr/bin/python3 cannot be started; install the Debian packages python3, python3-h5py and "
       "python3-matplotlib");

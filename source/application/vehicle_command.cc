@@ -208,7 +208,7 @@ namespace wheelrail
     const std::size_t faults = print_faults(wheels, out);
     out << "Results in " << folder.string() << std::endl;
     if (draws)
-      run_script("vehicle.py", {folder.string()});
+      draw_results("vehicle.py", folder.string());
     return faults == 0 ? 0 : 2;
   }
 } // namespace wheelrail

@@ -1,5 +1,6 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/hints.h>
 #include <wheelrail/input/input_file.h>
 
 #include <algorithm>
@@ -62,7 +63,7 @@ namespace wheelrail
     if (std::any_of(text.begin(), text.end(), is_binary))
       throw InputError(path + ": not a text file; a parameter file (.prm) is needed");
     if (text.find_first_not_of("\n \t\r") == std::string::npos)
-      throw InputError(path + ": empty; \"./wheelrail parameters\" prints a complete parameter file");
+      throw InputError(path + ": empty; \"" + own_call() + " parameters\" prints a complete parameter file");
     return text;
   }
 } // namespace wheelrail

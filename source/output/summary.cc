@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/hints.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
@@ -98,8 +99,8 @@ namespace wheelrail
   {
     const auto json = nlohmann::ordered_json::parse(read_whole_file(path), nullptr, false);
     if (!json.is_object())
-      throw RunError("The file \"" + path +
-                     "\" is no summary of a run; compute it again with \"./wheelrail run\".");
+      throw RunError("The file \"" + path + "\" is no summary of a run; compute it again with \"" +
+                     own_call() + " run\".");
 
     Summary summary;
     for (const auto &item : json.items())

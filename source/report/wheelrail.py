@@ -17,11 +17,25 @@ import json
 import os
 import sys
 
+
+def _way_to_h5py():
+    """What to do where this Python has no h5py: Debian's has it, another one or a virtual environment hides it."""
+    if sys.prefix != sys.base_prefix:
+        return (f"the virtual environment {sys.prefix} hides Debian's packages: leave it (deactivate) and start your script "
+                "by /usr/bin/python3, or install h5py into it (pip install h5py)")
+    if os.path.realpath(sys.executable) != os.path.realpath("/usr/bin/python3"):
+        return f"start your script by /usr/bin/python3, or install h5py for {sys.executable} ({sys.executable} -m pip install h5py)"
+    return "install the Debian package python3-h5py"
+
+
 try:
     import h5py
 except ImportError as error:
-    sys.exit(f"{error}; install the Debian package python3-h5py")
+    sys.exit(f"{error}; {_way_to_h5py()}")
 import numpy as np
+
+#: how the program is called, for commands in messages; the launcher tells
+CALL = os.environ.get("WHEELRAIL_COMMAND") or "./wheelrail"
 
 #: other units by the one of the file: name -> factor
 UNITS = {
@@ -201,17 +215,17 @@ class Run:
     @functools.cached_property
     def halfspace(self):
         """The half-space solution as one tick in the form of `patch`."""
-        return Ticks(self.path("halfspace.h5"), "./wheelrail compare")
+        return Ticks(self.path("halfspace.h5"), CALL + " compare")
 
     def halfspace_patch(self, number):
         """The second, third ... patch of a half-space solution with several, each in its own plane."""
-        return Ticks(self.path(f"halfspace_patch_{number}.h5"), "./wheelrail halfspace or compare")
+        return Ticks(self.path(f"halfspace_patch_{number}.h5"), CALL + " halfspace or compare")
 
     @functools.cached_property
     def halfspace_slices(self):
         """Stresses below the half-spaces as one tick in the form of `slices`."""
         only_halfspace = self.has("halfspace.h5") and not self.has("patch.h5")
-        return self.slices if only_halfspace else Ticks(self.path("halfspace_slices.h5"), "./wheelrail compare")
+        return self.slices if only_halfspace else Ticks(self.path("halfspace_slices.h5"), CALL + " compare")
 
 
 def load(folder):

@@ -1,3 +1,4 @@
+#include <wheelrail/base/hints.h>
 #include <wheelrail/model/scene_head.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/pose.h>
@@ -133,8 +134,8 @@ namespace wheelrail
     const std::string obstacle = obstacle_of_stop(stop, *saved, scene);
     if (obstacle.empty())
       log.value("to go on",
-                "./wheelrail run " + scene.folder + "/parameters.prm --ranks " + std::to_string(ranks) +
-                  " --resume");
+                own_call() + " run " + shell_word(scene.folder + "/parameters.prm") + " --ranks " +
+                  std::to_string(ranks) + " --resume");
     else
       log.value("no resume", obstacle);
   }
