@@ -1,17 +1,22 @@
-// What the program answers to files of an output folder that are missing, damaged or not to be written, and
-// to a start without contact, word by word.
+// What the program answers to files of an output folder that are missing, damaged or not to be written, to
+// pipes and devices in place of files, and to a start without contact, word by word.
 
 #include "messages.h"
 #include "small_scene.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/application/geometry_picture.h>
+#include <wheelrail/application/material_path.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/dynamics/static_start.h>
+#include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/input/input_file.h>
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
+#include <wheelrail/reference/distance_file.h>
 #include <wheelrail/run/run_start.h>
 
 #include <deal.II/base/mpi.h>
@@ -20,6 +25,7 @@
 #include <fstream>
 #include <functional>
 #include <sstream>
+#include <string>
 
 using namespace wheelrail;
 using test::check_text;
@@ -115,6 +121,39 @@ namespace
       "Mesh/Solution "
       "cell size");
   }
+
+  /// Only ordinary files are read: nobody may ever write into a pipe, and a device may have no end.
+  void
+  test_other_than_files()
+  {
+    const std::string pipe = "a_pipe";
+    fs::remove(pipe);
+    if (::mkfifo(pipe.c_str(), 0666) != 0)
+      std::abort();
+    for (const auto &[path, kind] :
+         {std::pair<std::string, std::string>(pipe, "a pipe"), {"/dev/zero", "a device"}, {"/", "a folder"}})
+      {
+        const std::string begin = path + ": " + kind + "; ";
+        check_message([&, p = path]() { read_input_file(p); }, begin + "a parameter file (.prm) is needed");
+        check_message([&, p = path]() { read_motion_file(p); },
+                      begin + "a motion is a table of rows over time or distance");
+        check_message([&, p = path]() { read_curve_file(p, MotionQuantity::creepage); },
+                      begin + "--beside needs a table of points to draw beside the curve");
+        check_message([&, p = path]() { read_distance_file(p); },
+                      begin + "rows x, y, distance in mm are needed");
+        MaterialTest test;
+        test.file = path;
+        check_message([&]() { material_path(test); }, begin + "rows of strains and stresses are needed");
+        check_message([&, p = path]() { read_profile_file(p, {}); },
+                      path +
+                        ": not a file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
+        check_message([&, p = path]() { read_whole_file(p); },
+                      "The file \"" + path + "\" is no ordinary file, but " + kind + ".");
+        check_message([&, p = path]() { scene_from_text("include " + p + "\n", "x.prm", {}); },
+                      "x.prm:1: include " + path + ": " + begin + "a parameter file (.prm) is needed");
+      }
+    fs::remove(pipe);
+  }
 } // namespace
 
 int
@@ -122,6 +161,7 @@ main(int argc, char **argv)
 {
   dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   test_damaged_files();
+  test_other_than_files();
   test_places();
   test_early_stop();
   test_start_without_contact();

@@ -1,5 +1,6 @@
 #include <wheelrail/application/material_path.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/file_kind.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/base/split_list.h>
@@ -70,6 +71,8 @@ namespace wheelrail
     std::vector<PointTarget>
     read_path(const std::string &path)
     {
+      if (const std::string other = other_than_a_file(path); !other.empty())
+        throw InputError(path + ": " + other + "; rows of strains and stresses are needed");
       std::ifstream file(path);
       if (!file)
         throw InputError(path + ": the file cannot be read; rows of strains and stresses are needed");

@@ -1,5 +1,6 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/file_kind.h>
 #include <wheelrail/base/hints.h>
 #include <wheelrail/input/input_file.h>
 
@@ -45,8 +46,8 @@ namespace wheelrail
         const std::string nearest = nearest_file(path);
         throw InputError(path + ": no such file" + (nearest.empty() ? "" : "; the nearest is " + nearest));
       }
-    if (fs::is_directory(path, code))
-      throw InputError(path + ": a folder; a parameter file (.prm) is needed");
+    if (const std::string other = other_than_a_file(path); !other.empty())
+      throw InputError(path + ": " + other + "; a parameter file (.prm) is needed");
     std::ifstream file(path, std::ios::binary);
     if (!file)
       throw InputError(path + ": cannot be read; check its permissions");

@@ -1,5 +1,6 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/file_kind.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/base/split_list.h>
@@ -235,7 +236,9 @@ namespace wheelrail
     MotionFile
     Reader::read()
     {
-      if (!std::filesystem::is_regular_file(path_))
+      if (const std::string other = other_than_a_file(path_); !other.empty())
+        throw InputError(path_ + ": " + other + "; " + purpose_);
+      if (!std::filesystem::exists(path_))
         throw InputError(path_ + ": no such file; " + purpose_);
       std::istringstream text(read_whole_file(path_));
       for (std::string line; std::getline(text, line);)

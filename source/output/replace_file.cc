@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/file_kind.h>
 #include <wheelrail/output/replace_file.h>
 
 #include <fcntl.h>
@@ -109,6 +110,8 @@ namespace wheelrail
   std::string
   read_whole_file(const std::string &path)
   {
+    if (const std::string other = other_than_a_file(path); !other.empty())
+      throw RunError("The file \"" + path + "\" is no ordinary file, but " + other + ".");
     errno = 0;
     std::ifstream      file(path, std::ios::binary);
     std::ostringstream text;

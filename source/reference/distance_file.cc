@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/file_kind.h>
 #include <wheelrail/reference/distance_file.h>
 
 #include <algorithm>
@@ -20,6 +21,8 @@ namespace wheelrail
     std::vector<Row>
     read_rows(const std::string &path)
     {
+      if (const std::string other = other_than_a_file(path); !other.empty())
+        throw InputError(path + ": " + other + "; rows x, y, distance in mm are needed");
       std::ifstream file(path);
       if (!file)
         throw InputError(path + ": the file cannot be read; rows x, y, distance in mm are needed");

@@ -21,7 +21,8 @@ namespace wheelrail
   std::string
   cannot_write(const std::string &path, int reason);
 
-  /// The whole file as a string; throws RunError naming the file and the reason.
+  /// The whole file as a string; throws RunError naming the file and the reason, also when it is no ordinary
+  /// file.
   std::string
   read_whole_file(const std::string &path);
 } // namespace wheelrail
