@@ -52,6 +52,41 @@ main()
   check(settling(distance, leaves, {0.05, 0.07}, 100, 2e-3).after < 0.05,
         "what comes after the stretch of the means does not count");
   check(std::isinf(settling(distance, leaves, {0.05, 0.1}, 100, 2e-3).after), "within it, it does");
+  // slope and noise are judged apart: a trend of 6.9 % over the stretch of the means, clean and under noise
+  // that goes on from value to value (blocks count as independent, single values do not)
+  std::vector<double> trend, noisy, flat;
+  double              walk = 0;
+  unsigned int        seed = 1;
+  for (const double z : distance)
+    {
+      seed = 1664525u * seed + 1013904223u;
+      walk = 0.97 * walk + 0.2 * (seed / 4294967296. - 0.5); // correlated over 0.8 mm, deviation 0.24
+      trend.push_back(100 + 6.9 * (z - 0.08) / 0.04);
+      noisy.push_back(trend.back() + walk);
+      flat.push_back(100 + walk);
+    }
+  const Settling clean = settling(distance, trend, {0.06, 0.1}, 100, 2e-3);
+  check_near(clean.drift, 0.069, 1e-4, "a linear trend of 6.9 % is found");
+  check(clean.swing < 1e-6, "and is no noise");
+  check(clean.after > 0.06, "so the figure is not steady where the means begin");
+  const Settling drifts = settling(distance, noisy, {0.06, 0.1}, 100, 2e-3);
+  check_near(drifts.drift, 0.069, 4e-3, "under noise, too");
+  check_near(drifts.swing, settling(distance, flat, {0.06, 0.1}, 100, 2e-3).swing, 5e-4, "which is the same");
+  // how often 100 stretches of nothing but noise are taken for a trend: 2 errors of few blocks, one in ten or
+  // so
+  int mistaken = 0;
+  for (int k = 0; k < 100; ++k)
+    {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < distance.size(); ++i)
+        {
+          seed = 1664525u * seed + 1013904223u;
+          walk = 0.97 * walk + 0.2 * (seed / 4294967296. - 0.5);
+          values.push_back(100 + walk);
+        }
+      mistaken += settling(distance, values, {0.06, 0.1}, 100, 2e-3).drift > 0 ? 1 : 0;
+    }
+  check(mistaken <= 15, "noise is rarely taken for a trend: " + std::to_string(mistaken) + " of 100");
   const Mean mean = mean_over(distance, ripple, {0.09, 1});
   check_near(mean.mean, 100, 2e-3, "mean over the last tenth");
   check_near(mean.deviation, 3 / std::sqrt(2.), 5e-3, "deviation of the ripple");

@@ -65,6 +65,85 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// Slope of the least-squares line through points about their means.
+    double
+    slope_through(const std::vector<double> &x,
+                  const std::vector<double> &y,
+                  const Trend               &about,
+                  double                    &squares)
+    {
+      double products = 0;
+      squares         = 0;
+      for (std::size_t k = 0; k < x.size(); ++k)
+        {
+          const double dx = x[k] - about.middle;
+          squares += dx * dx;
+          products += dx * (y[k] - about.mean);
+        }
+      return squares > 0 ? products / squares : 0;
+    }
+
+    double
+    mean_of(const std::vector<double> &values)
+    {
+      double sum = 0;
+      for (const double value : values)
+        sum += value;
+      return sum / double(values.size());
+    }
+  } // namespace
+
+
+  Trend
+  trend_over(const std::vector<double> &distance,
+             const std::vector<double> &values,
+             const Range               &stretch,
+             const double               window)
+  {
+    constexpr double    most_blocks = 20, least_blocks = 4;
+    std::vector<double> x, y;
+    const double        from = stretch.s0 - 1e-9, to = stretch.s1 + 1e-9; // as in mean_over()
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (distance[k] >= from && distance[k] <= to)
+        {
+          x.push_back(distance[k]);
+          y.push_back(values[k]);
+        }
+    Trend trend;
+    if (x.empty())
+      return trend;
+    double squares;
+    trend.mean   = mean_of(y);
+    trend.middle = mean_of(x);
+    trend.slope  = slope_through(x, y, trend, squares);
+
+    const double blocks = std::min(most_blocks, std::floor((x.back() - x.front()) / window + 1e-6));
+    if (!(blocks >= least_blocks))
+      return trend;
+    std::vector<double> places(static_cast<std::size_t>(blocks)), rest(places.size()), count(places.size());
+    for (std::size_t k = 0; k < x.size(); ++k)
+      {
+        const double      share = (x[k] - x.front()) / (x.back() - x.front());
+        const std::size_t block = std::min(places.size() - 1, static_cast<std::size_t>(share * blocks));
+        places[block] += x[k];
+        rest[block] += y[k] - trend.at(x[k]);
+        count[block] += 1;
+      }
+    double scatter = 0, spread = 0;
+    for (std::size_t b = 0; b < places.size(); ++b)
+      if (count[b] > 0)
+        {
+          const double away = places[b] / count[b] - trend.middle, off = rest[b] / count[b];
+          spread += away * away;
+          scatter += off * off;
+        }
+    trend.slope_error = std::sqrt(scatter / (blocks - 2) / spread);
+    return trend;
+  }
+
+
   Settling
   settling(const std::vector<double> &distance,
            const std::vector<double> &values,
@@ -72,15 +151,26 @@ namespace wheelrail
            const double               scale,
            const double               window)
   {
-    const Mean   noise = mean_over(distance, window_means(distance, values, window), stretch);
-    const double swing = noise.deviation / scale;
-    if (!(swing <= 0.02))
-      return {std::numeric_limits<double>::infinity(), swing};
-    const double final = mean_over(distance, values, stretch).mean;
+    const Trend  trend  = trend_over(distance, values, stretch, window);
+    const double length = std::min(stretch.s1, distance.back()) - std::max(stretch.s0, distance.front());
+    const bool   drifts = !(std::abs(trend.slope) <= 2 * trend.slope_error); // too few blocks: taken as it is
+    Settling     result;
+    result.drift = drifts ? std::abs(trend.slope) * length / scale : 0;
+
+    std::vector<double> about = values; // the noise alone
+    for (std::size_t k = 0; k < values.size(); ++k)
+      about[k] -= trend.slope * (distance[k] - trend.middle);
+    const Mean noise = mean_over(distance, window_means(distance, about, window), stretch);
+    result.swing     = noise.deviation / scale;
+    result.after     = std::numeric_limits<double>::infinity();
+    if (!(result.swing <= 0.02 && result.drift <= 0.02)) // the line leaves 1 % at both ends
+      return result;
     // what comes after the stretch does not speak against it
     const auto end = std::upper_bound(distance.begin(), distance.end(), stretch.s1) - distance.begin();
     std::vector<double> till(distance.begin(), distance.begin() + end),
       so_far(values.begin(), values.begin() + end);
-    return {settled_after(till, so_far, final, std::max(0.01 * scale, 3 * noise.deviation), window), swing};
+    result.after =
+      settled_after(till, so_far, trend.mean, std::max(0.01 * scale, 3 * noise.deviation), window);
+    return result;
   }
 } // namespace wheelrail

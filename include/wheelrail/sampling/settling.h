@@ -2,6 +2,7 @@
 
 #include <wheelrail/geometry/frame_profile.h>
 
+#include <limits>
 #include <vector>
 
 namespace wheelrail
@@ -24,18 +25,42 @@ namespace wheelrail
                 double                     tolerance,
                 double                     window);
 
-  /// From where on a figure is steady, and how much it still swings there.
+  /// A straight line through values over a stretch of the distance (least squares), and how well it is known.
+  /// What repeats from cell to cell makes neighbouring values alike, so the scatter is that of means over
+  /// blocks of `window` and more, twenty at most, which count as independent (block averages: Flyvbjerg and
+  /// Petersen 1989).
+  struct Trend
+  {
+    double mean = 0, slope = 0; ///< value in the middle of the stretch [its unit], and its change [1/m]
+    double middle      = 0;     ///< of the stretch [m]
+    double slope_error = std::numeric_limits<double>::quiet_NaN(); ///< of the slope; NaN: too few blocks
+
+    double
+    at(const double place) const
+    {
+      return mean + slope * (place - middle);
+    }
+  };
+  Trend
+  trend_over(const std::vector<double> &distance,
+             const std::vector<double> &values,
+             const Range               &stretch,
+             double                     window);
+
+  /// From where on a figure is steady, how much it swings there, and how much it still changes.
   struct Settling
   {
     double after = 0; ///< [m]; infinity when it swings too much to be called steady
-    double swing = 0; ///< standard deviation of its means over the window in that stretch, over `scale`
+    double swing = 0; ///< standard deviation about the trend of its means over the window, over `scale`
+    double drift = 0; ///< what the trend comes to over the stretch, over `scale`; 0 where it may be noise
   };
 
-  /// Settling of a figure to its mean over a stretch of the distance. Judged are means over
-  /// `window`. A figure is steady from where they stay within 1 % of `scale`, or within three of their own
-  /// standard deviations in that stretch where those are larger, since noise that goes on to the end
-  /// belongs to the figure. A figure whose deviation there exceeds 2 % of `scale` is never steady.
-  /// `scale` > 0 is what the figure is judged by: its mean, or something larger where that is about zero.
+  /// Settling of a figure to its mean over a stretch of the distance. Slope and noise are judged apart. A
+  /// trend counts once it is twice its own error. Noise are means over `window` about the trend: a figure is
+  /// steady from where they stay within 1 % of `scale` of its mean, or within three standard deviations of
+  /// the noise where those are larger, since noise that goes on to the end belongs to the figure. A figure
+  /// whose noise, or whose trend over the stretch, exceeds 2 % of `scale` is never steady. `scale` > 0 is
+  /// what the figure is judged by: its mean, or something larger where that is about zero.
   Settling
   settling(const std::vector<double> &distance,
            const std::vector<double> &values,
