@@ -8,7 +8,7 @@
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/hdf5_file.h>
-#include <wheelrail/reference/trust.h>
+#include <wheelrail/reference/run_reference.h>
 
 #include <filesystem>
 #include <fstream>
@@ -38,6 +38,8 @@ namespace
     set_figure(run, "relative_lateral_m", offsets.lateral);
     set_figure(run, "rail_head_roll_rad", offsets.rail_roll);
     set_figure(run, "wheel_rim_roll_rad", offsets.wheel_roll);
+    run.energy_error = 4e-4;
+    set_figure(run, "max_pressure_fitted_std_Pa", 1e6);
     set_figure(run, "vertical_force_std_N", 900);
     set_figure(run, "longitudinal_force_std_N", 90);
     fs::create_directories(folder);
@@ -72,7 +74,8 @@ namespace
     check_near(get_figure(s, "halfspace_max_pressure_Pa"), s.max_pressure, 1e-3 * s.max_pressure, "its peak");
     check(out.str().find("-% %") == std::string::npos && out.str().find("% of the load") != std::string::npos,
           "differences with their unit, the lateral force in parts of the load");
-    check(out.str().find("agrees with the half-spaces within 0.1 %") != std::string::npos, "the sentence");
+    check(out.str().find("The run agrees with the half-spaces within 0.1 %") != std::string::npos,
+          "the sentence");
     for (const char *file : {"compare.json",
                              "compare.html",
                              "halfspace.h5",
@@ -105,97 +108,6 @@ namespace
                expected,
                0.015,
                "effect of the pose");
-  }
-
-  void
-  test_sentences()
-  {
-    const auto has = [](const Trust &trust, const bool finished, const std::string &part) {
-      const std::string sentence = trust_sentence(Scene(), trust, finished);
-      check(sentence.find(part) != std::string::npos, "\"" + part + "\" in: " + sentence);
-    };
-    const Trust good{-0.015, 13, 0.008, 0.003, 0.1, 0};
-    has(good, true, "within 1.5 % in peak pressure and can be trusted as far");
-    has(good, true, "are enough");
-    has(good, false, "did not finish");
-    Trust other           = good;
-    other.peak_difference = -0.04;
-    has(other, true, "can be trusted to about 4 %");
-    other.peak_difference = -0.12;
-    has(other, true, "off by 12 % in peak pressure and shows tendencies only");
-    other       = good;
-    other.cells = 7;
-    has(other, true, "differs from the half-spaces by 1.5 % in peak pressure, which may be chance: 7 cells");
-    other.penetration = 0.08;
-    has(other, true, "7 cells of 1 mm over the shorter extent of the patch are too few");
-    other.cells = 1.3;
-    has(other, true, "1 cell of 1 mm over the shorter extent of the patch is too few");
-    has(other, true, "raise Contact/Penalty scale");
-    check(trust_sentence(Scene(), other, true).find("Of the difference") == std::string::npos,
-          "no rule of parts is known for so few cells");
-    other.cells        = 7;
-    other.unsteadiness = 0.02;
-    has(other, true, "not steady");
-    other.turn = 0.5;
-    has(other, true, "no full reference here, since the surfaces turn by 29 degrees");
-    has(other, true, "the curved contact");
-    other                 = good;
-    other.peak_difference = -0.123;
-    other.plastic_strain  = 2.9e-3;
-    has(other, true, "no full reference here, since steel has flowed (plastic strain up to 2.9e-3)");
-    has(other, true, "yielding, which half-spaces know nothing of");
-    const std::string yielded = trust_sentence(Scene(), other, true);
-    check(yielded.find("fair reference") == std::string::npos &&
-            yielded.find("can be trusted") == std::string::npos,
-          "a run that has flowed is not judged by half-spaces: " + yielded);
-    other.patches = 2;
-    has(other, true, "and the run has 2 patches");
-    // the parts of doc/manual/compare.md: 13 cells, f = 10
-    check_near(good.penalty_part(), -0.0067, 2e-4, "what the penalty contact takes from the peak");
-    check_near(good.mesh_part(), -0.0077, 2e-4, "what the cells take");
-    other.patches = 1;
-    other.turn    = 0.5;
-    has(other,
-        true,
-        "since steel has flowed (plastic strain up to 2.9e-3) and the surfaces turn by 29 degrees");
-    other                = good;
-    other.plastic_strain = 5e-5;
-    has(other, true, "can be trusted as far");
-  }
-
-  /// What a run says of itself when its peak is not that of half-spaces.
-  void
-  test_misses()
-  {
-    Scene scene;
-    Trust trust{-0.09, 13, 0.008, 0.003, 0.1, 0};
-    check(peak_miss(scene, trust).sentence.empty(), "a tenth of the peak may be missing");
-    trust.peak_difference = -0.27;
-    trust.cells           = 4;
-    PeakMiss miss         = peak_miss(scene, trust);
-    check_text(
-      miss.sentence,
-      "the peak pressure is 27 % below that of half-spaces under the same force and in the same pose: 4 "
-      "cells of 1 mm over the shorter extent of the patch are too few (take at least 12)",
-      "too few cells");
-    check(miss.is_fault, "which is the run's fault");
-    trust.cells = 13;
-    check_text(
-      peak_miss(scene, trust).sentence,
-      "the peak pressure is 27 % below that of half-spaces under the same force and in the same pose, and "
-      "the usual causes (cells, penalty, unsteady forces) do not explain it",
-      "no known cause");
-    trust.plastic_strain = 0.01;
-    miss                 = peak_miss(scene, trust);
-    check_text(
-      miss.sentence,
-      "the peak pressure is 27 % below that of half-spaces under the same force and in the same pose: "
-      "half-spaces are no full reference here, since steel has flowed (plastic strain up to 10e-3)",
-      "bodies that yield");
-    check(!miss.is_fault, "which is no fault");
-    trust.plastic_strain = 0;
-    trust.patches        = 2;
-    check(!peak_miss(scene, trust).is_fault, "nor are two patches");
   }
 
   /// Figures of a summary that was changed by hand.
@@ -261,8 +173,6 @@ main()
   fs::remove_all(folder);
   test_same_solution();
   test_pose_is_used();
-  test_sentences();
-  test_misses();
   test_changed_figures();
   test_frictionless();
   return test::report();

@@ -6,7 +6,7 @@
 #include <wheelrail/application/scene_row.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/output/hdf5_file.h>
-#include <wheelrail/reference/trust.h>
+#include <wheelrail/reference/run_reference.h>
 
 #include "parallel.h"
 #include "yaw_scene.h"

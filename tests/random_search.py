@@ -147,14 +147,15 @@ CAUSES = {
     "penalty": r"the penalty contact sinks in by [\d.]+ % of the approach",
     "forces": r"the forces vary by [\d.]+ % of the load",
     "noise": r"swings by [\d.]+ % of its mean",
-    "cells": r"\d+ cells? of 3 mm over the shorter extent of the patch (?:are|is) too few",
+    "cells": r"too few cells: [\d.]+ of 3 mm lie across",
+    "drift": r"still changes, by",
+    "torque": r"from what the torque of the wheel asks",
 }
 
 
 def causes_of(screen):
-    """Which causes the warnings of a run name, at its end; the standing one of coarse cells comes before."""
-    end = "\n".join(line for line in screen.splitlines()
-                    if re.match("warning: (the peak pressure is|the figures should not be trusted)", line))
+    """Which causes the verdict of a run names, or its warning that half-spaces are no reference."""
+    end = "\n".join(line for line in screen.splitlines() if re.match("warning: the peak pressure is| *verdict: ", line))
     return [name for name, words in CAUSES.items() if re.search(words, end)]
 
 

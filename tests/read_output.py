@@ -98,7 +98,8 @@ def check_summary(folder):
         figures = json.load(file)
     described = [figure[key] for figure in figures for key in ("key", "std_key")]
     check(len(set(described)) == len(described), "figures.json describes no key twice")
-    texts = ("title", "program_version", "finished", "stopped_because", "trusted", "doubts", "note")
+    texts = ("title", "program_version", "finished", "stopped_because", "trusted", "doubts", "note", "verdict",
+             "largest_swing_of", "largest_drift_of")
     missing = [key for key in summary if key not in described and key not in texts]
     check(not missing, f"figures.json describes the figures of summary.json {missing or ''}")
     check(summary["elements"] == 123456 and isinstance(summary["elements"], int), "counts are whole numbers")

@@ -12,7 +12,9 @@
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/halfspace_stresses.h>
-#include <wheelrail/reference/trust.h>
+#include <wheelrail/reference/run_reference.h>
+#include <wheelrail/verdict/agreement.h>
+#include <wheelrail/verdict/verdict.h>
 
 #include <nlohmann/json.hpp>
 
@@ -166,18 +168,21 @@ namespace wheelrail
     }
 
     nlohmann::ordered_json
-    trust_json(const Trust &trust)
+    trust_json(const Measures &measures)
     {
-      return {{"peak_difference", number(trust.peak_difference)},
-              {"cells_over_shorter_extent", number(trust.cells)},
-              {"penetration_over_approach", number(trust.penetration)},
-              {"force_std_over_load", number(trust.unsteadiness)},
-              {"turn_across_patch_rad", number(trust.turn)},
-              {"pose_effect_on_peak", number(trust.pose_effect)},
-              {"max_plastic_strain", number(trust.plastic_strain)},
-              {"patches", number(trust.patches)},
-              {"penalty_part_of_peak_difference", number(trust.penalty_part())},
-              {"mesh_part_of_peak_difference", number(trust.mesh_part())}};
+      return {{"peak_difference", number(measures.peak_difference)},
+              {"cells_over_shorter_extent", number(measures.cells)},
+              {"cells_across_peak", number(measures.cells_across_peak)},
+              {"penetration_over_approach", number(measures.penetration)},
+              {"force_std_over_load", number(measures.unsteadiness)},
+              {"largest_drift", number(measures.drift)},
+              {"torque_miss", number(measures.torque_miss)},
+              {"turn_across_patch_rad", number(measures.turn)},
+              {"pose_effect_on_peak", number(measures.pose_effect)},
+              {"max_plastic_strain", number(measures.plastic_strain)},
+              {"patches", number(measures.patches)},
+              {"penalty_part_of_peak_difference", number(measures.penalty_part())},
+              {"mesh_part_of_peak_difference", number(measures.mesh_part())}};
     }
   } // namespace
 
@@ -214,12 +219,15 @@ namespace wheelrail
         << 1e3 * result.solution.grid.dx << " mm, wheel moved by " << text("%.3f", 1e3 * offsets.lateral)
         << " mm and rail turned by " << text("%.3f", 1e3 * (offsets.wheel_roll - offsets.rail_roll))
         << " mrad to the track centre\n";
-    nlohmann::ordered_json table = compare_figures(run, halfspace, out);
-    Trust                  trust = trust_of(scene, run, halfspace_pressure(result));
-    trust.pose_effect =
+    nlohmann::ordered_json table    = compare_figures(run, halfspace, out);
+    Measures               measures = measures_of_run(scene, run);
+    measure_against(halfspace_pressure(result), scene, run, measures);
+    measures.pose_effect =
       result.solution.peak_pressure / halfspace_pressure(scene, geometry, result.solution.fn, {}).peak - 1;
-    const std::string sentence = trust_sentence(scene, trust, run.finished);
-    out << '\n' << sentence << std::endl;
+    const Verdict verdict = judge_run(scene, measures);
+    set_verdict(run, verdict);
+    const std::string sentence = agreement_sentence(scene, measures, verdict);
+    out << '\n' << verdict_line(run) << '\n' << sentence << std::endl;
     if (!halfspace.finished)
       out << "The half-space solution is not exact: " << halfspace.stop_reason << std::endl;
 
@@ -232,7 +240,9 @@ namespace wheelrail
                                    {"wheel_roll_rad", offsets.wheel_roll},
                                    {"halfspace_converged", halfspace.finished},
                                    {"figures", std::move(table)},
-                                   {"trust", trust_json(trust)},
+                                   {"trust", trust_json(measures)},
+                                   {"verdict", verdict_of(run)},
+                                   {"doubts", run.doubts},
                                    {"sentence", sentence}};
     replace_file((path / "compare.json").string(),
                  json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");

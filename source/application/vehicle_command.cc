@@ -7,6 +7,7 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/several_patches.h>
 #include <wheelrail/reference/vehicle.h>
+#include <wheelrail/verdict/verdict.h>
 
 #include <chrono>
 #include <cmath>
@@ -95,6 +96,12 @@ namespace wheelrail
       table.add(key, unit, motion.columns[column]);
     }
 
+    Grade
+    grade_of_row(const VehicleWheel &wheel, const std::size_t row)
+    {
+      return wheel.faults[row].empty() ? grade_of(wheel.rows[row]) : Grade::not_trusted;
+    }
+
     FigureTable
     table_of(const MotionFile &motion, const std::vector<VehicleWheel> &wheels)
     {
@@ -113,9 +120,14 @@ namespace wheelrail
           add_patches(own, wheel.rows);
           for (std::size_t k = 0; k < own.keys.size(); ++k)
             table.add(side + own.keys[k], own.units[k], own.columns[k]);
-          std::vector<double> good;
-          for (const std::string &fault : wheel.faults)
-            good.push_back(fault.empty() ? 1 : 0);
+          std::vector<double> good, grades;
+          for (std::size_t row = 0; row < wheel.rows.size(); ++row)
+            {
+              const Grade grade = grade_of_row(wheel, row);
+              grades.push_back(static_cast<double>(grade));
+              good.push_back(grade == Grade::trusted ? 1 : 0);
+            }
+          table.add(side + "verdict", "1", grades);
           table.add(side + "trusted", "1", good);
         }
       return table;
@@ -152,19 +164,31 @@ namespace wheelrail
           }
     }
 
-    /// Tells the faults, the same one once with the number of its rows; their number.
+    /// How many rows have which verdict, then why of the first few that are not trusted or to be taken with
+    /// care; returns the number of those without figures.
     std::size_t
-    print_faults(const std::vector<VehicleWheel> &wheels, std::ostream &out)
+    print_verdicts(const std::vector<VehicleWheel> &wheels, std::ostream &out)
     {
-      std::size_t count = 0, told = 0;
+      std::size_t              of_grade[3] = {0, 0, 0}, faults = 0;
+      std::vector<std::string> why;
       for (const VehicleWheel &wheel : wheels)
-        for (std::size_t row = 0; row < wheel.faults.size(); ++row)
-          if (!wheel.faults[row].empty() && ++count && ++told <= 5)
-            out << "row " << row + 1 << ", " << (wheel.left ? "left" : "right")
-                << " wheel: " << wheel.faults[row] << '\n';
-      if (count > 5)
-        out << "and " << count - 5 << " more; the column trusted of vehicle.csv has 0 there\n";
-      return count;
+        for (std::size_t row = 0; row < wheel.rows.size(); ++row)
+          {
+            ++of_grade[static_cast<int>(grade_of_row(wheel, row))];
+            const bool fault = !wheel.faults[row].empty();
+            faults += fault ? 1 : 0;
+            if (const std::string &doubt = fault ? wheel.faults[row] : wheel.rows[row].doubts; !doubt.empty())
+              why.push_back("row " + std::to_string(row + 1) + ", " + (wheel.left ? "left" : "right") +
+                            " wheel: " + doubt);
+          }
+      out << "verdict: " << of_grade[2] << " rows trusted, " << of_grade[1] << " with care, " << of_grade[0]
+          << " not trusted\n";
+      for (std::size_t k = 0; k < why.size() && k < 5; ++k)
+        out << why[k] << '\n';
+      if (why.size() > 5)
+        out << "and " << why.size() - 5
+            << " more; the column verdict of vehicle.csv has 1 (with care) or 0 there\n";
+      return faults;
     }
   } // namespace
 
@@ -204,8 +228,8 @@ namespace wheelrail
                   seconds,
                   seconds / (motion.rows() * wheels.size()));
     out << text;
+    const std::size_t faults = print_verdicts(wheels, out);
     print_worst(table, wheels, out);
-    const std::size_t faults = print_faults(wheels, out);
     out << "Results in " << folder.string() << std::endl;
     if (draws)
       draw_results("vehicle.py", folder.string());

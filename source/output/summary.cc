@@ -35,7 +35,45 @@ namespace wheelrail
              << std::string(value.size() < 12 ? 12 - value.size() : 0, ' ') << value
              << (unit.empty() ? "" : " ") << unit << '\n';
     }
+    /// The text that stands under a key of the file, or null.
+    std::string *
+    text_of(Summary &summary, const std::string &key)
+    {
+      const std::pair<const char *, std::string *> texts[] = {
+        {"title", &summary.title},
+        {"program_version", &summary.program_version},
+        {"stopped_because", &summary.stop_reason},
+        {"note", &summary.note},
+        {"verdict", &summary.verdict},
+        {"doubts", &summary.doubts},
+        {"largest_swing_of", &summary.largest_swing_of},
+        {"largest_drift_of", &summary.largest_drift_of}};
+      for (const auto &[name, text] : texts)
+        if (key == name)
+          return text;
+      return nullptr;
+    }
   } // namespace
+
+
+  std::string
+  verdict_of(const Summary &summary)
+  {
+    if (!summary.finished)
+      return "not trusted";
+    if (summary.verdict.empty())
+      return summary.doubts.empty() ? "trusted" : "not trusted";
+    return summary.verdict;
+  }
+
+
+  std::string
+  verdict_line(const Summary &summary)
+  {
+    const std::string why = summary.finished ? summary.doubts : "it did not finish";
+    return "verdict: " + verdict_of(summary) + (why.empty() ? "" : ": " + why);
+  }
+
 
   void
   set_figure(Summary &summary, const std::string &key, const double value)
@@ -83,11 +121,14 @@ namespace wheelrail
         const Figure *const known = figure_with_key(figure.first);
         json[figure.first]        = to_json(figure.second, known && known->count);
       }
-    json["finished"]        = summary.finished;
-    json["stopped_because"] = summary.stop_reason;
-    json["note"]            = summary.note;
-    json["trusted"]         = summary.finished && summary.doubts.empty();
-    json["doubts"]          = summary.doubts;
+    json["finished"]         = summary.finished;
+    json["stopped_because"]  = summary.stop_reason;
+    json["note"]             = summary.note;
+    json["verdict"]          = verdict_of(summary);
+    json["trusted"]          = verdict_of(summary) == "trusted";
+    json["doubts"]           = summary.doubts;
+    json["largest_swing_of"] = summary.largest_swing_of;
+    json["largest_drift_of"] = summary.largest_drift_of;
 
     // a title may hold bytes that are no UTF-8; they must not stop a run at its end
     replace_file(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -106,16 +147,8 @@ namespace wheelrail
     for (const auto &item : json.items())
       if (item.value().is_number())
         set_figure(summary, item.key(), item.value().get<double>());
-      else if (item.value().is_string() && item.key() == "title")
-        summary.title = item.value().get<std::string>();
-      else if (item.value().is_string() && item.key() == "program_version")
-        summary.program_version = item.value().get<std::string>();
-      else if (item.value().is_string() && item.key() == "stopped_because")
-        summary.stop_reason = item.value().get<std::string>();
-      else if (item.value().is_string() && item.key() == "note")
-        summary.note = item.value().get<std::string>();
-      else if (item.value().is_string() && item.key() == "doubts")
-        summary.doubts = item.value().get<std::string>();
+      else if (std::string *const text = item.value().is_string() ? text_of(summary, item.key()) : nullptr)
+        *text = item.value().get<std::string>();
       else if (item.value().is_boolean() && item.key() == "finished")
         summary.finished = item.value().get<bool>();
       else if (item.value().is_null())
@@ -128,6 +161,7 @@ namespace wheelrail
   {
     if (!summary.title.empty())
       stream << summary.title << '\n';
+    stream << "  " << verdict_line(summary) << '\n';
     for (const Figure &figure : all_figures())
       {
         const double value = get_figure(summary, figure.key());
@@ -146,7 +180,5 @@ namespace wheelrail
       stream << "  " << summary.stop_reason << '\n';
     if (!summary.note.empty())
       stream << "  " << summary.note << '\n';
-    if (summary.finished && !summary.doubts.empty())
-      stream << "  not to be trusted: " << summary.doubts << '\n';
   }
 } // namespace wheelrail

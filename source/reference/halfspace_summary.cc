@@ -2,6 +2,7 @@
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
 #include <wheelrail/reference/several_patches.h>
+#include <wheelrail/verdict/verdict.h>
 
 #include <algorithm>
 #include <string>
@@ -33,6 +34,28 @@ namespace wheelrail
       set("wheelset_lateral_force_N", at.across);
       set("drive_torque_Nm", at.torque);
       set("yaw_moment_Nm", at.yaw_moment);
+    }
+
+    /// Of the patch, without the others.
+    Verdict
+    judge_patch(const WheelRailSolution &result)
+    {
+      Measures measures;
+      measures.cells         = elements_across(result.solution);
+      measures.peak_pressure = result.solution.peak_pressure;
+      if (result.reference)
+        measures.place = place_in_words(result.reference->place.x);
+      return judge_halfspaces(measures);
+    }
+
+    Verdict
+    judge_patches(const WheelRailSolution &result)
+    {
+      Verdict verdict = judge_patch(result);
+      for (const WheelRailSolution &other : result.others)
+        for (const Finding &finding : judge_patch(other).findings)
+          verdict.findings.push_back(finding);
+      return verdict;
     }
 
     Summary
@@ -152,7 +175,10 @@ namespace wheelrail
   {
     std::vector<Summary> patches{summary_of_patch(scene, result)};
     if (result.others.empty())
-      return patches.front();
+      {
+        set_verdict(patches.front(), judge_patches(result));
+        return patches.front();
+      }
     for (const WheelRailSolution &other : result.others)
       patches.push_back(summary_of_patch(scene, other));
     Summary total = *std::max_element(patches.begin(), patches.end(), [](const Summary &a, const Summary &b) {
@@ -160,6 +186,7 @@ namespace wheelrail
     });
     add_up(patches, total);
     total.wall_time = result.time;
+    set_verdict(total, judge_patches(result));
     set_figure(total, "patches", patches.size());
     for (std::size_t k = 0; k < patches.size(); ++k)
       add_patch(patches[k], k + 1, total);

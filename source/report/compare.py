@@ -79,7 +79,8 @@ def make_parts(run, comparison, pictures, shown):
             f"{1e3 * comparison['rail_roll_rad']:.3f} mrad, wheel rim by {1e3 * comparison['wheel_roll_rad']:.3f} mrad "
             "(from X to Y), as fitted to the end of the run. "
             f"Half-space elements of {1e3 * comparison['element_size_m']:g} mm.")
-    parts = ["<p>Finite elements against two elastic half-spaces under the same load.</p>",
+    parts = [page.verdict_sentence(run.summary),
+             "<p>Finite elements against two elastic half-spaces under the same load.</p>",
              f"<p class=remark>{html.escape(comparison['sentence'])}</p>"]
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
     parts += ["<h2>Figures</h2><p>Means of the run over its averaging distance, with their standard deviation.</p>",

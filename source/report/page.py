@@ -22,7 +22,7 @@ td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 figure { margin: 0; flex: 1 1 26rem; max-width: 48rem; } figure.broad { flex-basis: 100%; max-width: none; }
 img { max-width: 100%; height: auto; }
 figcaption { color: #555; font-size: 0.9rem; }
-.good { color: #1d6b3a; } .bad { color: #a32116; } .remark { color: #7a5500; }
+.good { color: #1d6b3a; } .care { color: #8a5a00; } .bad { color: #a32116; } .remark { color: #7a5500; }
 .view { margin: 0 0 1.6rem; } .view .controls { display: flex; flex-wrap: wrap; gap: 0.4rem 1.2rem; align-items: center; font-size: 0.9rem; }
 .view .plot { width: 100%; } .view input[type=range] { width: 16rem; max-width: 60vw; vertical-align: middle; }
 body:not(.scripted) .view, .scripted .print { display: none; }
@@ -102,14 +102,39 @@ def table(rows):
                                           for part in (lines[:half], lines[half:]) if part) + "</div>"
 
 
-def state_sentence(summary):
-    if summary.get("finished"):
-        doubts = html.escape(str(summary.get("doubts") or ""))
-        if doubts:
-            return f"<p class=bad>The run finished, but should not be trusted: {doubts}</p>"
-        return "<p class=good>The run finished.</p>"
-    reason = html.escape(str(summary.get("stopped_because") or "No reason is recorded."))
-    return f"<p class=bad>The run did not finish. {reason}</p>"
+#: how a verdict is coloured; what has none is older than verdicts, or not there
+VERDICT_CLASS = {"trusted": "good", "with care": "care", "not trusted": "bad"}
+
+
+def verdict_of(summary):
+    """The verdict that a summary holds, also one written before there were three; "" without figures."""
+    if summary.get("verdict"):
+        return summary["verdict"]
+    if "max_pressure_Pa" not in summary:
+        return ""
+    return "trusted" if summary.get("trusted", True) else "not trusted"
+
+
+def verdict_counts(grades, what):
+    """How many rows of a table have which verdict (2 trusted, 1 with care, 0 not trusted), a list of one sentence;
+    empty where a table of an earlier version has none."""
+    if grades is None or not len(grades):
+        return []
+    counts = {word: sum(grade == number for grade in grades)
+              for number, word in ((2, "trusted"), (1, "with care"), (0, "not trusted"))}
+    worst = next(word for word in ("not trusted", "with care", "trusted") if counts[word])
+    text = ", ".join(f"{count} {word}" for word, count in counts.items() if count)
+    return [f"<p class={VERDICT_CLASS[worst]}><b>{html.escape(what.capitalize())}</b>: {text}</p>"]
+
+
+def verdict_sentence(summary):
+    """What stands first on each page of a result."""
+    verdict = verdict_of(summary) or "not trusted"
+    text = summary.get("doubts") or ""
+    if not summary.get("finished"):
+        text = "It did not finish. " + str(summary.get("stopped_because") or "No reason is recorded.")
+    return (f"<p class={VERDICT_CLASS.get(verdict, 'bad')}><b>{html.escape(verdict.capitalize())}</b>"
+            f"{': ' if text else ''}{html.escape(str(text))}</p>")
 
 
 def smaller(path, colors=256):

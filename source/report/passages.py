@@ -228,7 +228,7 @@ def draw_map(family):
              style.save(family, figure, "shakedown_map"))]
 
 
-def verdict(family):
+def outcome(family):
     """What the run itself said about its end; a list of one sentence, or of none."""
     try:
         summary = wheelrail.load(family.folder).summary
@@ -242,7 +242,8 @@ def make_report(folder):
     family = Family(folder)
     pictures = (draw_growth(family) + draw_maps(family) + draw_residual(family) + draw_curves(family) +
                 draw_map(family))
-    parts = [f"<p>{len(family.passages)} passages; each has a report of its own.</p>"] + verdict(family)
+    parts = page.verdict_counts(family.table.get("verdict"), "passages") + outcome(family)
+    parts += [f"<p>{len(family.passages)} passages; each has a report of its own.</p>"]
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in family.remarks]
     parts += ["<h2>Pictures</h2>", page.pictures_html(pictures, (), {"passages", "residual_depth"})]
     title = os.path.basename(os.path.abspath(folder)) + ": passages"

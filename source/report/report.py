@@ -59,7 +59,7 @@ def make_views(run):
 
 def make_parts(run, pictures, shown):
     """What stands in the page, piece by piece."""
-    parts = [page.state_sentence(run.summary)] if run.summary is not None else []
+    parts = [page.verdict_sentence(run.summary)] if run.summary is not None else []
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
     if run.patch is not None:
         attributes = run.patch.attributes

@@ -59,6 +59,12 @@ def draw(table, x, label, title, rows, path):
     return title, path
 
 
+def verdicts(table):
+    """How many rows have which verdict, a sentence for each wheel."""
+    return [sentence for side in ("right", "left")
+            for sentence in page.verdict_counts(table.get(side + "_verdict"), f"rows of the {side} wheel")]
+
+
 def worst_rows(table, x, label):
     lines = ["<table><tr><th>wheel</th><th>by</th><th class=number>row</th>"
              f"<th class=number>{html.escape(label)}</th><th class=number>value</th><th></th></tr>"]
@@ -89,7 +95,7 @@ def main(arguments):
         for title, rows in PICTURES:
             path = os.path.join(folder, "pictures", title.split()[0].lower() + ".png")
             pictures.append(draw(table, table[given], label, title, rows, path))
-        parts = [f"<p>{len(table[given])} rows.</p>", "<h2>Worst rows</h2>", worst_rows(table, table[given], label),
+        parts = [*verdicts(table), f"<p>{len(table[given])} rows.</p>", "<h2>Worst rows</h2>", worst_rows(table, table[given], label),
                  "<h2>Curves</h2>", page.pictures_html([picture for picture in pictures if picture])]
         path = page.write(os.path.join(folder, "vehicle.html"), "Wheelset of a vehicle", parts, [], "")
     except OSError as error:

@@ -5,6 +5,7 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/passage_table.h>
+#include <wheelrail/verdict/verdict.h>
 
 #include <algorithm>
 #include <cmath>
@@ -180,6 +181,10 @@ namespace wheelrail
       summaries.push_back(read_summary(passage_folder(folder, k) + "/summary.json"));
     FigureTable table;
     table.add("passage", "1", {computed.begin(), computed.end()});
+    std::vector<double> grades;
+    for (const Summary &summary : summaries)
+      grades.push_back(static_cast<double>(grade_of(summary)));
+    table.add("verdict", "1", grades);
     for (const std::string &key : figure_keys())
       {
         std::vector<double> values;
@@ -190,6 +195,17 @@ namespace wheelrail
     table.add("plastic_strain_increment", "1", increments(*table.find("rail_plastic_strain"), computed));
     table.add("forward_flow_increment_m", "m", increments(*table.find("residual_forward_flow_m"), computed));
     return table;
+  }
+
+
+  std::string
+  passage_verdicts(const FigureTable &table)
+  {
+    std::size_t of_grade[3] = {0, 0, 0};
+    for (const double grade : *table.find("verdict"))
+      ++of_grade[static_cast<int>(grade)];
+    return "verdict: " + std::to_string(of_grade[2]) + " passages trusted, " + std::to_string(of_grade[1]) +
+           " with care, " + std::to_string(of_grade[0]) + " not trusted\n";
   }
 
 

@@ -247,7 +247,8 @@ namespace wheelrail
           summary.note = verdict_ + ".";
         write_summary(summary, scene_.folder + "/summary.json");
         print(STDOUT_FILENO,
-              (verdict_.empty() ? "" : verdict_ + ".\n") + "Figures of all passages in " + scene_.folder +
+              passage_verdicts(passage_table(scene_.folder, computed_)) +
+                (verdict_.empty() ? "" : verdict_ + ".\n") + "Figures of all passages in " + scene_.folder +
                 "/passages.csv\n");
       });
       return 0;

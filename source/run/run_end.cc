@@ -3,10 +3,12 @@
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
-#include <wheelrail/reference/trust.h>
+#include <wheelrail/reference/run_reference.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/body_figures.h>
+#include <wheelrail/verdict/agreement.h>
+#include <wheelrail/verdict/verdict.h>
 
 #include <sys/resource.h>
 
@@ -61,52 +63,25 @@ namespace wheelrail
   }
 
 
-  std::string
-  doubts_about(const Summary &summary, const double from)
-  {
-    // main scene: 0.03 % and 0.08 %; coarse cells of 4 mm stay below half of these
-    constexpr double force_noise = 0.02, pressure_noise = 0.05, energy_error = 0.005;
-    std::string      doubts;
-    const auto       noise = [&](const char *what, const char *key, const char *std_key, const double limit) {
-      const double share = get_figure(summary, std_key) / get_figure(summary, key);
-      if (!(share <= limit))
-        doubts += text("%s swings by %.1f %% of its mean (standard deviation; %.0f %% are usual at most). ",
-                       what,
-                       100 * share,
-                       100 * limit);
-    };
-    noise("the normal force", "normal_force_N", "normal_force_std_N", force_noise);
-    noise("the peak pressure", "max_pressure_fitted_Pa", "max_pressure_fitted_std_Pa", pressure_noise);
-    if (!(summary.energy_error <= energy_error))
-      doubts += text("the energy balance is off by %.1f %% of strain plus dissipated energy. ",
-                     100 * summary.energy_error);
-    const double swing = get_figure(summary, "largest_swing");
-    if (swing > 0.02)
-      doubts += text("%s swings by %.1f %% in the means over 2 mm and is not steady. ",
-                     summary.largest_swing_of.c_str(),
-                     100 * swing);
-    else if (const double settled = get_figure(summary, "settled_after_m"); from > 0 && settled > from)
-      doubts += text(
-        "not all figures have come within 1 %% of their means before %.1f mm rolled, where the "
-        "means begin; roll farther (Run/Rolling distance). ",
-        1e3 * from);
-    if (!doubts.empty())
-      doubts.pop_back();
-    return doubts;
-  }
-
-
   namespace
   {
-    /// What the torque means for friction: kappa of Ma et al. (2017), equation 7, and a patch that slides.
+    /// What friction carries of what it could, positive when driving: kappa of Ma et al. (2017), equation 7,
+    /// as it came out; how far the force is from the one that balances the torque at the radius of the patch;
+    /// and a patch that slides.
     void
-    add_drive(Summary &summary, const Scene &scene)
+    add_drive(Summary &summary, const Scene &scene, const double radius)
     {
-      if (scene.drive != Drive::torque)
-        return;
+      const double force = summary.longitudinal_force;
       if (scene.friction_coefficient > 0)
         set_figure(
-          summary, "traction_over_friction", scene.traction_coefficient / scene.friction_coefficient);
+          summary, "traction_over_friction", force / (scene.friction_coefficient * summary.normal_force));
+      if (scene.drive != Drive::torque)
+        return;
+      // a wheel that is hardly driven is judged by its load
+      const double asked = get_figure(summary, "drive_torque_Nm") / radius;
+      set_figure(summary,
+                 "torque_miss",
+                 (force - asked) / std::max(std::abs(asked), 0.05 * std::abs(summary.normal_force)));
       if (scene.traction_coefficient != 0 && summary.stick_fraction < 1e-3)
         summary.note = sliding_note(scene.traction_coefficient);
     }
@@ -125,8 +100,8 @@ namespace wheelrail
     }
 
     /// Holds the peak pressure against that of half-spaces, and adds both figures.
-    PeakMiss
-    compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
+    void
+    compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary, Measures &measures)
     {
       try
         {
@@ -134,15 +109,14 @@ namespace wheelrail
             scene, geometry, summary.normal_force, offsets_of_run(summary), summary.creepage);
           if (std::isfinite(get_figure(summary, "yaw_rad")))
             set_reference_figures(halfspace.reference, true, summary); // from its pitch rate and pose
-          const Trust trust = trust_of(scene, summary, halfspace);
+          measure_against(halfspace, scene, summary, measures);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
-          set_figure(summary, "relative_difference_max_pressure", trust.peak_difference);
-          return peak_miss(scene, trust);
+          set_figure(summary, "relative_difference_max_pressure", measures.peak_difference);
         }
       catch (const InputError &error)
         {
-          return {std::string("the peak pressure could not be held against half-spaces: ") + error.what(),
-                  true};
+          measures.no_reference =
+            std::string("the peak pressure could not be held against half-spaces: ") + error.what();
         }
     }
 
@@ -163,30 +137,34 @@ namespace wheelrail
 
 
     /// The means are those of a place of the way.
-    PeakMiss
-    compare_peak_on_way(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
+    void
+    compare_peak_on_way(const Scene         &scene,
+                        const SceneGeometry &geometry,
+                        Summary             &summary,
+                        Measures            &measures)
     {
       const Scene there = scene_on_way(scene, get_figure(summary, "motion_distance_m"));
-      return compare_peak(there, make_geometry(there, {geometry.rail, geometry.wheel, {}}), summary);
+      compare_peak(there, make_geometry(there, {geometry.rail, geometry.wheel, {}}), summary, measures);
     }
   } // namespace
 
 
   std::vector<std::string>
-  judge(const Scene &scene, const SceneGeometry &geometry, const double from, Summary &summary)
+  judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
   {
+    Measures measures = measures_of_run(scene, summary);
+    measures.place    = place_in_words(geometry.contact.frame.to_track({summary.patch_centre_lateral, 0}).x);
+    if (scene.motion == "none")
+      compare_peak(scene, geometry, summary, measures);
+    else
+      compare_peak_on_way(scene, geometry, summary, measures);
+    const Verdict verdict = judge_run(scene, measures);
+    set_verdict(summary, verdict);
     std::vector<std::string> warnings;
-    summary.doubts      = doubts_about(summary, from);
-    const PeakMiss miss = scene.motion == "none" ? compare_peak(scene, geometry, summary)
-                                                 : compare_peak_on_way(scene, geometry, summary);
-    if (miss.is_fault)
-      summary.doubts += (summary.doubts.empty() ? "" : " ") + miss.sentence + ".";
-    else if (!miss.sentence.empty())
-      warnings.push_back(miss.sentence);
-    if (const std::string flow = flow_below_fine_cells(scene, summary); !flow.empty())
-      warnings.push_back(flow);
-    if (!summary.doubts.empty())
-      warnings.push_back("the figures should not be trusted: " + summary.doubts);
+    for (const std::string &warning :
+         {difference_of_models(measures, verdict), flow_below_fine_cells(scene, summary)})
+      if (!warning.empty())
+        warnings.push_back(warning);
     return warnings;
   }
 
@@ -224,7 +202,6 @@ namespace wheelrail
     summary.title = run.scene.title;
     run.recorder.fill(summary, run.recorder.averaging_stretch(run.scene));
     summary.friction_coefficient = run.scene.friction_coefficient;
-    add_drive(summary, run.scene);
     summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
     const PlasticFigures plastic = plastic_figures(model.solid, model.contact->surfaces(), run.communicator);
     set_figure(summary, "max_von_mises_nodal_Pa", largest_von_mises(stress, run.communicator));
@@ -244,6 +221,7 @@ namespace wheelrail
     set_figure(summary,
                "creepage_at_patch_centre",
                (1 + summary.creepage) * centre_radius / model.geometry.forward_radius - 1);
+    add_drive(summary, run.scene, centre_radius);
     summary.rolled_distance = run.axle.travelled();
     summary.velocity        = run.scene.velocity;
     summary.elements        = double(model.solid.quality.elements);

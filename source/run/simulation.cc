@@ -352,8 +352,7 @@ namespace wheelrail
       write_timing(log_, *parts_, summary, mesh_changes_);
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
       if (summary.finished)
-        for (const std::string &warning :
-             judge(scene_, geometry_, recorder_->averaging_stretch(scene_).s0, summary))
+        for (const std::string &warning : judge(scene_, geometry_, summary))
           log_.warning(warning);
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");

@@ -64,6 +64,39 @@ namespace wheelrail
       return c0 + c1 * u + c2 * v + c3 * u * u + c4 * u * v + c5 * v * v;
     }
 
+    /// Nodes from k on in steps of `step`, `most` at most, until the pressure falls to half its peak, with
+    /// the part of the last one.
+    double
+    nodes_to_half(const std::vector<double> &pressure,
+                  const std::size_t          k,
+                  const int                  step,
+                  const unsigned int         most)
+    {
+      const double half = 0.5 * pressure[k];
+      double       last = pressure[k];
+      for (unsigned int n = 1; n <= most; ++n)
+        {
+          const double now = pressure[k + static_cast<std::ptrdiff_t>(n) * step];
+          if (now < half)
+            return n - 1 + (last - half) / (last - now);
+          last = now;
+        }
+      return most;
+    }
+
+    /// See PatchMeasures::cells_across.
+    double
+    cells_across_peak(const PatchFields &patch, const std::size_t k)
+    {
+      const unsigned int across = patch.n_lateral, i = k / across, j = k % across;
+      const auto        &p     = patch.pressure;
+      const int          along = static_cast<int>(across);
+      const double       length =
+                     nodes_to_half(p, k, along, patch.n_along - 1 - i) + nodes_to_half(p, k, -along, i),
+                   lateral = nodes_to_half(p, k, 1, across - 1 - j) + nodes_to_half(p, k, -1, j);
+      return std::min(length, lateral) / std::sqrt(0.75);
+    }
+
     void
     add_sums(const PatchFields &patch, PatchMeasures &measures)
     {
@@ -114,6 +147,7 @@ namespace wheelrail
     measures.peak_pressure_fitted = fitted_peak(patch, k / patch.n_lateral, k % patch.n_lateral);
     measures.peak_along           = patch.along[k];
     measures.peak_lateral         = patch.lateral[k];
+    measures.cells_across         = cells_across_peak(patch, k);
 
     const PatchEdge edge    = find_patch_edge(patch);
     measures.area           = edge.area;

@@ -129,7 +129,8 @@ namespace wheelrail
     row.put("max_shear_traction", m.max_traction);
     row.put("stick_fraction", m.stick_fraction);
     row.put("t_gamma", m.t_gamma);
-    n_patches_ = m.n_patches;
+    n_patches_    = m.n_patches;
+    cells_across_ = m.cells_across;
   }
 
 
@@ -157,16 +158,25 @@ namespace wheelrail
       set_figure(summary, figure.key(), mean.mean);
       set_figure(summary, figure.key("_std"), mean.deviation);
     };
-    for (const char *name :
-         {"normal_force", "vertical_force", "longitudinal_force", "lateral_force", "creepage", "yaw_moment"})
+    for (const char *name : {"normal_force",
+                             "vertical_force",
+                             "longitudinal_force",
+                             "lateral_force",
+                             "creepage",
+                             "yaw_moment",
+                             "drive_torque"})
       put_mean(name, mean_over(rolled, column(history, name), stretch));
     set_figure(summary, "energy_error", column(history, "energy_error").back());
     const auto &patch_rolled = column(patches, "rolled_distance");
     for (std::size_t c = 1; c < patches.names.size(); ++c)
       put_mean(patches.names[c], mean_over(patch_rolled, patches.columns[c], stretch));
 
+    set_figure(summary, "means_from_m", std::max(0., stretch.s0));
     if (n_patches_ > 0)
-      set_figure(summary, "patches", n_patches_);
+      {
+        set_figure(summary, "patches", n_patches_);
+        set_figure(summary, "cells_across_peak", cells_across_);
+      }
 
     fill_settling(summary, stretch);
   }
@@ -209,8 +219,14 @@ namespace wheelrail
             worst.swing              = found.swing;
             summary.largest_swing_of = figure_named(figure.name).label;
           }
+        if (found.drift > worst.drift)
+          {
+            worst.drift              = found.drift;
+            summary.largest_drift_of = figure_named(figure.name).label;
+          }
       }
     set_figure(summary, "settled_after_m", worst.after);
     set_figure(summary, "largest_swing", worst.swing);
+    set_figure(summary, "largest_drift", worst.drift);
   }
 } // namespace wheelrail

@@ -130,12 +130,13 @@ def table(study, columns, states):
     axes = study_table.axis_columns(study)
     shown = [columns[prefix + key] for key in study_table.SHOWN for prefix in ("", "halfspace_") if prefix + key in columns]
     decimals = {figure["key"]: figure["decimals"] for figure in study.figures}
-    heads = [head for head, _ in axes] + ["state"] + [column.header for column in shown]
+    heads = [head for head, _ in axes] + ["verdict"] + [column.header for column in shown]
     rows = ["<table><tr>" + "".join(f"<th>{html.escape(head)}</th>" for head in heads) + "</tr>"]
     for row, state in enumerate(states):
         cells = [f"<td class=number>{html.escape(texts[row])}</td>" for _, texts in axes]
-        kind = "good" if state.word == "finished" else "bad"
-        cells.append(f"<td class={kind}>{html.escape(state.word)}</td>")
+        word, doubts = study_table.verdict(study.summaries(study.cases[row]))
+        word = word if state.word == "finished" and word else state.word
+        cells.append(f'<td class={page.VERDICT_CLASS.get(word, "bad")} title="{html.escape(doubts)}">{html.escape(word)}</td>')
         for column in shown:
             value = column.values[row]
             digits = decimals[column.key.replace("halfspace_", "")]
@@ -182,6 +183,9 @@ def write(study, failures):
         parts.append("<p class=remark>Python's plotly is not installed (package python3-plotly); the page shows pictures alone.</p>")
     parts += [f"<p class=bad>{html.escape(study.label(case))}: {html.escape(state.word)}: {html.escape(state.sentence)}</p>"
               for case, state in zip(study.cases, states) if state.sentence]
+    parts += [f"<p class={page.VERDICT_CLASS.get(word, 'bad')}>{html.escape(study.label(case))}: {html.escape(word)}: "
+              f"{html.escape(doubts)}</p>"
+              for case in study.cases for word, doubts in [study_table.verdict(study.summaries(case))] if doubts]
     parts += ["<h2>Figures</h2><div class=wide>", table(study, columns, states), "</div>"]
     if shown:
         parts += ["<h2>Views</h2>", page.views_html(shown)]

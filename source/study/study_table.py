@@ -8,6 +8,7 @@
 import csv
 import io
 import os
+import sys
 
 import numpy as np
 
@@ -16,6 +17,9 @@ try:
 except ImportError as error:
     raise SystemExit(f"{error}; install the Debian package python3-h5py") from error
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "report"))
+
+import page
 from study_folder import replace
 
 # figures that say what a run cost; they are not the same from run to run, or from machine to machine
@@ -100,12 +104,16 @@ def as_csv(rows):
     return text.getvalue()
 
 
-def trusted(pair):
-    """Whether the figures may be trusted: yes, no, or nothing where there are none."""
+def verdict(pair):
+    """The verdict of a case and why, "" where there are no figures: that of its run, or of its half-spaces."""
     summary = pair[0] or pair[1] or {}
-    if "max_pressure_Pa" not in summary:
-        return ""
-    return "yes" if summary.get("trusted", True) else "no"
+    return page.verdict_of(summary), summary.get("doubts") or ""
+
+
+def trusted(pair):
+    """The column of before there were three verdicts: yes, no, or nothing where there are no figures."""
+    word = verdict(pair)[0]
+    return word and ("yes" if word == "trusted" else "no")
 
 
 def write(study, failures):
@@ -117,14 +125,16 @@ def write(study, failures):
     for name, chosen in (("table.csv", [c for c in columns if c.key not in COSTS]),
                          ("costs.csv", [c for c in columns if c.key in COSTS])):
         is_table = name == "table.csv"
-        lines = [[head for head, _ in axes] + ["state"] + (["trusted"] if is_table else []) +
-                 [column.header for column in chosen] + (["remark"] if is_table else []) + ["folder"]]
+        lines = [[head for head, _ in axes] + ["state"] + (["verdict", "trusted"] if is_table else []) +
+                 [column.header for column in chosen] + (["remark", "doubts"] if is_table else []) + ["folder"]]
         for row in rows:
             case = study.cases[row]
+            pair = study.summaries(case)
+            word, doubts = verdict(pair)
             lines.append([cells[row] for _, cells in axes] + [states[row].word] +
-                         ([trusted(study.summaries(case))] if is_table else []) +
-                         [column.text(row) for column in chosen] + ([states[row].sentence] if is_table else []) +
-                         [case["name"]])
+                         ([word, trusted(pair)] if is_table else []) +
+                         [column.text(row) for column in chosen] +
+                         ([states[row].sentence, doubts] if is_table else []) + [case["name"]])
         replace(study.path(name), as_csv(lines))
     write_hdf5(study, columns, states)
     return columns
@@ -145,6 +155,7 @@ def write_hdf5(study, columns, states):
             file[group].attrs["entry"], file[group].attrs["unit"] = axis["entry"], unit_of(axis)
         for name, values in (("case", [case["name"] for case in study.cases]),
                              ("state", [state.word for state in states]),
+                             ("verdict", [verdict(study.summaries(case))[0] for case in study.cases]),
                              ("remark", [state.sentence for state in states])):
             file[name] = np.array(values, dtype=h5py.string_dtype())
         for column in columns:
@@ -159,8 +170,9 @@ def show(study):
     """The main figures on the screen."""
     columns = {column.key: column for column in columns_of(study)}
     axes = axis_columns(study)
-    rows = [[head for head, _ in axes]]
-    rows += [[cells[row] for _, cells in axes] for row in range(len(study.cases))]
+    rows = [[head for head, _ in axes] + ["verdict"]]
+    rows += [[cells[row] for _, cells in axes] + [verdict(study.summaries(case))[0] or "-"]
+             for row, case in enumerate(study.cases)]
     for key in SHOWN:
         for column in (columns.get(key), columns.get("halfspace_" + key)):
             if column is None:

@@ -53,8 +53,13 @@ namespace wheelrail
     bool        finished = false; ///< the run reached its end
     std::string stop_reason;      ///< why it did not, a sentence; empty when finished
     std::string note;             ///< what is to be known beside the figures, a sentence; mostly empty
-    std::string largest_swing_of; ///< label of the figure with the largest swing, of the moment, not written
-    std::string doubts; ///< why the figures should not be trusted, sentences; empty when they may be
+    std::string largest_swing_of; ///< label of the figure with the largest swing
+    std::string largest_drift_of; ///< and of that with the largest drift
+    /// "trusted", "with care" or "not trusted", see verdict/verdict.h; empty: not judged. What did not finish
+    /// is not trusted whatever stands here.
+    std::string verdict;
+    std::string
+      doubts; ///< why the figures are to be taken with care or not trusted, sentences; empty: neither
   };
 
   /// Sets a figure by its key in the file ("max_pressure_Pa"); a key that is none of the members
@@ -65,6 +70,15 @@ namespace wheelrail
   /// The figure with that key, member or further; NaN when there is none.
   double
   get_figure(const Summary &summary, const std::string &key);
+
+  /// The verdict that stands in the file, on screens and in tables: of what did not finish "not trusted"; of
+  /// a summary that names none "trusted" where it has no doubts, as those before there were three words.
+  std::string
+  verdict_of(const Summary &summary);
+
+  /// "verdict: with care: ..." with the doubts, as screens show it.
+  std::string
+  verdict_line(const Summary &summary);
 
   /// Writes the flat summary.json: keys with their SI unit, in the order above; counts as whole
   /// numbers; NaN and infinite values as null; and beside it figures.json, which says how they are shown

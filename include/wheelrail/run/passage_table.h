@@ -13,9 +13,14 @@ namespace wheelrail
   passage_folder(const std::string &folder, unsigned int passage);
 
   /// The table passages.csv of the passages `computed` below `folder`, numbers from 1 that ascend, from their
-  /// summaries. A passage whose forerunner was jumped over has no increments.
+  /// summaries; the column "verdict" holds the numbers of Grade. A passage whose forerunner was jumped over has
+  /// no increments.
   FigureTable
   passage_table(const std::string &folder, const std::vector<unsigned int> &computed);
+
+  /// "verdict: 8 passages trusted, 2 with care, 0 not trusted" of such a table, a line.
+  std::string
+  passage_verdicts(const FigureTable &table);
 
   /// What each whole round of `of_round` passages has added, of those that are computed; only the last rounds
   /// that follow each other without a jump.

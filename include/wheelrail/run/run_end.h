@@ -25,19 +25,12 @@ namespace wheelrail
     unsigned long first_step   = 0; ///< steps before this part
   };
 
-  /// Why the figures of a finished run should not be trusted, in sentences; empty when they may be. Judged
-  /// are the noise of normal force and peak pressure over the last stretch, the energy error, and whether
-  /// forces had settled before the means began at `from` [m]: a balanced energy alone does not protect, since
-  /// contact that chatters keeps it.
-  std::string
-  doubts_about(const Summary &summary, double from);
-
-  /// Adds to the summary of a finished run the doubts of doubts_about(), and those that its peak pressure
-  /// raises: it is held against that of half-spaces under its normal force and in its pose, which takes some
-  /// hundredths of a second, and both figures are added too. Returns what is to be said on the screen, which
-  /// also names a band of plastic flow that reaches below the fine cells.
+  /// Puts the verdict into the summary of a finished run (verdict/verdict.h). Its peak pressure is held against
+  /// that of half-spaces under its normal force and in its pose, which takes some hundredths of a second, and
+  /// both figures are added too. Returns what else is to be said on the screen: where half-spaces are no
+  /// reference, and a band of plastic flow that reaches below the fine cells.
   std::vector<std::string>
-  judge(const Scene &scene, const SceneGeometry &geometry, double from, Summary &summary);
+  judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary);
 
   /// Adds what the run left in the rail where BB_behind cuts it.
   void

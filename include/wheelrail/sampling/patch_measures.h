@@ -29,6 +29,9 @@ namespace wheelrail
     /// steady rolling is the T-gamma of wear laws, spin included [N = J/m]; NaN for a patch without slip.
     double t_gamma = 0;
 
+    /// Nodes across the highest pressure, along or across, whichever is less: how far it exceeds half the
+    /// peak on the lines through it, over 0.866 (sqrt(3)/2), which is the chord of an ellipse with that peak.
+    double       cells_across   = 0;
     unsigned int n_loaded       = 0;     ///< nodes with pressure
     unsigned int n_patches      = 0;     ///< separate patches, minus holes
     bool         touches_border = false; ///< loaded nodes on the rim of the grid: the patch is cut off

@@ -58,6 +58,8 @@ namespace wheelrail
 
     const Model &model_;
     State        state_;
-    unsigned int n_patches_ = 0; ///< in the patch that was added last
+    // of the patch that was added last
+    unsigned int n_patches_    = 0;
+    double       cells_across_ = 0; ///< PatchMeasures::cells_across
   };
 } // namespace wheelrail

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <wheelrail/output/summary.h>
+#include <wheelrail/scene/scene.h>
+
+#include <limits>
+#include <string>
+
+namespace wheelrail
+{
+  /// What is known of a result and decides how far it can be trusted. NaN: not known, and not judged.
+  struct Measures
+  {
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    // what resolves the patch
+    double cells             = none; ///< solution cells over the shorter extent of the patch
+    double cells_across_peak = none; ///< and across its highest pressure, see PatchMeasures::cells_across
+    double penetration       = none; ///< of the penalty law at the peak, over the approach
+
+    // steadiness over the stretch of the means
+    double      unsteadiness   = none; ///< largest std of vertical and longitudinal force over vertical force
+    double      pressure_noise = none; ///< std of the fitted peak pressure over its mean
+    double      swing          = none; ///< of the means over 2 mm about their trend, see Settling
+    double      drift          = none; ///< change over the stretch that is more than noise, see Settling
+    double      settled_after  = none; ///< [m]; infinity where a figure never settles
+    double      means_from     = none; ///< where the means begin [m]
+    std::string swing_of, drift_of;    ///< the figures with the largest ones
+
+    // balances
+    double energy_error = none; ///< over strain plus dissipated energy
+    double load_miss    = none; ///< mean vertical force over static load, less 1
+    double torque_miss  = none; ///< mean longitudinal force less what the torque asks, over the latter
+
+    // what the patch bears, and on what
+    double      peak_pressure = none; ///< [Pa]
+    std::string place;   ///< of the patch, in words: "31.2 mm to the gauge side of ..."; may be empty
+    std::string made_up; ///< part of a profile that was not measured and is touched; empty: none
+
+    // against half-spaces
+    double      peak_difference = none; ///< (run - half-space) / half-space
+    double      turn            = none; ///< of the surfaces across the patch [rad]
+    double      pose_effect     = none; ///< peak with the pose over peak without it, less 1
+    double      plastic_strain  = 0;    ///< largest one of the run, 0 where nothing has flowed
+    double      patches         = 1;    ///< separate ones of the run, where the half-spaces have not as many
+    std::string no_reference;           ///< why there are no half-spaces to compare with; empty: there are
+
+    /// What the penalty contact takes from the peak, about: a layer of springs between the bodies. 0.85 p/(1
+    /// + p) of the penetration p fits the runs of doc/theory/accuracy.md (f = 10: 0.7 %, f = 0.1: a third).
+    double
+    penalty_part() const
+    {
+      return -0.85 * penetration / (1 + penetration);
+    }
+
+    /// What the cells take from it, about: 1.3 over the square of their number over the patch (13 cells: 0.8
+    /// %, 7: 2.7 %), or 0.3 over the square of that across the highest pressure where this is more, as in a
+    /// narrow ridge (doc/theory/accuracy.md). Of fewer than three no such rule is known (a ridge that is lost
+    /// between nodes may miss a third), and it is NaN.
+    double
+    mesh_part() const;
+  };
+
+  /// A place across the track in words: "8.3 mm from the running circle to the gauge side", of `x` in the
+  /// track plane [m], positive to the track centre.
+  std::string
+  place_in_words(double x);
+
+  /// The measures that a run's own summary holds: all but those that need half-spaces or profiles.
+  Measures
+  measures_of_run(const Scene &scene, const Summary &run);
+} // namespace wheelrail

@@ -1,0 +1,55 @@
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/verdict/measures.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  double
+  Measures::mesh_part() const
+  {
+    if (!(cells >= 3) || cells_across_peak < 3)
+      return none;
+    const double patch = 1.3 / (cells * cells), ridge = 0.3 / (cells_across_peak * cells_across_peak);
+    return -(ridge > patch ? ridge : patch); // a run of an earlier version does not know its ridge
+  }
+
+
+  std::string
+  place_in_words(const double x)
+  {
+    return in_mm(std::round(1e4 * std::abs(x)) / 1e4) + " from the running circle to the " +
+           (x < 0 ? "field" : "gauge") + " side";
+  }
+
+
+  Measures
+  measures_of_run(const Scene &scene, const Summary &run)
+  {
+    const auto figure = [&](const char *key) { return get_figure(run, key); };
+    Measures   m;
+    m.cells             = std::min(run.patch_lateral, run.patch_longitudinal) / scene.cell_size;
+    m.cells_across_peak = figure("cells_across_peak");
+    m.unsteadiness =
+      std::max(figure("vertical_force_std_N"), figure("longitudinal_force_std_N")) / run.vertical_force;
+    m.pressure_noise = figure("max_pressure_fitted_std_Pa") / run.max_pressure_fitted;
+    m.swing          = figure("largest_swing");
+    m.swing_of       = run.largest_swing_of;
+    m.drift          = figure("largest_drift");
+    m.drift_of       = run.largest_drift_of;
+    m.means_from     = figure("means_from_m");
+    // a figure that never settles is null in the file
+    m.settled_after = figure("settled_after_m");
+    if (std::isnan(m.settled_after) && std::isfinite(m.means_from))
+      m.settled_after = std::numeric_limits<double>::infinity();
+    m.energy_error = run.energy_error;
+    if (scene.motion == "none")
+      m.load_miss = run.vertical_force / figure("wheel_load_N") - 1;
+    m.torque_miss   = figure("torque_miss");
+    m.peak_pressure = run.max_pressure;
+    if (run.max_plastic_strain > 0)
+      m.plastic_strain = run.max_plastic_strain;
+    return m;
+  }
+} // namespace wheelrail

@@ -1,0 +1,278 @@
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/verdict/verdict.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Up to `good` a measure is as it should be, from there to `fair` it asks for care.
+    struct Bounds
+    {
+      double good, fair;
+    };
+
+    // doc/manual/compare.md has this table, with what the main scene has
+    constexpr Bounds loss_bounds{0.02, 0.05}; ///< of the peak pressure, to the cells or to the penalty
+    constexpr Bounds unsteadiness_bounds{0.01, 0.05};
+    constexpr Bounds pressure_noise_bounds{0.05, 0.1};
+    constexpr Bounds swing_bounds{0.02, 0.05};
+    constexpr Bounds drift_bounds{0.01, 0.05};
+    constexpr Bounds energy_bounds{0.005, 0.01};
+    constexpr Bounds load_bounds{0.01, 0.03};
+    constexpr Bounds torque_bounds{0.01, 0.05};
+    constexpr Bounds peak_bounds{0.05, 0.1};
+    constexpr double most_turn           = 0.2;  ///< of surfaces that half-spaces stand for [rad]
+    constexpr double least_plastic       = 1e-4; ///< strain from which on steel has flowed
+    constexpr double least_elements      = 8;    ///< of half-spaces across a contact
+    constexpr double highest_of_any_rail = 4e9;  ///< [Pa]
+
+    std::string
+    text(const char *format, const double value)
+    {
+      char buffer[200];
+      std::snprintf(buffer, sizeof(buffer), format, value);
+      return buffer;
+    }
+
+    std::string
+    percent(const double share)
+    {
+      return std::isfinite(share) ? text("%.1f %%", 100 * std::abs(share)) : "an unknown part";
+    }
+
+    /// The grade of a measure that should be small; one that is no number is not trusted.
+    Grade
+    graded(const double value, const Bounds &bounds)
+    {
+      return value <= bounds.good   ? Grade::trusted
+             : value <= bounds.fair ? Grade::with_care
+                                    : Grade::not_trusted;
+    }
+
+    void
+    add(Verdict &verdict, const Grade grade, const std::string &sentence)
+    {
+      if (grade != Grade::trusted)
+        verdict.findings.push_back({grade, sentence});
+    }
+
+    /// Cells and penalty: what keeps a run from the answer of its own equations.
+    void
+    judge_resolution(const Scene &scene, const Measures &m, Verdict &verdict)
+    {
+      if (!std::isnan(m.cells))
+        {
+          // of so few that no rule is known nothing can be trusted
+          const double loss  = -m.mesh_part();
+          const bool   ridge = m.cells_across_peak < 0.5 * m.cells;
+          // cells are halved from coarse to fine; 8 over a patch and 4 over a ridge cost 2 % of the peak
+          const double times = std::isnan(loss) ? std::max(8 / m.cells, ridge ? 4 / m.cells_across_peak : 0)
+                                                : std::sqrt(loss / loss_bounds.good);
+          add(verdict,
+              graded(loss, loss_bounds),
+              "too few cells: " + text("%.1f of ", ridge ? m.cells_across_peak : m.cells) +
+                in_mm(scene.cell_size) + " lie across the " + (ridge ? "highest pressure" : "patch") +
+                (std::isnan(loss)
+                   ? ""
+                   : ", which takes about " + text("%.0f %%", 100 * loss) + " from the peak pressure") +
+                "; take Mesh/Solution cell size = " +
+                in_mm(scene.cell_size * std::exp2(-std::ceil(std::log2(times)))) + ".");
+        }
+      if (!std::isnan(m.penetration))
+        add(verdict,
+            graded(-m.penalty_part(), loss_bounds),
+            "the penalty contact sinks in by " + percent(m.penetration) +
+              " of the approach, which takes about " + text("%.0f %%", -100 * m.penalty_part()) +
+              " from the peak pressure; raise Contact/Penalty scale.");
+    }
+
+    /// Noise and trend over the stretch of the means, each by itself.
+    void
+    judge_steadiness(const Measures &m, Verdict &verdict)
+    {
+      add(verdict,
+          graded(m.unsteadiness, unsteadiness_bounds),
+          "the forces vary by " + percent(m.unsteadiness) +
+            " of the load (standard deviation; 1 % is usual at most).");
+      add(verdict,
+          graded(m.pressure_noise, pressure_noise_bounds),
+          "the peak pressure swings by " + percent(m.pressure_noise) +
+            " of its mean (standard deviation; 5 % are usual at most).");
+      if (m.swing > swing_bounds.good)
+        add(verdict,
+            graded(m.swing, swing_bounds),
+            m.swing_of + " swings by " + percent(m.swing) + " in the means over 2 mm and is not steady.");
+      if (m.drift > drift_bounds.good)
+        add(verdict,
+            graded(m.drift, drift_bounds),
+            m.drift_of + " still changes, by " + percent(m.drift) +
+              " from the first to the last millimetre of the means; roll farther (Run/Rolling distance).");
+      else if (!(m.swing > swing_bounds.good) && m.means_from > 0 && m.settled_after > m.means_from)
+        add(verdict,
+            Grade::with_care,
+            "not all figures have come within 1 % of their means before " +
+              text("%.1f mm", 1e3 * m.means_from) +
+              " rolled, where the means begin; roll farther (Run/Rolling distance).");
+    }
+
+    /// What is known exactly: energy, weight, torque.
+    void
+    judge_balances(const Measures &m, Verdict &verdict)
+    {
+      add(verdict,
+          graded(m.energy_error, energy_bounds),
+          "the energy balance is off by " + percent(m.energy_error) +
+            " of strain plus dissipated energy; take a smaller Run/Time step factor.");
+      if (!std::isnan(m.load_miss))
+        add(verdict,
+            graded(std::abs(m.load_miss), load_bounds),
+            "the mean vertical force is " + percent(m.load_miss) + (m.load_miss < 0 ? " below" : " above") +
+              " the wheel load: the wheel has not come to rest on its contact; roll farther (Run/Rolling "
+              "distance).");
+      if (!std::isnan(m.torque_miss))
+        add(verdict,
+            graded(std::abs(m.torque_miss), torque_bounds),
+            "the longitudinal force is off by " + percent(m.torque_miss) +
+              " from what the torque of the wheel asks: the wheel still turns faster or slower with every "
+              "millimetre, and creepage and T-gamma are those of the moment; roll farther (Run/Rolling "
+              "distance), where friction can carry the torque.");
+    }
+
+    /// What no steel bears, and what nobody has measured.
+    void
+    judge_place(const Measures &m, Verdict &verdict)
+    {
+      const std::string where = m.place.empty() ? "" : ", " + m.place + ",";
+      if (m.peak_pressure > highest_of_any_rail)
+        add(verdict,
+            Grade::not_trusted,
+            "the peak pressure of " + text("%.1f GPa", 1e-9 * m.peak_pressure) + where +
+              " is more than any rail steel bears (4 GPa): the profiles touch at an edge, or the steel would "
+              "yield; look at the contact with \"./wheelrail geometry\".");
+      if (!m.made_up.empty())
+        add(verdict,
+            Grade::not_trusted,
+            "the patch" + where + " lies on " + m.made_up +
+              ", which no file holds; take a profile that "
+              "reaches farther, or another lateral shift.");
+    }
+
+    void
+    find_limits(const Measures &m, Verdict &verdict)
+    {
+      const auto limit = [&](const std::string &why) {
+        verdict.limits += (verdict.limits.empty() ? "" : " and ") + why;
+      };
+      if (m.plastic_strain > least_plastic)
+        limit("steel has flowed (plastic strain up to " + text("%.2g", 1e3 * m.plastic_strain) + "e-3)");
+      if (m.turn >= most_turn)
+        limit("the surfaces turn by " + text("%.0f", m.turn * 180 / std::acos(-1.)) +
+              " degrees across the patch");
+      if (m.patches > 1)
+        limit("the run has " + text("%.0f", m.patches) + " patches");
+    }
+
+    /// The difference that nothing before explains, where half-spaces are a reference.
+    void
+    judge_agreement(const Measures &m, Verdict &verdict)
+    {
+      if (!m.no_reference.empty())
+        add(verdict, Grade::with_care, m.no_reference);
+      if (std::isnan(m.peak_difference) || !verdict.limits.empty())
+        return;
+      add(verdict,
+          graded(std::abs(m.peak_difference), peak_bounds),
+          "the peak pressure is " + text("%.0f %% ", 100 * std::abs(m.peak_difference)) +
+            (m.peak_difference < 0 ? "below" : "above") +
+            " that of half-spaces under the same force and in the same pose" +
+            (verdict.findings.empty()
+               ? ", and the usual causes (cells, penalty, unsteady forces) do not explain it."
+               : "."));
+    }
+  } // namespace
+
+
+  std::string
+  grade_word(const Grade grade)
+  {
+    return grade == Grade::trusted ? "trusted" : grade == Grade::with_care ? "with care" : "not trusted";
+  }
+
+
+  Grade
+  Verdict::grade() const
+  {
+    Grade lowest = Grade::trusted;
+    for (const Finding &finding : findings)
+      lowest = std::min(lowest, finding.grade);
+    return lowest;
+  }
+
+
+  std::string
+  Verdict::doubts() const
+  {
+    std::vector<Finding> sorted = findings;
+    std::stable_sort(
+      sorted.begin(), sorted.end(), [](const Finding &a, const Finding &b) { return a.grade < b.grade; });
+    std::string sentences;
+    for (const Finding &finding : sorted)
+      sentences += (sentences.empty() ? "" : " ") + finding.sentence;
+    return sentences;
+  }
+
+
+  Verdict
+  judge_run(const Scene &scene, const Measures &measures)
+  {
+    Verdict verdict;
+    judge_place(measures, verdict);
+    judge_resolution(scene, measures, verdict);
+    judge_steadiness(measures, verdict);
+    judge_balances(measures, verdict);
+    find_limits(measures, verdict);
+    judge_agreement(measures, verdict);
+    return verdict;
+  }
+
+
+  Verdict
+  judge_halfspaces(const Measures &measures)
+  {
+    Verdict verdict;
+    judge_place(measures, verdict);
+    if (measures.cells < least_elements)
+      add(
+        verdict,
+        Grade::with_care,
+        text(
+          "only %.0f elements lie across the contact: the peak pressure may be off by 5 %% and more; take a "
+          "smaller Half-space/Element size.",
+          measures.cells));
+    return verdict;
+  }
+
+
+  void
+  set_verdict(Summary &summary, const Verdict &verdict)
+  {
+    summary.verdict = grade_word(verdict.grade());
+    summary.doubts  = verdict.doubts();
+  }
+
+
+  Grade
+  grade_of(const Summary &summary)
+  {
+    const std::string word = verdict_of(summary);
+    for (const Grade grade : {Grade::trusted, Grade::with_care})
+      if (word == grade_word(grade))
+        return grade;
+    return Grade::not_trusted;
+  }
+} // namespace wheelrail
