@@ -42,6 +42,9 @@ namespace
     check_near(scene.friction_coefficient, 0.4, 0, "--set of an entry");
     check_text(scene.title, "c", "--set goes before the file");
     check_text(read(text).title, "a = b", "= and remark in a value");
+    const std::string braces = "{a|b}  {c} d";
+    check_text(read("set Title = " + braces).title, braces, "braces and several blanks in a value of a file");
+    check_text(read("", {"Title = " + braces}).title, braces, "and of --set");
     check_text(read("\xEF\xBB\xBFset Title = mark").title, "mark", "byte order mark");
     check_text(read("SUBSECTION Run\nEND\nSET Title = x").title, "x", "keywords in capital letters");
   }

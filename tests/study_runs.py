@@ -180,6 +180,23 @@ def together():
         check(code != 0 and sentence in text and "Traceback" not in text, f"{' '.join(options)}: {text[-200:]!r}")
 
 
+def paths():
+    """Folders with signs that mean something to Snakemake, its YAML, the shell or parameter files."""
+    for start, folder in (("at: b #c {d} {{e 'f' $HOME", "out {g}: h [i], 'j' $HOME"), ("plain", "{out}")):
+        fresh(start)
+        os.makedirs(start)
+        os.chdir(start)
+        write_study(FRICTION + "0.3", "halfspace")
+        code, text = study(folder)
+        check(code == 0 and sorted(os.listdir(".")) == sorted([folder, "study.prm"]),
+              f"a study from {start} into {folder}: {text[-300:] if code else os.listdir('.')}")
+        rows = table(folder)
+        check(rows[0]["state"] == "finished" and float(rows[0]["peak pressure, half-spaces [MPa]"]) > 500, "has its figures")
+        code, text = study(folder)
+        check(code == 0 and "0 to compute" in text, "and is found again")
+        os.chdir("..")
+
+
 def version():
     """Cases of another version stay, are told, and are computed anew."""
     fresh("version")
@@ -223,5 +240,5 @@ def disk():
 
 if not shutil.which("snakemake"):
     skip("snakemake is not installed")
-{f.__name__: f for f in (kill, failures, limit, together, version, disk)}[sys.argv[3]]()
+{f.__name__: f for f in (kill, failures, limit, together, paths, version, disk)}[sys.argv[3]]()
 finish()

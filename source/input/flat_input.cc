@@ -18,7 +18,7 @@ namespace wheelrail
     std::string
     trim(const std::string &text)
     {
-      const char *const blanks = " \t\r\v\f"; // those of ParameterHandler
+      const char *const blanks = " \t\r\v\f";
       const std::size_t first = text.find_first_not_of(blanks), last = text.find_last_not_of(blanks);
       return first == std::string::npos ? "" : text.substr(first, last - first + 1);
     }
@@ -294,7 +294,7 @@ namespace wheelrail
     {
       for (std::string &line : lines_)
         {
-          // the end of a comment; ParameterHandler would join the next line to it
+          // the end of a comment, to which the next line would be joined
           line.erase(line.find_last_not_of("\\ ") + 1);
           input_.text += line + "\n";
         }

@@ -3,10 +3,7 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>
-#include <wheelrail/input/parameter_handler.h>
 #include <wheelrail/input/parameters.h>
-
-#include <deal.II/base/parameter_handler.h>
 
 #include <set>
 #include <utility>
@@ -94,15 +91,15 @@ namespace wheelrail
         check(assignment, problems);
     require_no_problems(std::move(problems), name);
 
-    SceneInput               result{{}, name, input.text, {}};
-    dealii::ParameterHandler handler;
-    declare_entries(handler, result.scene);
-    handler.parse_input_from_string(input.text);
-    for (const Assignment &set : on_command_line)
-      set_entry(handler, set.section, set.name, set.value);
+    // Values are taken as they have been checked. deal.II's ParameterHandler would join blanks in them, and
+    // leave out without a word those with a brace, in which it sees values for several runs.
+    SceneInput result{{}, name, input.text, {}};
     for (const Assignment &assignment : all)
       if (assignment.replaced_at.empty())
-        result.origin[assignment.path()] = assignment.place;
+        {
+          find_entry(assignment.section, assignment.name)->set(result.scene, assignment.value);
+          result.origin[assignment.path()] = assignment.place;
+        }
     return result;
   }
 

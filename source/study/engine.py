@@ -1,12 +1,13 @@
 """Snakemake at work on the cases of a study."""
 
+import json
 import os
 import re
 import shutil
 import subprocess
 import threading
 
-from study_folder import StudyError
+from study_folder import StudyError, replace
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -31,11 +32,12 @@ class Engine:
         targets = [case["name"] + ".json" for case in study.open_cases()]
         config = {"script": os.path.join(HERE, "case.py"), "program": options.program, "ranks": options.ranks,
                   "folder": os.path.abspath(study.folder), "from": os.getcwd(), "compute": study.compute}
+        # by a file: on the command line Snakemake reads values as YAML, here and again for jobs of a cluster
+        replace(study.work("engine.config"), json.dumps(config, indent=1))
         # killed with this process, so that no case is started by an engine that nobody looks after
         command = ["setpriv", "--pdeathsig", "KILL", "snakemake", "--snakefile", os.path.join(HERE, "Snakefile"),
                    "--directory", study.path("workflow"), "--keep-going", "--nolock", "--forceall",
-                   "--rerun-triggers", "mtime", "--scheduler", "greedy", "--nocolor", "--latency-wait", "20",
-                   "--config", *[f"{key}={value}" for key, value in config.items()]]
+                   "--rerun-triggers", "mtime", "--scheduler", "greedy", "--nocolor", "--latency-wait", "20"]
         if options.profile:
             command += ["--profile", profile_folder(options.profile), "--jobs", str(options.jobs)]
         else:

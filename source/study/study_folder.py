@@ -6,6 +6,7 @@
     FOLDER/workflow/CASE.failed.json       why it failed the last time; it is tried again
     FOLDER/workflow/CASE.lock              held while it is computed
     FOLDER/workflow/CASE.log               what the program said
+    FOLDER/workflow/engine.config          what the jobs of the engine are called with
 """
 
 import contextlib

@@ -40,7 +40,7 @@ namespace wheelrail
     std::vector<SectionLine> sections;
     std::vector<Problem>     problems;
     /// The text without include and continued lines. What another file replaces has become a comment, so
-    /// that every entry is set once. ParameterHandler reads it if there are no problems.
+    /// that every entry is set once.
     std::string text;
   };
 

@@ -21,11 +21,10 @@ namespace wheelrail
   /// The scene of an input text (flatten_input()) with the changes of --set on top, entries not given at
   /// their defaults. `name` is the file name for messages.
   ///
-  /// deal.II's ParameterHandler would stop at the first fault. So all lines, names and values are checked
-  /// before it gets the text. Throws InputError whose text has one line for each fault found, in the order of
-  /// the lines, those of included files at the place of the include: "prm/x.prm:12: Wheelset/Velocity = 140:
-  /// a bare number; a velocity with its unit is needed, such as 140 km/h". Every entry is then right by
-  /// itself; whether they fit together tell cross_checks() and check_scene().
+  /// All lines, names and values are checked. Throws InputError whose text has one line for each fault found,
+  /// in the order of the lines, those of included files at the place of the include: "prm/x.prm:12:
+  /// Wheelset/Velocity = 140: a bare number; a velocity with its unit is needed, such as 140 km/h". Every
+  /// entry is then right by itself; whether they fit together tell cross_checks() and check_scene().
   SceneInput
   scene_from_text(const std::string &text, const std::string &name, const std::vector<std::string> &sets);
 
