@@ -1,5 +1,6 @@
 // The verdict on a finished run, on half-spaces and on old summaries: rules, grades, words.
 
+#include <wheelrail/geometry/made_up_part.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/run/run_end.h>
@@ -255,6 +256,38 @@ namespace
     check_text(summary.verdict, "with care", "figures that never settle");
   }
 
+  /// Parts of a profile that no file holds: where a measured head is joined to a standard body.
+  void
+  test_made_up()
+  {
+    const SceneInput input = scene_from_text(
+      "", "worn", {"Profiles/Rail = " + std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_54E1.prr"});
+    const SceneGeometry geometry = require_touching(input);
+    const Curve        &head     = geometry.rail.head;
+    const auto          part_at  = [&](const double t) {
+      return made_up_part(geometry, geometry.contact.rail.to_track(head.at(t).position));
+    };
+    std::vector<double> joined;
+    for (std::size_t k = 0; k < head.segments().size(); ++k)
+      if (head.segments()[k].name == "joined side")
+        joined.push_back(k + 0.5);
+    check(joined.size() == 2, "a measured head is joined on both sides");
+    check_text(part_at(joined.front()), "the joined side of the rail head", "on the field side");
+    check_text(part_at(joined.back()), "the joined side of the rail head", "on the gauge side");
+    check_text(part_at(0.5), "the joined side of the rail head", "below the joint, on the body's side");
+    check_text(part_at(joined.front() + 1), "", "on what was measured beside it");
+    check_text(made_up_part(geometry, geometry.contact.frame.origin), "", "at the contact point");
+    Segment tip                 = geometry.wheel.tread.segments().back();
+    tip.name                    = "continued flange";
+    std::vector<Segment> pieces = geometry.wheel.tread.segments();
+    pieces.back()               = tip;
+    TouchingProfiles changed    = geometry;
+    changed.wheel.tread         = Curve(pieces);
+    check_text(made_up_part(changed, geometry.contact.wheel.to_track(point_on(tip, 0.5).position)),
+               "the continued flange of the wheel",
+               "the flange of a wheel that was cut off");
+  }
+
   void
   test_halfspaces()
   {
@@ -282,6 +315,7 @@ main()
   test_words();
   test_agreement();
   test_run();
+  test_made_up();
   test_halfspaces();
   return report();
 }

@@ -1,9 +1,11 @@
+#include <wheelrail/geometry/made_up_part.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/plane_contact.h>
 #include <wheelrail/reference/several_patches.h>
 #include <wheelrail/reference/wheel_load.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -42,6 +44,12 @@ namespace wheelrail
     WheelRailSolution result = one.result();
     if (const auto regions = separate_regions(geometry, offsets, one); regions.size() > 1)
       result = solve_together(scene, geometry, load, offsets, regions, one);
+    const auto touched = [&](WheelRailSolution &patch) {
+      if (patch.reference)
+        patch.made_up = made_up_part(geometry, patch.reference->place);
+    };
+    touched(result);
+    std::for_each(result.others.begin(), result.others.end(), touched);
     result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
   }

@@ -43,6 +43,7 @@ namespace wheelrail
       Measures measures;
       measures.cells         = elements_across(result.solution);
       measures.peak_pressure = result.solution.peak_pressure;
+      measures.made_up       = result.made_up;
       if (result.reference)
         measures.place = place_in_words(result.reference->place.x);
       return judge_halfspaces(measures);

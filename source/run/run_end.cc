@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/geometry/made_up_part.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/reference/halfspace_parts.h>
@@ -152,8 +153,11 @@ namespace wheelrail
   std::vector<std::string>
   judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
   {
-    Measures measures = measures_of_run(scene, summary);
-    measures.place    = place_in_words(geometry.contact.frame.to_track({summary.patch_centre_lateral, 0}).x);
+    Measures     measures = measures_of_run(scene, summary);
+    const double centre   = summary.patch_centre_lateral;
+    const Point2 place    = geometry.contact.frame.to_track({centre, geometry.rail_heights.at(centre).n});
+    measures.place        = place_in_words(place.x);
+    measures.made_up      = made_up_part(geometry, place);
     if (scene.motion == "none")
       compare_peak(scene, geometry, summary, measures);
     else

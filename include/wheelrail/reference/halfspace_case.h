@@ -9,6 +9,7 @@
 #include <wheelrail/scene/scene.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -42,8 +43,9 @@ namespace wheelrail
     double            ahead =
       0; ///< of the first contact point, from which places along the rail count, ahead of the axle [m]
     std::optional<ContactReference> reference; ///< of wheel and rail; none where the distance is given
-    double                          time = 0;  ///< computing time [s]
-    int enlargements                     = 0;  ///< of the grid, until the contact did not touch its edge
+    std::string made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
+    double      time         = 0; ///< computing time [s]
+    int         enlargements = 0; ///< of the grid, until the contact did not touch its edge
     /// Patches beside this one, in planes of their own. What stands above is of one patch each.
     std::vector<WheelRailSolution> others;
   };
