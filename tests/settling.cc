@@ -4,6 +4,7 @@
 #include <wheelrail/sampling/settling.h>
 
 #include <cmath>
+#include <string>
 
 using namespace wheelrail;
 using test::check;
