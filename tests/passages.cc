@@ -279,6 +279,14 @@ namespace
                "when they have "
                "finished",
                "no rail");
+    std::filesystem::create_directories("passages_cut");
+    std::ofstream("passages_cut/rail.h5") << "no whole file";
+    other.rail_from = "passages_cut";
+    check_text(fault(other),
+               "Run/Rail = passages_cut: passages_cut/rail.h5 is no whole rail (HDF5 cannot read it: it is "
+               "no complete HDF5 file.); "
+               "compute that run again with --overwrite, or name another folder",
+               "a rail that was cut off");
     other.rail_from                  = "passages_heavy";
     other.rail_material.yield_stress = 480e6;
     check_text(fault(other),

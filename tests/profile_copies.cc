@@ -30,11 +30,39 @@ namespace
     check(scene.wheel_profile == "kept/here/profiles/wheel_same.txt", "the copy is used");
     check(scene.rail_profile == "kept/same.txt", "without a copy the entry stays");
   }
+
+  /// What a run that is gone on with has to find as it was: one rule for profiles and motion.
+  void
+  test_changes()
+  {
+    std::filesystem::create_directories("kept/changed");
+    Scene scene;
+    scene.rail_profile = "kept/rail.txt";
+    scene.motion       = "kept/motion.csv";
+    const auto write   = [](const char *path, const char *text) { std::ofstream(path) << text; };
+    write("kept/rail.txt", "a rail");
+    write("kept/motion.csv", "a motion");
+    check_text(
+      changed_since_start(scene, "kept/changed"), "", "without copies nothing is known to have changed");
+    keep_profiles(scene, "kept/changed");
+    check_text(changed_since_start(scene, "kept/changed"), "", "all is as it was");
+    write("kept/motion.csv", "another motion");
+    check_text(
+      changed_since_start(scene, "kept/changed"),
+      "Wheelset/Motion = kept/motion.csv: this file has changed since the run began, which has kept it as "
+      "kept/changed/profiles/motion_motion.csv; set it back to that, or start anew in another Output/Folder",
+      "a motion that has changed");
+    write("kept/rail.txt", "another rail");
+    check(changed_since_start(scene, "kept/changed")
+              .find("Profiles/Rail = kept/rail.txt: this file has changed") == 0,
+          "a rail that has changed");
+  }
 } // namespace
 
 int
 main()
 {
   test_copies();
+  test_changes();
   return report();
 }

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -109,6 +110,36 @@ namespace
     const std::string first = written("0 0 0"), other = written("0 0 1");
     check(first != other && first == written("0 0 0"), "the content of a file counts");
     std::remove("distance.txt");
+
+    // files that a scene names by way of others: the rail of an earlier run, a listed scene and what that
+    // includes
+    std::filesystem::create_directories("study_rail");
+    const auto write = [](const char *path, const std::string &text) { std::ofstream(path) << text; };
+    const auto named = [&] {
+      return name_of("0.2",
+                     {"Run/Rail = study_rail",
+                      "Rail material/Yield stress = 480 MPa",
+                      "Run/Passage list = study_listed.prm"});
+    };
+    write("study_rail/rail.h5", "a rail");
+    write("study_listed.prm", "include study_included.prm\n# a remark\n");
+    write("study_included.prm", "subsection Wheelset\n  set Lateral shift = 1 mm\nend\n");
+    std::set<std::string> names{named()};
+    check(names.count(named()) == 1, "the same files, the same case");
+    const auto is_new = [&](const std::string &what) { check(names.insert(named()).second, what); };
+    write("study_rail/rail.h5", "another rail");
+    is_new("another rail.h5 is another case");
+    std::filesystem::remove("study_rail/rail.h5");
+    is_new("one that is gone, too");
+    write("study_included.prm", "subsection Wheelset\n  set Lateral shift = 2 mm\nend\n");
+    is_new("so is another include of a listed scene");
+    write("study_profile.csv", "a profile");
+    write("study_included.prm", "subsection Profiles\n  set Rail = ./study_profile.csv\nend\n");
+    is_new("another profile of a listed scene");
+    write("study_profile.csv", "another profile");
+    is_new("and another content of that");
+    write("study_listed.prm", "include study_included.prm\n# another remark\n");
+    check(names.count(named()) == 1, "a remark in a listed scene is none");
   }
 
   void

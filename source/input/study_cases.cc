@@ -2,6 +2,7 @@
 #include <wheelrail/base/split_list.h>
 #include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/scene_files.h>
 #include <wheelrail/input/study_cases.h>
 
 #include <boost/uuid/name_generator_sha1.hpp>
@@ -91,22 +92,19 @@ namespace wheelrail
       return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(text)).substr(0, 8);
     }
 
-    /// Digest of a file's content; empty when it cannot be read, which the case itself will tell.
+    /// A file that is not there, or is empty, has none.
     std::string
-    digest_of_file(const std::string &path)
+    digest_or_nothing(const std::string &contents)
     {
-      std::error_code code;
-      if (!std::filesystem::is_regular_file(path, code))
-        return "";
-      std::ifstream file(path, std::ios::binary);
-      return digest({std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()});
+      return contents.empty() ? "" : digest(contents);
     }
 
     /// Everything that the figures of a scene depend on.
     std::string
     identity(const Scene &scene, const std::string &program_version)
     {
-      std::string text = program_version + "\n";
+      std::string                  text  = program_version + "\n";
+      const std::vector<SceneFile> files = files_of(scene);
       for (const Entry &entry : entries())
         {
           const std::string path = entry.path();
@@ -115,12 +113,10 @@ namespace wheelrail
             continue;
           const std::string value = entry.get(scene);
           text += path + " = " + value + "\n";
-          const bool may_be_file = entry.section == "Profiles" || path == "Half-space/Undeformed distance" ||
-                                   path == "Material test/File" || path == "Run/Passage list" ||
-                                   path == "Wheelset/Motion";
-          if (may_be_file && is_file_name(value))
-            for (const std::string &file : split_list(value, ',')) // scenes of a list
-              text += digest_of_file(file.substr(std::min(file.size(), file.find_first_not_of(' ')))) + "\n";
+          // in the order of the entries, each file behind the one that names it
+          for (const SceneFile &file : files)
+            if (file.entry == path)
+              text += digest_or_nothing(contents_of(file)) + "\n";
         }
       return text;
     }

@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/input/scene_files.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/output/replace_file.h>
 
@@ -13,9 +13,9 @@ namespace wheelrail
     namespace fs = std::filesystem;
 
     fs::path
-    copy_of(const std::string &file, const char *body, const std::string &folder)
+    copy_of(const SceneFile &file, const std::string &folder)
     {
-      return fs::path(folder) / "profiles" / (body + ("_" + fs::path(file).filename().string()));
+      return fs::path(folder) / "profiles" / (file.what + "_" + fs::path(file.path).filename().string());
     }
   } // namespace
 
@@ -23,30 +23,36 @@ namespace wheelrail
   void
   keep_profiles(const Scene &scene, const std::string &folder)
   {
-    const auto keep = [&](const std::string &file, const char *body) {
-      if (!is_file_name(file))
-        return;
-      const fs::path  copy = copy_of(file, body, folder);
-      std::error_code ignored; // a folder that cannot be made shows when the file is written
-      fs::create_directories(copy.parent_path(), ignored);
-      replace_file(copy.string(), read_whole_file(file));
-    };
-    keep(scene.wheel_profile, "wheel");
-    keep(scene.rail_profile, "rail");
-    keep(scene.motion, "motion");
+    for (const SceneFile &file : files_of(scene))
+      {
+        if (!file.in_run)
+          continue;
+        const fs::path  copy = copy_of(file, folder);
+        std::error_code ignored; // a folder that cannot be made shows when the file is written
+        fs::create_directories(copy.parent_path(), ignored);
+        replace_file(copy.string(), read_whole_file(file.path));
+      }
   }
 
 
   void
   use_kept_profiles(Scene &scene, const std::string &folder)
   {
-    const auto use = [&](std::string &file, const char *body) {
-      const fs::path copy = copy_of(file, body, folder);
-      if (is_file_name(file) && fs::exists(copy))
-        file = copy.string();
-    };
-    use(scene.wheel_profile, "wheel");
-    use(scene.rail_profile, "rail");
-    use(scene.motion, "motion");
+    for (const SceneFile &file : files_of(scene))
+      if (const fs::path copy = copy_of(file, folder); file.in_run && fs::exists(copy))
+        scene.*file.value = copy.string();
+  }
+
+
+  std::string
+  changed_since_start(const Scene &scene, const std::string &folder)
+  {
+    for (const SceneFile &file : files_of(scene))
+      if (const fs::path copy = copy_of(file, folder);
+          file.in_run && fs::exists(copy) && read_whole_file(copy.string()) != read_whole_file(file.path))
+        return file.entry + " = " + file.path +
+               ": this file has changed since the run began, which has kept it as " + copy.string() +
+               "; set it back to that, or start anew in another Output/Folder";
+    return "";
   }
 } // namespace wheelrail

@@ -133,7 +133,13 @@ namespace wheelrail
       };
       restore_nodes("displacement", solid.displacement);
       restore_nodes("velocity", solid.velocity);
-      const std::vector<double> zeros(std::max(2, solid.blocks.wheel.history_rows()), 0.);
+      // for what is left out, as long as the longest row of either body
+      unsigned int longest = 0;
+      for (const Body other : both_bodies)
+        visit_histories(solid.blocks[other], [&](const char *, const unsigned int n, const auto &) {
+          longest = std::max(longest, n);
+        });
+      const std::vector<double> zeros(longest, 0.);
       set_cell_histories(solid, [&](const std::string &name, const std::size_t cell) {
         if (!of(body, mesh.cell_body[cell]))
           return zeros.data();

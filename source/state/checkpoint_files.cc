@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/model/profile_copies.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
@@ -256,6 +257,8 @@ namespace wheelrail
       if (bytes.empty())
         return;
       const Checkpoint whole = checkpoint_from_bytes(bytes);
+      if (const auto obstacle = changed_since_start(scene, scene.folder); !obstacle.empty())
+        refuse(scene.folder, obstacle);
       if (const auto obstacle = obstacle_to_resume(whole, scene, parameters); !obstacle.empty())
         refuse(scene.folder, obstacle);
       if (const auto obstacle = obstacle_of_stop(stop_in(marker), whole.axle.travelled, scene);

@@ -74,7 +74,16 @@ namespace wheelrail
           in_words(scene) +
           "there is no rail.h5, which runs with a rail that yields leave when they have finished");
     });
-    Checkpoint        rail  = checkpoint_from_bytes(read_whole_file(path));
+    Checkpoint rail;
+    try
+      {
+        rail = checkpoint_from_bytes(read_whole_file(path));
+      }
+    catch (const RunError &error)
+      {
+        throw InputError(in_words(scene) + path + " is no whole rail (" + error.what() +
+                         "); compute that run again with --overwrite, or name another folder");
+      }
     const std::string other = other_steel(rail.parameters, parameters);
     if (!other.empty())
       throw InputError(in_words(scene) + "the steel of that rail is another one: " + other);

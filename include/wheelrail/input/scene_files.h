@@ -1,0 +1,30 @@
+#pragma once
+
+#include <wheelrail/scene/scene.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// A file that a scene names.
+  struct SceneFile
+  {
+    std::string entry; ///< "Wheelset/Motion"
+    std::string path;
+    std::string what;           ///< "motion": what its copy beside the results is called by
+    std::string Scene::*value;  ///< where the scene names it; null where that is not by this path alone
+    bool                in_run; ///< every step of a run depends on it
+  };
+
+  /// All files that a scene depends on by its entries, in the order of the entries: profiles, motion,
+  /// distance, material test, lists of wheels or scenes, the rail of an earlier run (its rail.h5). What a
+  /// listed scene names follows behind it, its includes are in contents_of(). Files need not be there.
+  std::vector<SceneFile>
+  files_of(const Scene &scene);
+
+  /// What the figures depend on of such a file: its bytes, or of a scene all its entries, so that includes
+  /// count and remarks do not. Empty where it cannot be read, which is told by whoever needs it.
+  std::string
+  contents_of(const SceneFile &file);
+} // namespace wheelrail
