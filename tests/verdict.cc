@@ -70,7 +70,7 @@ namespace
     check(judge_run(Scene(), good()).findings.empty(), "the main scene is trusted");
     const Grade care = Grade::with_care, no = Grade::not_trusted;
     test_rule(
-      &Measures::cells, 6.4, care, "too few cells: 6.4 of 1 mm lie across the patch, which takes about 3 %");
+      &Measures::cells, 6.4, care, "Too few cells: 6.4 of 1 mm lie across the patch, which takes about 3 %");
     test_rule(&Measures::cells,
               4.5,
               no,
@@ -82,34 +82,34 @@ namespace
               2.3,
               no,
               "2.3 of 1 mm lie across the highest pressure; take Mesh/Solution cell size = 0.5 mm.");
-    test_rule(&Measures::penetration, 0.04, care, "the penalty contact sinks in by 4.0 % of the approach");
+    test_rule(&Measures::penetration, 0.04, care, "The penalty contact sinks in by 4.0 % of the approach");
     test_rule(&Measures::penetration,
               0.08,
               no,
               "which takes about 6 % from the peak pressure; raise Contact/Penalty scale.");
     test_rule(&Measures::unsteadiness, 0.009, Grade::trusted, "");
-    test_rule(&Measures::unsteadiness, 0.03, care, "the forces vary by 3.0 % of the load");
-    test_rule(&Measures::unsteadiness, 0.085, no, "the forces vary by 8.5 % of the load");
+    test_rule(&Measures::unsteadiness, 0.03, care, "The forces vary by 3.0 % of the load");
+    test_rule(&Measures::unsteadiness, 0.085, no, "The forces vary by 8.5 % of the load");
     test_rule(&Measures::unsteadiness,
               std::nan(""),
               no,
-              "the forces vary by"); // a value that is no number is doubted
-    test_rule(&Measures::pressure_noise, 0.075, care, "the peak pressure swings by 7.5 %");
-    test_rule(&Measures::pressure_noise, 0.15, no, "the peak pressure swings by 15.0 %");
-    test_rule(&Measures::swing, 0.3, no, "creepage swings by 30.0 % in the means over 2 mm");
-    test_rule(&Measures::drift, 0.03, care, "contact area still changes, by 3.0 %");
-    test_rule(&Measures::drift, 0.069, no, "contact area still changes, by 6.9 %");
-    test_rule(&Measures::settled_after, 50e-3, care, "not all figures have come within 1 %");
-    test_rule(&Measures::energy_error, 0.007, care, "the energy balance is off by 0.7 %");
-    test_rule(&Measures::energy_error, 0.015, no, "the energy balance is off by 1.5 %");
-    test_rule(&Measures::load_miss, -0.02, care, "the mean vertical force is 2.0 % below the wheel load");
-    test_rule(&Measures::torque_miss, -0.02, care, "the longitudinal force is off by 2.0 %");
+              "The forces vary by"); // a value that is no number is doubted
+    test_rule(&Measures::pressure_noise, 0.075, care, "The peak pressure swings by 7.5 %");
+    test_rule(&Measures::pressure_noise, 0.15, no, "The peak pressure swings by 15.0 %");
+    test_rule(&Measures::swing, 0.3, no, "Creepage swings by 30.0 % in the means over 2 mm");
+    test_rule(&Measures::drift, 0.03, care, "Contact area still changes, by 3.0 %");
+    test_rule(&Measures::drift, 0.069, no, "Contact area still changes, by 6.9 %");
+    test_rule(&Measures::settled_after, 50e-3, care, "Not all figures have come within 1 %");
+    test_rule(&Measures::energy_error, 0.007, care, "The energy balance is off by 0.7 %");
+    test_rule(&Measures::energy_error, 0.015, no, "The energy balance is off by 1.5 %");
+    test_rule(&Measures::load_miss, -0.02, care, "The mean vertical force is 2.0 % below the wheel load");
+    test_rule(&Measures::torque_miss, -0.02, care, "The longitudinal force is off by 2.0 %");
     test_rule(
-      &Measures::torque_miss, -0.11, no, "the longitudinal force is off by 11.0 % from what the torque");
-    test_rule(&Measures::peak_difference, -0.07, care, "the peak pressure is 7 % below that of half-spaces");
+      &Measures::torque_miss, -0.11, no, "The longitudinal force is off by 11.0 % from what the torque");
+    test_rule(&Measures::peak_difference, -0.07, care, "The peak pressure is 7 % below that of half-spaces");
     test_rule(&Measures::peak_difference, 0.12, no, "do not explain it");
     test_rule(
-      &Measures::peak_pressure, 6.1e9, no, "the peak pressure of 6.1 GPa is more than any rail steel bears");
+      &Measures::peak_pressure, 6.1e9, no, "The peak pressure of 6.1 GPa is more than any rail steel bears");
   }
 
   /// Cells and penalty are judged whatever half-spaces know of the scene.
@@ -158,11 +158,11 @@ namespace
     set_verdict(summary, judge_run(Scene(), m));
     check_text(verdict_of(summary), "not trusted", "the lowest grade counts");
     holds(verdict_line(summary),
-          "verdict: not trusted: the patch, 31.2 mm from the running circle to the gauge side, lies on the "
+          "verdict: not trusted: The patch, 31.2 mm from the running circle to the gauge side, lies on the "
           "wheel's "
           "flange tip, which no file holds",
           "worst first, with its place");
-    holds(summary.doubts, " the energy balance is off", "then the others");
+    holds(summary.doubts, " The energy balance is off", "then the others");
     check(grade_of(summary) == Grade::not_trusted, "read back as a grade");
     summary.finished = false;
     check_text(
@@ -248,7 +248,7 @@ namespace
     set_figure(summary, "plastic_band_depth_m", std::nan(""));
     summary.max_pressure = 0.7 * halfspaces;
     check(judge(input.scene, geometry, summary).empty(), "a peak 30 % lower is told once");
-    holds(summary.doubts, "the peak pressure is 30 % below", "and written into the summary");
+    holds(summary.doubts, "The peak pressure is 30 % below", "and written into the summary");
     check_text(summary.verdict, "not trusted", "its word");
     summary.max_pressure = halfspaces;
     set_figure(summary, "settled_after_m", std::nan("")); // null in the file: never
@@ -301,7 +301,7 @@ namespace
     m.cells         = 5;
     check_text(
       judge_halfspaces(m).doubts(),
-      "only 5 elements lie across the contact: the peak pressure may be off by 5 % and more; take a smaller "
+      "Only 5 elements lie across the contact: the peak pressure may be off by 5 % and more; take a smaller "
       "Half-space/Element size.",
       "few elements");
   }

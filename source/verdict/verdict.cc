@@ -2,6 +2,7 @@
 #include <wheelrail/verdict/verdict.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -57,8 +58,11 @@ namespace wheelrail
     void
     add(Verdict &verdict, const Grade grade, const std::string &sentence)
     {
-      if (grade != Grade::trusted)
-        verdict.findings.push_back({grade, sentence});
+      if (grade == Grade::trusted)
+        return;
+      verdict.findings.push_back({grade, sentence});
+      char &first = verdict.findings.back().sentence[0]; // a sentence may begin with the name of a figure
+      first       = static_cast<char>(std::toupper(static_cast<unsigned char>(first)));
     }
 
     /// Cells and penalty: what keeps a run from the answer of its own equations.
