@@ -283,8 +283,7 @@ namespace
     std::ofstream("passages_cut/rail.h5") << "no whole file";
     other.rail_from = "passages_cut";
     check_text(fault(other),
-               "Run/Rail = passages_cut: passages_cut/rail.h5 is no whole rail (HDF5 cannot read it: it is "
-               "no complete HDF5 file.); "
+               "Run/Rail = passages_cut: passages_cut/rail.h5 is no whole rail (HDF5 cannot read it.); "
                "compute that run again with --overwrite, or name another folder",
                "a rail that was cut off");
     other.rail_from                  = "passages_heavy";

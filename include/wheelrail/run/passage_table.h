@@ -13,8 +13,8 @@ namespace wheelrail
   passage_folder(const std::string &folder, unsigned int passage);
 
   /// The table passages.csv of the passages `computed` below `folder`, numbers from 1 that ascend, from their
-  /// summaries; the column "verdict" holds the numbers of Grade. A passage whose forerunner was jumped over has
-  /// no increments.
+  /// summaries; the column "verdict" holds the numbers of Grade. A passage whose forerunner was jumped over
+  /// has no increments.
   FigureTable
   passage_table(const std::string &folder, const std::vector<unsigned int> &computed);
 

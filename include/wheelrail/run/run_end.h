@@ -25,10 +25,10 @@ namespace wheelrail
     unsigned long first_step   = 0; ///< steps before this part
   };
 
-  /// Puts the verdict into the summary of a finished run (verdict/verdict.h). Its peak pressure is held against
-  /// that of half-spaces under its normal force and in its pose, which takes some hundredths of a second, and
-  /// both figures are added too. Returns what else is to be said on the screen: where half-spaces are no
-  /// reference, and a band of plastic flow that reaches below the fine cells.
+  /// Puts the verdict into the summary of a finished run (verdict/verdict.h). Its peak pressure is held
+  /// against that of half-spaces under its normal force and in its pose, which takes some hundredths of a
+  /// second, and both figures are added too. Returns what else is to be said on the screen: where half-spaces
+  /// are no reference, and a band of plastic flow that reaches below the fine cells.
   std::vector<std::string>
   judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary);
 
