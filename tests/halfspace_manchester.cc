@@ -1,4 +1,5 @@
-// Both wheels of case of the Manchester contact benchmark against CONTACT.
+// Both wheels of case of the Manchester contact benchmark against CONTACT, and its flange contact, for
+// which there is no table, against the balance of a patch that slides.
 
 #include "manchester.h"
 #include "reference_table.h"
@@ -82,6 +83,38 @@ namespace
     check_near(at.along, 1e-3 * number(12), 0.5e-3, which + "place along the track [m]");
     check_near(at.ahead, 1e-3 * number(17), 0.5e-3, which + "place ahead of the axle [m]");
   }
+
+  /// On the flange all of the patch slides and the normal force is far more than the load.
+  void
+  check_flange(const double shift, const double yaw)
+  {
+    Scene scene                       = benchmark_scene();
+    scene.roll                        = RollMode::none;
+    scene.drive                       = Drive::torque;
+    scene.traction_coefficient        = 0;
+    scene.lateral_shift               = -shift;
+    scene.yaw                         = -yaw;
+    const SceneGeometry      geometry = make_geometry(scene);
+    const SectionOffsets     offsets  = scene_offsets(scene);
+    const WheelRailSolution  result = solve_wheel_rail(scene, geometry, scene_load(scene, geometry), offsets);
+    const HalfspaceSolution &s      = result.solution;
+    const std::string        which  = "flange, shift " + std::to_string(1e3 * shift) + " mm: ";
+
+    check(s.converged() && !s.touches_grid_edge, which + "answered");
+    check(std::abs(result.angle) > 1.1, which + "steep");
+    check_near(result.vertical, load, 0.002 * load, which + "vertical force [N]");
+    const double fx = s.fx, friction = std::sqrt(fx * fx + s.fy * s.fy);
+    check_near(friction / (scene.friction_coefficient * s.fn), 1, 0.01, which + "all of it slides");
+    const double across = std::sqrt(std::max(0., 0.09 * s.fn * s.fn - fx * fx));
+    check_near((s.fn * std::cos(result.angle) + across * std::abs(std::sin(result.angle))) / load,
+               1,
+               0.01,
+               which + "balance of the patch that slides");
+    check(s.fn > 1.4 * load, which + "normal force over the load");
+    // the patch of that normal force, laid for it from the first
+    const HalfspacePressure pressed = halfspace_pressure(scene, geometry, s.fn, offsets);
+    check_near(s.peak_pressure / pressed.peak, 1, 0.005, which + "peak pressure of the normal force");
+  }
 } // namespace
 
 int
@@ -89,5 +122,7 @@ main()
 {
   for (const auto &row : test::read_table("contact_manchester_a22.csv"))
     check_row(row);
+  check_flange(6.6e-3, 15.84e-3);
+  check_flange(7e-3, 16.8e-3);
   return test::report();
 }

@@ -60,11 +60,11 @@ namespace wheelrail
 
 
   void
-  PlaneContact::press(const double normal_force)
+  PlaneContact::press(const double normal_force, const double room)
   {
     problem.force_given  = true;
     problem.normal_force = normal_force;
-    press_on_grid(part_of_approach * expected_approach_ *
+    press_on_grid(room * part_of_approach * expected_approach_ *
                   std::pow(std::max(1., normal_force / expected_force_), 2. / 3));
   }
 
@@ -92,7 +92,7 @@ namespace wheelrail
 
 
   void
-  PlaneContact::carry(const WheelRailLoad &load)
+  PlaneContact::carry_on_grid(const WheelRailLoad &load)
   {
     constexpr int    most_rounds = 12;
     constexpr double enough = 1e-3, enough_driven = 1e-4; // of the load
@@ -137,6 +137,30 @@ namespace wheelrail
       {
         solution.coupling_converged = false;
         solution.not_reached += "The normal force that carries the wheel load was not found. ";
+      }
+  }
+
+
+  void
+  PlaneContact::carry(const WheelRailLoad &load)
+  {
+    // patch and mean angle hardly change with less: widths go with the cube root of the force
+    constexpr double alike         = 0.2;
+    constexpr int    most_pressed  = 6;
+    double           pressed_under = problem.normal_force, room = 1;
+    carry_on_grid(load);
+    for (int k = 0; k < most_pressed; ++k)
+      {
+        const double force = solution.fn;
+        if (!(force > 0) ||
+            (!solution.touches_grid_edge && std::abs(force - pressed_under) < alike * pressed_under))
+          return;
+        // tractions may widen a contact that kept off the edge under the same force
+        if (solution.touches_grid_edge && force < (1 + alike) * pressed_under)
+          room *= 1.5;
+        press(force, room);
+        pressed_under = force;
+        carry_on_grid(load);
       }
   }
 

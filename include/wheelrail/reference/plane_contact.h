@@ -31,9 +31,10 @@ namespace wheelrail
     std::function<double(double, double)> added_distance;
 
     /// Solves the normal problem alone under a force normal to the plane [N] and sets `means`, on a grid that
-    /// is enlarged until the contact keeps off its edge.
+    /// is enlarged until the contact keeps off its edge. The first grid is laid for the expected approach
+    /// times `room`.
     void
-    press(double normal_force);
+    press(double normal_force, double room = 1);
 
     /// The same with a given approach [m], counted from where the least distance of the region closes.
     void
@@ -46,7 +47,9 @@ namespace wheelrail
     /// Rolls under the load of the scene. The lateral traction carries a part of a vertical load: on the
     /// tread it hardly depends on the normal force, on the flange it grows with it, so that secants have to
     /// find the balance. What drives acts along the wheelset, so that with yaw the lateral force takes a part
-    /// of it.
+    /// of it. On a steep flange the normal force is far more than the load: where it leaves what was pressed
+    /// before, or the contact the grid, the normal problem is solved anew under the force that was found, a
+    /// few times at most.
     void
     carry(const WheelRailLoad &load);
 
@@ -68,6 +71,10 @@ namespace wheelrail
   private:
     void
     press_on_grid(double first_approach);
+
+    /// carry() on the grid and in the plane that there are.
+    void
+    carry_on_grid(const WheelRailLoad &load);
 
     double expected_force_ = 0, expected_approach_ = 0; ///< of the scene [N], [m]
     double element_ = 0;                                ///< wanted size of the elements [m]
