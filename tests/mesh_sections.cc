@@ -248,6 +248,25 @@ namespace
            d.hub_length * (d.hub_outer_radius - d.bore_radius) + 4 * (1 - pi / 4) * f * f;
   }
 
+  /// First moment of a meshed section about the axle, from small quadrilaterals [m3].
+  double
+  meshed_moment(const Section &section)
+  {
+    constexpr int n   = 16;
+    double        sum = 0;
+    for (unsigned int block = 0; block < section.blocks.size(); ++block)
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          {
+            const auto at = [&](const int k, const int l) {
+              return section.position(block, double(i + k) / n, double(j + l) / n);
+            };
+            const Point2 a = at(0, 0), b = at(1, 0), c = at(1, 1), d = at(0, 1);
+            sum += cross(b - a, c - a) * (a.y + b.y + c.y) / 6 + cross(c - a, d - a) * (a.y + c.y + d.y) / 6;
+          }
+    return sum;
+  }
+
   void
   check_pair(const std::string &rail_name, const double shift, const double block)
   {
@@ -304,6 +323,11 @@ namespace
     const double rail_area = section_properties(rail.outline).area, wheel_sum = wheel_area(wheel, dimensions);
     test::check_near(section_quality(rail_section, 16).area / rail_area, 1, 2e-3, name + ", rail: area");
     test::check_near(section_quality(wheel_section, 16).area / wheel_sum, 1, 2e-3, name + ", wheel: area");
+    const WheelSectionOutline outline = make_wheel_section_outline(wheel, dimensions);
+    test::check_near(moment_about_axle(outline, dimensions) / meshed_moment(wheel_section),
+                     1,
+                     1e-4,
+                     name + ", wheel: weight of its outline over that of its mesh");
     const double cell        = (strip.s.back() - strip.s.front()) / (16 * (strip.s.size() - 1));
     const double rail_width  = width_below(rail_section, on_rail, cell),
                  wheel_width = width_below(wheel_section, on_wheel, cell);

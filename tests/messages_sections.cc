@@ -112,6 +112,8 @@ namespace
       },
       "The fine strip from -80 mm to 80 mm reaches beyond the part of the profile from -42.104 mm to 21.862 "
       "mm that can be seen from the contact point. Use a narrower strip.");
+    check_message([&]() { make_wheel_section(pair.wheel, {}, {}, {}, 0); },
+                  "The wheel section cannot be built: a positive block size is needed, 16 mm is usual.");
     const auto wheel_section = [&](const double end) {
       make_wheel_section(pair.wheel, {}, pair.contact.wheel, {pair.contact.frame, {end, 0}}, 16e-3);
     };

@@ -1,6 +1,7 @@
 // Wheelset/Wheel load: the load that is asked for stands on the rail, in a run and in half-spaces.
 
 #include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/wheel_load.h>
 
 #include "messages.h"
 #include "parallel.h"
@@ -31,6 +32,15 @@ namespace
                1e-3,
                "the torque follows the load [N m]");
     check_near(scene_load(scene, geometry).force, 100e3, 1e-9, "load of the half-spaces [N]");
+    // half-spaces weigh the wheel by its outline, runs by their cells, here of 8 mm, whose faces cut arcs
+    // short
+    Scene weighed      = scene;
+    weighed.wheel_load = 0;
+    check_near(static_wheel_load(weighed, geometry.wheel) /
+                 ((weighed.sprung_mass + weighed.axle_mass + wheel) * weighed.gravity),
+               1,
+               5e-4,
+               "weight of half-spaces over that of a run");
     scene.wheel_load          = 2e3;
     const std::string message = message_of([&]() { make_model(scene, geometry, MPI_COMM_SELF); });
     check(message.find("Wheelset/Wheel load = 2 kN: less than the weight of wheel and half axle, ") == 0 &&

@@ -20,7 +20,7 @@ namespace wheelrail
       const SceneGeometry geometry = make_geometry(scene);
       scene.drive                  = Drive::torque;
       scene.traction_coefficient =
-        torque / (geometry.contact.rolling_radius * static_wheel_load(scene, geometry));
+        torque / (geometry.contact.rolling_radius * static_wheel_load(scene, geometry.wheel));
     }
   } // namespace
 

@@ -15,8 +15,8 @@ namespace wheelrail
 
     // Places on one half of the outline, as parameters of it. The angles of the tangent that mark
     // them are chosen in the middle of each rounding, so that blocks meet the profile there with
-    // similar angles on both sides. Each lies beyond the one before it and no earlier rounding
-    // passes through its angle.
+    // similar angles on both sides. Each lies beyond the one before it, and between it and the web no other
+    // rounding passes through its angle.
     struct Half
     {
       double head_corner = 0; ///< lower corner of the head (R3)
@@ -26,23 +26,46 @@ namespace wheelrail
       double toe_bottom  = 0;
     };
 
+    // Parameter where a half of the outline is narrowest, between head and foot.
+    double
+    narrowest(const MirroredCurve &outline, const double start, const double end, const double height)
+    {
+      constexpr unsigned int samples = 16; // of a segment; any place on the web will do
+      const unsigned int     n       = static_cast<unsigned int>(samples * std::abs(end - start));
+      double                 place = end, least = height;
+      for (unsigned int i = 0; i <= n; ++i)
+        {
+          const double t = start + (end - start) * i / n;
+          const Point2 p = outline.position(t);
+          if (p.y < -0.35 * height && p.y > -0.75 * height && std::abs(p.x) < least)
+            {
+              least = std::abs(p.x);
+              place = t;
+            }
+        }
+      return place;
+    }
+
     // `side` is +1 on the field side (left in the frame of the builder, the outline runs down) and
-    // -1 on the gauge side, which is walked backwards.
+    // -1 on the gauge side, which is walked backwards. From the web up and down: sides of worn and joined
+    // heads pass through any angle.
     Half
     find_half(const MirroredCurve &outline, const double side, const double height)
     {
       const double start = side > 0 ? 0 : outline.curve->parameter_end();
       const double end   = outline.curve->closest({0, -height});
-      const auto   find  = [&](const double angle, const double from, const char *what) {
-        return outline.find_tangent(side * angle * degree, from, end, what);
+      const double web   = narrowest(outline, start, end, height);
+      const auto   find  = [&](const double angle, const double from, const double to, const char *what) {
+        return outline.find_tangent(side * angle * degree, from, to, what);
       };
 
       Half half;
-      half.head_corner = find(-55, start, "lower corner of the rail head");
-      half.neck        = find(-60, half.head_corner, "fillet between head and web");
-      half.foot_fillet = find(-125, half.neck, "fillet between web and foot");
-      half.toe_top     = find(-120, half.foot_fillet, "upper edge of the rail foot");
-      half.toe_bottom  = find(-45, half.toe_top, "lower edge of the rail foot");
+      half.neck          = find(-60, web, start, "fillet between head and web");
+      const double under = find(-40, half.neck, start, "underside of the rail head");
+      half.head_corner   = find(-55, under, start, "lower corner of the rail head");
+      half.foot_fillet   = find(-125, web, end, "fillet between web and foot");
+      half.toe_top       = find(-120, half.foot_fillet, end, "upper edge of the rail foot");
+      half.toe_bottom    = find(-45, half.toe_top, end, "lower edge of the rail foot");
       return half;
     }
 
@@ -70,13 +93,13 @@ namespace wheelrail
     RunningLayer
     make_top_layer(Rail &rail, const Placement &placement, const FineStrip &strip)
     {
-      const double end   = rail.head.curve->parameter_end();
+      const double top   = rail.head.curve->closest({0, 0});
       const double depth = running_layer_depth * rail.block_size;
       // the middle of the rounded corner, which turns from the slope of the crown to the side of the head
       const double field =
-        rail.head.find_tangent(50 * degree, 0, end, "rounded upper corner on the field side");
-      const double gauge =
-        rail.head.find_tangent(-50 * degree, end, 0, "rounded upper corner on the gauge side");
+        rail.head.find_tangent(50 * degree, top, 0, "rounded upper corner on the field side");
+      const double gauge = rail.head.find_tangent(
+        -50 * degree, top, rail.head.curve->parameter_end(), "rounded upper corner on the gauge side");
 
       RunningLayerInput input;
       input.curve         = rail.head;

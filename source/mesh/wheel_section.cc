@@ -16,131 +16,17 @@ namespace wheelrail
     constexpr double degree = 3.14159265358979323846 / 180;
 
     // Everything the parts of the section share. In the frame of the builder, left is the field side.
-    struct Wheel
+    struct Wheel : WheelSectionOutline
     {
       SectionBuilder  builder;
       WheelDimensions dimensions;
-      MirroredCurve   rim;              ///< face, tread, flange and back, from lower left to lower right
-      double          tread_start = 0;  ///< parameter of `rim`
-      double          back        = 0;  ///< parameter of `rim` where the straight back begins
-      MirroredCurve   field, gauge;     ///< rim underside, disc side, hub: from the rim's end to the hub's
       double          block_size   = 0; ///< [m]
       double          depth        = 0; ///< of the running layer [m]
-      double          disc         = 0; ///< middle of the disc, lateral [m]
       unsigned int    disc_columns = 2;
     };
 
     // Parameters of `field` and `gauge` in the middle of the fillets, which are their segments 1 and 3.
     constexpr double rim_fillet = 1.5, hub_fillet = 3.5;
-
-    Segment
-    line(const char *name, const Point2 &start, const Point2 &end)
-    {
-      Segment segment;
-      segment.name  = name;
-      segment.start = start;
-      segment.end   = end;
-      return segment;
-    }
-
-    Segment
-    arc(const char   *name,
-        const Point2 &centre,
-        const double  radius,
-        const double  angle_start,
-        const double  angle_end)
-    {
-      Segment segment;
-      segment.kind        = Segment::Kind::arc;
-      segment.name        = name;
-      segment.centre      = centre;
-      segment.radius      = radius;
-      segment.angle_start = angle_start;
-      segment.angle_end   = angle_end;
-      segment.start       = centre + radius * Point2{std::cos(angle_start), std::sin(angle_start)};
-      segment.end         = centre + radius * Point2{std::cos(angle_end), std::sin(angle_end)};
-      return segment;
-    }
-
-    void
-    require(const bool good, const std::string &what)
-    {
-      if (!good)
-        throw InputError("The wheel section cannot be built: " + what);
-    }
-
-    void
-    check_dimensions(const WheelDimensions &d, const double tread_width)
-    {
-      const double f = d.fillet_radius, half = 0.5 * d.disc_thickness + f;
-      require(f > 0, "the fillet radius must be positive.");
-      require(d.disc_thickness > 0, "the disc thickness must be positive.");
-      require(d.bore_radius > 0 && d.bore_radius < d.hub_outer_radius,
-              "the bore radius must be positive and less than the outer radius of the hub.");
-      require(
-        d.hub_outer_radius + 2 * f < d.rim_inner_radius,
-        "hub and rim leave no room for the disc and its fillets; the outer radius of the hub plus two fillet "
-        "radii must be less than the inner radius of the rim.");
-      require(d.rim_inner_radius < d.nominal_radius - 0.02,
-              "the rim must be at least 20 mm thick at the running circle.");
-      require(d.disc_position - half > 0 && d.disc_position + half < d.rim_width,
-              "the disc with its fillets must lie within the width of the rim.");
-      require(std::abs(d.hub_position - d.disc_position) + half < 0.5 * d.hub_length,
-              "the disc with its fillets must lie within the length of the hub.");
-      // a profile as wide as the rim, but for what its file rounds off, is accepted
-      require(tread_width < d.rim_width + 1e-4,
-              "the profile is " + in_mm(tread_width) + " wide, which is more than the rim width of " +
-                in_mm(d.rim_width) + ". Shorten the profile or widen the rim.");
-    }
-
-    // Rim outline in the frame of the profile: up the field side, a 45 degree chamfer if the profile
-    // ends short of it, the profile, and down the flange back.
-    void
-    make_rim_outline(Wheel &wheel, const WheelProfile &profile)
-    {
-      const WheelDimensions &d     = wheel.dimensions;
-      const Point2           start = profile.tread.at(0).position;
-      const Point2           end   = profile.tread.at(profile.tread.parameter_end()).position;
-      const double           face  = end.x + d.rim_width;
-      const double           low   = d.nominal_radius - d.rim_inner_radius;
-
-      const bool           chamfer = face - start.x > 1e-4;
-      const Point2         top     = chamfer ? Point2{face, start.y + face - start.x} : start;
-      std::vector<Segment> segments{line("rim face", {top.x, low}, top)};
-      if (chamfer)
-        segments.push_back(line("chamfer", top, start));
-      segments.insert(segments.end(), profile.tread.segments().begin(), profile.tread.segments().end());
-      segments.push_back(line("flange back", end, {end.x, low}));
-
-      wheel.rim         = {std::make_shared<const Curve>(segments), -1, d.nominal_radius};
-      wheel.tread_start = 1;
-      wheel.back        = wheel.rim.curve->parameter_end() - 1;
-      wheel.disc        = -end.x - d.disc_position;
-    }
-
-    // Underside of the rim, disc and hub on one side (+1 field, -1 gauge), in a frame with the radius
-    // as y and x positive to the field side.
-    MirroredCurve
-    make_disc_outline(const Wheel &wheel, const double side)
-    {
-      const WheelDimensions &d      = wheel.dimensions;
-      const double           f      = d.fillet_radius;
-      const double           middle = -wheel.disc, surface = middle + side * 0.5 * d.disc_thickness;
-      const double           rim  = -wheel.rim.position(side > 0 ? 0 : wheel.back + 1).x;
-      const double           hub  = middle + d.disc_position - d.hub_position + side * 0.5 * d.hub_length;
-      const double           high = d.rim_inner_radius, low = d.hub_outer_radius;
-      const auto turned = [side](const double angle) { return (side > 0 ? angle : 180 - angle) * degree; };
-
-      const double centre = surface + side * f;
-      return {std::make_shared<const Curve>(
-                std::vector<Segment>{line("rim underside", {rim, high}, {centre, high}),
-                                     arc("rim fillet", {centre, high - f}, f, turned(90), turned(180)),
-                                     line("disc", {surface, high - f}, {surface, low + f}),
-                                     arc("hub fillet", {centre, low + f}, f, turned(180), turned(270)),
-                                     line("hub", {centre, low}, {hub, low})}),
-              1,
-              0};
-    }
 
     // Layer below the tread from the field side to the flange root, with its corners inside.
     struct Tread
@@ -199,9 +85,11 @@ namespace wheelrail
       const double    depth   = std::min(0.008, 0.6 * wheel.block_size);
       const double    front =
         wheel.rim.find_tangent(40 * degree, tip, wheel.rim.curve->closest({0, 0}), "front of the flange tip");
-      require(tread.layer.end < front,
-              "the fine cells reach so far up the flange that no block of " + in_mm(wheel.block_size) +
-                " fits between them and its tip.");
+      if (!(tread.layer.end < front))
+        throw InputError(
+          "The wheel section cannot be built: the fine cells reach so far up the flange that "
+          "no block of " +
+          in_mm(wheel.block_size) + " fits between them and its tip.");
       const double rear = wheel.rim.find_tangent(-45 * degree, tip, wheel.back, "rear of the flange tip");
       const unsigned int root = tread.layer.outer.back(), root_inner = tread.inner.back();
 
@@ -357,19 +245,15 @@ namespace wheelrail
                      const FineStrip       &strip,
                      const double           block_size)
   {
-    require(block_size > 0, "a positive block size is needed, 16 mm is usual.");
-    check_dimensions(dimensions,
-                     profile.tread.at(0).position.x -
-                       profile.tread.at(profile.tread.parameter_end()).position.x);
+    if (!(block_size > 0))
+      throw InputError("The wheel section cannot be built: a positive block size is needed, 16 mm is usual.");
 
     Wheel wheel;
-    wheel.dimensions   = dimensions;
-    wheel.block_size   = block_size;
-    wheel.depth        = running_layer_depth * block_size;
+    static_cast<WheelSectionOutline &>(wheel) = make_wheel_section_outline(profile, dimensions);
+    wheel.dimensions                          = dimensions;
+    wheel.block_size                          = block_size;
+    wheel.depth                               = running_layer_depth * block_size;
     wheel.disc_columns = std::max(2u, block_count(dimensions.disc_thickness, block_size));
-    make_rim_outline(wheel, profile);
-    wheel.field = make_disc_outline(wheel, 1);
-    wheel.gauge = make_disc_outline(wheel, -1);
 
     const double       tip         = flange_tip(wheel);
     const Tread        tread       = make_tread(wheel, wheel_in_track, strip, tip);

@@ -243,8 +243,7 @@ namespace wheelrail
     SweepPlan
     plan_of(const Scene &scene, const SceneGeometry &geometry, SweepSizes sizes)
     {
-      WheelDimensions wheel = scene.wheel;
-      wheel.nominal_radius  = scene.track.nominal_radius;
+      const WheelDimensions wheel = scene.wheel_dimensions();
       if (scene.planned_strip.empty())
         return make_sweep_plan(geometry, wheel, sizes);
       // whatever wheel passes, at whatever place: the rail stays the same

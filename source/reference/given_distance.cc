@@ -191,8 +191,8 @@ namespace wheelrail
     problem.force_given         = scene.halfspace_approach == 0;
     problem.approach            = scene.halfspace_approach;
     if (problem.force_given)
-      problem.normal_force =
-        scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force : static_wheel_load(scene, *geometry);
+      problem.normal_force = scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force
+                                                              : static_wheel_load(scene, geometry->wheel);
 
     const HalfspaceSolution normal   = solve_normal_problem(scene, surfaces, problem, result.enlargements);
     problem.motion                   = HalfspaceMotion::steady;

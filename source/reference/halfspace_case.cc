@@ -15,7 +15,7 @@ namespace wheelrail
   scene_load(const Scene &scene, const SceneGeometry &geometry)
   {
     WheelRailLoad load;
-    load.force        = static_wheel_load(scene, geometry);
+    load.force        = static_wheel_load(scene, geometry.wheel);
     load.vertical     = true;
     load.longitudinal = scene.traction_coefficient * load.force;
     load.rate_held    = scene.drive == Drive::rate;

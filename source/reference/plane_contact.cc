@@ -134,10 +134,15 @@ namespace wheelrail
       }
     if ((load.vertical && std::abs(missed) > 10 * enough * load.force) ||
         std::abs(not_driven) > 10 * enough * load.force)
-      {
-        solution.coupling_converged = false;
-        solution.not_reached += "The normal force that carries the wheel load was not found. ";
-      }
+      load_not_found();
+  }
+
+
+  void
+  PlaneContact::load_not_found()
+  {
+    solution.coupling_converged = false;
+    solution.not_reached += "The normal force that carries the wheel load was not found. ";
   }
 
 
@@ -162,6 +167,8 @@ namespace wheelrail
         pressed_under = force;
         carry_on_grid(load);
       }
+    if (std::abs(solution.fn - pressed_under) >= alike * pressed_under)
+      load_not_found();
   }
 
 

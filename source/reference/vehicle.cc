@@ -110,13 +110,7 @@ namespace wheelrail
     base.left_wheel   = left;
     // the weight of the wheel is the same in all rows
     if (!motion.find(MotionQuantity::load))
-      {
-        Scene straight         = base;
-        straight.lateral_shift = 0;
-        straight.yaw           = 0;
-        straight.roll          = RollMode::none;
-        base.wheel_load        = static_wheel_load(straight, make_geometry(straight, profiles));
-      }
+      base.wheel_load = static_wheel_load(base, profiles.wheel);
     std::atomic<std::size_t> done{0};
     Highest                  highest;
     parallel_for(motion.rows(), [&](const std::size_t row) {

@@ -76,6 +76,9 @@ namespace wheelrail
     void
     carry_on_grid(const WheelRailLoad &load);
 
+    void
+    load_not_found();
+
     double expected_force_ = 0, expected_approach_ = 0; ///< of the scene [N], [m]
     double element_ = 0;                                ///< wanted size of the elements [m]
   };

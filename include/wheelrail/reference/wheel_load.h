@@ -1,14 +1,13 @@
 #pragma once
 
-#include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/geometry/profiles.h>
 #include <wheelrail/scene/scene.h>
 
 namespace wheelrail
 {
-  /// Wheelset/Wheel load, or the weight of sprung mass, axle and wheel [N]; the wheel's mass is that of the
-  /// section a run would mesh, turned around the axle, times its density. Where no run is possible, since the
-  /// contact lies on the flange, the section is the one of the centred wheelset. Throws InputError when there
-  /// is none either.
+  /// Wheelset/Wheel load, or the weight of sprung mass, axle and wheel [N]; the wheel's mass is that of its
+  /// outline turned around the axle, times its density. Throws InputError when the dimensions of the wheel
+  /// contradict each other or its profile.
   double
-  static_wheel_load(const Scene &scene, const SceneGeometry &geometry);
+  static_wheel_load(const Scene &scene, const WheelProfile &profile);
 } // namespace wheelrail

@@ -4,7 +4,7 @@
 #include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/material/cyclic_hardening.h>
 #include <wheelrail/material/friction.h>
-#include <wheelrail/mesh/wheel_section.h>
+#include <wheelrail/mesh/wheel_section_outline.h>
 #include <wheelrail/scene/material_test.h>
 #include <wheelrail/scene/study.h>
 #include <wheelrail/solid/element_form.h>
@@ -216,6 +216,15 @@ namespace wheelrail
     depth_of_fine_cells() const
     {
       return fine_depth > 0 ? fine_depth : 5 * cell_size;
+    }
+
+    /// Those of Wheelset, with the nominal radius of the track.
+    WheelDimensions
+    wheel_dimensions() const
+    {
+      WheelDimensions dimensions = wheel;
+      dimensions.nominal_radius  = track.nominal_radius;
+      return dimensions;
     }
 
     /// How far the mesh lets the wheel roll [m].
