@@ -150,9 +150,22 @@ namespace
            "#MINIWHEELPROF\nCar1_0001.whl\nMINIPROF 2020\nStock.......:\n28.00 32.50 10.79\n(Sh/Sd/qR)\n\n" +
              columns(miniprof_tread()));
     check_tells(free, "6 lines without \"=\" before the points left out", "free header lines");
-    check_tells(
-      free, "1 line of numbers among the words before line 8 taken as heading", "numbers in the header");
+    check_tells(free, "1 line of numbers before line 8 taken as heading", "numbers in the header");
     check_on(free, S1002(), -69e-3, 59e-3, 1e-6, "free header lines");
+
+    // numbers alone: an empty line tells that they are no point
+    for (const std::string heading : {"135 460 1\n\n", "135\t460\n\n\n"})
+      {
+        const Read bare = read(ProfileKind::wheel, heading + columns(sampled(S1002(), 0.5e-3, 0, 1)));
+        check_tells(bare, "1 line of numbers before line ", "a line of numbers before an empty line");
+        check_on(bare, S1002(), -69e-3, 59e-3, 1e-6, "a line of numbers before an empty line");
+      }
+    std::string spaced;
+    for (const Point2 &p : sampled(S1002(), 0.5e-3, 0, 1))
+      spaced += columns({p}) + "\n";
+    const Read apart = read(ProfileKind::wheel, spaced);
+    check(!apart.tells("heading"), "points with empty lines between them are all points");
+    check_on(apart, S1002(), -69e-3, 59e-3, 1e-6, "points with empty lines between them");
 
     Points rail = head("60E1");
     for (Point2 &p : rail) // the gauge side on the right
@@ -289,6 +302,43 @@ namespace
         hole.push_back(p);
     check(read(ProfileKind::rail, columns(hole)).error.find("a gap of 12") != std::string::npos,
           "a gap of 12 mm on the crown is refused");
+
+    // the roller of a test rig: crown, roundings, and upright faces by their ends
+    for (const double face : {12e-3, 18e-3})
+      {
+        Points       roller;
+        const double crown = 0.3, corner = 3e-3, half = 35e-3;
+        const double middle = half - corner, low = std::sqrt(std::pow(crown - corner, 2) - middle * middle),
+                     turn = std::atan2(middle, low);
+        for (int k = 0; k <= 12; ++k)
+          {
+            const double angle = turn + (0.5 * M_PI - turn) * (12 - k) / 12;
+            roller.push_back({-middle - corner * std::sin(angle), low - crown + corner * std::cos(angle)});
+          }
+        for (double x = -30e-3; x < 30.2e-3; x += 0.5e-3)
+          roller.push_back({x, std::sqrt(crown * crown - x * x) - crown});
+        for (int k = 12; k >= 0; --k)
+          roller.push_back({-roller[k].x, roller[k].y});
+        roller.insert(roller.begin(), roller.front() - Point2{0, face});
+        roller.push_back(roller.back() - Point2{0, face});
+        const Read rail = read(ProfileKind::rail, columns(roller));
+        check_tells(rail, "taken as a straight face", "upright faces of a roller");
+        double worst = 0;
+        for (double x = -25e-3; rail.error.empty() && x < 25e-3; x += 1e-3)
+          {
+            const Point2 p{x, std::sqrt(crown * crown - x * x) - crown};
+            worst = std::max(worst, norm(rail.curve.at(rail.curve.closest(p)).position - p));
+          }
+        check_near(worst, 0, 2e-6, "crown of the roller [m]");
+        for (const ProfileKind kind : {ProfileKind::rail, ProfileKind::wheel})
+          {
+            ProfileFileOptions options;
+            options.kind                  = kind;
+            options.roller                = true;
+            const MeasuredProfile profile = read_profile_text(columns(roller), "p.txt", options);
+            check(profile.points.size() > 100, "the same as the crown of a roller");
+          }
+      }
   }
 
   void

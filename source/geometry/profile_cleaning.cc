@@ -200,10 +200,11 @@ namespace wheelrail
 
     /// Whether a long step from point i - 1 to point i is a straight face: the outline on both sides goes on
     /// in its direction, within 3 degrees where it is steep and half a degree where wheels and rails touch
-    /// (an arc of R300 turns by 1.1 degrees against a chord of 12 mm); or, on a wheel, it is the back of the
-    /// flange or the face of the rim, steep and at the lateral end of the profile.
+    /// (an arc of R300 turns by 1.1 degrees against a chord of 12 mm); or it is an upright face at the
+    /// lateral end of the profile, whatever corners it has: back of a flange, face of a rim or a roller, side
+    /// of a head.
     bool
-    is_straight_face(const Points &points, const std::size_t i, const ProfileKind kind)
+    is_straight_face(const Points &points, const std::size_t i)
     {
       const double degree = std::acos(-1.) / 180;
       const Point2 d      = points[i].position - points[i - 1].position;
@@ -213,7 +214,7 @@ namespace wheelrail
       };
       if (agrees(direction_from(points, i - 1, -1)) && agrees(direction_from(points, i, 1)))
         return true;
-      if (kind != ProfileKind::wheel || std::abs(d.y) < 4 * std::abs(d.x))
+      if (std::abs(d.y) < 4 * std::abs(d.x))
         return false;
       double low = points[i].position.x, high = low;
       for (const FilePoint &p : points)
@@ -228,10 +229,7 @@ namespace wheelrail
     /// Tells gaps that the smoothing bridges, fills longer steps on straight faces by points on the line, and
     /// refuses other ones.
     Points
-    bridge_gaps(const Points             &points,
-                const ProfileKind         kind,
-                const std::string        &file,
-                std::vector<std::string> &notes)
+    bridge_gaps(const Points &points, const std::string &file, std::vector<std::string> &notes)
     {
       constexpr double longest = 30e-3;
       const double     usual = median_step(points), fill = std::clamp(usual, 0.25e-3, 2e-3);
@@ -245,7 +243,7 @@ namespace wheelrail
           const double step = norm(d);
           if (step > 10e-3 * (1 + 1e-9))
             {
-              if (step > longest || !is_straight_face(points, i, kind))
+              if (step > longest || !is_straight_face(points, i))
                 throw InputError(file + ": a gap of " + in_mm(step) + " between " +
                                  lines(points[i - 1], points[i]) +
                                  "; up to 10 mm is bridged, on a straight face up to " + in_mm(longest) +
@@ -306,10 +304,7 @@ namespace wheelrail
 
 
   std::vector<FilePoint>
-  cleaned_points(std::vector<FilePoint>    points,
-                 const ProfileKind         kind,
-                 const std::string        &file,
-                 std::vector<std::string> &notes)
+  cleaned_points(std::vector<FilePoint> points, const std::string &file, std::vector<std::string> &notes)
   {
     points              = without_repeated(points, notes);
     const double extent = check_size(points, file);
@@ -327,7 +322,7 @@ namespace wheelrail
     points = without_repeated(points, notes);
     points = without_outliers(points, file, notes);
     check_size(points, file);
-    points = bridge_gaps(points, kind, file, notes);
+    points = bridge_gaps(points, file, notes);
     check_loops(points, file);
     return points;
   }

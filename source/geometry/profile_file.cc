@@ -191,7 +191,7 @@ namespace wheelrail
     for (FilePoint &p : content.points)
       p.position = unit * p.position;
 
-    std::vector<FilePoint> points = cleaned_points(content.points, options.kind, file, profile.notes);
+    std::vector<FilePoint> points = cleaned_points(content.points, file, profile.notes);
     profile.points                = options.roller ? oriented_roller(points, profile.notes)
                                     : options.kind == ProfileKind::wheel
                                       ? oriented_wheel(points, file, options.mirror, profile.notes)

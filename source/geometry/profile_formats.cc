@@ -97,7 +97,7 @@ namespace wheelrail
           count += !fields.empty() && number_of(fields[0]).has_value();
         }
       if (count > 0)
-        content.notes.push_back(counted(count, "line") + " of numbers among the words before line " +
+        content.notes.push_back(counted(count, "line") + " of numbers before line " +
                                 std::to_string(lines[begin].number) + " taken as heading");
     }
 

@@ -209,6 +209,8 @@ namespace wheelrail
             run = 0;
             continue;
           }
+        if (run == 1 && lines[i].number > lines[i - 1].number + 1) // one line of numbers and an empty one
+          run = 0;
         if (run++ == 0)
           begin = i;
         first = std::min(first, i);

@@ -17,8 +17,5 @@ namespace wheelrail
   /// (says which unit would fit), gaps above 10 mm elsewhere, loops, overlaps that disagree by more than
   /// 0.5 mm, more than 5 % of outliers.
   std::vector<FilePoint>
-  cleaned_points(std::vector<FilePoint>    points,
-                 ProfileKind               kind,
-                 const std::string        &file,
-                 std::vector<std::string> &notes);
+  cleaned_points(std::vector<FilePoint> points, const std::string &file, std::vector<std::string> &notes);
 } // namespace wheelrail

@@ -73,7 +73,7 @@ namespace wheelrail
 
   /// Index of the line with which the points begin: the first of five or more lines (comments and lines that
   /// are switched off aside) that begin with a number, or of those that there are. Headings of words,
-  /// "Key=value" and a few numbers stand before it.
+  /// "Key=value" and a few numbers stand before it, and one line of numbers that an empty line follows.
   std::size_t
   begin_of_points(const std::vector<Line> &lines);
 
