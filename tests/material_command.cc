@@ -96,6 +96,32 @@ namespace
     std::filesystem::remove_all(folder + "-material");
   }
 
+  /// As many steps as 0.1 % needs, against the closed form, at a stress that needs few and one that needs
+  /// many; tables stay short.
+  void
+  steps_without_an_entry()
+  {
+    const double yield = 379, C = 24750, gamma = 55;
+    for (const double high : {600., 800.})
+      {
+        const double low = -500;
+        const Scene  scene =
+          scene_of("  set Axial = " + std::to_string(high) + " MPa, -500 MPa\n  set Cycles = 4\n");
+        std::ostringstream out;
+        run_material_command(scene, false, out);
+        const auto cycles = rows_of(folder + "-material/cycles.csv");
+        // ratcheting of a cycle between stresses that flow: Armstrong and Frederick (1966), integrated
+        const double limit = C / gamma, a = high - yield, b = low + yield;
+        const double exact =
+          (std::log((limit - b) / (limit - a)) - std::log((limit + a) / (limit + b))) / gamma;
+        check_near(cycles[3][3] / exact, 1, 1e-3, "ratcheting over the closed form without Steps");
+        check(out.str().find(" steps from value to value, as many as 0.1 % needs") != std::string::npos,
+              "the steps are told: " + out.str().substr(0, out.str().find('\n')));
+        check(rows_of(folder + "-material/material.csv").size() < 4 * 2 * 402, "a short table");
+      }
+    std::filesystem::remove_all(folder + "-material");
+  }
+
   /// A tube that is pulled by a steady stress while it is twisted to and fro lengthens.
   void
   tension_torsion()
@@ -167,17 +193,47 @@ namespace
                "Material test/Axial has 2 values and Shear 3; as many of both are needed, or a single one "
                "that is held",
                "lists of unequal length");
-    try
-      {
-        std::ostringstream out;
-        run_material_command(scene_of("  set Axial = 900 MPa\n"), false, out);
-        check(false, "a stress that the steel does not bear is told");
-      }
-    catch (const RunError &error)
-      {
-        check(std::string(error.what()).rfind("no strain gives the stresses that are asked for: ", 0) == 0,
-              error.what());
-      }
+    std::ostringstream out;
+    const auto fault_of_run = [&](const std::string &entries, const SteelLaw law = SteelLaw::chaboche) {
+      Scene scene             = scene_of(entries);
+      scene.rail_material.law = law;
+      try
+        {
+          run_material_command(scene, false, out);
+        }
+      catch (const RunError &error)
+        {
+          return std::string(error.what());
+        }
+      return std::string();
+    };
+    const std::string beyond = fault_of_run("  set Axial = 900 MPa\n");
+    check(beyond.rfind("no strain gives the stresses that are asked for, ", 0) == 0 &&
+            beyond.find(" MPa are missing: the steel does not bear more (at S_xx = 8") != std::string::npos &&
+            beyond.find(" MPa, on the way to S_xx = 900 MPa); ask for less, or for strains") !=
+              std::string::npos,
+          beyond);
+    const std::string pressed = fault_of_run("  set Axial = -200 GPa\n", SteelLaw::elastic);
+    check(pressed.rfind("Material test: the strain comes to -0.5", 0) == 0 &&
+            pressed.find("; a Green strain of -0.5 is a length of zero: ask for less") != std::string::npos,
+          pressed);
+    test              = {};
+    test.axial.values = {0.01, -0.6};
+    check_text(
+      fault(test),
+      "Material test/Axial: a strain of -0.6; strains are Green's, where -0.5 is a length of zero: more "
+      "than -0.5 is accepted",
+      "a strain below that of no length");
+    check_text(
+      fault(with_file("E_xx, E_yy\n0.001, -0.5\n")),
+      "material_path_test.csv:2: a strain of -0.5; strains are Green's, where -0.5 is a length of zero: "
+      "more than -0.5 is accepted",
+      "and in a file");
+    run_material_command(scene_of("  set Axial = 0.3\n  set Cycles = 1\n"), false, out);
+    check(out.str().find("note: strains up to 0.3: beyond some per cent Green's strains") !=
+            std::string::npos,
+          "large strains are told");
+    std::filesystem::remove_all(folder + "-material");
   }
 } // namespace
 
@@ -185,6 +241,7 @@ int
 main()
 {
   ratcheting();
+  steps_without_an_entry();
   tension_torsion();
   files();
   faults();

@@ -18,6 +18,7 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::check_text;
 
 namespace
 {
@@ -61,6 +62,7 @@ namespace
       "distance [m],lateral shift [mm],roll [mrad],yaw [mrad],load [kN]\n"
       "5,0,0,-3,100\n5.05,0.3,1,2,120\n5.1,1,2,8,80\n5.2,1,2,8,80\n");
     scene.left_wheel             = left;
+    scene.velocity               = 20;
     const Scene         start    = scene_at_start(scene);
     const SceneGeometry geometry = make_geometry(start);
     const auto          samples  = sample_way(start, geometry);
@@ -117,6 +119,13 @@ namespace
   }
 
   void
+  refused_from(const Scene &scene, const std::string &begin)
+  {
+    const std::string message = test::message_of([&]() { SceneMotion motion(scene); });
+    check(message.rfind(begin, 0) == 0, begin + "...: " + message);
+  }
+
+  void
   test_messages()
   {
     const std::string entry = "Wheelset/Motion = " + file;
@@ -145,6 +154,32 @@ namespace
               "leave one of the columns out");
     refused(scene_with("time [s],torque [kN m],traction\n0,1,1\n1,1,1\n"),
             file + ": torque and traction; one follows from the other: leave one of the columns out");
+    refused(
+      scene_with("distance [mm],lateral shift [mm]\n0,0\n50,0\n50.000001,1\n200,1\n"),
+      entry +
+        ": from row 2 to row 3, over 1e-06 mm of way, the lateral shift changes with an acceleration of "
+        "9.1e+18 m/s2; at most 10000 m/s2 (some 1000 g) is accepted: take the jump out, or spread it "
+        "over more way");
+    refused_from(
+      scene_with("distance [mm],velocity [km/h]\n0,140\n50,140\n50.0001,400\n200,400\n"),
+      entry + ": from row 2 to row 3, over 0.0001 mm of way, the velocity changes with an acceleration of ");
+    refused_from(scene_with("distance [mm],yaw [mrad]\n0,0\n50,0\n51,5\n200,5\n"),
+                 entry + ": from row 2 to row 3, over 1 mm of way, the yaw changes with an acceleration of ");
+    // beyond the way of the run rows may say what they like; within it, what wheelsets do
+    check_text(test::message_of([]() {
+                 SceneMotion motion(
+                   scene_with("distance [mm],lateral shift [mm]\n0,0\n60,1\n150,1\n150.001,2\n"));
+               }),
+               "no message",
+               "1 mm over 60 mm, and a jump after the end of the run");
+    refused(scene_with("time [s],distance [m],yaw [mrad]\n0,0,0\n0.1,2,1\n0.2,4,2\n"),
+            entry +
+              ": from row 1 to row 3 time and distance say 72 km/h, which differs from "
+              "Wheelset/Velocity = 140 km/h; correct one of them, or leave time or distance out");
+    refused(scene_with("time [s],distance [m],velocity [m/s]\n0,0,20\n0.1,2,20\n1.2,4,20\n"),
+            entry +
+              ": from row 1 to row 3 time and distance say 12 km/h, which differs from the column "
+              "velocity; correct one of them, or leave time or distance out");
     const Scene far =
       scene_at_start(scene_with("distance [m],lateral shift [mm],yaw [mrad]\n0,0,0\n0.1,-11.9,50\n"));
     const std::string message = test::message_of([&]() { sample_way(far, make_geometry(far)); });

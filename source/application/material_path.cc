@@ -68,6 +68,17 @@ namespace wheelrail
       return columns;
     }
 
+    /// A Green strain of -0.5 is a length of zero.
+    void
+    check_strains(const PointTarget &target, const std::string &where)
+    {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!target.of_stress[k] && !(target.value[k] > -0.5))
+          throw InputError(
+            where + "a strain of " + format_number(target.value[k]) +
+            "; strains are Green's, where -0.5 is a length of zero: more than -0.5 is accepted");
+    }
+
     std::vector<PointTarget>
     read_path(const std::string &path)
     {
@@ -103,6 +114,7 @@ namespace wheelrail
               target.of_stress[columns[i].component] = columns[i].of_stress;
               target.value[columns[i].component] = number(words[i], where) * (columns[i].of_stress ? 1e6 : 1);
             }
+          check_strains(target, where);
           targets.push_back(target);
         }
       if (targets.empty())
@@ -150,6 +162,7 @@ namespace wheelrail
         targets[k].of_stress.fill(true);
         set_target(targets[k], 0, test.axial, k);
         set_target(targets[k], 5, test.shear, k);
+        check_strains(targets[k], "Material test/Axial: ");
       }
     return targets;
   }

@@ -96,13 +96,18 @@ namespace wheelrail
                                1,
                                100000,
                                test_field(&MaterialTest::cycles)));
+    const Field<unsigned int> steps = test_field(&MaterialTest::steps);
     list.push_back(
-      count_entry({"Material test",
-                   "Steps",
-                   "Steps of the law from one value to the next; errors fall with their number."},
-                  1,
-                  100000,
-                  test_field(&MaterialTest::steps)));
+      with_word(count_entry({"Material test",
+                             "Steps",
+                             "Steps of the law from one value to the next, whose errors fall with their "
+                             "number; auto: as many as answers within 0.1 % need."},
+                            1,
+                            100000,
+                            steps),
+                "auto",
+                0u,
+                steps));
     return list;
   }
 } // namespace wheelrail

@@ -148,8 +148,7 @@ namespace wheelrail
         std::snprintf(
           text,
           sizeof(text),
-          "no strain gives the stresses that are asked for: %.4g MPa are missing; the steel does not "
-          "bear more",
+          "no strain gives the stresses that are asked for, %.4g MPa are missing: the steel does not bear more",
           1e-6 * before);
         throw RunError(text);
       }

@@ -13,12 +13,6 @@ namespace wheelrail
   namespace
   {
     using Q = MotionQuantity;
-
-    std::string
-    in_m(const double length)
-    {
-      return format_quantity(length, "m");
-    }
   } // namespace
 
 
@@ -35,6 +29,7 @@ namespace wheelrail
       if (motion.quantities[k] != Q::time && motion.quantities[k] != Q::distance)
         curves_.emplace(motion.quantities[k], SmoothCurve(along, motion.columns[k]));
     make_shift(motion, along);
+    check_accelerations(along);
     if (has(Q::load) && !(value(Q::load, 0) > 0))
       throw InputError(entry_text(scene, "Wheelset", "Motion start") +
                        ": without a load there is no contact; "
@@ -56,32 +51,6 @@ namespace wheelrail
                       (time[row] - time[row - 1]) *
                         (velocities ? 0.5 * ((*velocities)[row] + (*velocities)[row - 1]) : scene_.velocity));
     return along;
-  }
-
-
-  void
-  SceneMotion::check(const MotionFile &motion, const std::vector<double> &along, const double start) const
-  {
-    const std::string entry = entry_text(scene_, "Wheelset", "Motion");
-    if (scene_.several_passages() || scene_.rail_from != "new")
-      throw InputError(entry +
-                       ": only one run over a new rail can follow a motion; leave Run/Passages, "
-                       "Passage list and Rail out");
-    if (motion.rows() < 2)
-      throw InputError(entry + ": one row; a run that follows a motion needs two at least");
-    if (motion.find(Q::lateral_shift) && motion.find(Q::lateral_creepage))
-      throw InputError(entry +
-                       ": lateral shift and lateral creepage; a run moves the wheelset aside as the "
-                       "shift says: leave one of the columns out");
-    const double end = start + scene_.rolling_distance, round_off = 1e-9;
-    if (start < along.front() - round_off || start > along.back())
-      throw InputError(entry_text(scene_, "Wheelset", "Motion start") + ": not on the way of " +
-                       scene_.motion + ", which goes from " + in_m(along.front()) + " to " +
-                       in_m(along.back()));
-    if (end > along.back() + round_off)
-      throw InputError(entry_text(scene_, "Run", "Rolling distance") + ": leaves " + scene_.motion +
-                       ", whose rows go from " + in_m(along.front()) + " to " + in_m(along.back()) +
-                       ", since the run starts at " + in_m(start) + "; roll less, or start earlier");
   }
 
 

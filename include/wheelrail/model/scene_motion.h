@@ -17,7 +17,8 @@ namespace wheelrail
   {
   public:
     /// Reads the file of the scene. Throws InputError when it cannot be read, when the run leaves it, has no
-    /// load where it starts, or passes several times.
+    /// load where it starts, or passes several times, when the wheelset would be accelerated by more than some
+    /// 1000 g, or time, distance and velocity say different things.
     explicit SceneMotion(const Scene &scene);
 
     /// The scene at a place of its way [m]: columns in the place of its entries, the lateral creepage
@@ -63,6 +64,10 @@ namespace wheelrail
     rows_along(const MotionFile &motion) const;
     void
     check(const MotionFile &motion, const std::vector<double> &along, double start) const;
+    void
+    check_times(const MotionFile &motion) const;
+    void
+    check_accelerations(const std::vector<double> &rolled) const;
     void
     make_shift(const MotionFile &motion, const std::vector<double> &rolled);
 

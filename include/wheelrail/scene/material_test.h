@@ -22,6 +22,6 @@ namespace wheelrail
     Stations     shear;             ///< in the plane xy, strains as the change of the angle
     std::string  file   = "none";   ///< rows of strains and stresses to go through instead, or none
     unsigned int cycles = 20;
-    unsigned int steps  = 200; ///< of the law from one station to the next
+    unsigned int steps  = 0; ///< of the law from one station to the next; 0: as many as 0.1 % needs
   };
 } // namespace wheelrail
