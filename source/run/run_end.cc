@@ -79,11 +79,12 @@ namespace wheelrail
           summary, "traction_over_friction", force / (scene.friction_coefficient * summary.normal_force));
       if (scene.drive != Drive::torque)
         return;
-      // a wheel that is hardly driven is judged by its load
+      // a wheel that is hardly driven is judged by half of what friction carries: a force that is lost there
+      // changes creepage and T-gamma as little as it does in a driven wheel
       const double asked = get_figure(summary, "drive_torque_Nm") / radius;
-      set_figure(summary,
-                 "torque_miss",
-                 (force - asked) / std::max(std::abs(asked), 0.05 * std::abs(summary.normal_force)));
+      const double carried =
+        std::max(0.05, 0.5 * scene.friction_coefficient) * std::abs(summary.normal_force);
+      set_figure(summary, "torque_miss", (force - asked) / std::max(std::abs(asked), carried));
       if (scene.traction_coefficient != 0 && summary.stick_fraction < 1e-3)
         summary.note = sliding_note(scene.traction_coefficient);
     }
