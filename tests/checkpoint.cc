@@ -4,6 +4,7 @@
 // All start from one static start: a second one in the same process agrees within its tolerance only.
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>

@@ -6,7 +6,7 @@
 #include "fuzz.h"
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/profiles/profile_file.h>
 
 #include <cmath>
 #include <fstream>

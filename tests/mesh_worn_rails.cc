@@ -2,9 +2,9 @@
 // whatever angles their sides pass through, and no block is folded.
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/geometry/measured_profiles.h>
 #include <wheelrail/mesh/fine_strip.h>
 #include <wheelrail/mesh/rail_section.h>
+#include <wheelrail/profiles/measured_profiles.h>
 
 #include "check.h"
 #include "profile_samples.h"

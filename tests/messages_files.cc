@@ -8,16 +8,16 @@
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/material_path.h>
 #include <wheelrail/base/log.h>
-#include <wheelrail/dynamics/static_start.h>
-#include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/output/hdf5_file.h>
-#include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
+#include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/reference/distance_file.h>
 #include <wheelrail/run/run_start.h>
+#include <wheelrail/statics/static_start.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -4,7 +4,7 @@
 #include "messages.h"
 #include "profile_samples.h"
 
-#include <wheelrail/geometry/measured_profiles.h>
+#include <wheelrail/profiles/measured_profiles.h>
 
 #include <string>
 #include <vector>

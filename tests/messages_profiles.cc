@@ -3,8 +3,8 @@
 #include "messages.h"
 
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/geometry/profile_file.h>
-#include <wheelrail/geometry/smoothing_spline.h>
+#include <wheelrail/profiles/profile_file.h>
+#include <wheelrail/profiles/smoothing_spline.h>
 
 #include <cmath>
 #include <cstdio>

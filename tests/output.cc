@@ -4,6 +4,7 @@
 // output folder. The files are read back with VTK and h5py by read_output.py.
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/hdf5_file.h>

@@ -4,9 +4,9 @@
 #include "profile_samples.h"
 
 #include <wheelrail/geometry/contact_geometry.h>
-#include <wheelrail/geometry/measured_profiles.h>
-#include <wheelrail/geometry/profile_file.h>
-#include <wheelrail/geometry/smoothing_spline.h>
+#include <wheelrail/profiles/measured_profiles.h>
+#include <wheelrail/profiles/profile_file.h>
+#include <wheelrail/profiles/smoothing_spline.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "profile_samples.h"
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/geometry/measured_profiles.h>
+#include <wheelrail/profiles/measured_profiles.h>
 
 #include <algorithm>
 #include <cmath>

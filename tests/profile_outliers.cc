@@ -5,7 +5,7 @@
 #include "profile_samples.h"
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/profiles/profile_file.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/hdf5_handles.h>
-#include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/staggered_starts.h>
 

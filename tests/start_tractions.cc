@@ -1,8 +1,8 @@
 // Tractions to start from, by the half-space solver: Kalker's linear theory for small creepage and spin,
 // saturation, signs.
 
-#include <wheelrail/dynamics/start_tractions.h>
 #include <wheelrail/halfspace/problem.h>
+#include <wheelrail/statics/start_tractions.h>
 
 #include "parallel.h"
 

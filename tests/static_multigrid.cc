@@ -3,12 +3,12 @@
 // The equations of the static start: the levels of the octree, the product without a matrix, and how many
 // steps conjugate gradients take, whatever the cells and the springs of contact.
 
-#include <wheelrail/dynamics/direct_bottom.h>
-#include <wheelrail/dynamics/iterative_bottom.h>
-#include <wheelrail/dynamics/static_multigrid.h>
-#include <wheelrail/dynamics/static_system.h>
 #include <wheelrail/mesh/coarse_levels.h>
 #include <wheelrail/mesh/forest.h>
+#include <wheelrail/statics/direct_bottom.h>
+#include <wheelrail/statics/iterative_bottom.h>
+#include <wheelrail/statics/static_multigrid.h>
+#include <wheelrail/statics/static_system.h>
 
 #include "parallel.h"
 #include "small_scene.h"

@@ -1,6 +1,6 @@
 // When the search for the static equilibrium is given up.
 
-#include <wheelrail/dynamics/static_progress.h>
+#include <wheelrail/statics/static_progress.h>
 
 #include "check.h"
 

@@ -4,11 +4,11 @@
 // stresses in equilibrium with themselves, wherever the wheel has turned to.
 
 #include <wheelrail/dynamics/rolling.h>
-#include <wheelrail/dynamics/unloading.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/solid/cauchy.h>
 #include <wheelrail/solid/kept_flow.h>
 #include <wheelrail/solid/point_state.h>
+#include <wheelrail/statics/unloading.h>
 
 #include "parallel.h"
 #include "small_scene.h"

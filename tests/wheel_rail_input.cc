@@ -3,8 +3,8 @@
 #include "messages.h"
 
 #include <wheelrail/geometry/contact_geometry.h>
-#include <wheelrail/geometry/measured_profiles.h>
-#include <wheelrail/geometry/profile_file.h>
+#include <wheelrail/profiles/measured_profiles.h>
+#include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/reference/wheel_rail_input.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/split_list.h>
-#include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/input/entry_kinds.h>
+#include <wheelrail/profiles/profile_file.h>
 
 #include <algorithm>
 #include <charconv>

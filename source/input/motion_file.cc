@@ -2,10 +2,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/file_kind.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/base/split_list.h>
 #include <wheelrail/input/motion_file.h>
-#include <wheelrail/output/replace_file.h>
 
 #include <algorithm>
 #include <cmath>

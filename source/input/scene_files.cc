@@ -1,10 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/split_list.h>
-#include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/input/scene_files.h>
+#include <wheelrail/profiles/profile_file.h>
 
 #include <filesystem>
 #include <fstream>

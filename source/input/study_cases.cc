@@ -1,9 +1,9 @@
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/base/split_list.h>
-#include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/input/study_cases.h>
+#include <wheelrail/profiles/profile_file.h>
 
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>

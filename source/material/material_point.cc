@@ -145,11 +145,11 @@ namespace wheelrail
         if (before < 1e4 * enough)
           break; // as near as round-off lets it come
         char text[200];
-        std::snprintf(
-          text,
-          sizeof(text),
-          "no strain gives the stresses that are asked for, %.4g MPa are missing: the steel does not bear more",
-          1e-6 * before);
+        std::snprintf(text,
+                      sizeof(text),
+                      "no strain gives the stresses that are asked for, %.4g MPa are missing: the steel does "
+                      "not bear more",
+                      1e-6 * before);
         throw RunError(text);
       }
     strain_      = strain;

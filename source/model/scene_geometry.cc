@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/geometry/measured_profiles.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/profiles/measured_profiles.h>
 
 #include <utility>
 

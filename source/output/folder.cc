@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/folder_lock.h>
 #include <wheelrail/output/replace_file.h>

@@ -1,5 +1,4 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/file_kind.h>
 #include <wheelrail/output/replace_file.h>
 
 #include <fcntl.h>
@@ -8,8 +7,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 namespace wheelrail
 {
@@ -105,21 +102,5 @@ namespace wheelrail
   replace_file(const std::string &path, const std::string &text)
   {
     replace_file(path, text.data(), text.size());
-  }
-
-  std::string
-  read_whole_file(const std::string &path)
-  {
-    if (const std::string other = other_than_a_file(path); !other.empty())
-      throw RunError("The file \"" + path + "\" is no ordinary file, but " + other + ".");
-    errno = 0;
-    std::ifstream      file(path, std::ios::binary);
-    std::ostringstream text;
-    if (file)
-      text << file.rdbuf();
-    if (!file || file.bad())
-      throw RunError("The file \"" + path + "\" cannot be read: " + std::strerror(errno != 0 ? errno : EIO) +
-                     ".");
-    return text.str();
   }
 } // namespace wheelrail

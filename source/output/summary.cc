@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/summary.h>

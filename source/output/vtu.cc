@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/output/vtu.h>

@@ -1,5 +1,5 @@
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/figure_table.h>
-#include <wheelrail/output/replace_file.h>
 #include <wheelrail/run/passage_jump.h>
 
 #include <algorithm>

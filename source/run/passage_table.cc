@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/descriptions.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_handles.h>

@@ -1,9 +1,9 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/print.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/folder.h>
-#include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/passage_jumps.h>

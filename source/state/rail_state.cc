@@ -1,11 +1,12 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/dynamics/wheel_axes.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/solid/motion.h>
 #include <wheelrail/solid/transfer.h>
 #include <wheelrail/state/checkpoint_checks.h>
 #include <wheelrail/state/rail_state.h>
+#include <wheelrail/wheelset/wheel_axes.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -17,8 +17,8 @@ namespace wheelrail
   {
   public:
     /// Reads the file of the scene. Throws InputError when it cannot be read, when the run leaves it, has no
-    /// load where it starts, or passes several times, when the wheelset would be accelerated by more than some
-    /// 1000 g, or time, distance and velocity say different things.
+    /// load where it starts, or passes several times, when the wheelset would be accelerated by more than
+    /// some 1000 g, or time, distance and velocity say different things.
     explicit SceneMotion(const Scene &scene);
 
     /// The scene at a place of its way [m]: columns in the place of its entries, the lateral creepage

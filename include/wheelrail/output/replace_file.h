@@ -20,9 +20,4 @@ namespace wheelrail
   /// "The output file "x" cannot be written: reason. What to do.", for an error number of the system.
   std::string
   cannot_write(const std::string &path, int reason);
-
-  /// The whole file as a string; throws RunError naming the file and the reason, also when it is no ordinary
-  /// file.
-  std::string
-  read_whole_file(const std::string &path);
 } // namespace wheelrail

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <wheelrail/base/log.h>
-#include <wheelrail/dynamics/static_start.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/state/checkpoint.h>
+#include <wheelrail/statics/static_start.h>
 
 #include <string>
 #include <vector>

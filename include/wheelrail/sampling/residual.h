@@ -1,8 +1,8 @@
 #pragma once
 
-#include <wheelrail/dynamics/unloading.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/sampling/slices.h>
+#include <wheelrail/statics/unloading.h>
 #include <wheelrail/wheelset/axle.h>
 
 #include <functional>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <wheelrail/geometry/contact_geometry.h>
-#include <wheelrail/geometry/profile_file.h>
 #include <wheelrail/material/cyclic_hardening.h>
 #include <wheelrail/material/friction.h>
 #include <wheelrail/mesh/wheel_section_outline.h>
+#include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/scene/material_test.h>
 #include <wheelrail/scene/study.h>
 #include <wheelrail/solid/element_form.h>

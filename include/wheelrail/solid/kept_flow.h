@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/body.h>
 #include <wheelrail/solid/element_blocks.h>
 
 #include <vector>

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <wheelrail/profiles/profile_file.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The points of a wheel profile [m] with x positive to the field side, y up (the flange hangs
+  /// down), running from the field side to the flange back. Turned and mirrored by the place of the
+  /// flange; ProfileMirror::yes or no must agree with it. Adds a sentence for everything changed.
+  ///
+  /// Throws InputError for what is no wheel: no flange 15 mm to 45 mm deep, a tread narrower than
+  /// 60 mm.
+  std::vector<FilePoint>
+  oriented_wheel(std::vector<FilePoint>    points,
+                 const std::string        &file,
+                 ProfileMirror             mirror,
+                 std::vector<std::string> &notes);
+
+  /// The points of a roller's crown [m] from the largest x to the smallest, y pointing out of the roller: to
+  /// the side where the middle stands out over the line between the ends. Adds a sentence for everything
+  /// changed.
+  std::vector<FilePoint>
+  oriented_roller(std::vector<FilePoint> points, std::vector<std::string> &notes);
+
+  /// The points of a rail head [m] with x positive to the field side, y up, running from the field
+  /// side to the gauge side, down to at most 35 mm below the top. Which side is the gauge side
+  /// cannot be seen: with ProfileMirror::automatic x is mirrored when `gauge_right` says that it
+  /// grows to the gauge side.
+  ///
+  /// Throws InputError for what is no rail head: narrower than 40 mm or wider than 95 mm, with no
+  /// side that reaches 5 mm below the top.
+  std::vector<FilePoint>
+  oriented_rail(std::vector<FilePoint>    points,
+                const std::string        &file,
+                ProfileMirror             mirror,
+                bool                      gauge_right,
+                std::vector<std::string> &notes);
+} // namespace wheelrail

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <wheelrail/statics/static_bottom.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace dealii
+{
+  class DynamicSparsityPattern;
+}
+
+namespace wheelrail
+{
+  /// The coarsest level as a matrix, solved for roughly by conjugate gradients with smoothed aggregation
+  /// (Trilinos' ML): for blocks so small that a direct solver would need gigabytes.
+  class IterativeBottom : public StaticBottom
+  {
+  public:
+    /// See make_static_bottom().
+    IterativeBottom(const LocalMesh                  &mesh,
+                    const PerBody<ElementBlocks>     &blocks,
+                    const std::vector<unsigned char> &held,
+                    MPI_Comm                          communicator);
+    ~IterativeBottom() override;
+
+    /// Takes the springs of the moment into the matrix and makes the preconditioner, unless those that it
+    /// knows are near enough to serve on. Collective.
+    void
+    set_springs(const StaticSprings &springs) override;
+
+    /// z = the displacements under the forces, to a fifth; not quite linear in them. Collective.
+    void
+    solve(const StaticVector &forces, StaticVector &z) override;
+
+  private:
+    struct Matrix;
+    std::uint32_t
+    dof(const unsigned int node, const int component) const
+    {
+      return 3 * mesh_.global_node[node] + component;
+    }
+    void
+    make_modes();
+    dealii::DynamicSparsityPattern
+    pattern() const;
+    void
+    assemble();
+    void
+    make_preconditioner();
+    void
+    conjugate_gradients();
+
+    const LocalMesh           &mesh_;
+    std::vector<unsigned char> held_;
+    MPI_Comm                   communicator_;
+    std::unique_ptr<Matrix>    matrix_;
+    unsigned int               failures_ = 0; ///< of incomplete factors as smoother, until Chebyshev's turn
+  };
+} // namespace wheelrail

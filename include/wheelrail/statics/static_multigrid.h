@@ -1,0 +1,53 @@
+#pragma once
+
+#include <wheelrail/statics/static_bottom.h>
+#include <wheelrail/statics/static_level.h>
+
+#include <memory>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Geometric multigrid for the stiffness of both bodies with contact springs: the hierarchy of the octree's
+  /// levels (coarse_levels()), each with the element kernel as operator and Chebyshev smoothing, down to the
+  /// coarse blocks.
+  ///
+  /// Made once for a mesh. New springs are only projected to the levels.
+  class StaticMultigrid
+  {
+  public:
+    /// `held`: 1 for nodes of the solid's mesh that do not move. The solid must outlive the object and keep
+    /// its elements. Collective.
+    StaticMultigrid(const Forest &forest, Solid &solid, const std::vector<unsigned char> &held);
+
+    /// Collective.
+    void
+    set_springs(const std::vector<Contact::Spring> &springs);
+
+    /// One V-cycle from zero: z = about the displacements under the forces. Symmetric and linear but for a
+    /// rough solution of the coarsest level. Collective.
+    void
+    cycle(const StaticVector &forces, StaticVector &z);
+
+    StaticLevel &
+    finest()
+    {
+      return *levels_.front();
+    }
+
+    /// Passes over elements so far, in those of the finest mesh.
+    double
+    passes() const;
+
+  private:
+    void
+    cycle(std::size_t k, StaticVector &residual, StaticVector &x);
+
+    MPI_Comm                                  communicator_;
+    std::vector<CoarseLevel>                  coarse_;
+    std::vector<PerBody<ElementBlocks>>       blocks_; ///< of the coarse levels
+    std::vector<std::unique_ptr<StaticLevel>> levels_; ///< the finest first; without the coarsest
+    std::unique_ptr<StaticBottom>             bottom_;
+    std::vector<std::vector<unsigned char>>   held_; ///< of all levels
+  };
+} // namespace wheelrail

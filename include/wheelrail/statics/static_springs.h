@@ -1,0 +1,86 @@
+#pragma once
+
+#include <wheelrail/base/vector3.h>
+#include <wheelrail/contact/contact.h>
+#include <wheelrail/mesh/coarse_levels.h>
+#include <wheelrail/statics/static_vector.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The contact springs on one mesh: stretch = B x with the displacements x of the nodes, energy
+  /// sum stiffness stretch^2 / 2. All ranks know all springs.
+  class StaticSprings
+  {
+  public:
+    /// Share of a node in the stretch of a spring.
+    struct Part
+    {
+      unsigned int  spring;
+      std::uint32_t node; ///< over all ranks
+      Vector3       weight;
+    };
+
+    StaticSprings() = default;
+
+    /// The springs of the contact on the finest mesh; nodes that hang hand their parts to their parents.
+    /// `held`: 1 for nodes that do not move. Collective.
+    StaticSprings(const std::vector<Contact::Spring> &springs,
+                  const LocalMesh                    &mesh,
+                  const std::vector<unsigned char>   &held,
+                  MPI_Comm                            communicator);
+
+    /// The same springs as the trial functions of the next coarser level stretch them. Collective.
+    StaticSprings
+    coarsened(const CoarseLevel &coarse, const std::vector<unsigned char> &held) const;
+
+    /// B x. Collective.
+    std::vector<double>
+    stretch(const double *x) const;
+
+    /// y += B^T forces on all nodes of the rank.
+    void
+    add(const std::vector<double> &forces, double *y) const;
+
+    std::size_t
+    size() const
+    {
+      return stiffness_.size();
+    }
+    /// [N/m]
+    const std::vector<double> &
+    stiffness() const
+    {
+      return stiffness_;
+    }
+    /// Parts of all springs, in the order of the springs, each node once a spring.
+    const std::vector<Part> &
+    parts() const
+    {
+      return parts_;
+    }
+    /// Local node of each part, or none.
+    const std::vector<unsigned int> &
+    local_nodes() const
+    {
+      return local_;
+    }
+    static constexpr unsigned int none = ~0u;
+
+    /// Largest distance of two springs in the list that share a node.
+    std::size_t
+    band() const;
+
+  private:
+    void
+    take(std::vector<Part> own, const LocalMesh &mesh, const std::vector<unsigned char> &held);
+
+    MPI_Comm                  communicator_{};
+    const LocalMesh          *mesh_ = nullptr;
+    std::vector<double>       stiffness_;
+    std::vector<Part>         parts_;
+    std::vector<unsigned int> local_;
+  };
+} // namespace wheelrail

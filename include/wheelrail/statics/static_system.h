@@ -1,0 +1,112 @@
+#pragma once
+
+#include <wheelrail/statics/static_multigrid.h>
+
+#include <memory>
+#include <vector>
+
+namespace wheelrail
+{
+  /// A change of position: of the free unknowns and of the height of the bore.
+  struct StaticStep
+  {
+    StaticVector increment;
+    double       lift = 0; ///< [m]
+  };
+
+  /// The linear system of one static start: stiffness of both bodies at rest plus contact springs,
+  /// feet and ends of the rail held, the bore of the wheel moved vertically as one.
+  ///
+  /// Solved by conjugate gradients with the element kernel as operator and geometric multigrid before it.
+  class StaticSystem
+  {
+  public:
+    using Vector = StaticVector;
+
+    /// The solid must outlive the system and keep its elements. Collective.
+    StaticSystem(const Forest &forest, Solid &solid);
+
+    Vector
+    zero() const
+    {
+      return multigrid_->finest().zero();
+    }
+
+    /// Local nodal forces, already summed over ranks, as a right-hand side.
+    Vector
+    right_hand_side(const AlignedVector<double> &nodal) const;
+
+    /// Adds increment + constraints (bore raised by `lift` [m]) to the nodal values.
+    void
+    add_to_nodes(const Vector &increment, double lift, AlignedVector<double> &nodal) const;
+
+    /// Sum of the vertical nodal forces on the bore [N], from local forces summed over ranks. Collective.
+    double
+    bore_force(const AlignedVector<double> &nodal) const;
+
+    /// The stiffness is that of both bodies plus these springs from now on; finds about the response to a
+    /// lift of the bore. Collective.
+    void
+    set_springs(const std::vector<Contact::Spring> &springs);
+
+    /// Increment and lift together under forces on the free unknowns and on the bore [N], the latter freely
+    /// moving up and down: solves until what is out of balance is below `tolerance` times the given. Returns
+    /// the CG steps. Throws RunError after 500, or when a number is not finite. Collective.
+    unsigned int
+    solve(const Vector &forces, double bore, double tolerance, StaticStep &step);
+
+    /// The same with the bore held, for the displacements of the free nodes alone.
+    unsigned int
+    solve_held(const Vector &forces, double tolerance, Vector &increment);
+
+    /// An estimate of solve(), linear and symmetric in the forces: one cycle of the preconditioner, and the
+    /// response to a lift with the share that balances the bore. Collective.
+    StaticStep
+    precondition(const Vector &forces, double bore);
+
+    /// CG steps of set_springs() and solve() so far.
+    unsigned int cg_steps = 0;
+
+    /// Passes over the elements of the mesh that the solutions have taken so far; those of coarser levels
+    /// count in proportion.
+    double
+    passes() const
+    {
+      return multigrid_->passes();
+    }
+
+  private:
+    /// A vector of unknowns: displacements against a rigid lift of the whole wheel, and that lift [m]; or the
+    /// forces that belong to them: nodal ones, and the vertical force on the whole wheel [N].
+    struct Unknowns
+    {
+      Vector nodes;
+      double lift = 0;
+    };
+    double
+    dot(const Unknowns &a, const Unknowns &b) const;
+    void
+    product(const Unknowns &x, Unknowns &y);
+    void
+    precondition(const Unknowns &forces, Unknowns &z);
+    template <bool with_lift>
+    unsigned int
+    conjugate_gradients(Unknowns residual, Unknowns &x, double enough);
+    void
+    find_lift_response();
+
+    const LocalMesh           &mesh_;
+    MPI_Comm                   communicator_;
+    std::vector<unsigned char> held_, bore_; ///< 1: the node does not move freely; it moves with the bore
+    std::unique_ptr<StaticMultigrid> multigrid_;
+    Vector                           rigid_;         ///< free nodes in a rigid lift of the wheel by 1 m
+    std::vector<double>              rigid_stretch_; ///< of the springs in that [1]
+    Unknowns                         response_;      ///< about, to a lift of the bore by 1 m
+    double                           approach_stiffness_ = 0; ///< energy of the response, twice [N/m]
+  };
+
+  /// Forces of the elements of bodies at rest in their present position [N], those of hanging nodes handed to
+  /// their parents, summed over ranks. Elements that may flow take the step to this position. Collective.
+  AlignedVector<double>
+  element_forces_at_rest(Solid &solid, SharedSum &sum);
+} // namespace wheelrail

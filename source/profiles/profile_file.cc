@@ -1,0 +1,209 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/profiles/profile_cleaning.h>
+#include <wheelrail/profiles/profile_file.h>
+#include <wheelrail/profiles/profile_orientation.h>
+#include <wheelrail/profiles/profile_outliers.h>
+#include <wheelrail/profiles/profile_text.h>
+#include <wheelrail/profiles/smoothing_spline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace wheelrail
+{
+  namespace
+  {
+    const char *
+    word(const ProfileKind kind)
+    {
+      return kind == ProfileKind::rail ? "rail" : "wheel";
+    }
+
+    const char *
+    entry(const ProfileKind kind)
+    {
+      return kind == ProfileKind::rail ? "Profiles/Rail" : "Profiles/Wheel";
+    }
+
+    std::string
+    read_text(const std::string &path)
+    {
+      namespace fs = std::filesystem;
+      std::error_code error;
+      const auto      status = fs::status(path, error);
+      if (!fs::exists(status))
+        throw InputError(
+          path + ": no such file; a profile file is sought from the folder where the command is given");
+      if (!fs::is_regular_file(status))
+        throw InputError(path +
+                         ": not a file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
+      if (fs::file_size(path, error) > largest_profile_file && !error)
+        throw InputError(path + ": larger than " + std::to_string(largest_profile_file / 1000000) +
+                         " MB; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
+      std::ifstream      file(path, std::ios::binary);
+      std::ostringstream text;
+      if (!file || (fs::file_size(path, error) > 0 && !(text << file.rdbuf())))
+        throw InputError(path + ": cannot be read; check its permissions");
+      return text.str();
+    }
+
+    void
+    check_kind(const FileContent &content, const std::string &file, const ProfileKind kind)
+    {
+      if (content.kind_stated && content.kind != kind)
+        throw InputError(place(file, content.kind_line) +
+                         "type = " + (content.kind == ProfileKind::wheel ? "1, a wheel" : "0, a rail") +
+                         "; " + entry(kind) + " needs a " + word(kind) + " profile");
+    }
+
+    /// Metres per unit of the file, by the option, the file or the size of the profile.
+    double
+    find_unit(const FileContent        &content,
+              const std::string        &file,
+              const ProfileFileOptions &options,
+              std::vector<std::string> &notes)
+    {
+      const std::string name = std::string(entry(options.kind)) + " unit";
+      const auto        text = [](const double unit) {
+        return unit == 1        ? std::string("m")
+                      : unit == 0.0254 ? "inch"
+                      : unit == 1e-3   ? "mm"
+                                       : in_mm(unit, 1e6);
+      };
+      if (options.unit != ProfileUnit::automatic)
+        {
+          const double unit = options.unit == ProfileUnit::metre  ? 1
+                              : options.unit == ProfileUnit::inch ? 0.0254
+                                                                  : 1e-3;
+          notes.push_back("unit " + text(unit) + " by " + name +
+                          (content.metres_per_unit > 0 && content.metres_per_unit != unit
+                             ? ", though the file states " + text(content.metres_per_unit)
+                             : ""));
+          return unit;
+        }
+      if (content.metres_per_unit > 0)
+        {
+          notes.push_back("unit " + text(content.metres_per_unit) + " as the file states");
+          return content.metres_per_unit;
+        }
+      double low = content.points[0].position.x, high = low;
+      for (const FilePoint &p : content.points)
+        {
+          low  = std::min(low, p.position.x);
+          high = std::max(high, p.position.x);
+        }
+      const std::string width = format_number(std::round((high - low) * 1e4) / 1e4);
+      for (const double unit : {1e-3, 1.})
+        if (const double across = (high - low) * unit; across >= 0.03 && across <= 0.3)
+          {
+            notes.push_back("unit taken as " + text(unit) + ", since the profile then is " +
+                            in_mm(across, 10) + " wide; " + name + " changes it");
+            return unit;
+          }
+      throw InputError(file + ": the profile is " + width +
+                       " units wide and the file states none; as mm or m it is not a " + word(options.kind) +
+                       " (30 mm to 300 mm): set " + name + " to mm, m or inch, or scale the file");
+    }
+
+    double
+    smoothing_noise(const MeasuredProfile &profile, const std::vector<Point2> &points, const double wanted)
+    {
+      constexpr double most = 3e-4;
+      if (wanted >= 0)
+        return wanted;
+      const double noise = estimated_noise(points);
+      if (noise > most)
+        throw InputError(profile.file + ": the points scatter by " + in_mm(noise) +
+                         " about a smooth line, which is no measured profile (up to " + in_mm(most) +
+                         " is smoothed): measure again, or set Profiles/Smoothing");
+      return noise;
+    }
+
+    /// The smoothing knows points only: its messages get the name of the file.
+    Curve
+    smoothed(const std::vector<Point2>      &points,
+             const std::vector<std::size_t> &kinks,
+             const double                    noise,
+             const std::string              &file)
+    {
+      try
+        {
+          return Curve(smoothing_spline(points, kinks, noise));
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(file + ": " + error.what());
+        }
+    }
+
+    void
+    smooth(MeasuredProfile &profile, const double wanted)
+    {
+      std::vector<Point2> points;
+      for (const FilePoint &p : profile.points)
+        points.push_back(p.position);
+      profile.noise     = smoothing_noise(profile, points, wanted);
+      const auto  kinks = find_kinks(points, profile.noise);
+      const Curve curve = smoothed(points, kinks, profile.noise, profile.file);
+      double      worst = 0;
+      for (const Point2 &p : points)
+        worst = std::max(worst, norm(curve.at(curve.closest(p)).position - p));
+      if (!(worst < 1e-3))
+        throw InputError(
+          profile.file + ": the smoothed profile lies up to " + in_mm(worst) +
+          " off the points; up to 1 mm is accepted: set Profiles/Smoothing to a smaller length");
+      const auto um = [](const double length) {
+        return format_number(std::round(length * 1e8) / 100) + " um";
+      };
+      profile.notes.push_back((wanted >= 0 ? "noise of " + um(profile.noise) + " by Profiles/Smoothing"
+                                           : "noise of " + um(profile.noise) + " found in the points") +
+                              " smoothed; the curve lies at most " + um(worst) + " off the points");
+      for (const std::size_t k : kinks)
+        profile.notes.push_back("kink at x = " + in_mm(points[k].x, 10) + ", y = " + in_mm(points[k].y, 10) +
+                                " kept");
+      profile.curve = curve;
+    }
+  } // namespace
+
+
+  bool
+  is_file_name(const std::string &name)
+  {
+    return name.find_first_of("./") != std::string::npos;
+  }
+
+
+  MeasuredProfile
+  read_profile_text(const std::string &text, const std::string &file, const ProfileFileOptions &options)
+  {
+    FileContent content = parse_profile_text(text, file);
+    check_kind(content, file, options.kind);
+    MeasuredProfile profile;
+    profile.kind  = options.kind;
+    profile.file  = file;
+    profile.notes = {content.format + ", " + counted(content.listed, "point")};
+    profile.notes.insert(profile.notes.end(), content.notes.begin(), content.notes.end());
+    const double unit = find_unit(content, file, options, profile.notes);
+    for (FilePoint &p : content.points)
+      p.position = unit * p.position;
+
+    std::vector<FilePoint> points = cleaned_points(content.points, file, profile.notes);
+    profile.points                = options.roller ? oriented_roller(points, profile.notes)
+                                    : options.kind == ProfileKind::wheel
+                                      ? oriented_wheel(points, file, options.mirror, profile.notes)
+                                      : oriented_rail(points, file, options.mirror, content.gauge_right, profile.notes);
+    smooth(profile, options.noise);
+    return profile;
+  }
+
+
+  MeasuredProfile
+  read_profile_file(const std::string &path, const ProfileFileOptions &options)
+  {
+    return read_profile_text(read_text(path), path, options);
+  }
+} // namespace wheelrail

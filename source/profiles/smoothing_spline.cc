@@ -1,0 +1,299 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/profiles/smoothing_spline.h>
+
+#include <gsl/gsl_bspline.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr std::size_t order = 4; // cubic
+
+    template <typename T, void (*release)(T *)>
+    struct Release
+    {
+      void
+      operator()(T *p) const
+      {
+        release(p);
+      }
+    };
+    using Matrix = std::unique_ptr<gsl_matrix, Release<gsl_matrix, gsl_matrix_free>>;
+    using Vector = std::unique_ptr<gsl_vector, Release<gsl_vector, gsl_vector_free>>;
+    using Workspace =
+      std::unique_ptr<gsl_bspline_workspace, Release<gsl_bspline_workspace, gsl_bspline_free>>;
+
+    /// Values of the four B-splines that are not zero at s, or of a derivative of them.
+    struct Basis
+    {
+      std::size_t first = 0;
+      double      derivative[order][order]; ///< [B-spline][derivative]
+    };
+
+    /// The points of one smooth stretch in millimetres, with their chord lengths.
+    struct Stretch
+    {
+      std::vector<Point2> points;
+      std::vector<double> s, breaks;
+      bool                fixed_begin = false, fixed_end = false;
+    };
+
+    /// The spline of one stretch while it is fitted.
+    class Fit
+    {
+    public:
+      Fit(const Stretch &stretch, const double noise)
+        : stretch_(stretch)
+        , noise_(noise)
+        , space_(gsl_bspline_alloc(order, stretch.breaks.size()))
+        , derivatives_(gsl_matrix_alloc(order, order))
+        , size_(stretch.breaks.size() + order - 2)
+      {
+        Vector breaks(gsl_vector_alloc(stretch.breaks.size()));
+        for (std::size_t i = 0; i < stretch.breaks.size(); ++i)
+          gsl_vector_set(breaks.get(), i, stretch.breaks[i]);
+        gsl_bspline_knots(breaks.get(), space_.get());
+        for (const double s : stretch.s)
+          at_points_.push_back(basis(s));
+        for (std::size_t j = 0; j + 1 < stretch.breaks.size(); ++j)
+          in_intervals_.push_back(basis(0.5 * (stretch.breaks[j] + stretch.breaks[j + 1])));
+      }
+
+      Basis
+      basis(const double s) const
+      {
+        Basis       result;
+        std::size_t last = 0;
+        gsl_bspline_deriv_eval_nonzero(s, order - 1, derivatives_.get(), &result.first, &last, space_.get());
+        for (std::size_t i = 0; i < order; ++i)
+          for (std::size_t k = 0; k < order; ++k)
+            result.derivative[i][k] = gsl_matrix_get(derivatives_.get(), i, k);
+        return result;
+      }
+
+      /// Point or derivative of the spline.
+      Point2
+      value(const Basis &b, const std::size_t derivative) const
+      {
+        Point2 sum;
+        for (std::size_t i = 0; i < order; ++i)
+          sum = sum + b.derivative[i][derivative] *
+                        Point2{gsl_vector_get(x_.get(), b.first + i), gsl_vector_get(y_.get(), b.first + i)};
+        return sum;
+      }
+
+      /// Least squares of the distances over the noise plus the integral of |r'''|^2 / tau^2, with
+      /// one tau for each interval [1/mm2].
+      bool
+      solve(const std::vector<double> &tau)
+      {
+        Matrix band(gsl_matrix_calloc(size_, order));
+        x_.reset(gsl_vector_calloc(size_));
+        y_.reset(gsl_vector_calloc(size_));
+        const auto add = [&](const Basis &b, const std::size_t derivative, const double weight) {
+          for (std::size_t i = 0; i < order; ++i)
+            for (std::size_t k = i; k < order; ++k) // the lower triangle: row b + k, column b + i
+              *gsl_matrix_ptr(band.get(), b.first + i, k - i) +=
+                weight * b.derivative[i][derivative] * b.derivative[k][derivative];
+        };
+        for (std::size_t p = 0; p < at_points_.size(); ++p)
+          {
+            const bool fixed =
+              (p == 0 && stretch_.fixed_begin) || (p + 1 == at_points_.size() && stretch_.fixed_end);
+            const double weight = (fixed ? 1e8 : 1) / (noise_ * noise_);
+            add(at_points_[p], 0, weight);
+            for (std::size_t i = 0; i < order; ++i)
+              {
+                const double w = weight * at_points_[p].derivative[i][0];
+                *gsl_vector_ptr(x_.get(), at_points_[p].first + i) += w * stretch_.points[p].x;
+                *gsl_vector_ptr(y_.get(), at_points_[p].first + i) += w * stretch_.points[p].y;
+              }
+          }
+        for (std::size_t j = 0; j < in_intervals_.size(); ++j)
+          add(in_intervals_[j], 3, (stretch_.breaks[j + 1] - stretch_.breaks[j]) / (tau[j] * tau[j]));
+        return gsl_linalg_cholesky_band_decomp(band.get()) == GSL_SUCCESS &&
+               gsl_linalg_cholesky_band_svx(band.get(), x_.get()) == GSL_SUCCESS &&
+               gsl_linalg_cholesky_band_svx(band.get(), y_.get()) == GSL_SUCCESS;
+      }
+
+      /// Root mean square of the third derivative over 0.7 mm, or three intervals, on both sides.
+      std::vector<double>
+      roughness() const
+      {
+        const std::size_t   n = in_intervals_.size();
+        std::vector<double> squares, result(n);
+        for (const Basis &b : in_intervals_)
+          squares.push_back(dot(value(b, 3), value(b, 3)));
+        const std::vector<double> &breaks = stretch_.breaks;
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            std::size_t first = j, last = j;
+            while (first > 0 && (j - first < 1 || breaks[j] - breaks[first] < 0.7))
+              --first;
+            while (last + 1 < n && (last - j < 1 || breaks[last + 1] - breaks[j + 1] < 0.7))
+              ++last;
+            double sum = 0, length = 0;
+            for (std::size_t k = first; k <= last; ++k)
+              {
+                sum += squares[k] * (breaks[k + 1] - breaks[k]);
+                length += breaks[k + 1] - breaks[k];
+              }
+            result[j] = std::sqrt(sum / length);
+          }
+        return result;
+      }
+
+      /// The pieces in metres.
+      void
+      append(std::vector<Segment> &segments) const
+      {
+        for (std::size_t j = 0; j + 1 < stretch_.breaks.size(); ++j)
+          {
+            const double h     = stretch_.breaks[j + 1] - stretch_.breaks[j];
+            const Basis  begin = basis(stretch_.breaks[j]);
+            // the third derivative jumps at the knots: taken inside
+            const Point2 r = value(begin, 0), v = h * value(begin, 1), a = (0.5 * h * h) * value(begin, 2),
+                         c = (h * h * h / 6) * value(in_intervals_[j], 3);
+            Segment g;
+            g.kind           = Segment::Kind::spline;
+            g.name           = "measured";
+            g.coefficients_x = {1e-3 * r.x, 1e-3 * v.x, 1e-3 * a.x, 1e-3 * c.x};
+            g.coefficients   = {1e-3 * r.y, 1e-3 * v.y, 1e-3 * a.y, 1e-3 * c.y};
+            g.start          = position_on(g, 0);
+            g.end            = position_on(g, 1);
+            segments.push_back(g);
+          }
+      }
+
+    private:
+      const Stretch     &stretch_;
+      double             noise_; ///< [mm]
+      Workspace          space_;
+      Matrix             derivatives_;
+      std::size_t        size_;
+      Vector             x_, y_;
+      std::vector<Basis> at_points_, in_intervals_;
+    };
+
+    Stretch
+    make_stretch(const std::vector<Point2> &points, const std::size_t first, const std::size_t last)
+    {
+      // knots at the points, but not closer than this; below the finest radius of a profile
+      constexpr double least = 0.25;
+      Stretch          stretch;
+      for (std::size_t i = first; i <= last; ++i)
+        {
+          stretch.points.push_back(1e3 * points[i]);
+          stretch.s.push_back(i == first ? 0 : stretch.s.back() + 1e3 * norm(points[i] - points[i - 1]));
+        }
+      for (const double s : stretch.s)
+        if (stretch.breaks.empty() || s - stretch.breaks.back() >= least)
+          stretch.breaks.push_back(s);
+      if (stretch.breaks.back() < stretch.s.back())
+        {
+          if (stretch.breaks.size() > 2)
+            stretch.breaks.pop_back();
+          stretch.breaks.push_back(stretch.s.back());
+        }
+      stretch.fixed_begin = first > 0;
+      stretch.fixed_end   = last + 1 < points.size();
+      return stretch;
+    }
+
+    void
+    fit_stretch(const Stretch &stretch, const double noise, std::vector<Segment> &segments)
+    {
+      // The first fit has the tau at which noise alone makes a third derivative of 1e-3 / mm2, far
+      // below that of the joints of a profile; the floor of the later ones is a change of curvature
+      // of 2e-4 / mm over one mm.
+      constexpr double noise_roughness = 1e-3, floor = 2e-4;
+      const double     step  = stretch.s.back() / static_cast<double>(stretch.s.size() - 1);
+      const double     power = noise * noise * step;
+      const double     scale = std::pow(0.0555 * power / (noise_roughness * noise_roughness), 1. / 7);
+
+      Fit                 fit(stretch, noise);
+      std::vector<double> tau(stretch.breaks.size() - 1, std::sqrt(power) / std::pow(scale, 3));
+      bool                good = fit.solve(tau);
+      for (int i = 0; i < 4 && good; ++i)
+        {
+          tau = fit.roughness();
+          for (double &t : tau)
+            t = std::max(t, floor);
+          good = fit.solve(tau);
+        }
+      if (!good)
+        throw InputError(
+          "the smoothing of the profile failed, since its points are too uneven: give points at "
+          "steps of 0.2 mm to 1 mm, or set Profiles/Smoothing to another length");
+      fit.append(segments);
+    }
+  } // namespace
+
+
+  std::vector<Segment>
+  smoothing_spline(const std::vector<Point2>      &points,
+                   const std::vector<std::size_t> &kinks,
+                   const double                    noise)
+  {
+    // GSL's own handler ends the program; failures are told by the return values.
+    gsl_set_error_handler_off();
+    std::vector<std::size_t> ends = kinks;
+    ends.push_back(points.size() - 1);
+    std::vector<Segment> segments;
+    std::size_t          first = 0;
+    for (const std::size_t last : ends)
+      {
+        if (last < first + 3)
+          throw InputError("between two kinks of the profile lie fewer than four points: measure denser");
+        fit_stretch(make_stretch(points, first, last), std::max(1e3 * noise, 2e-5), segments);
+        first = last;
+      }
+    return segments;
+  }
+
+
+  std::vector<std::size_t>
+  find_kinks(const std::vector<Point2> &points, const double noise)
+  {
+    const double degree = std::acos(-1.) / 180;
+    const auto   n      = static_cast<std::ptrdiff_t>(points.size());
+
+    // turn between the chords of at least `length` to both sides; nothing beyond the ends
+    const auto turn = [&](const std::ptrdiff_t i, const double length) {
+      std::ptrdiff_t a = i - 1, b = i + 1;
+      while (a > 0 && norm(points[a] - points[i]) < length)
+        --a;
+      while (b + 1 < n && norm(points[b] - points[i]) < length)
+        ++b;
+      const Point2 before = points[i] - points[a], after = points[b] - points[i];
+      return std::abs(std::atan2(cross(before, after), dot(before, after)));
+    };
+
+    std::vector<std::size_t> kinks;
+    double                   strongest = 0;
+    for (std::ptrdiff_t i = 4; i + 4 < n; ++i)
+      {
+        const double step   = std::max(norm(points[i] - points[i - 1]), norm(points[i + 1] - points[i]));
+        const double length = std::max({0.5e-3, 1.01 * step, 10 * noise});
+        const double near = turn(i, length), far = turn(i, 2 * length);
+        // on an arc the turn doubles with the length
+        if (near < 20 * degree || far > 1.4 * near)
+          continue;
+        if (!kinks.empty() && i - static_cast<std::ptrdiff_t>(kinks.back()) < 4)
+          {
+            if (near <= strongest)
+              continue;
+            kinks.pop_back();
+          }
+        kinks.push_back(i);
+        strongest = near;
+      }
+    return kinks;
+  }
+} // namespace wheelrail

@@ -1,0 +1,294 @@
+#include <deal.II/base/index_set.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/sparsity_tools.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <wheelrail/solid/exchange.h>
+#include <wheelrail/statics/iterative_bottom.h>
+
+#include <ml_MultiLevelPreconditioner.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Vector = dealii::TrilinosWrappers::MPI::Vector;
+
+    // Steps of conjugate gradients: one cycle of ML alone leaves nine tenths of the bending of a rail or a
+    // wheel disc, and all finer levels wait for it.
+    constexpr unsigned int most_steps = 10;
+    constexpr double       tolerance  = 0.2;
+    constexpr unsigned int patience   = 3; // of solutions that leave more than they began with
+
+    /// Norm (Frobenius) of a - factor x b.
+    double
+    distance(const SpringBlocks &a, const SpringBlocks &b, const double factor)
+    {
+      double square = 0;
+      for (const auto &[pair, block] : a)
+        {
+          const auto other = b.find(pair);
+          for (int k = 0; k < 9; ++k)
+            square += std::pow(block[k] - (other == b.end() ? 0 : factor * other->second[k]), 2);
+        }
+      for (const auto &[pair, block] : b)
+        if (a.count(pair) == 0)
+          for (const double value : block)
+            square += std::pow(factor * value, 2);
+      return std::sqrt(square);
+    }
+  } // namespace
+
+
+  struct IterativeBottom::Matrix
+  {
+    dealii::IndexSet                                           owned;
+    std::vector<std::array<double, 24 * 24>>                   elements;
+    dealii::TrilinosWrappers::SparseMatrix                     matrix;
+    std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> preconditioner;
+    std::vector<double>                                        modes;   ///< ML keeps a pointer to them
+    SpringBlocks                                               springs; ///< that the preconditioner knows
+    mutable Vector                                             in, out;
+    mutable std::unique_ptr<SharedSum>                         sum;
+    double                                                     typical = 1; ///< diagonal of held unknowns
+  };
+
+
+  IterativeBottom::IterativeBottom(const LocalMesh                  &mesh,
+                                   const PerBody<ElementBlocks>     &blocks,
+                                   const std::vector<unsigned char> &held,
+                                   MPI_Comm                          communicator)
+    : mesh_(mesh)
+    , held_(held)
+    , communicator_(communicator)
+    , matrix_(std::make_unique<Matrix>())
+  {
+    Matrix       &m       = *matrix_;
+    std::uint64_t n_nodes = std::count(mesh.owned.begin(), mesh.owned.end(), 1);
+    MPI_Allreduce(MPI_IN_PLACE, &n_nodes, 1, MPI_UINT64_T, MPI_SUM, communicator);
+    m.owned.set_size(3 * n_nodes);
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      if (mesh.owned[n])
+        m.owned.add_range(3 * mesh.global_node[n], 3 * mesh.global_node[n] + 3);
+    m.owned.compress();
+    m.in.reinit(m.owned, communicator);
+    m.out.reinit(m.owned, communicator);
+    m.sum = std::make_unique<SharedSum>(mesh, communicator);
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+      {
+        std::array<Vector3, 8> X;
+        for (int a = 0; a < 8; ++a)
+          for (int i = 0; i < 3; ++i)
+            X[a][i] = mesh.reference[4 * mesh.cells[c][a] + i];
+        const ElementBlocks &body = blocks[mesh.cell_body[c]];
+        m.elements.push_back(element_stiffness(element_geometry(X), body.elasticity(), body.form));
+        m.typical = std::max(m.typical, m.elements.back()[0]);
+      }
+    make_modes();
+  }
+
+
+  IterativeBottom::~IterativeBottom() = default;
+
+
+  /// The six rigid motions of both bodies together: smoothed aggregation must know them.
+  void
+  IterativeBottom::make_modes()
+  {
+    Matrix           &m      = *matrix_;
+    const std::size_t n_rows = m.owned.n_elements();
+    m.modes.assign(6 * n_rows, 0.);
+    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
+      if (mesh_.owned[n])
+        {
+          const std::size_t row = m.owned.index_within_set(3 * mesh_.global_node[n]);
+          const double     *X   = &mesh_.reference[4 * n];
+          for (int i = 0; i < 3; ++i)
+            {
+              const int j = (i + 1) % 3, k = (i + 2) % 3;
+              m.modes[i * n_rows + row + i]       = 1;
+              m.modes[(3 + i) * n_rows + row + j] = -X[k];
+              m.modes[(3 + i) * n_rows + row + k] = X[j];
+            }
+        }
+  }
+
+
+  void
+  IterativeBottom::set_springs(const StaticSprings &springs)
+  {
+    Matrix      &m      = *matrix_;
+    SpringBlocks blocks = spring_blocks(springs);
+    if (m.preconditioner && distance(blocks, m.springs, 1) < 0.3 * distance(blocks, m.springs, 0))
+      return;
+    m.springs = std::move(blocks);
+    m.preconditioner.reset();
+    m.matrix.reinit(m.owned, m.owned, pattern(), communicator_);
+    assemble();
+    make_preconditioner();
+  }
+
+
+  dealii::DynamicSparsityPattern
+  IterativeBottom::pattern() const
+  {
+    const Matrix                  &m = *matrix_;
+    dealii::DynamicSparsityPattern pattern(m.owned.size(), m.owned.size());
+    for (const auto &cell : mesh_.cells)
+      for (int a = 0; a < 8; ++a)
+        for (int b = 0; b < 8; ++b)
+          if (!held_[cell[a]] && !held_[cell[b]])
+            for (int i = 0; i < 3; ++i)
+              for (int j = 0; j < 3; ++j)
+                pattern.add(dof(cell[a], i), dof(cell[b], j));
+    for (const auto row : m.owned)
+      pattern.add(row, row);
+    for (const auto &[pair, block] : m.springs)
+      if (m.owned.is_element(3 * pair.first))
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            pattern.add(3 * pair.first + i, 3 * pair.second + j);
+    dealii::IndexSet relevant = m.owned;
+    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
+      relevant.add_range(dof(n, 0), dof(n, 0) + 3);
+    dealii::SparsityTools::distribute_sparsity_pattern(pattern, m.owned, communicator_, relevant);
+    return pattern;
+  }
+
+
+  void
+  IterativeBottom::assemble()
+  {
+    Matrix &m = *matrix_;
+    for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
+      for (int a = 0; a < 8; ++a)
+        for (int b = 0; b < 8; ++b)
+          if (!held_[mesh_.cells[c][a]] && !held_[mesh_.cells[c][b]])
+            for (int i = 0; i < 3; ++i)
+              {
+                const dealii::types::global_dof_index columns[3] = {
+                  dof(mesh_.cells[c][b], 0), dof(mesh_.cells[c][b], 1), dof(mesh_.cells[c][b], 2)};
+                m.matrix.add(dof(mesh_.cells[c][a], i),
+                             3,
+                             columns,
+                             &m.elements[c][24 * (3 * a + i) + 3 * b],
+                             false,
+                             false);
+              }
+    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
+      if (mesh_.owned[n] && held_[n])
+        for (int i = 0; i < 3; ++i)
+          m.matrix.add(dof(n, i), dof(n, i), m.typical);
+    for (const auto &[pair, block] : m.springs)
+      if (m.owned.is_element(3 * pair.first))
+        for (int i = 0; i < 3; ++i)
+          {
+            const dealii::types::global_dof_index columns[3] = {
+              3 * pair.second, 3 * pair.second + 1, 3 * pair.second + 2};
+            m.matrix.add(3 * pair.first + i, 3, columns, &block[3 * i], false, false);
+          }
+    m.matrix.compress(dealii::VectorOperation::add);
+  }
+
+
+  void
+  IterativeBottom::make_preconditioner()
+  {
+    Matrix                &m = *matrix_;
+    Teuchos::ParameterList list;
+    ML_Epetra::SetDefaults("SA", list);
+    list.set("ML output", 0);
+    list.set("PDE equations", 3);
+    list.set("aggregation: type", "Uncoupled");
+    list.set("aggregation: threshold", 0.);
+    // On flat cells whose Poisson's ratio is high the incomplete factors need not be definite: 144 thousand
+    // unknowns were not solved in 150 steps. Elsewhere they take half of Chebyshev's time.
+    if (failures_ < patience)
+      {
+        list.set("smoother: type", "IFPACK");
+        list.set("smoother: ifpack type", "ILU");
+        list.set("smoother: sweeps", 1);
+      }
+    else
+      {
+        list.set("smoother: type", "Chebyshev");
+        list.set("smoother: sweeps", 4);
+      }
+    list.set("prec type", "MGW"); // nearly all of the work is on its finest level
+    list.set("coarse: type", "Amesos-KLU");
+    list.set("null space: type", "pre-computed");
+    list.set("null space: dimension", 6);
+    list.set("null space: vectors", m.modes.data());
+    m.preconditioner = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();
+    m.preconditioner->initialize(m.matrix, list);
+  }
+
+
+  void
+  IterativeBottom::conjugate_gradients()
+  {
+    Matrix      &m    = *matrix_;
+    const double norm = m.in.l2_norm();
+    m.out             = m.in;
+    if (!std::isfinite(norm)) // it is for the caller to notice
+      return;
+    dealii::IterationNumberControl control(most_steps, tolerance * norm);
+    dealii::SolverCG<Vector>       cg(control);
+    m.out     = 0;
+    bool lost = false;
+    try
+      {
+        cg.solve(m.matrix, m.out, m.in, *m.preconditioner);
+      }
+    catch (const dealii::SolverControl::NoConvergence &)
+      {
+        lost = true; // a residual that is no number: incomplete factors without a pivot
+      }
+    if (lost && failures_ >= patience)
+      std::fill(m.out.begin(), m.out.end(), std::nan("")); // it is for the caller to notice
+    else if (lost || (!(control.last_value() <= norm) && failures_ + 1 == patience))
+      {
+        failures_ = patience;
+        m.preconditioner.reset();
+        make_preconditioner();
+        conjugate_gradients();
+      }
+    else if (!(control.last_value() <= norm))
+      ++failures_;
+  }
+
+
+  void
+  IterativeBottom::solve(const StaticVector &forces, StaticVector &z)
+  {
+    Matrix &m  = *matrix_;
+    double *in = m.in.begin(), *out = m.out.begin();
+    double *to = z.data();
+    std::fill(to, to + 4 * mesh_.n_nodes(), 0.);
+    std::size_t row = 0;
+    // a rank's own nodes follow one another in the numbers over all ranks, and so do they here
+    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
+      if (mesh_.owned[n])
+        {
+          std::copy(forces.data() + 4 * n, forces.data() + 4 * n + 3, in + row);
+          row += 3;
+        }
+    conjugate_gradients();
+    row = 0;
+    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
+      if (mesh_.owned[n])
+        {
+          std::copy(out + row, out + row + 3, to + 4 * n);
+          row += 3;
+        }
+    (*m.sum)(to);
+  }
+} // namespace wheelrail

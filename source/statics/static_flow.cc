@@ -1,0 +1,124 @@
+#include <wheelrail/statics/static_flow.h>
+#include <wheelrail/statics/static_progress.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <utility>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Vector = StaticSystem::Vector;
+
+    /// A step made and the change of the forces out of balance that it brought, with the opposite sign.
+    struct Secant
+    {
+      StaticStep step;
+      Vector     change;
+      double     bore_change = 0;
+      double     work        = 0; ///< of the change along the step; positive in a convex potential [J]
+    };
+
+    /// The step of the two loops of Nocedal (1980): the preconditioned one, made to fit the secants.
+    StaticStep
+    quasi_newton_step(StaticSearch &search, const StaticBalance &balance, const std::deque<Secant> &secants)
+    {
+      Vector              residual = balance.residual;
+      double              bore     = balance.bore;
+      std::vector<double> weight(secants.size());
+      for (std::size_t k = secants.size(); k-- > 0;)
+        {
+          const Secant &secant = secants[k];
+          weight[k]            = (residual * secant.step.increment + bore * secant.step.lift) / secant.work;
+          residual.add(-weight[k], secant.change);
+          bore -= weight[k] * secant.bore_change;
+        }
+      StaticStep step = search.preconditioned_step(residual, bore);
+      for (std::size_t k = 0; k < secants.size(); ++k)
+        {
+          const Secant &secant = secants[k];
+          const double  share =
+            weight[k] - (secant.change * step.increment + secant.bore_change * step.lift) / secant.work;
+          step.increment.add(share, secant.step.increment);
+          step.lift += share * secant.step.lift;
+        }
+      return step;
+    }
+
+    /// Goes along the step until the slope of the potential is less than half of that at its begin. Scales
+    /// the step to what was gone.
+    StaticBalance
+    go_along(StaticSearch &search, StaticStep &step, const StaticBalance &start)
+    {
+      const double  first = search.power(start, step);
+      double        at = 0, low = 0, power_low = first, high = 0, power_high = 0, next = 1;
+      StaticBalance balance;
+      for (int trial = 0; trial < 6; ++trial)
+        {
+          search.move(step, next - at);
+          at                 = next;
+          balance            = search.balance();
+          const double value = search.power(balance, step);
+          if (std::abs(value) < 0.5 * first)
+            break;
+          if (value > 0)
+            low = at, power_low = value;
+          else
+            high = at, power_high = value;
+          if (high > 0)
+            next = low + (high - low) * std::min(std::max(power_low / (power_low - power_high), 0.1), 0.9);
+          else
+            next = at * std::min(4., std::max(1.5, first / std::max(first - value, 1e-9 * first)));
+        }
+      step.increment *= at;
+      step.lift *= at;
+      return balance;
+    }
+
+    bool
+    balanced(const StaticSearch &search, const StaticBalance &balance, const double tolerance)
+    {
+      const double load = search.wheel_load();
+      return balance.residual.linfty_norm() < tolerance * load &&
+             std::abs(balance.sums.force[1] - load) < 10 * tolerance * load;
+    }
+  } // namespace
+
+
+  StaticFlow
+  static_flow(StaticSearch &search, const double tolerance, const unsigned int most_steps)
+  {
+    constexpr std::size_t memory = 10;
+    constexpr double      near   = 1e-2; // of the wheel load: from here on slow steps are worth making
+    StaticFlow            flow;
+    std::deque<Secant>    secants;
+    StaticProgress        progress;
+    flow.balance = search.balance();
+    while (flow.steps < most_steps && !balanced(search, flow.balance, tolerance))
+      {
+        const double missing = search.wheel_load() - flow.balance.sums.force[1];
+        flow.stuck           = progress.stuck(std::hypot(flow.balance.residual.l2_norm(), missing)) &&
+                     !balanced(search, flow.balance, near);
+        if (flow.stuck)
+          break;
+        // nodes that close have springs that the preconditioner should know
+        if (flow.steps % 5 == 0)
+          search.renew_springs();
+        StaticStep    step = quasi_newton_step(search, flow.balance, secants);
+        StaticBalance next = go_along(search, step, flow.balance);
+        Secant        secant{step, flow.balance.residual, flow.balance.bore - next.bore};
+        secant.change -= next.residual;
+        secant.work = secant.change * step.increment + secant.bore_change * step.lift;
+        if (secant.work > 0)
+          secants.push_back(std::move(secant));
+        if (secants.size() > memory)
+          secants.pop_front();
+        flow.balance = std::move(next);
+        ++flow.steps;
+      }
+    return flow;
+  }
+} // namespace wheelrail

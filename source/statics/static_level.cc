@@ -1,0 +1,353 @@
+#include <wheelrail/solid/elastic_meanwhile.h>
+#include <wheelrail/statics/static_level.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr int smoothing_steps = 2;
+
+    /// Size of the displacement that the kernel sees, over that which is meant: squares of its gradients are
+    /// lost against the gradients themselves.
+    constexpr double tiny = 1e-12;
+
+    using Symmetric = std::array<double, 6>; // xx, yy, zz, yz, xz, xy
+
+    /// Zero for a matrix of zeros.
+    Symmetric
+    inverse(const Symmetric &m)
+    {
+      const Symmetric cofactor    = {m[1] * m[2] - m[3] * m[3],
+                                     m[0] * m[2] - m[4] * m[4],
+                                     m[0] * m[1] - m[5] * m[5],
+                                     m[4] * m[5] - m[0] * m[3],
+                                     m[3] * m[5] - m[1] * m[4],
+                                     m[3] * m[4] - m[2] * m[5]};
+      const double    determinant = m[0] * cofactor[0] + m[5] * cofactor[5] + m[4] * cofactor[4];
+      Symmetric       result{};
+      if (determinant > 0)
+        for (int k = 0; k < 6; ++k)
+          result[k] = cofactor[k] / determinant;
+      return result;
+    }
+
+    Vector3
+    times(const Symmetric &m, const double *x)
+    {
+      return {m[0] * x[0] + m[5] * x[1] + m[4] * x[2],
+              m[5] * x[0] + m[1] * x[1] + m[3] * x[2],
+              m[4] * x[0] + m[3] * x[1] + m[2] * x[2]};
+    }
+
+    /// A node of a cell, or a parent of one that hangs, with its weight in the cell's vertex.
+    struct Share
+    {
+      unsigned int vertex, node;
+      double       weight;
+    };
+
+    /// Adds the diagonal blocks of an element's stiffness to its nodes, hanging ones to their parents.
+    void
+    add_diagonal(const std::array<double, 24 * 24> &K,
+                 const std::vector<Share>          &shares,
+                 double                            *sum_a,
+                 double                            *sum_b)
+    {
+      for (const Share &a : shares)
+        for (const Share &b : shares)
+          if (a.node == b.node)
+            {
+              const double w = a.weight * b.weight;
+              const auto   k = [&](const int i, const int j) {
+                return w * K[24 * (3 * a.vertex + i) + 3 * b.vertex + j];
+              };
+              double *first = sum_a + 4 * a.node, *second = sum_b + 4 * a.node;
+              first[0] += k(0, 0), first[1] += k(1, 1), first[2] += k(2, 2);
+              // both orders of two vertices come, so that the sum is symmetric
+              second[0] += k(1, 2), second[1] += k(0, 2), second[2] += k(0, 1);
+            }
+    }
+
+    /// Largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's sequence.
+    double
+    largest_eigenvalue_of(const std::vector<double> &diagonal, const std::vector<double> &beside)
+    {
+      double low = 0, high = 0;
+      for (std::size_t i = 0; i < diagonal.size(); ++i)
+        high = std::max(high,
+                        diagonal[i] + (i > 0 ? std::abs(beside[i - 1]) : 0) +
+                          (i < beside.size() ? std::abs(beside[i]) : 0));
+      while (high - low > 1e-3 * high)
+        {
+          const double at    = 0.5 * (low + high);
+          double       pivot = 1;
+          bool         below = true; // all eigenvalues lie below
+          for (std::size_t i = 0; i < diagonal.size() && below; ++i)
+            {
+              pivot = at - diagonal[i] - (i > 0 ? beside[i - 1] * beside[i - 1] / pivot : 0);
+              below = pivot > 0;
+            }
+          (below ? high : low) = at;
+        }
+      return high;
+    }
+  } // namespace
+
+
+  StaticLevel::StaticLevel(const LocalMesh                  &mesh,
+                           PerBody<ElementBlocks>           &blocks,
+                           const std::vector<unsigned char> &held,
+                           MPI_Comm                          communicator)
+    : mesh_(mesh)
+    , blocks_(blocks)
+    , held_(held)
+    , communicator_(communicator)
+    , sum_(mesh, communicator)
+    , tiny_(4 * mesh.n_nodes(), 0.)
+    , force_(4 * mesh.n_nodes(), 0.)
+    , step_(mesh, communicator)
+  {
+    make_diagonal();
+    find_largest_eigenvalue();
+  }
+
+
+  void
+  StaticLevel::set_springs(StaticSprings springs)
+  {
+    springs_ = std::move(springs);
+    make_coupling();
+  }
+
+
+  /// -tiny x stiffness x x on the free nodes.
+  void
+  StaticLevel::find_elastic_force(const StaticVector &x)
+  {
+    const double *from = x.data();
+    for (std::size_t k = 0; k < tiny_.size(); ++k)
+      tiny_[k] = tiny * from[k];
+    distribute(mesh_, tiny_.data());
+    std::fill(force_.begin(), force_.end(), 0.);
+    {
+      const ElasticMeanwhile rail(blocks_.rail), wheel(blocks_.wheel);
+      ElementEnergy          ignored;
+      subtract_internal_force(blocks_, tiny_.data(), force_.data(), BulkViscosity(), false, ignored);
+    }
+    condense(mesh_, force_.data());
+    sum_(force_.data());
+    for (std::size_t n = 0; n < held_.size(); ++n)
+      if (held_[n])
+        std::fill(&force_[4 * n], &force_[4 * n] + 3, 0.);
+    ++products;
+  }
+
+
+  void
+  StaticLevel::elastic_product(const StaticVector &x, StaticVector &y)
+  {
+    find_elastic_force(x);
+    double *to = y.data();
+    for (std::size_t k = 0; k < force_.size(); ++k)
+      to[k] = -1 / tiny * force_[k];
+  }
+
+
+  void
+  StaticLevel::product(const StaticVector &x, StaticVector &y)
+  {
+    elastic_product(x, y);
+    std::vector<double> force = springs_.stretch(x.data());
+    for (std::size_t k = 0; k < force.size(); ++k)
+      force[k] *= springs_.stiffness()[k];
+    springs_.add(force, y.data());
+  }
+
+
+  void
+  StaticLevel::subtract_product(const StaticVector &x, StaticVector &residual)
+  {
+    find_elastic_force(x);
+    double *to = residual.data();
+    for (std::size_t k = 0; k < force_.size(); ++k)
+      to[k] += 1 / tiny * force_[k];
+    std::vector<double> force = springs_.stretch(x.data());
+    for (std::size_t k = 0; k < force.size(); ++k)
+      force[k] *= -springs_.stiffness()[k];
+    springs_.add(force, to);
+  }
+
+
+  void
+  StaticLevel::smooth(StaticVector &x, StaticVector &residual, const bool last_residual)
+  {
+    step_ *= 0;
+    for (int k = 1; k <= smoothing_steps; ++k)
+      {
+        smoothing_step(residual, (2. * k - 3) / (2 * k + 1), (8. * k - 4) / (2 * k + 1) / largest_, step_, x);
+        if (k < smoothing_steps || last_residual)
+          subtract_product(step_, residual);
+      }
+  }
+
+
+  void
+  StaticLevel::make_diagonal()
+  {
+    constexpr unsigned int    no = ~0u;
+    std::vector<unsigned int> hangs(mesh_.n_nodes(), no); // place in the list of hanging nodes
+    for (unsigned int k = 0; k < mesh_.hanging.size(); ++k)
+      hangs[mesh_.hanging[k]] = k;
+    AlignedVector<double> sum_a(4 * mesh_.n_nodes(), 0.), sum_b(4 * mesh_.n_nodes(), 0.);
+    std::vector<Share>    shares;
+    for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
+      {
+        std::array<Vector3, 8> X;
+        shares.clear();
+        for (unsigned int v = 0; v < 8; ++v)
+          {
+            const unsigned int node = mesh_.cells[c][v];
+            for (int i = 0; i < 3; ++i)
+              X[v][i] = mesh_.reference[4 * node + i];
+            const unsigned int k = hangs[node];
+            if (k == no)
+              shares.push_back({v, node, 1});
+            else
+              for (unsigned int p = mesh_.hanging_begin[k]; p < mesh_.hanging_begin[k + 1]; ++p)
+                shares.push_back({v, mesh_.parents[p], mesh_.weights[p]});
+          }
+        const ElementBlocks &blocks = blocks_[mesh_.cell_body[c]];
+        add_diagonal(element_stiffness(element_geometry(X), blocks.elasticity(), blocks.form),
+                     shares,
+                     sum_a.data(),
+                     sum_b.data());
+      }
+    sum_(sum_a.data());
+    sum_(sum_b.data());
+    inverse_.resize(mesh_.n_nodes());
+    for (std::size_t n = 0; n < mesh_.n_nodes(); ++n)
+      {
+        const double *a = &sum_a[4 * n], *b = &sum_b[4 * n];
+        inverse_[n] = held_[n] ? Symmetric{} : inverse({a[0], a[1], a[2], b[0], b[1], b[2]});
+      }
+  }
+
+
+  /// (C^-1 + B D^-1 B^T)^-1 B D^-1 residual: what the springs take of the smoother's step.
+  std::vector<double>
+  StaticLevel::spring_forces(const StaticVector &residual) const
+  {
+    std::vector<double> forces(springs_.size(), 0.);
+    if (forces.empty())
+      return forces;
+    for (std::size_t k = 0; k < images_.size(); ++k)
+      if (const unsigned int n = springs_.local_nodes()[k]; n != StaticSprings::none && mesh_.owned[n])
+        for (int i = 0; i < 3; ++i)
+          forces[springs_.parts()[k].spring] += images_[k][i] * residual.data()[4 * n + i];
+    MPI_Allreduce(
+      MPI_IN_PLACE, forces.data(), static_cast<int>(forces.size()), MPI_DOUBLE, MPI_SUM, communicator_);
+    coupling_.solve(forces.data());
+    return forces;
+  }
+
+
+  /// step = keep x step + take x z; x += step, with z = (D + B^T C B)^-1 residual
+  /// = D^-1 residual - D^-1 B^T (C^-1 + B D^-1 B^T)^-1 B D^-1 residual.
+  void
+  StaticLevel::smoothing_step(const StaticVector &residual,
+                              const double        keep,
+                              const double        take,
+                              StaticVector       &step,
+                              StaticVector       &x) const
+  {
+    const std::vector<double> forces = spring_forces(residual);
+    const double             *r      = residual.data();
+    double                   *s = step.data(), *to = x.data();
+    for (std::size_t n = 0; n < inverse_.size(); ++n)
+      {
+        const Vector3 z = times(inverse_[n], r + 4 * n);
+        for (int i = 0; i < 3; ++i)
+          {
+            s[4 * n + i] = keep * s[4 * n + i] + take * z[i];
+            to[4 * n + i] += s[4 * n + i];
+          }
+      }
+    for (std::size_t k = 0; k < images_.size(); ++k)
+      if (const unsigned int n = springs_.local_nodes()[k]; n != StaticSprings::none)
+        for (int i = 0; i < 3; ++i)
+          {
+            const double held_back = take * forces[springs_.parts()[k].spring] * images_[k][i];
+            s[4 * n + i] -= held_back;
+            to[4 * n + i] -= held_back;
+          }
+  }
+
+
+  void
+  StaticLevel::make_coupling()
+  {
+    const auto &parts = springs_.parts();
+    coupling_         = BandCholesky<double>(springs_.size(), springs_.band());
+    images_.assign(parts.size(), Vector3{});
+    std::map<unsigned int, std::vector<std::size_t>> at_node; // parts of the rank's own nodes
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      if (const unsigned int n = springs_.local_nodes()[k]; n != StaticSprings::none)
+        {
+          images_[k] = times(inverse_[n], parts[k].weight.data());
+          if (mesh_.owned[n])
+            at_node[n].push_back(k);
+        }
+    for (const auto &at : at_node)
+      for (const std::size_t a : at.second)
+        for (const std::size_t b : at.second)
+          if (parts[b].spring <= parts[a].spring)
+            coupling_(parts[a].spring, parts[b].spring) += dot(images_[a], parts[b].weight);
+    MPI_Allreduce(MPI_IN_PLACE,
+                  coupling_.data(),
+                  static_cast<int>(coupling_.n_data()),
+                  MPI_DOUBLE,
+                  MPI_SUM,
+                  communicator_);
+    for (std::size_t k = 0; k < springs_.size(); ++k)
+      coupling_(k, k) += 1 / springs_.stiffness()[k];
+    coupling_.factorise();
+  }
+
+
+  /// Of the diagonal blocks' inverse times the stiffness, by Lanczos' method on a vector of noise. Springs do
+  /// not raise it beyond one where they govern.
+  void
+  StaticLevel::find_largest_eigenvalue()
+  {
+    constexpr int    steps  = 12;
+    constexpr double margin = 1.1; // Lanczos comes from below
+    StaticVector     r = zero(), z = zero(), p = zero(), q = zero();
+    for (std::size_t n = 0; n < mesh_.n_nodes(); ++n)
+      for (unsigned int i = 0; i < 3; ++i)
+        if (inverse_[n][i] > 0)
+          r.data()[4 * n + i] = ((3 * mesh_.global_node[n] + i) * 2654435761u % 1000003u) / 500001.5 - 1;
+    std::vector<double> diagonal, beside;
+    double              product_before = 0, alpha_before = 0;
+    for (int k = 0; k < steps; ++k)
+      {
+        z *= 0;
+        smoothing_step(r, 0, 1, q, z);
+        const double rz   = r * z;
+        const double beta = k == 0 ? 0 : rz / product_before;
+        p.scale_and_add(beta, z);
+        product(p, q);
+        const double alpha = rz / (p * q);
+        r.add(-alpha, q);
+        diagonal.push_back(1 / alpha + (k == 0 ? 0 : beta / alpha_before));
+        if (k > 0)
+          beside.push_back(std::sqrt(beta) / alpha_before);
+        product_before = rz;
+        alpha_before   = alpha;
+      }
+    largest_ = margin * largest_eigenvalue_of(diagonal, beside);
+  }
+} // namespace wheelrail

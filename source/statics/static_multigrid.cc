@@ -1,0 +1,170 @@
+#include <wheelrail/mesh/forest.h>
+#include <wheelrail/statics/static_multigrid.h>
+
+#include <algorithm>
+#include <array>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A coarse node is held when the finer one at its place is.
+    std::vector<unsigned char>
+    coarse_held(const CoarseLevel &coarse, const std::vector<unsigned char> &held, MPI_Comm communicator)
+    {
+      AlignedVector<double> mark(4 * coarse.mesh.n_nodes(), 0.);
+      for (std::size_t n = 0; n < held.size(); ++n)
+        if (held[n] && coarse.begin[n + 1] == coarse.begin[n] + 1)
+          mark[4 * coarse.nodes[coarse.begin[n]]] = 1;
+      SharedSum(coarse.mesh, communicator)(mark.data(), 1);
+      std::vector<unsigned char> result(coarse.mesh.n_nodes());
+      for (std::size_t n = 0; n < result.size(); ++n)
+        result[n] = mark[4 * n] > 0;
+      return result;
+    }
+
+    PerBody<ElementBlocks>
+    coarse_blocks(const LocalMesh &mesh, const PerBody<ElementBlocks> &finest)
+    {
+      PerBody<std::vector<ElementGeometry>>             geometry;
+      PerBody<std::vector<std::array<unsigned int, 8>>> cells;
+      for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+        {
+          std::array<Vector3, 8> X;
+          for (int a = 0; a < 8; ++a)
+            for (int i = 0; i < 3; ++i)
+              X[a][i] = mesh.reference[4 * mesh.cells[c][a] + i];
+          const Body body = mesh.cell_body[c];
+          geometry[body].push_back(element_geometry(X));
+          cells[body].push_back(mesh.cells[c]);
+        }
+      PerBody<ElementBlocks> blocks;
+      for (const Body body : both_bodies)
+        blocks[body] = pack_elements(geometry[body],
+                                     cells[body],
+                                     ElasticLaw(finest[body].elasticity()),
+                                     finest[body].width,
+                                     finest[body].form);
+      return blocks;
+    }
+
+    /// Forces of the finer nodes, handed to the coarse ones.
+    void
+    restrict_forces(const CoarseLevel  &coarse,
+                    const LocalMesh    &finer,
+                    const StaticVector &from,
+                    SharedSum          &sum,
+                    StaticVector       &to)
+    {
+      std::fill(to.data(), to.data() + 4 * coarse.mesh.n_nodes(), 0.);
+      for (std::size_t n = 0; n < finer.n_nodes(); ++n)
+        if (finer.owned[n])
+          for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
+            for (int i = 0; i < 3; ++i)
+              to.data()[4 * coarse.nodes[p] + i] += coarse.weights[p] * from.data()[4 * n + i];
+      condense(coarse.mesh, to.data());
+      sum(to.data());
+    }
+
+    void
+    interpolate(const CoarseLevel &coarse, StaticVector &from, StaticVector &to)
+    {
+      distribute(coarse.mesh, from.data());
+      for (std::size_t n = 0; n + 1 < coarse.begin.size(); ++n)
+        for (int i = 0; i < 3; ++i)
+          {
+            double value = 0;
+            for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
+              value += coarse.weights[p] * from.data()[4 * coarse.nodes[p] + i];
+            to.data()[4 * n + i] = value;
+          }
+    }
+  } // namespace
+
+
+  StaticMultigrid::StaticMultigrid(const Forest &forest, Solid &solid, const std::vector<unsigned char> &held)
+    : communicator_(forest.communicator())
+    , coarse_(coarse_levels(forest, solid.mesh))
+  {
+    held_.push_back(held);
+    blocks_.reserve(coarse_.size());
+    PerBody<ElementBlocks> *blocks = &solid.blocks;
+    const LocalMesh        *mesh   = &solid.mesh;
+    levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), communicator_));
+    for (const CoarseLevel &coarse : coarse_)
+      {
+        if (&coarse != &coarse_.front())
+          levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), communicator_));
+        held_.push_back(coarse_held(coarse, held_.back(), communicator_));
+        blocks_.push_back(coarse_blocks(coarse.mesh, solid.blocks));
+        blocks = &blocks_.back();
+        mesh   = &coarse.mesh;
+      }
+    bottom_ = make_static_bottom(forest, *mesh, *blocks, held_.back());
+  }
+
+
+  void
+  StaticMultigrid::set_springs(const std::vector<Contact::Spring> &springs)
+  {
+    StaticSprings here(springs, levels_.front()->mesh(), held_.front(), communicator_);
+    for (std::size_t k = 0; k < coarse_.size(); ++k)
+      {
+        StaticSprings next = here.coarsened(coarse_[k], held_[k + 1]);
+        levels_[k]->set_springs(std::move(here));
+        here = std::move(next);
+      }
+    bottom_->set_springs(here);
+  }
+
+
+  void
+  StaticMultigrid::cycle(const StaticVector &forces, StaticVector &z)
+  {
+    StaticVector residual = forces;
+    z *= 0;
+    cycle(0, residual, z);
+  }
+
+
+  void
+  StaticMultigrid::cycle(const std::size_t k, StaticVector &residual, StaticVector &x)
+  {
+    if (k == coarse_.size())
+      {
+        bottom_->solve(residual, x);
+        return;
+      }
+    StaticLevel &level = *levels_[k];
+    level.smooth(x, residual, true);
+    StaticVector coarse_residual(coarse_[k].mesh, communicator_), correction(coarse_[k].mesh, communicator_);
+    SharedSum    sum(coarse_[k].mesh, communicator_);
+    restrict_forces(coarse_[k], level.mesh(), residual, sum, coarse_residual);
+    for (std::size_t n = 0; n < held_[k + 1].size(); ++n)
+      if (held_[k + 1][n])
+        std::fill(coarse_residual.data() + 4 * n, coarse_residual.data() + 4 * n + 3, 0.);
+    cycle(k + 1, coarse_residual, correction);
+    StaticVector step = level.zero();
+    interpolate(coarse_[k], correction, step);
+    for (std::size_t n = 0; n < held_[k].size(); ++n)
+      if (held_[k][n])
+        std::fill(step.data() + 4 * n, step.data() + 4 * n + 3, 0.);
+    x.add(1, step);
+    level.subtract_product(step, residual);
+    level.smooth(x, residual, false);
+  }
+
+
+  double
+  StaticMultigrid::passes() const
+  {
+    double cells = 0, finest = 0;
+    for (const auto &level : levels_)
+      {
+        cells += double(level->products) * level->mesh().cells.size();
+        if (&level == &levels_.front())
+          finest = level->mesh().cells.size();
+      }
+    return cells / finest;
+  }
+} // namespace wheelrail

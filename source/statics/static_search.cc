@@ -1,0 +1,220 @@
+#include <wheelrail/mesh/forest.h>
+#include <wheelrail/statics/static_search.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Vector = StaticSystem::Vector;
+
+    /// From the axle's line to a place.
+    Vector3
+    radial_arm(const Vector3 &X, const AxleData &axle)
+    {
+      const Vector3 arm = X - axle.centre;
+      return arm - dot(arm, axle.axis) * axle.axis;
+    }
+
+    /// Weight and centrifugal load of the wheel, per node.
+    void
+    add_wheel_loads(const Solid &solid, const AxleData &axle, const double rate, AlignedVector<double> &force)
+    {
+      for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+        if (solid.mesh.node_body[n] == Body::wheel)
+          {
+            const double *X      = &solid.mesh.reference[4 * n];
+            const Vector3 radial = radial_arm({X[0], X[1], X[2]}, axle);
+            for (int i = 0; i < 3; ++i)
+              force[4 * n + i] += solid.mass[n] * rate * rate * radial[i];
+            force[4 * n + 1] -= solid.mass[n] * axle.gravity;
+          }
+    }
+
+    /// `lateral`: force on the wheel along X [N], of which the force along a wheelset with yaw takes a part.
+    StartTractions
+    wanted_tractions(const Solid       &solid,
+                     const Contact     &contact,
+                     const StaticLoads &loads,
+                     const double       load,
+                     const double       lateral)
+    {
+      const StartBodies bodies   = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
+      const double      velocity = loads.axle.velocity, aside = loads.axle.lateral_creepage;
+      const double      force =
+        (loads.traction_coefficient * load - lateral * std::sin(loads.yaw)) / std::cos(loads.yaw);
+      return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, velocity, aside)
+                             : start_tractions(contact, force, bodies, velocity, aside);
+    }
+  } // namespace
+
+
+  StaticSearch::StaticSearch(const Forest &forest, Solid &solid, Contact &contact, const StaticLoads &loads)
+    : solid_(solid)
+    , contact_(contact)
+    , loads_(loads)
+    , sum_(solid.mesh, forest.communicator())
+    , system_(forest, solid)
+    , flow_(solid.blocks)
+  {
+    const AxleData      &axle  = loads.axle;
+    const MassProperties wheel = mass_properties(solid, Body::wheel, axle.centre, forest.communicator());
+    wheel_mass_                = wheel.mass;
+    wheel_offset_              = radial_arm(wheel.centre, axle)[1];
+    rate_                      = loads.axle.velocity / loads.forward_radius;
+    press();
+  }
+
+
+  /// Presses the bodies into each other rigidly: the part of the undeformed profiles that dips in by some
+  /// 0.55 of the approach is close to the true patch.
+  void
+  StaticSearch::press()
+  {
+    lift = -0.55 * loads_.first_approach;
+    for (unsigned int n = 0; n < solid_.mesh.n_nodes(); ++n)
+      if (solid_.mesh.node_body[n] == Body::wheel)
+        solid_.displacement[4 * n + 1] = lift;
+  }
+
+
+  StaticBalance
+  StaticSearch::balance()
+  {
+    flow_.restore(solid_.blocks);
+    AlignedVector<double> force = element_forces_at_rest(solid_, sum_);
+    add_wheel_loads(solid_, loads_.axle, rate_, force);
+    contact_.gather(solid_.displacement.data(), solid_.velocity.data());
+    StaticBalance balance;
+    balance.sums = contact_forces(nullptr, force);
+    for (std::size_t k = 0; k < drag_.size(); ++k)
+      force[k] += drag_[k];
+    balance.sums.force = balance.sums.force + drag_sum_;
+    balance.residual   = system_.right_hand_side(force);
+    // a mesh finer at one place than elsewhere is a wheel a little out of balance, which the axle bears
+    balance.bore = system_.bore_force(force) -
+                   (loads_.axle.sprung_mass + loads_.axle.mass) * loads_.axle.gravity -
+                   wheel_mass_ * rate_ * rate_ * wheel_offset_;
+    return balance;
+  }
+
+
+  /// Adds the forces of contact with these tractions, bounded by friction; null: without.
+  ContactSums
+  StaticSearch::contact_forces(const std::vector<Vector3> *tractions, AlignedVector<double> &force)
+  {
+    for (std::size_t k = 0; k < contact_.nodes().size(); ++k)
+      contact_.set_traction(k, tractions ? (*tractions)[k] : Vector3{});
+    const ContactSums sums = contact_.evaluate(0);
+    contact_.add_forces(force.data());
+    return sums;
+  }
+
+
+  StaticStep
+  StaticSearch::newton_step(const StaticBalance &balance, const double tolerance)
+  {
+    renew_springs();
+    StaticStep step;
+    system_.solve(balance.residual, balance.bore, tolerance, step);
+    return step;
+  }
+
+
+  void
+  StaticSearch::renew_springs()
+  {
+    system_.set_springs(contact_.springs());
+  }
+
+
+  StaticStep
+  StaticSearch::preconditioned_step(const Vector &residual, const double bore)
+  {
+    ++cycles;
+    return system_.precondition(residual, bore);
+  }
+
+
+  double
+  StaticSearch::power(const StaticBalance &balance, const StaticStep &step) const
+  {
+    return balance.residual * step.increment + balance.bore * step.lift;
+  }
+
+
+  void
+  StaticSearch::move(const StaticStep &step, const double factor)
+  {
+    Vector increment = step.increment;
+    increment *= factor;
+    system_.add_to_nodes(increment, factor * step.lift, solid_.displacement);
+    lift += factor * step.lift;
+  }
+
+
+  StaticBalance
+  StaticSearch::search_along(const StaticStep &step, const StaticBalance &start)
+  {
+    const double  first = power(start, step), before = start.residual.linfty_norm();
+    double        at = 0, low = 0, high = 1, power_low = first, power_high = 0;
+    double        next = 1, last = 0;
+    StaticBalance balance;
+    for (int trial = 0; trial < 12; ++trial)
+      {
+        move(step, next - at);
+        at                 = next;
+        balance            = this->balance();
+        const double value = power(balance, step);
+        const bool   good  = trial == 0 && (value > 0 || balance.residual.linfty_norm() < 0.5 * before);
+        if (good || first <= 0 || std::abs(value) < 0.1 * first)
+          break;
+        const bool same_end = value * last > 0;
+        if (value > 0)
+          {
+            low = at, power_low = value;
+            power_high *= same_end ? 0.5 : 1;
+          }
+        else
+          {
+            high = at, power_high = value;
+            power_low *= same_end ? 0.5 : 1;
+          }
+        last = value;
+        next = low + (high - low) * power_low / (power_low - power_high);
+      }
+    return balance;
+  }
+
+
+  bool
+  StaticSearch::renew_tractions()
+  {
+    const StartTractions before = std::move(tractions);
+    tractions                   = wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_);
+    rate_                       = loads_.axle.velocity / loads_.forward_radius * (1 + tractions.creepage);
+    if (!loads_.tractions)
+      tractions.traction.assign(tractions.traction.size(), Vector3{});
+    drag_.assign(solid_.force.size(), 0.);
+    AlignedVector<double> pressures(solid_.force.size(), 0.);
+    const Vector3         whole = contact_forces(&tractions.traction, drag_).force;
+    drag_sum_                   = whole - contact_forces(nullptr, pressures).force;
+    const double before_lateral = lateral_force_;
+    lateral_force_              = whole[0];
+    for (std::size_t k = 0; k < drag_.size(); ++k)
+      drag_[k] -= pressures[k];
+    return std::abs(tractions.creepage - before.creepage) > 1e-5 * std::abs(tractions.creepage) ||
+           std::abs(tractions.force - before.force) > 1e-5 * wheel_load() ||
+           std::abs((lateral_force_ - before_lateral) * std::sin(loads_.yaw)) > 1e-5 * wheel_load();
+  }
+
+
+  void
+  StaticSearch::set_tractions()
+  {
+    AlignedVector<double> ignored(solid_.force.size(), 0.);
+    if (!tractions.traction.empty())
+      contact_forces(&tractions.traction, ignored);
+  }
+} // namespace wheelrail

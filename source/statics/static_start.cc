@@ -1,0 +1,172 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/solid/frozen_meanwhile.h>
+#include <wheelrail/statics/static_flow.h>
+#include <wheelrail/statics/static_progress.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// How exactly the linear system of a Newton step is worth solving: no better than the last step let
+    /// expect of this one (Eisenstat and Walker 1996, their second choice).
+    class StepTolerance
+    {
+    public:
+      /// `norm`: of what is out of balance before the step.
+      double
+      next(const double norm)
+      {
+        constexpr double loosest = 0.1, tightest = 1e-3;
+        const double     fallen = before_ > 0 ? norm / before_ : 1;
+        before_                 = norm;
+        return std::clamp(0.9 * fallen * fallen, tightest, loosest);
+      }
+
+    private:
+      double before_ = 0;
+    };
+
+    constexpr double nearly =
+      1e-4; ///< of the wheel load: less than what the passing of cells excites in a run
+
+    [[noreturn]] void
+    throw_stuck(const double residual, const double missing)
+    {
+      throw RunError(
+        "the static start finds no equilibrium: over " + std::to_string(StaticProgress::patience) +
+        " steps what is out of balance did not fall, with " + std::to_string(std::lround(std::abs(missing))) +
+        " N of the wheel load missing and " + std::to_string(std::lround(residual)) +
+        " N left at a node; bodies may be too soft for this load, or the contact too stiff: look "
+        "at Young's modulus, Yield stress, Tangent modulus and Contact/Penalty scale");
+    }
+
+    /// Newton's steps of elastic bodies until no nodal force out of balance exceeds `tolerance` times the
+    /// wheel load and the tractions no longer change. Counts the steps in the result, and says there when
+    /// they ended close to the equilibrium only, or at the border of the lattice.
+    StaticBalance
+    elastic_equilibrium(StaticSearch &search,
+                        const bool    frictionless,
+                        const double  tolerance,
+                        StaticResult &result)
+    {
+      constexpr int most_steps = 60;
+      // rounds of tractions still to come: they change the pressures that bound them
+      int            rounds  = frictionless ? 0 : 12;
+      StaticBalance  balance = search.balance();
+      StepTolerance  step_tolerance;
+      StaticProgress progress;
+      for (int step = 0;; ++step)
+        {
+          const double residual = balance.residual.linfty_norm() / result.wheel_load;
+          const double missing  = result.wheel_load - balance.sums.force[1];
+          const bool settled = residual < tolerance && std::abs(missing) < 5 * tolerance * result.wheel_load;
+          if (settled || (rounds > 0 && residual < 1e-3))
+            {
+              const bool changed = rounds > 0 && search.renew_tractions();
+              if (settled && !changed)
+                return balance;
+              --rounds;
+              balance  = search.balance();
+              progress = StaticProgress();
+            }
+          const bool   close = residual < nearly && std::abs(missing) < 10 * nearly * result.wheel_load;
+          const double norm  = std::hypot(balance.residual.l2_norm(), missing);
+          const bool   stuck = progress.stuck(norm);
+          // a patch that presses on the edge of the lattice for so long, or gets stuck there, finds no
+          // equilibrium there
+          const bool pressed_out = (step >= 20 || stuck) && balance.sums.at_border && !close;
+          if (pressed_out || ((step == most_steps || stuck) && close))
+            {
+              result.converged = false;
+              result.at_border = pressed_out;
+              return balance;
+            }
+          if (stuck)
+            throw_stuck(residual * result.wheel_load, missing);
+          if (step == most_steps)
+            throw RunError(
+              "the static start did not converge: after " + std::to_string(most_steps) + " steps " +
+              std::to_string(missing) +
+              " N of the wheel load are missing; lower Contact/Penalty scale or refine the mesh");
+          if (balance.sums.nodes == 0)
+            throw RunError(
+              "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
+              "Mesh/Solution cell size");
+          balance = search.search_along(search.newton_step(balance, step_tolerance.next(norm)), balance);
+          result.newton_steps = step + 1;
+        }
+    }
+
+    /// From the elastic equilibrium to about that of bodies that flow, with tractions for its pressures:
+    /// those of the higher elastic pressures would make the surface flow too far. What is left out of balance
+    /// is smaller than what the first millimetres of rolling change.
+    StaticBalance
+    plastic_equilibrium(StaticSearch &search, const bool frictionless, StaticResult &result)
+    {
+      // looser ends leave smooth parts of the shape to the way that led there, which differs by round-off: at
+      // 2e-4 the rail head's turn differs by a hundredth, and tractions for pressures of a state at 2e-3 by
+      // one in force and by three in work of friction from one number of ranks to the next
+      constexpr double enough = 2e-5;
+      StaticFlow       flow   = static_flow(search, enough, 60);
+      result.flow_steps       = flow.steps;
+      if (!frictionless)
+        search.renew_tractions();
+      flow = static_flow(search, enough, 60);
+      result.flow_steps += flow.steps;
+      const double residual = flow.balance.residual.linfty_norm();
+      if (flow.stuck)
+        throw_stuck(residual, result.wheel_load - flow.balance.sums.force[1]);
+      if (!(residual < 10 * nearly * result.wheel_load))
+        result.converged = false;
+      return std::move(flow.balance);
+    }
+  } // namespace
+
+
+  StaticResult
+  static_start(const Forest                           &forest,
+               Solid                                  &solid,
+               Contact                                &contact,
+               const StaticLoads                      &loads,
+               const std::function<void(std::string)> &report)
+  {
+    report("static start: assembling the stiffness");
+    StaticSearch  search(forest, solid, contact, loads);
+    const bool    without_friction = frictionless(contact.law().friction);
+    StaticResult  result;
+    StaticBalance balance;
+    result.wheel_load = search.wheel_load();
+    {
+      const FrozenMeanwhile rail(solid.blocks.rail), wheel(solid.blocks.wheel);
+      balance = elastic_equilibrium(search, without_friction, 2e-6, result);
+    }
+    // flow raises the creepage, though the tractions of its lower pressures would need less
+    result.creepage = search.tractions.creepage;
+    if (without_friction)
+      result.creepage = loads.rate_held ? loads.creepage : 0;
+    if (!result.at_border && (solid.blocks.rail.plastic() || solid.blocks.wheel.plastic()))
+      {
+        report("static start: plastic flow from the elastic equilibrium");
+        balance = plastic_equilibrium(search, without_friction, result);
+      }
+    search.set_tractions();
+    result.residual      = balance.residual.linfty_norm() / result.wheel_load;
+    result.lift          = search.lift;
+    result.cg_steps      = search.cg_steps();
+    result.contact_force = balance.sums.force;
+    result.at_border     = result.at_border || balance.sums.at_border;
+    if (search.tractions.saturated)
+      report("static start: the torque is beyond friction x wheel load; the wheel will spin up");
+    if (!search.tractions.converged)
+      report(
+        "static start: the half-space solver did not reach its tolerance; the tractions of the start are "
+        "less exact");
+    return result;
+  }
+} // namespace wheelrail

@@ -1,0 +1,236 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/mesh/forest.h>
+#include <wheelrail/solid/boundary_nodes.h>
+#include <wheelrail/statics/static_system.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// 1 for the nodes at such borders that do not hang.
+    std::vector<unsigned char>
+    marked_nodes(const LocalMesh &mesh, const std::vector<Boundary> &marks, MPI_Comm communicator)
+    {
+      std::vector<unsigned char> marked(mesh.n_nodes(), 0);
+      for (const Boundary mark : marks)
+        for (const unsigned int n : held_boundary_nodes(mesh, mark, communicator))
+          marked[n] = 1;
+      for (const unsigned int n : mesh.hanging)
+        marked[n] = 0;
+      return marked;
+    }
+  } // namespace
+
+
+  StaticSystem::StaticSystem(const Forest &forest, Solid &solid)
+    : mesh_(solid.mesh)
+    , communicator_(forest.communicator())
+    , held_(marked_nodes(mesh_, {Boundary::foot, Boundary::end, Boundary::bore}, communicator_))
+    , bore_(marked_nodes(mesh_, {Boundary::bore}, communicator_))
+    , multigrid_(std::make_unique<StaticMultigrid>(forest, solid, held_))
+    , rigid_(zero())
+    , response_{zero(), 1}
+  {
+    for (std::size_t n = 0; n < held_.size(); ++n)
+      if (mesh_.node_body[n] == Body::wheel && !held_[n])
+        rigid_.data()[4 * n + 1] = 1;
+    for (const unsigned int n : mesh_.hanging)
+      rigid_.data()[4 * n + 1] = 0;
+  }
+
+
+  StaticSystem::Vector
+  StaticSystem::right_hand_side(const AlignedVector<double> &nodal) const
+  {
+    Vector vector = zero();
+    for (std::size_t n = 0; n < held_.size(); ++n)
+      if (!held_[n])
+        std::copy(&nodal[4 * n], &nodal[4 * n] + 3, vector.data() + 4 * n);
+    for (const unsigned int n : mesh_.hanging)
+      std::fill(vector.data() + 4 * n, vector.data() + 4 * n + 3, 0.);
+    return vector;
+  }
+
+
+  void
+  StaticSystem::add_to_nodes(const Vector &increment, const double lift, AlignedVector<double> &nodal) const
+  {
+    for (std::size_t n = 0; n < held_.size(); ++n)
+      if (bore_[n])
+        nodal[4 * n + 1] += lift;
+      else if (!held_[n])
+        for (unsigned int i = 0; i < 3; ++i)
+          nodal[4 * n + i] += increment.data()[4 * n + i];
+    distribute(mesh_, nodal.data());
+  }
+
+
+  double
+  StaticSystem::bore_force(const AlignedVector<double> &nodal) const
+  {
+    double sum = 0;
+    for (std::size_t n = 0; n < bore_.size(); ++n)
+      if (bore_[n] && mesh_.owned[n])
+        sum += nodal[4 * n + 1];
+    MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    return sum;
+  }
+
+
+  void
+  StaticSystem::set_springs(const std::vector<Contact::Spring> &springs)
+  {
+    multigrid_->set_springs(springs);
+    rigid_stretch_ = multigrid_->finest().springs().stretch(rigid_.data());
+    find_lift_response();
+  }
+
+
+  unsigned int
+  StaticSystem::solve(const Vector &forces, const double bore, const double tolerance, StaticStep &step)
+  {
+    // a rigid lift of the wheel moves all its nodes against the forces
+    const Unknowns     load  = {forces, forces * rigid_ + bore};
+    Unknowns           x     = {zero(), 0};
+    const unsigned int steps = conjugate_gradients<true>(load, x, tolerance * std::sqrt(dot(load, load)));
+    step                     = {std::move(x.nodes), x.lift};
+    step.increment.add(step.lift, rigid_);
+    return steps;
+  }
+
+
+  unsigned int
+  StaticSystem::solve_held(const Vector &forces, const double tolerance, Vector &increment)
+  {
+    Unknowns           x     = {zero(), 0};
+    const unsigned int steps = conjugate_gradients<false>({forces, 0}, x, tolerance * forces.l2_norm());
+    increment                = std::move(x.nodes);
+    return steps;
+  }
+
+
+  StaticStep
+  StaticSystem::precondition(const Vector &forces, const double bore)
+  {
+    Unknowns z = {zero(), 0};
+    precondition({forces, forces * rigid_ + bore}, z);
+    StaticStep step = {std::move(z.nodes), z.lift};
+    step.increment.add(step.lift, rigid_);
+    return step;
+  }
+
+
+  double
+  StaticSystem::dot(const Unknowns &a, const Unknowns &b) const
+  {
+    return a.nodes * b.nodes + a.lift * b.lift;
+  }
+
+
+  /// A rigid lift of the whole wheel, its bore included, leaves no forces but those of the springs.
+  void
+  StaticSystem::product(const Unknowns &x, Unknowns &y)
+  {
+    StaticLevel &level = multigrid_->finest();
+    level.elastic_product(x.nodes, y.nodes);
+    std::vector<double> force = level.springs().stretch(x.nodes.data());
+    y.lift                    = 0;
+    for (std::size_t k = 0; k < force.size(); ++k)
+      {
+        force[k] = level.springs().stiffness()[k] * (force[k] + x.lift * rigid_stretch_[k]);
+        y.lift += rigid_stretch_[k] * force[k];
+      }
+    level.springs().add(force, y.nodes.data());
+  }
+
+
+  /// One cycle with the bore held, plus the response to a lift, which the cycle cannot know: the share of it
+  /// that balances the forces along it (a coarse space of one vector, added).
+  void
+  StaticSystem::precondition(const Unknowns &forces, Unknowns &z)
+  {
+    multigrid_->cycle(forces.nodes, z.nodes);
+    const double share = dot(forces, response_) / approach_stiffness_;
+    z.nodes.add(share, response_.nodes);
+    z.lift = share;
+  }
+
+
+  /// Conjugate gradients in the flexible form (Polak and Ribiere), which bears a preconditioner that is not
+  /// quite linear, until the norm of the residual is below `enough`. Without lift the bore is held, and the
+  /// forces on it count for nothing.
+  template <bool with_lift>
+  unsigned int
+  StaticSystem::conjugate_gradients(Unknowns residual, Unknowns &x, const double enough)
+  {
+    constexpr unsigned int most_steps = 500;
+    Unknowns               z = {zero(), 0}, step = {zero(), 0}, image = {zero(), 0};
+    Unknowns               before         = {zero(), 0}; // residual
+    double                 product_before = 1;
+    for (unsigned int k = 0;; ++k)
+      {
+        if (!with_lift)
+          residual.lift = 0;
+        const double norm = std::sqrt(dot(residual, residual));
+        if (norm <= enough)
+          return k;
+        if (k == most_steps || !std::isfinite(norm))
+          throw RunError("the static start did not converge: conjugate gradients stopped after " +
+                         std::to_string(k) +
+                         " steps; lower Contact/Penalty scale, or take smaller coarse cells");
+        if (with_lift)
+          precondition(residual, z);
+        else
+          multigrid_->cycle(residual.nodes, z.nodes);
+        const double along = dot(residual, z);
+        const double share = k == 0 ? 0 : (along - dot(before, z)) / product_before;
+        step.nodes.scale_and_add(share, z.nodes);
+        step.lift = share * step.lift + z.lift;
+        product(step, image);
+        const double length = along / dot(step, image);
+        x.nodes.add(length, step.nodes);
+        x.lift += length * step.lift;
+        before = residual;
+        residual.nodes.add(-length, image.nodes);
+        residual.lift -= length * image.lift;
+        product_before = along;
+        ++cg_steps;
+      }
+  }
+
+
+  /// A rigid lift of the wheel, minus what the springs hold back, which is solved for: roughly, since it only
+  /// serves as preconditioner, and from the last one.
+  void
+  StaticSystem::find_lift_response()
+  {
+    constexpr double tolerance = 0.1;
+    Unknowns         load = {zero(), 0}, image = {zero(), 0};
+    product({zero(), -1}, load);
+    const double enough = tolerance * load.nodes.l2_norm();
+    product(response_, image);
+    Unknowns residual = {zero(), 0};
+    residual.nodes -= image.nodes;
+    conjugate_gradients<false>(std::move(residual), response_, enough);
+    product(response_, image);
+    approach_stiffness_ = dot(response_, image);
+  }
+
+
+  AlignedVector<double>
+  element_forces_at_rest(Solid &solid, SharedSum &sum)
+  {
+    AlignedVector<double> force(solid.force.size(), 0.);
+    ElementEnergy         ignored;
+    subtract_internal_force(
+      solid.blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
+    condense(solid.mesh, force.data());
+    sum(force.data());
+    return force;
+  }
+} // namespace wheelrail

@@ -1,0 +1,57 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/mesh/forest.h>
+#include <wheelrail/solid/kept_flow.h>
+#include <wheelrail/statics/static_system.h>
+#include <wheelrail/statics/unloading.h>
+#include <wheelrail/wheelset/wheel_axes.h>
+
+#include <string>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Forces of the elements in the present position, one step from the history `flow`, on what is free.
+    StaticVector
+    out_of_balance(Solid &solid, const KeptFlow &flow, const StaticSystem &system, SharedSum &sum)
+    {
+      flow.restore(solid.blocks);
+      return system.right_hand_side(element_forces_at_rest(solid, sum));
+    }
+  } // namespace
+
+
+  Unloading
+  unload(const Forest &forest, Solid &solid, const Axle &axle)
+  {
+    constexpr double       enough = 1e-5, of_step = 1e-3;
+    constexpr unsigned int most_steps = 40;
+    const WheelAxes        axes(axle);
+    const KeptFlow         flow(solid.blocks);
+    axes.to_wheel(solid);
+    StaticSystem system(forest, solid);
+    system.set_springs({});
+    SharedSum sum(solid.mesh, forest.communicator());
+    Unloading unloading;
+    double    first = 0;
+    for (;; ++unloading.steps)
+      {
+        const StaticVector force = out_of_balance(solid, flow, system, sum);
+        const double       norm  = force.l2_norm();
+        if (unloading.steps == 0)
+          first = norm;
+        unloading.residual = first > 0 ? norm / first : 0;
+        if (unloading.residual <= enough)
+          break;
+        if (unloading.steps == most_steps || !(unloading.residual < 10))
+          throw RunError("the unloading did not converge: after " + std::to_string(unloading.steps) +
+                         " steps " + std::to_string(100 * unloading.residual) +
+                         " % of the forces are left, and residual stresses stay unknown");
+        StaticVector step = system.zero();
+        unloading.cg_steps += system.solve_held(force, of_step, step);
+        system.add_to_nodes(step, 0, solid.displacement);
+      }
+    axes.to_track(solid);
+    return unloading;
+  }
+} // namespace wheelrail
