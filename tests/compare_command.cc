@@ -32,7 +32,7 @@ namespace
     WheelRailLoad load;
     load.force                     = 95e3;
     load.vertical                  = true;
-    load.longitudinal              = scene.friction_coefficient > 0 ? 20e3 : 0;
+    load.longitudinal              = scene.friction.at_rest > 0 ? 20e3 : 0;
     const WheelRailSolution result = solve_wheel_rail(scene, make_geometry(scene), load, offsets);
     Summary                 run    = halfspace_summary(scene, result);
     set_figure(run, "relative_lateral_m", offsets.lateral);
@@ -149,7 +149,7 @@ namespace
   test_frictionless()
   {
     Scene scene;
-    scene.friction_coefficient = 0;
+    scene.friction.at_rest     = 0;
     scene.traction_coefficient = 0;
     write_run(scene, {});
     const std::string path = (folder / "summary.json").string();

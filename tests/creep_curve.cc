@@ -24,7 +24,7 @@ namespace
   {
     Scene scene;
     scene.wheel_load             = 100e3;
-    scene.friction_coefficient   = 0.3;
+    scene.friction.at_rest       = 0.3;
     scene.traction_coefficient   = 0;
     scene.velocity               = 38.889;
     scene.halfspace_element_size = 0.25e-3;

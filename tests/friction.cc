@@ -20,28 +20,25 @@ namespace
   values_of_the_laws()
   {
     const FrictionLaw constant{0.5};
-    check_near(friction_coefficient(constant, 0), 0.5, 0, "constant: at rest");
-    check_near(friction_coefficient(constant, 40), 0.5, 0, "constant: at 40 m/s");
+    check_near(constant.at(0), 0.5, 0, "constant: at rest");
+    check_near(constant.at(40), 0.5, 0, "constant: at 40 m/s");
     const FrictionLaw exponential{0.5, FrictionKind::exponential, 0.2, 0.25};
-    check_near(friction_coefficient(exponential, 0), 0.5, 1e-15, "exponential: at rest");
-    check_near(friction_coefficient(exponential, 4 * std::log(2.)),
-               0.35,
-               1e-15,
-               "exponential: half way after ln 2 / c");
-    check_near(friction_coefficient(exponential, 1e3), 0.2, 1e-15, "exponential: far");
+    check_near(exponential.at(0), 0.5, 1e-15, "exponential: at rest");
+    check_near(exponential.at(4 * std::log(2.)), 0.35, 1e-15, "exponential: half way after ln 2 / c");
+    check_near(exponential.at(1e3), 0.2, 1e-15, "exponential: far");
     const FrictionLaw rational{0.5, FrictionKind::rational, 0.2, 0, 3};
-    check_near(friction_coefficient(rational, 0), 0.5, 1e-15, "rational: at rest");
-    check_near(friction_coefficient(rational, 3), 0.35, 1e-15, "rational: half way at the half velocity");
-    check_near(friction_coefficient(rational, 9), 0.275, 1e-15, "rational: a quarter left at three times it");
+    check_near(rational.at(0), 0.5, 1e-15, "rational: at rest");
+    check_near(rational.at(3), 0.35, 1e-15, "rational: half way at the half velocity");
+    check_near(rational.at(9), 0.275, 1e-15, "rational: a quarter left at three times it");
     const double d = 1e-6;
     for (const FrictionLaw &law : {exponential, rational})
-      check_near(steepest_fall(law),
-                 (friction_coefficient(law, 0) - friction_coefficient(law, d)) / d,
-                 1e-6,
-                 "slope at rest");
-    check_near(steepest_fall({0.2, FrictionKind::rational, 0.5, 0, 3}), 0, 0, "a rising law does not fall");
-    check(frictionless({0}) && !frictionless({0, FrictionKind::rational, 0.5, 0, 3}) &&
-            !frictionless(exponential),
+      check_near(law.steepest_fall(), (law.at(0) - law.at(d)) / d, 1e-6, "slope at rest");
+    check_near(FrictionLaw{0.2, FrictionKind::rational, 0.5, 0, 3}.steepest_fall(),
+               0,
+               0,
+               "a rising law does not fall");
+    check(FrictionLaw{}.frictionless() && !FrictionLaw{0, FrictionKind::rational, 0.5, 0, 3}.frictionless() &&
+            !exponential.frictionless(),
           "friction that is 0 at all speeds");
   }
 
@@ -82,8 +79,8 @@ namespace
             {
               const Vector3 v       = {0, 0, speed};
               const double  sliding = norm(v - dot(v, node.normal) * node.normal);
-              result.excess         = std::max(
-                result.excess, norm(node.traction) / node.pressure - friction_coefficient(friction, sliding));
+              result.excess =
+                std::max(result.excess, norm(node.traction) / node.pressure - friction.at(sliding));
             }
       }
     return result;
@@ -109,7 +106,7 @@ namespace
     for (const Case &c : cases)
       {
         const Sliding run = slide(model, c.law, c.speed);
-        const double  mu  = friction_coefficient(c.law, c.speed);
+        const double  mu  = c.law.at(c.speed);
         // pressures lean against the wheel's inclined surface as it moves off its lowest place
         check_near(
           run.force, mu, 2e-3, c.name + " at " + std::to_string(int(c.speed)) + " m/s: force over load");

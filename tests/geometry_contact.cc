@@ -18,7 +18,7 @@ using namespace test;
 
 namespace
 {
-  const double degree = std::acos(-1.) / 180;
+  const double degree = M_PI / 180;
 
   /// [m]: the terms of the polynomial of zone C reach 300 m and cancel to 5 mm.
   const double round_off = 1e-13;

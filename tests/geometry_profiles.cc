@@ -17,7 +17,7 @@ using namespace test;
 
 namespace
 {
-  const double pi = std::acos(-1.);
+  const double pi = M_PI;
 
   double
   degrees_between(const Point2 &a, const Point2 &b)

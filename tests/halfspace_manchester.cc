@@ -26,7 +26,7 @@ namespace
     Scene scene                  = test::manchester_scene();
     scene.velocity               = 2;
     scene.wheel_load             = load;
-    scene.friction_coefficient   = 0.3;
+    scene.friction.at_rest       = 0.3;
     scene.halfspace_element_size = 0.2e-3;
     scene.halfspace_spin         = HalfspaceSpin::contact;
     scene.roll                   = RollMode::given;
@@ -104,7 +104,7 @@ namespace
     check(std::abs(result.angle) > 1.1, which + "steep");
     check_near(result.vertical, load, 0.002 * load, which + "vertical force [N]");
     const double fx = s.fx, friction = std::sqrt(fx * fx + s.fy * s.fy);
-    check_near(friction / (scene.friction_coefficient * s.fn), 1, 0.01, which + "all of it slides");
+    check_near(friction / (scene.friction.at_rest * s.fn), 1, 0.01, which + "all of it slides");
     const double across = std::sqrt(std::max(0., 0.09 * s.fn * s.fn - fx * fx));
     check_near((s.fn * std::cos(result.angle) + across * std::abs(std::sin(result.angle))) / load,
                1,

@@ -41,7 +41,7 @@ namespace
   double
   hertz_peak(const Scene &scene, const double force)
   {
-    const double pi = std::acos(-1.), nu = scene.rail_material.poissons_ratio,
+    const double pi = M_PI, nu = scene.rail_material.poissons_ratio,
                  E = scene.rail_material.youngs_modulus / (2 * (1 - nu * nu)),
                  R = scene.halfspace_radius_along;
     return std::cbrt(6 * force * E * E / (pi * pi * pi * R * R));

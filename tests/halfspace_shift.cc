@@ -131,10 +131,9 @@ namespace
         double     error            = 0;
         for (int e = 0; e < problem.grid.size(); ++e)
           if (s.state[e] == HalfspaceSolution::slip)
-            error = std::max(
-              error,
-              std::abs(std::hypot(s.traction_x[e], s.traction_y[e]) / s.pressure[e] -
-                       friction_coefficient(problem.friction, 30 * std::hypot(s.slip_x[e], s.slip_y[e]))));
+            error = std::max(error,
+                             std::abs(std::hypot(s.traction_x[e], s.traction_y[e]) / s.pressure[e] -
+                                      problem.friction.at(30 * std::hypot(s.slip_x[e], s.slip_y[e]))));
         check(s.converged() && s.slip_area > 0.3 * s.area, "friction over slip velocity settled");
         check(error < 2e-4,
               "tractions over pressure are the law's, largest difference " + std::to_string(error));

@@ -23,7 +23,7 @@ namespace
   {
     Scene scene;
     scene.wheel_load           = 100e3;
-    scene.friction_coefficient = 0;
+    scene.friction.at_rest     = 0;
     scene.traction_coefficient = 0;
     scene.yaw                  = 40e-3;
     const auto right           = solved(scene);

@@ -275,11 +275,11 @@ namespace
     check(s.drive == Drive::rate, "field drive");
     check_near(s.traction_coefficient, -0.2, 0, "field traction_coefficient");
     check_near(s.creepage, 0.001, 0, "field creepage");
-    check_near(s.friction_coefficient, 0.3, 0, "field friction_coefficient");
-    check(s.friction_law == FrictionKind::rational, "field friction_law");
-    check_near(s.dynamic_friction_coefficient, 0.25, 0, "field dynamic_friction_coefficient");
-    check_near(s.friction_decay, 0.1, 0, "field friction_decay");
-    check_near(s.friction_half_velocity, 3, 0, "field friction_half_velocity");
+    check_near(s.friction.at_rest, 0.3, 0, "field friction_coefficient");
+    check(s.friction.kind == FrictionKind::rational, "field friction_law");
+    check_near(s.friction.at_speed, 0.25, 0, "field dynamic_friction_coefficient");
+    check_near(s.friction.decay, 0.1, 0, "field friction_decay");
+    check_near(s.friction.half_velocity, 3, 0, "field friction_half_velocity");
     check_near(s.penalty_scale, 3, 0, "field penalty_scale");
     check_near(s.contact_damping, 0.2, 0, "field contact_damping");
     check_near(s.rail_material.youngs_modulus, 206e9, 0, "field rail youngs_modulus");

@@ -39,7 +39,7 @@ namespace
     const Scene scene = read(text, {"Contact/Friction coefficient=0.4", "Title = c"});
     check_near(scene.rolling_distance, 0.03, 0, "CRLF, tabs and no blanks around =");
     check_near(scene.energy_limit, 0.01, 0, "a subsection may come twice, the last line may lack its end");
-    check_near(scene.friction_coefficient, 0.4, 0, "--set of an entry");
+    check_near(scene.friction.at_rest, 0.4, 0, "--set of an entry");
     check_text(scene.title, "c", "--set goes before the file");
     check_text(read(text).title, "a = b", "= and remark in a value");
     const std::string braces = "{a|b}  {c} d";

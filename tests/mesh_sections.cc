@@ -21,7 +21,6 @@ using namespace wheelrail;
 
 namespace
 {
-  constexpr double pi = 3.14159265358979323846;
 
   // Number of blocks at each edge.
   std::map<Section::EdgeKey, unsigned int>
@@ -245,7 +244,7 @@ namespace
     const double f = d.fillet_radius;
     return section_properties(Curve(segments)).area +
            d.disc_thickness * (d.rim_inner_radius - d.hub_outer_radius) +
-           d.hub_length * (d.hub_outer_radius - d.bore_radius) + 4 * (1 - pi / 4) * f * f;
+           d.hub_length * (d.hub_outer_radius - d.bore_radius) + 4 * (1 - M_PI / 4) * f * f;
   }
 
   /// First moment of a meshed section about the axle, from small quadrilaterals [m3].

@@ -83,7 +83,7 @@ namespace
     base.yaw                  = 0;
     base.velocity             = 20 / 3.6;
     base.wheel.disc_thickness = 0.06;
-    base.friction_coefficient = 0;
+    base.friction.at_rest     = 0;
     base.energy_limit         = 0.5; // see below
     base.rolling_distance     = 80e-3;
     base.averaging_distance   = 30e-3;

@@ -171,7 +171,7 @@ namespace
     const auto round   = wheels_of(scene);
     check(round.size() == 2, "two files");
     check_near(round[0].scene.wheel_load, 120e3, 1e-6, "the load of the file");
-    check_near(round[0].scene.friction_coefficient, 0.3, 1e-12, "and its friction");
+    check_near(round[0].scene.friction.at_rest, 0.3, 1e-12, "and its friction");
     test::check_text(round[0].scene.folder, "output/family", "the folder of the family");
     scene.passage_list = other;
     test::check_text(test::message_of([&]() { wheels_of(scene); }),

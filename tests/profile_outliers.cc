@@ -130,7 +130,7 @@ namespace
         Point2 top;
         for (const Point2 &p : tread(noise))
           {
-            const double in = 30e-3 - p.x, deep = std::clamp(std::tan(std::acos(-1.) / 3) * in, 0., 2e-3);
+            const double in = 30e-3 - p.x, deep = std::clamp(std::tan(M_PI / 3) * in, 0., 2e-3);
             hollow.push_back(
               p.x < 30e-3 && p.x > -30e-3 ? p + Point2{0, deep * std::min(1., (p.x + 30e-3) / 20e-3)} : p);
             if (in < 0)

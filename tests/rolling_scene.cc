@@ -144,7 +144,7 @@ namespace
   frictionless()
   {
     Scene smooth                = scene();
-    smooth.friction_coefficient = 0;
+    smooth.friction.at_rest     = 0;
     smooth.traction_coefficient = 0;
     smooth.rolling_distance     = 3e-3;
     const Run run               = roll(smooth, MPI_COMM_WORLD);

@@ -46,9 +46,9 @@ namespace
   {
     const std::vector<StudyCase> grid = cases_of(friction + "; " + shift);
     check(grid.size() == 6, "a grid of three and two values has six cases");
-    check(grid[0].scene.friction_coefficient == 0.1 && grid[0].scene.lateral_shift == -1e-3 &&
-            grid[1].scene.friction_coefficient == 0.1 && grid[1].scene.lateral_shift == 2e-3 &&
-            grid[5].scene.friction_coefficient == 0.3 && grid[5].scene.lateral_shift == 2e-3,
+    check(grid[0].scene.friction.at_rest == 0.1 && grid[0].scene.lateral_shift == -1e-3 &&
+            grid[1].scene.friction.at_rest == 0.1 && grid[1].scene.lateral_shift == 2e-3 &&
+            grid[5].scene.friction.at_rest == 0.3 && grid[5].scene.lateral_shift == 2e-3,
           "the last axis changes fastest");
     check(grid[3].values == std::vector<std::string>({"0.2", "2 mm"}), "values as the listing writes them");
     check(grid[3].name.rfind("friction_coefficient_0.2-lateral_shift_2_mm-", 0) == 0, grid[3].name);
@@ -157,7 +157,7 @@ namespace
             plan["axes"][0]["values"].size() == 3,
           "the plan holds axes and cases");
     const std::string parameters = plan["cases"][1]["parameters"];
-    check(scene_from_text(parameters, "case", {}).scene.friction_coefficient == 0.2,
+    check(scene_from_text(parameters, "case", {}).scene.friction.at_rest == 0.2,
           "and the parameter file of each");
 
     check_text(message_of([&]() {

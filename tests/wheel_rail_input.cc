@@ -108,13 +108,13 @@ namespace
   test_refused()
   {
     Scene scene;
-    scene.friction_law = FrictionKind::rational;
+    scene.friction.kind = FrictionKind::rational;
     check_text(
       message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
       "--contact-wheel-rail-input writes constant friction only: set Contact/Friction law = constant",
       "friction over speed");
-    scene.friction_law = FrictionKind::constant;
-    scene.roll         = RollMode::from_contact;
+    scene.friction.kind = FrictionKind::constant;
+    scene.roll          = RollMode::from_contact;
     check_text(message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
                "--contact-wheel-rail-input writes wheelsets without roll only: set Wheelset/Roll = none",
                "roll");

@@ -65,9 +65,9 @@ namespace
     // cone from the turning point to c and a straight way across the clearance
     const double c = 1e-3, amplitude = 4e-3, k = 2 * 0.2 / (e * r0);
     const auto   play    = tabulated([c](const double y) { return y < c ? 0 : 2 * 0.2 * (y - c); });
-    const double quarter = std::acos(-1.) / 2 / std::sqrt(k) + c / ((amplitude - c) * std::sqrt(k));
+    const double quarter = M_PI / 2 / std::sqrt(k) + c / ((amplitude - c) * std::sqrt(k));
     check_near(equivalent_conicity(play, amplitude, e, r0),
-               std::pow(std::acos(-1.) / (4 * quarter), 2) * 2 * e * r0,
+               std::pow(M_PI / (4 * quarter), 2) * 2 * e * r0,
                2e-5,
                "a clearance of 1 mm before a cone of 0.2");
     check(std::isnan(equivalent_conicity(cone, 9e-3, e, r0)), "no conicity beyond the table");
@@ -97,7 +97,7 @@ namespace
       {
         const double wavelength = wavelength_by_steps(reference, amplitude);
         check_near(equivalent_conicity(reference, amplitude, e, r0),
-                   std::pow(std::acos(-1.) / wavelength, 2) * 2 * e * r0,
+                   std::pow(M_PI / wavelength, 2) * 2 * e * r0,
                    1e-4,
                    "conicity of S1002 on 54E1 at " + std::to_string(1e3 * amplitude) +
                      " mm against Klingel's equation integrated in small steps");

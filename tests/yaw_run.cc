@@ -55,7 +55,7 @@ namespace
   without_friction()
   {
     Scene scene                      = yaw_scene("without friction");
-    scene.friction_coefficient       = 0;
+    scene.friction.at_rest           = 0;
     scene.yaw                        = 20e-3;
     const Summary           run      = figures_of_run(scene);
     const SceneGeometry     geometry = make_geometry(scene);

@@ -14,7 +14,7 @@ namespace wheelrail
 {
   namespace
   {
-    const double degree = std::acos(-1.) / 180;
+    const double degree = M_PI / 180;
 
     /// Gap that closes under a wheel load of some 100 kN [m].
     constexpr double loaded_gap = 1e-4;
@@ -240,7 +240,7 @@ namespace wheelrail
           out << "  amplitude " << amplitude << " mm   "
               << (std::isnan(conicity) ? "none: the difference of the rolling radii pushes outwards"
                                        : fixed(conicity, 4) + "   wavelength " +
-                                           fixed(std::acos(-1.) * std::sqrt(2 * e * r0 / conicity), 2) + " m")
+                                           fixed(M_PI * std::sqrt(2 * e * r0 / conicity), 2) + " m")
               << '\n';
         }
     }

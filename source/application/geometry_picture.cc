@@ -73,7 +73,7 @@ namespace wheelrail
     rows.add_text("wheel name", scene.wheel_profile);
     rows.add_text("rail name", scene.rail_profile);
     rows.add("shift", 1e3 * c.lateral_shift, 1e3 * c.roll);
-    rows.add("radius", 1e3 * c.rolling_radius, c.angle * 180 / std::acos(-1.));
+    rows.add("radius", 1e3 * c.rolling_radius, c.angle * 180 / M_PI);
     add_curve(rows, "rail", geometry.rail.head, c.rail);
     add_curve(rows, "wheel", geometry.wheel.tread, c.wheel);
     rows.add("contact", 1e3 * c.frame.origin.x, 1e3 * c.frame.origin.y);

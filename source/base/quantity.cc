@@ -24,7 +24,6 @@ namespace wheelrail
       double      divisor;
     };
 
-    constexpr double pi = 3.14159265358979323846;
 
     /// The first unit of a dimension is its SI unit. Aliases come after the name that messages show.
     const std::vector<Unit> &
@@ -52,7 +51,7 @@ namespace wheelrail
         {"kNs/m", D::damping, 1e3, 1},   {"kg m2", D::mass_moment, 1, 1},
         {"kgm2", D::mass_moment, 1, 1},  {"t m2", D::mass_moment, 1e3, 1},
         {"rad", D::angle, 1, 1},         {"mrad", D::angle, 1, 1e3},
-        {"deg", D::angle, pi, 180},      {"1/m", D::spin, 1, 1},
+        {"deg", D::angle, M_PI, 180},    {"1/m", D::spin, 1, 1},
         {"1/mm", D::spin, 1e3, 1},       {"rad/m", D::spin, 1, 1},
       };
       return table;

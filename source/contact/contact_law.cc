@@ -22,7 +22,7 @@ namespace wheelrail
     Vector3       trial  = before;
     add(trial, law.stiffness * time_step, motion.slip);
     Vector3      total = trial;
-    const double bound = friction_coefficient(law.friction, norm(motion.slip)) * node.pressure;
+    const double bound = law.friction.at(norm(motion.slip)) * node.pressure;
     if (time_step > 0)
       add(total, law.damping, motion.slip);
     const double size = norm(total);

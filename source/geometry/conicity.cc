@@ -53,7 +53,7 @@ namespace wheelrail
                       const double            distance,
                       const double            radius)
   {
-    const double pi = std::acos(-1.), none = std::nan("");
+    const double pi = M_PI, none = std::nan("");
     if (!(amplitude > 0) || amplitude > difference.displacement.back() * (1 + 1e-12))
       return none;
 

@@ -186,7 +186,7 @@ namespace wheelrail
         const Point2 d     = Point2{s, at(s).n} - piece.centre;
         const double half  = 0.5 * (g.angle_end - g.angle_start);
         const double angle = std::atan2(dot(d, ey_), dot(d, ex_)) - 0.5 * (g.angle_start + g.angle_end);
-        f                  = 0.5 * (1. + std::remainder(angle, 2. * std::acos(-1.)) / half);
+        f                  = 0.5 * (1. + std::remainder(angle, 2. * M_PI) / half);
       }
     return piece.segment + std::clamp(f, 0., 1.);
   }

@@ -10,7 +10,6 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
 
     double
     abscissa(const Segment &g, const double f)
@@ -153,8 +152,8 @@ namespace wheelrail
     g.start.x     = -g.start.x;
     g.end.x       = -g.end.x;
     g.centre.x    = -g.centre.x;
-    g.angle_start = pi - g.angle_start;
-    g.angle_end   = pi - g.angle_end;
+    g.angle_start = M_PI - g.angle_start;
+    g.angle_end   = M_PI - g.angle_end;
     for (double &c : g.coefficients_x)
       c = -c;
     return g;
@@ -326,7 +325,7 @@ namespace wheelrail
       {
         const double half  = 0.5 * (g.angle_end - g.angle_start);
         const double mid   = 0.5 * (g.angle_end + g.angle_start);
-        const double delta = std::remainder(std::atan2(p.y - g.centre.y, p.x - g.centre.x) - mid, 2. * pi);
+        const double delta = std::remainder(std::atan2(p.y - g.centre.y, p.x - g.centre.x) - mid, 2. * M_PI);
         return std::clamp(0.5 * (1. + delta / half), 0., 1.);
       }
     return closest_by_samples(g, p);

@@ -121,7 +121,7 @@ namespace wheelrail
       const auto polar = [&c](const Point2 &p) { return std::atan2(p.y - c.point.y, p.x - c.point.x); };
       g.angle_start    = polar(from);
       // No arc turns by more than half a circle, convex ones clockwise, concave ones counter-clockwise.
-      const double sweep = std::remainder(polar(to) - g.angle_start, 2. * std::acos(-1.));
+      const double sweep = std::remainder(polar(to) - g.angle_start, 2. * M_PI);
       g.angle_end        = g.angle_start + sweep;
       return g;
     }

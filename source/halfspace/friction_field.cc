@@ -19,7 +19,7 @@ namespace wheelrail
         {
           const int    e = i + grid.mx * j;
           const double v = problem.velocity * std::hypot(slip[0][e], slip[1][e]);
-          friction[e]    = friction_coefficient(problem.friction, v);
+          friction[e]    = problem.friction.at(v);
           if (problem.memory_length == 0)
             continue;
           const bool   inside = i + 1 < grid.mx && pressure[e + 1] > 0;

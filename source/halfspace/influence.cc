@@ -10,7 +10,6 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
 
     /// The next size from n on with prime factors 2, 3 and 5 only, even.
     int
@@ -53,9 +52,9 @@ namespace wheelrail
     const double       g1 = body1.shear_modulus, g2 = body2.shear_modulus;
     const double       nu1 = body1.poisson_ratio, nu2 = body2.poisson_ratio;
     HalfspaceConstants c;
-    c.normal   = ((1 - nu1) / g1 + (1 - nu2) / g2) / (2 * pi);
-    c.poisson  = (nu1 / g1 + nu2 / g2) / (2 * pi);
-    c.coupling = ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2) / (4 * pi);
+    c.normal   = ((1 - nu1) / g1 + (1 - nu2) / g2) / (2 * M_PI);
+    c.poisson  = (nu1 / g1 + nu2 / g2) / (2 * M_PI);
+    c.coupling = ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2) / (4 * M_PI);
     return c;
   }
 

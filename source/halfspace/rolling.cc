@@ -34,7 +34,7 @@ namespace wheelrail
         , pressure_given_(!problem.pressure.empty())
         , coupled_(std::abs(constants_.coupling) > 1e-12 * constants_.normal)
         , friction_(problem.motion != HalfspaceMotion::none)
-        , velocity_dependent_(depends_on_speed(problem.friction))
+        , velocity_dependent_(problem.friction.depends_on_speed())
       {
         const bool shift = problem.motion == HalfspaceMotion::shift;
         solution_.grid   = grid_;

@@ -17,7 +17,7 @@ namespace wheelrail
       list.push_back(
         pure_entry({"Contact", "Friction coefficient", "Coulomb friction, at rest; 0: no friction."},
                    B::between("0", "1.5"),
-                   field(&S::friction_coefficient)));
+                   field(&S::friction, &FrictionLaw::at_rest)));
       list.push_back(choice_entry<FrictionKind>(
         {"Contact",
          "Friction law",
@@ -27,19 +27,19 @@ namespace wheelrail
         {{"constant", FrictionKind::constant},
          {"exponential", FrictionKind::exponential},
          {"rational", FrictionKind::rational}},
-        field(&S::friction_law)));
+        field(&S::friction, &FrictionLaw::kind)));
       list.push_back(
         pure_entry({"Contact",
                     "Dynamic friction coefficient",
                     "Coefficient at high sliding speed, used unless the friction law is constant."},
                    B::between("0", "1.5"),
-                   field(&S::dynamic_friction_coefficient)));
+                   field(&S::friction, &FrictionLaw::at_speed)));
       list.push_back(number_entry(
         {"Contact", "Friction decay", "Decay of the exponential friction law with sliding speed."},
         D::slowness,
         "s/m",
         B::between("0 s/m", "100 s/m"),
-        field(&S::friction_decay)));
+        field(&S::friction, &FrictionLaw::decay)));
       list.push_back(
         number_entry({"Contact",
                       "Friction half velocity",
@@ -48,7 +48,7 @@ namespace wheelrail
                      D::velocity,
                      "m/s",
                      B::above("0 m/s", "1000 m/s"),
-                     field(&S::friction_half_velocity)));
+                     field(&S::friction, &FrictionLaw::half_velocity)));
     }
   } // namespace
 

@@ -176,8 +176,7 @@ namespace wheelrail
     void
     check_drive(const Scene &scene, Sentences &warnings)
     {
-      if (scene.drive == Drive::torque &&
-          std::abs(scene.traction_coefficient) >= scene.friction_coefficient &&
+      if (scene.drive == Drive::torque && std::abs(scene.traction_coefficient) >= scene.friction.at_rest &&
           scene.traction_coefficient != 0)
         warnings.push_back(entry_text(scene, "Wheelset", "Traction coefficient") +
                            ": friction carries at most " +
@@ -186,16 +185,16 @@ namespace wheelrail
                            (scene.traction_coefficient > 0 ? "spins up" : "locks") + " while it rolls");
       const MaterialData &m         = scene.rail_material;
       const double        impedance = std::sqrt(m.density * m.youngs_modulus / (2 + 2 * m.poissons_ratio));
-      if (1e9 * steepest_fall(friction_law(scene)) > impedance / 2)
+      if (1e9 * scene.friction.steepest_fall() > impedance / 2)
         warnings.push_back(
           entry_text(scene, "Contact", "Friction law") + ": friction falls by " +
-          digits(steepest_fall(friction_law(scene))) + " per m/s of sliding; at 1 GPa a fall beyond " +
+          digits(scene.friction.steepest_fall()) + " per m/s of sliding; at 1 GPa a fall beyond " +
           digits(impedance / 2e9) +
           " feeds sliding more than shear waves carry away, and tractions oscillate from node to node");
-      if (scene.friction_law != FrictionKind::constant && scene.friction_coefficient == 0)
+      if (scene.friction.kind != FrictionKind::constant && scene.friction.at_rest == 0)
         warnings.push_back(entry_text(scene, "Contact", "Friction coefficient") +
                            ": 0 at rest, but not at speed with Contact/Friction law = " +
-                           (scene.friction_law == FrictionKind::rational ? "rational" : "exponential"));
+                           (scene.friction.kind == FrictionKind::rational ? "rational" : "exponential"));
       if (scene.drive == Drive::torque && scene.creepage != 0)
         warnings.push_back(entry_text(scene, "Wheelset", "Creepage") +
                            ": without effect, since Wheelset/Drive = torque");

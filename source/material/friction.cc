@@ -6,39 +6,39 @@
 namespace wheelrail
 {
   double
-  friction_coefficient(const FrictionLaw &law, const double speed)
+  FrictionLaw::at(const double speed) const
   {
-    const double drop = law.at_rest - law.at_speed;
-    switch (law.kind)
+    const double drop = at_rest - at_speed;
+    switch (kind)
       {
         case FrictionKind::exponential:
-          return law.at_speed + drop * std::exp(-law.decay * speed);
+          return at_speed + drop * std::exp(-decay * speed);
         case FrictionKind::rational:
-          return law.at_speed + drop / (1 + speed / law.half_velocity);
+          return at_speed + drop / (1 + speed / half_velocity);
         default:
-          return law.at_rest;
+          return at_rest;
       }
   }
 
 
   bool
-  depends_on_speed(const FrictionLaw &law)
+  FrictionLaw::depends_on_speed() const
   {
-    return law.kind != FrictionKind::constant && law.at_speed != law.at_rest &&
-           (law.kind != FrictionKind::exponential || law.decay != 0);
+    return kind != FrictionKind::constant && at_speed != at_rest &&
+           (kind != FrictionKind::exponential || decay != 0);
   }
 
 
   double
-  steepest_fall(const FrictionLaw &law)
+  FrictionLaw::steepest_fall() const
   {
-    const double drop = std::max(0., law.at_rest - law.at_speed);
-    switch (law.kind)
+    const double drop = std::max(0., at_rest - at_speed);
+    switch (kind)
       {
         case FrictionKind::exponential:
-          return drop * law.decay;
+          return drop * decay;
         case FrictionKind::rational:
-          return drop / law.half_velocity;
+          return drop / half_velocity;
         default:
           return 0;
       }
@@ -46,8 +46,8 @@ namespace wheelrail
 
 
   bool
-  frictionless(const FrictionLaw &law)
+  FrictionLaw::frictionless() const
   {
-    return law.at_rest == 0 && (law.kind == FrictionKind::constant || law.at_speed == 0);
+    return at_rest == 0 && (kind == FrictionKind::constant || at_speed == 0);
   }
 } // namespace wheelrail

@@ -10,13 +10,12 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
 
     // Difference of two directions in (-pi, pi].
     double
     turn(const double from, const double to)
     {
-      return std::remainder(to - from, 2 * pi);
+      return std::remainder(to - from, 2 * M_PI);
     }
 
     double
@@ -64,7 +63,7 @@ namespace wheelrail
         double b = t0 + (t1 - t0) * i / n, fb = turn(angle, direction(tangent(b)));
         if (fa == 0)
           return a;
-        if (fa * fb <= 0 && std::abs(fa - fb) < pi)
+        if (fa * fb <= 0 && std::abs(fa - fb) < M_PI)
           {
             for (unsigned int step = 0; step < 60; ++step)
               {
@@ -77,7 +76,7 @@ namespace wheelrail
         fa = fb;
       }
     throw InputError("The profile has no " + std::string(what) + ": its tangent nowhere has the angle of " +
-                     format_number(std::round(angle * 1800 / pi) / 10) +
+                     format_number(std::round(angle * 1800 / M_PI) / 10) +
                      " degrees that marks this place. A section needs the complete outline of a rail, or a "
                      "tread from the field side over the flange to its back, without steps.");
   }

@@ -11,7 +11,7 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = M_PI / 180;
 
     // Places on one half of the outline, as parameters of it. The angles of the tangent that mark
     // them are chosen in the middle of each rounding, so that blocks meet the profile there with

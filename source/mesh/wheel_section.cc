@@ -13,7 +13,7 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = M_PI / 180;
 
     // Everything the parts of the section share. In the frame of the builder, left is the field side.
     struct Wheel : WheelSectionOutline

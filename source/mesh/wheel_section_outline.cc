@@ -11,7 +11,7 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = M_PI / 180;
 
     Segment
     line(const char *name, const Point2 &start, const Point2 &end)

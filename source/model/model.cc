@@ -33,13 +33,10 @@ namespace wheelrail
       const auto body = [](const ElementBlocks &blocks) {
         return ContactBody{blocks.elasticity(), blocks.form};
       };
-      return make_contact_law({body(solid.blocks.rail), body(solid.blocks.wheel)},
-                              {scene.penalty_scale,
-                               scene.cell_size,
-                               scene.contact_damping,
-                               friction_law(scene),
-                               scene.surface_filter},
-                              solid.stable.step);
+      return make_contact_law(
+        {body(solid.blocks.rail), body(solid.blocks.wheel)},
+        {scene.penalty_scale, scene.cell_size, scene.contact_damping, scene.friction, scene.surface_filter},
+        solid.stable.step);
     }
 
     /// Between the running surfaces of the plan, with a window that holds the longest patch and two cells on

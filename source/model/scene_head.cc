@@ -67,10 +67,10 @@ namespace wheelrail
     std::string
     friction(const Scene &scene)
     {
-      const std::string at_rest = "friction " + shown(scene.friction_coefficient);
-      if (scene.friction_law == FrictionKind::constant)
+      const std::string at_rest = "friction " + shown(scene.friction.at_rest);
+      if (scene.friction.kind == FrictionKind::constant)
         return at_rest;
-      return at_rest + " at rest, " + shown(scene.dynamic_friction_coefficient) + " at high sliding speed";
+      return at_rest + " at rest, " + shown(scene.friction.at_speed) + " at high sliding speed";
     }
 
     std::string

@@ -188,8 +188,8 @@ namespace wheelrail
       arc.centre      = end + arc.radius * Point2{t.y, -t.x};
       arc.angle_start = std::atan2(-(arc.centre.y - end.y), -(arc.centre.x - end.x));
       if (arc.angle_start < 0)
-        arc.angle_start += 2 * std::acos(-1.);
-      arc.angle_end = std::acos(-1.);
+        arc.angle_start += 2 * M_PI;
+      arc.angle_end = M_PI;
       arc.start     = end;
       arc.end       = arc.centre + Point2{-arc.radius, 0};
       pieces.push_back(arc);

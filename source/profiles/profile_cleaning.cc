@@ -206,7 +206,7 @@ namespace wheelrail
     bool
     is_straight_face(const Points &points, const std::size_t i)
     {
-      const double degree = std::acos(-1.) / 180;
+      const double degree = M_PI / 180;
       const Point2 d      = points[i].position - points[i - 1].position;
       const double most   = std::abs(d.y) > std::abs(d.x) ? 3 * degree : 0.5 * degree;
       const auto   agrees = [&](const std::optional<Point2> &other) {

@@ -261,7 +261,7 @@ namespace wheelrail
   std::vector<std::size_t>
   find_kinks(const std::vector<Point2> &points, const double noise)
   {
-    const double degree = std::acos(-1.) / 180;
+    const double degree = M_PI / 180;
     const auto   n      = static_cast<std::ptrdiff_t>(points.size());
 
     // turn between the chords of at least `length` to both sides; nothing beyond the ends

@@ -54,7 +54,7 @@ namespace wheelrail
   std::string
   contact_input(const HalfspaceProblem &problem, const std::string &title)
   {
-    if (depends_on_speed(problem.friction))
+    if (problem.friction.depends_on_speed())
       throw InputError("--contact-input writes constant friction only: set Contact/Friction law = constant");
     const HalfspaceGrid &grid     = problem.grid;
     const bool           has_slip = !problem.rigid_slip_x.empty();

@@ -30,7 +30,7 @@ namespace wheelrail
     HalfspaceProblem problem;
     problem.body1              = halfspace_body(scene.rail_material);
     problem.body2              = halfspace_body(scene.wheel_material);
-    problem.friction           = friction_law(scene);
+    problem.friction           = scene.friction;
     problem.velocity           = scene.velocity;
     problem.memory_length      = scene.halfspace_memory_length;
     problem.memory_least_speed = scene.halfspace_memory_speed;

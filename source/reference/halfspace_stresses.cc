@@ -87,11 +87,11 @@ namespace wheelrail
         {
           const std::size_t element =
             row.along ? k + std::size_t(grid.mx) * row.fixed : row.fixed + grid.mx * k;
-          const std::array<double, 6> stress = in_track_axes(layer[element], angle);
-          const std::size_t           place  = k * slice.depth.size() + layer_number;
-          slice.values[0][place]             = von_mises(stress.data());
+          const std::array<double, 6> stress   = in_track_axes(layer[element], angle);
+          const std::size_t           place    = k * slice.depth.size() + layer_number;
+          slice.values[slice_von_mises][place] = von_mises(stress.data());
           for (std::size_t c = 0; c < stress.size(); ++c)
-            slice.values[c + 1][place] = stress[c];
+            slice.values[slice_stress_xx + c][place] = stress[c];
         }
     }
 

@@ -80,9 +80,9 @@ namespace wheelrail
       summary.max_shear_traction        = result.measures.max_traction;
       summary.stick_fraction            = result.measures.stick_fraction;
       // a wheel that spins up has no steady creepage, and without friction there is none to find
-      const bool determined = !frictionless(result.problem.friction) && (s.within_friction || s.xi < 0);
+      const bool determined = !result.problem.friction.frictionless() && (s.within_friction || s.xi < 0);
       summary.creepage      = determined ? s.xi : Summary::none;
-      summary.friction_coefficient = scene.friction_coefficient;
+      summary.friction_coefficient = scene.friction.at_rest;
       summary.velocity             = scene.velocity;
       summary.elements             = s.contact_elements;
       summary.wall_time            = result.time;
@@ -95,7 +95,7 @@ namespace wheelrail
                                       {"grid_elements_lateral", double(s.grid.my)}};
       add_reference(scene, result, determined, summary);
       // a wheel that spins up slides as fast as it likes
-      const bool   at_rest = frictionless(result.problem.friction);
+      const bool   at_rest = result.problem.friction.frictionless();
       const double t_gamma = determined || at_rest ? s.creepage_work : Summary::none;
       set_figure(summary, "t_gamma_N", t_gamma);
       set_figure(summary, "frictional_power_W", t_gamma * scene.velocity);
@@ -103,9 +103,8 @@ namespace wheelrail
       summary.stop_reason = s.not_reached;
       if (!s.within_friction)
         summary.note = sliding_note(-s.fx);
-      if (scene.drive == Drive::torque && scene.friction_coefficient > 0)
-        set_figure(
-          summary, "traction_over_friction", scene.traction_coefficient / scene.friction_coefficient);
+      if (scene.drive == Drive::torque && scene.friction.at_rest > 0)
+        set_figure(summary, "traction_over_friction", scene.traction_coefficient / scene.friction.at_rest);
       if (s.touches_grid_edge)
         summary.stop_reason += "The contact reaches the edge of the profiles or of the grid.";
       return summary;

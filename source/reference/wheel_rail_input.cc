@@ -24,7 +24,7 @@ namespace wheelrail
       const auto refuse = [](const std::string &text) {
         throw InputError("--contact-wheel-rail-input writes " + text);
       };
-      if (scene.friction_law != FrictionKind::constant)
+      if (scene.friction.kind != FrictionKind::constant)
         refuse("constant friction only: set Contact/Friction law = constant");
       if (scene.roll != RollMode::none)
         refuse("wheelsets without roll only: set Wheelset/Roll = none");
@@ -91,7 +91,7 @@ namespace wheelrail
     text += std::string(" 12031") + (rate_held ? "0" : "1") + "0   C-P-B-T-N-F-S\n";
     text += " 0022033   V-L-D-C-M-Z-E\n 0001221   H-G-I-A-O-W-R\n";
     text += row({999, 200, 50, 1, 1e-5}, "MAXGS, MAXIN, MAXNR, MAXOUT, EPS");
-    text += row({scene.friction_coefficient, scene.friction_coefficient}, "FSTAT, FKIN");
+    text += row({scene.friction.at_rest, scene.friction.at_rest}, "FSTAT, FKIN");
     text += row({scene.rail_material.poissons_ratio,
                  scene.wheel_material.poissons_ratio,
                  shear_modulus(scene.rail_material),

@@ -74,16 +74,15 @@ namespace wheelrail
     add_drive(Summary &summary, const Scene &scene, const double radius)
     {
       const double force = summary.longitudinal_force;
-      if (scene.friction_coefficient > 0)
+      if (scene.friction.at_rest > 0)
         set_figure(
-          summary, "traction_over_friction", force / (scene.friction_coefficient * summary.normal_force));
+          summary, "traction_over_friction", force / (scene.friction.at_rest * summary.normal_force));
       if (scene.drive != Drive::torque)
         return;
       // a wheel that is hardly driven is judged by half of what friction carries: a force that is lost there
       // changes creepage and T-gamma as little as it does in a driven wheel
-      const double asked = get_figure(summary, "drive_torque_Nm") / radius;
-      const double carried =
-        std::max(0.05, 0.5 * scene.friction_coefficient) * std::abs(summary.normal_force);
+      const double asked   = get_figure(summary, "drive_torque_Nm") / radius;
+      const double carried = std::max(0.05, 0.5 * scene.friction.at_rest) * std::abs(summary.normal_force);
       set_figure(summary, "torque_miss", (force - asked) / std::max(std::abs(asked), carried));
       if (scene.traction_coefficient != 0 && summary.stick_fraction < 1e-3)
         summary.note = sliding_note(scene.traction_coefficient);
@@ -184,18 +183,17 @@ namespace wheelrail
       {
         if (slice.name != "BB_behind_rail")
           continue;
-        // von Mises, xx, yy, zz, yz, xz, xy, accumulated plastic strain
-        const auto largest = [&](const std::size_t field) {
+        const auto largest = [&](const SliceField field) {
           double most = 0;
           for (const double value : slice.values[field])
             if (std::abs(value) > std::abs(most))
               most = value;
           return most;
         };
-        set_figure(summary, "residual_lateral_stress_Pa", largest(1));
-        set_figure(summary, "residual_longitudinal_stress_Pa", largest(3));
-        if (slice.values.size() > 7)
-          set_figure(summary, "rail_plastic_strain", largest(7));
+        set_figure(summary, "residual_lateral_stress_Pa", largest(slice_stress_xx));
+        set_figure(summary, "residual_longitudinal_stress_Pa", largest(slice_stress_zz));
+        if (slice.values.size() > slice_plastic_strain)
+          set_figure(summary, "rail_plastic_strain", largest(slice_plastic_strain));
       }
   }
 
@@ -207,7 +205,7 @@ namespace wheelrail
     Summary      summary;
     summary.title = run.scene.title;
     run.recorder.fill(summary, run.recorder.averaging_stretch(run.scene));
-    summary.friction_coefficient = run.scene.friction_coefficient;
+    summary.friction_coefficient = run.scene.friction.at_rest;
     summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
     const PlasticFigures plastic = plastic_figures(model.solid, model.contact->surfaces(), run.communicator);
     set_figure(summary, "max_von_mises_nodal_Pa", largest_von_mises(stress, run.communicator));

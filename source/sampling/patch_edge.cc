@@ -9,7 +9,6 @@ namespace wheelrail
   namespace
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr double pi  = 3.14159265358979323846;
 
     struct Point
     {
@@ -189,8 +188,8 @@ namespace wheelrail
     }
 
     /// Area between the chords and the curved edge. A chord of length L that turns by phi cuts off
-    /// L^2 phi / 12 (circle segment, small angles), and a closed line turns by 2 pi in all; with the mean of
-    /// L^2 over the line that needs no curvature of single, noisy points.
+    /// L^2 phi / 12 (circle segment, small angles), and a closed line turns by 2 pi in all; with the mean
+    /// of L^2 over the line that needs no curvature of single, noisy points.
     double
     segments_area(const PatchEdge &edge)
     {
@@ -201,7 +200,7 @@ namespace wheelrail
           sum1 += length;
           sum3 += length * length * length;
         }
-      return sum1 > 0 ? pi / 6 * int(edge.n_patches) * sum3 / sum1 : 0;
+      return sum1 > 0 ? M_PI / 6 * int(edge.n_patches) * sum3 / sum1 : 0;
     }
 
     /// Largest value of the parabola through the largest of `values` and its neighbours (equal distances);

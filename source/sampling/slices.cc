@@ -118,9 +118,9 @@ namespace wheelrail
       slice.values.resize(7);
       for (const auto &stress : probe_stress(probes, model.solid.mesh, nodal))
         {
-          slice.values[0].push_back(von_mises(stress.data()));
+          slice.values[slice_von_mises].push_back(von_mises(stress.data()));
           for (int k = 0; k < 6; ++k)
-            slice.values[k + 1].push_back(stress[k]);
+            slice.values[slice_stress_xx + k].push_back(stress[k]);
         }
       if (model.solid.blocks[body].plastic())
         slice.values.push_back(probe_cells(probes, plastic_strain_of_cells(model.solid, body)));

@@ -247,15 +247,4 @@ namespace wheelrail
           std::any_of(begin, begin + size, [](const double value) { return value != 0; }) ? 1 : 0;
       }
   }
-
-
-  void
-  forget_flow(ElementBlocks &blocks)
-  {
-    if (!blocks.plastic())
-      return;
-    std::fill(blocks.history.begin(), blocks.history.end(), 0.);
-    std::fill(blocks.plastic_work.begin(), blocks.plastic_work.end(), 0.);
-    std::fill(blocks.flowed.begin(), blocks.flowed.end(), 0);
-  }
 } // namespace wheelrail

@@ -27,38 +27,47 @@ namespace wheelrail
     /// the origin.
     struct Moments
     {
-      std::array<double, 16> sums{};
+      enum
+      {
+        mass     = 0,
+        first    = 1, ///< three
+        second   = 4, ///< xx, xy, xz, yy, yz, zz
+        linear   = 10,
+        rotation = 13,
+        count    = 16
+      };
+      std::array<double, count> sums{};
 
       void
       add(const double m, const Vector3 &x, const Vector3 &v)
       {
         const Vector3 l = cross(x, v);
-        sums[0] += m;
-        int k = 1;
+        sums[mass] += m;
+        int k = second;
         for (int i = 0; i < 3; ++i)
           {
-            sums[1 + i] += m * x[i];
-            sums[10 + i] += m * v[i];
-            sums[13 + i] += m * l[i];
+            sums[first + i] += m * x[i];
+            sums[linear + i] += m * v[i];
+            sums[rotation + i] += m * l[i];
             for (int j = i; j < 3; ++j)
-              sums[3 + k++] += m * x[i] * x[j];
+              sums[k++] += m * x[i] * x[j];
           }
       }
 
       Vector3
-      three(const int first) const
+      three(const int at) const
       {
-        return {sums[first], sums[first + 1], sums[first + 2]};
+        return {sums[at], sums[at + 1], sums[at + 2]};
       }
       Vector3
       momentum() const
       {
-        return three(10);
+        return three(linear);
       }
       Vector3
       angular() const
       {
-        return three(13);
+        return three(rotation);
       }
 
       /// The field of this mass that has a linear and an angular momentum (about the origin).
@@ -66,10 +75,10 @@ namespace wheelrail
       field(const Vector3 &momentum, const Vector3 &angular) const
       {
         RigidField field;
-        if (!(sums[0] > 0))
+        if (!(sums[mass] > 0))
           return field;
-        const double M  = sums[0];
-        field.centre    = (1 / M) * three(1);
+        const double M  = sums[mass];
+        field.centre    = (1 / M) * three(first);
         field.velocity  = (1 / M) * momentum;
         const Vector3 l = angular - cross(field.centre, momentum);
         // second moments about the centre: xx, xy, xz, yy, yz, zz
@@ -77,7 +86,7 @@ namespace wheelrail
         int                   k = 0;
         for (int i = 0; i < 3; ++i)
           for (int j = i; j < 3; ++j, ++k)
-            s[k] = sums[4 + k] - M * field.centre[i] * field.centre[j];
+            s[k] = sums[second + k] - M * field.centre[i] * field.centre[j];
         const double size    = s[0] + s[3] + s[5];
         const double I[3][3] = {
           {s[3] + s[5], -s[1], -s[2]}, {-s[1], s[0] + s[5], -s[4]}, {-s[2], -s[4], s[0] + s[3]}};

@@ -287,7 +287,7 @@ namespace wheelrail
     StartTractions result;
     if (start.empty(contact))
       result = without_tractions(contact, 0);
-    else if (depends_on_speed(friction) && friction.at_speed < friction.at_rest)
+    else if (friction.steepest_fall() > 0)
       result = nodal_tractions(
         contact,
         start,

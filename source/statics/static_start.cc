@@ -138,7 +138,7 @@ namespace wheelrail
   {
     report("static start: assembling the stiffness");
     StaticSearch  search(forest, solid, contact, loads);
-    const bool    without_friction = frictionless(contact.law().friction);
+    const bool    without_friction = contact.law().friction.frictionless();
     StaticResult  result;
     StaticBalance balance;
     result.wheel_load = search.wheel_load();

@@ -67,8 +67,7 @@ namespace wheelrail
     if (std::isfinite(m.unsteadiness))
       add("the forces vary by " + text("%.2f", 100 * m.unsteadiness) + " % of the load");
     if (std::isfinite(m.turn))
-      add("the surfaces turn by " + text("%.0f", m.turn * 180 / std::acos(-1.)) +
-          " degrees across the patch");
+      add("the surfaces turn by " + text("%.0f", m.turn * 180 / M_PI) + " degrees across the patch");
     return sentence + facts + "." + parts(m, verdict);
   }
 

@@ -175,8 +175,7 @@ namespace wheelrail
       if (m.plastic_strain > least_plastic)
         limit("steel has flowed (plastic strain up to " + text("%.2g", 1e3 * m.plastic_strain) + "e-3)");
       if (m.turn >= most_turn)
-        limit("the surfaces turn by " + text("%.0f", m.turn * 180 / std::acos(-1.)) +
-              " degrees across the patch");
+        limit("the surfaces turn by " + text("%.0f", m.turn * 180 / M_PI) + " degrees across the patch");
       if (m.patches > 1)
         limit("the run has " + text("%.0f", m.patches) + " patches");
     }

@@ -87,7 +87,14 @@ namespace wheelrail
   Axle::Reaction
   Axle::reaction_of(const Solid &solid) const
   {
-    double       sums[7] = {0, 0, 0, 0, 0, 0, 0};
+    enum
+    {
+      force_sum  = 0,
+      about_axis = 3,
+      moment_sum = 4,
+      n_sums     = 7
+    };
+    double       sums[n_sums] = {};
     const Motion place(*this);
     const auto   axis = this->axis(), now = centre();
     for (std::size_t b = 0; b < bore_.size(); ++b)
@@ -98,13 +105,20 @@ namespace wheelrail
           const Vector3 moment = cross(place(data_.centre + arm_[b]) - now, force);
           for (int i = 0; i < 3; ++i)
             {
-              sums[i] += force[i];
-              sums[4 + i] += moment[i];
+              sums[force_sum + i] += force[i];
+              sums[moment_sum + i] += moment[i];
             }
-          sums[3] += dot(moment, axis);
+          sums[about_axis] += dot(moment, axis);
         }
     ordered_sum(sums, communicator_);
-    return {{sums[0], sums[1], sums[2]}, {sums[4], sums[5], sums[6]}, sums[3]};
+    Reaction reaction;
+    for (int i = 0; i < 3; ++i)
+      {
+        reaction.force[i]  = sums[force_sum + i];
+        reaction.moment[i] = sums[moment_sum + i];
+      }
+    reaction.about_axis = sums[about_axis];
+    return reaction;
   }
 
 

@@ -10,7 +10,7 @@ namespace wheelrail
     rational     ///< mu = mu_d + (mu_s - mu_d) / (1 + v / v_h), as in Kalker's program CONTACT
   };
 
-  /// Constants of the friction law.
+  /// A friction law with its constants.
   struct FrictionLaw
   {
     double       at_rest       = 0; ///< mu_s; the only one of a constant law
@@ -18,21 +18,21 @@ namespace wheelrail
     double       at_speed      = 0; ///< mu_d, far beyond the decay; may exceed mu_s
     double       decay         = 0; ///< c of the exponential law [s/m]
     double       half_velocity = 1; ///< v_h, at which half of mu_s - mu_d is gone (rational law) [m/s]
+
+    /// Friction coefficient at the slip velocity `speed` >= 0 [m/s].
+    double
+    at(double speed) const;
+
+    /// The coefficient changes with the slip velocity.
+    bool
+    depends_on_speed() const;
+
+    /// Steepest fall of the coefficient with speed, at rest [s/m]; 0 where it is constant or rises.
+    double
+    steepest_fall() const;
+
+    /// No speed has a coefficient above 0.
+    bool
+    frictionless() const;
   };
-
-  /// Friction coefficient at the slip velocity `speed` >= 0 [m/s].
-  double
-  friction_coefficient(const FrictionLaw &law, double speed);
-
-  /// The coefficient changes with the slip velocity.
-  bool
-  depends_on_speed(const FrictionLaw &law);
-
-  /// Steepest fall of the coefficient with speed, at rest [s/m]; 0 where it is constant or rises.
-  double
-  steepest_fall(const FrictionLaw &law);
-
-  /// No speed has a coefficient above 0.
-  bool
-  frictionless(const FrictionLaw &law);
 } // namespace wheelrail

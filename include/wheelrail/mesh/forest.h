@@ -56,17 +56,6 @@ namespace wheelrail
     {
       return dofs_;
     }
-    /// Hanging-node constraints of the three displacement components; dof = 3 node + component.
-    const dealii::AffineConstraints<double> &
-    constraints() const
-    {
-      return constraints_;
-    }
-    const dealii::IndexSet &
-    relevant_dofs() const
-    {
-      return relevant_;
-    }
     MPI_Comm
     communicator() const
     {

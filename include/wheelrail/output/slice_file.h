@@ -2,11 +2,25 @@
 
 #include <wheelrail/output/tick_file.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace wheelrail
 {
+  /// Places of the fields in Slice::values.
+  enum SliceField : std::size_t
+  {
+    slice_von_mises,
+    slice_stress_xx,
+    slice_stress_yy,
+    slice_stress_zz,
+    slice_stress_yz,
+    slice_stress_xz,
+    slice_stress_xy,
+    slice_plastic_strain ///< only in a body that may flow
+  };
+
   /// A plane cut through one body below the contact: points at `position` x `depth`, index
   /// i depth.size() + j.
   ///
@@ -21,7 +35,7 @@ namespace wheelrail
     std::vector<double> position;         ///< [m]
     std::vector<double> depth;            ///< [m]
     /// Von Mises stress, xx, yy, zz, yz, xz, xy of the stress [Pa], and the accumulated plastic strain [1] of
-    /// a body that may flow; NaN outside of the body.
+    /// a body that may flow, see SliceField; NaN outside of the body.
     std::vector<std::vector<double>> values;
     /// du_Z over the way along the outward normal of the contact frame, in slices of an unloaded body that
     /// were asked for it: the plastic shear that goes forward at the surface [1].

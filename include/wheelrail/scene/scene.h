@@ -136,14 +136,10 @@ namespace wheelrail
       std::numeric_limits<double>::infinity(); ///< place there [m]; infinite: its first row
 
     // Contact
-    double       friction_coefficient         = 0.5; ///< at rest
-    FrictionKind friction_law                 = FrictionKind::constant;
-    double       dynamic_friction_coefficient = 0.4;  ///< at high sliding speed
-    double       friction_decay               = 0.05; ///< exponential law [s/m]
-    double       friction_half_velocity       = 15;   ///< rational law [m/s]
-    double       penalty_scale                = 10;   ///< effective scale f: eps = f K / h
-    double       contact_damping              = 0.3;  ///< fraction of critical
-    bool         surface_filter               = true; ///< corrects the surface response of the mesh
+    FrictionLaw friction        = {0.5, FrictionKind::constant, 0.4, 0.05, 15}; ///< between wheel and rail
+    double      penalty_scale   = 10;   ///< effective scale f: eps = f K / h
+    double      contact_damping = 0.3;  ///< fraction of critical
+    bool        surface_filter  = true; ///< corrects the surface response of the mesh
 
     MaterialData rail_material, wheel_material;
 
@@ -256,16 +252,5 @@ namespace wheelrail
   lateral_creepage(const Scene &scene)
   {
     return scene.left_wheel ? -scene.lateral_creepage : scene.lateral_creepage;
-  }
-
-  /// The friction law of a scene.
-  inline FrictionLaw
-  friction_law(const Scene &scene)
-  {
-    return {scene.friction_coefficient,
-            scene.friction_law,
-            scene.dynamic_friction_coefficient,
-            scene.friction_decay,
-            scene.friction_half_velocity};
   }
 } // namespace wheelrail

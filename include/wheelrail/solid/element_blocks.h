@@ -137,10 +137,6 @@ namespace wheelrail
   void
   set_law(ElementBlocks &blocks, const MaterialLaw &law);
 
-  /// Sets what plastic flow has left behind to zeros; nothing happens when the elements are elastic.
-  void
-  forget_flow(ElementBlocks &blocks);
-
   /// 24 x 24 stiffness of the element at rest [N/m], row-major, row = 3 node + component: the exact
   /// linearisation of the kernel, used by the static start.
   std::array<double, 24 * 24>

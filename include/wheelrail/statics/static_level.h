@@ -70,11 +70,6 @@ namespace wheelrail
     {
       return springs_;
     }
-    double
-    largest_eigenvalue() const
-    {
-      return largest_;
-    }
     unsigned long products = 0; ///< so far
 
   private:
