@@ -155,7 +155,7 @@ CAUSES = {
 
 def causes_of(screen):
     """Which causes the verdict of a run names, or its warning that half-spaces are no reference."""
-    end = "\n".join(line for line in screen.splitlines() if re.match("warning: the peak pressure is| *verdict: ", line))
+    end = "\n".join(line for line in screen.splitlines() if re.match("warning: the peak pressure is| *verdict: |    - ", line))
     return [name for name, words in CAUSES.items() if re.search(words, end, re.IGNORECASE)]
 
 

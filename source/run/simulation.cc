@@ -1,10 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
-#include <wheelrail/base/print.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
+#include <wheelrail/run/end_screen.h>
 #include <wheelrail/run/moving_mesh.h>
 #include <wheelrail/run/passages.h>
 #include <wheelrail/run/run_end.h>
@@ -21,7 +21,6 @@
 #include <cmath>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include <unistd.h>
@@ -354,12 +353,9 @@ namespace wheelrail
       if (summary.finished)
         for (const std::string &warning : judge(scene_, geometry_, summary))
           log_.warning(warning);
-      on_root(communicator_, [&]() {
-        write_summary(summary, scene_.folder + "/summary.json");
-        std::ostringstream table;
-        print_summary(summary, table);
-        print(STDOUT_FILENO, table.str());
-      });
+      on_root(communicator_, [&]() { write_summary(summary, scene_.folder + "/summary.json"); });
+      for (const std::string &line : end_screen(summary, scene_.folder))
+        log_.line(line);
     }
 
 

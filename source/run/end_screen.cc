@@ -1,0 +1,167 @@
+#include <wheelrail/base/hints.h>
+#include <wheelrail/output/figures.h>
+#include <wheelrail/run/end_screen.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Lines = std::vector<std::string>;
+
+    /// Sentences of a text, one by one.
+    Lines
+    sentences_of(const std::string &text)
+    {
+      Lines sentences;
+      for (std::size_t begin = 0; begin < text.size();)
+        {
+          std::size_t end = text.find(". ", begin);
+          end             = end == std::string::npos ? text.size() : end + 1;
+          sentences.push_back(text.substr(begin, end - begin));
+          begin = end + 1;
+        }
+      return sentences;
+    }
+
+    std::string
+    padded(const std::string &text, const std::size_t width)
+    {
+      return text + std::string(text.size() < width ? width - text.size() : 0, ' ');
+    }
+
+    /// Figures of one group: its name stands before the first.
+    class Group
+    {
+    public:
+      Group(const char *name, const Summary &summary, Lines &lines)
+        : name_(name)
+        , summary_(summary)
+        , lines_(lines)
+      {
+      }
+
+      /// A figure under its own label or another one; nothing where there is none.
+      void
+      figure(const char *name, const std::string &label = "")
+      {
+        const Figure &figure = figure_named(name);
+        const double  value  = get_figure(summary_, figure.key());
+        if (std::isfinite(value))
+          line(label.empty() ? figure.label : label, figure.shown(value), figure.unit);
+      }
+
+      void
+      line(const std::string &label, const std::string &value, const std::string &unit)
+      {
+        const std::string right = std::string(value.size() < 12 ? 12 - value.size() : 0, ' ') + value;
+        lines_.push_back("  " + padded(name_, 10) + padded(label, 32) + right +
+                         (unit.empty() ? "" : " " + unit));
+        name_.clear();
+      }
+
+    private:
+      std::string    name_; ///< until it has been said
+      const Summary &summary_;
+      Lines         &lines_;
+    };
+
+    void
+    add_verdict(const Summary &summary, Lines &lines)
+    {
+      constexpr std::size_t most = 3;
+      lines.push_back("  verdict: " + verdict_of(summary));
+      if (!summary.finished)
+        {
+          lines.push_back("    - It did not finish: " +
+                          (summary.stop_reason.empty() ? "no reason is known" : summary.stop_reason) +
+                          "; this is what it has.");
+          return;
+        }
+      const Lines reasons = sentences_of(summary.doubts);
+      for (std::size_t k = 0; k < std::min(most, reasons.size()); ++k)
+        lines.push_back("    - " + reasons[k]);
+      if (reasons.size() > most)
+        lines.push_back("    - " + std::to_string(reasons.size() - most) + " more in summary.json.");
+    }
+
+    void
+    add_forces(const Summary &summary, Lines &lines)
+    {
+      Group forces("forces", summary, lines);
+      forces.figure("wheel_load");
+      forces.figure("vertical_force", "vertical force Q");
+      forces.figure("lateral_force", "lateral force Y");
+      if (summary.vertical_force > 0)
+        {
+          char ratio[40];
+          std::snprintf(ratio, sizeof(ratio), "%.4f", summary.lateral_force / summary.vertical_force);
+          forces.line("Y/Q", ratio, "");
+        }
+      forces.figure("longitudinal_force");
+    }
+
+    void
+    add_contact(const Summary &summary, Lines &lines)
+    {
+      Group contact("contact", summary, lines);
+      contact.figure("max_pressure");
+      const double patches = get_figure(summary, figure_named("patches").key());
+      contact.figure("contact_area",
+                     patches > 1 ? "contact area, " + std::to_string(std::lround(patches)) + " patches" : "");
+      if (std::isfinite(summary.patch_lateral))
+        contact.line("patch, across x along the rail",
+                     figure_named("patch_lateral").shown(summary.patch_lateral) + " x " +
+                       figure_named("patch_longitudinal").shown(summary.patch_longitudinal),
+                     "mm");
+      contact.figure("creepage");
+      contact.figure("stick_fraction");
+      contact.figure("t_gamma", "T-gamma (wear number)");
+      Group stresses("stresses", summary, lines);
+      stresses.figure("max_shear_traction");
+      stresses.figure("max_von_mises");
+      if (summary.max_plastic_strain > 0)
+        {
+          stresses.figure("max_plastic_strain");
+          stresses.figure("max_residual_von_mises");
+        }
+    }
+
+    void
+    add_cost(const Summary &summary, Lines &lines)
+    {
+      const auto shown = [&](const char *name) {
+        const Figure &figure = figure_named(name);
+        return figure.shown(get_figure(summary, figure.key())) + (*figure.unit ? " " : "") + figure.unit;
+      };
+      lines.push_back("  cost      " + shown("rolled_distance") + " rolled in " + shown("wall_time") +
+                      " on " + shown("ranks") + (summary.ranks == 1 ? " process" : " processes") +
+                      ", energy error " + shown("energy_error") + ", " + shown("elements") + " elements, " +
+                      shown("time_steps") + " steps, " + shown("peak_memory") + " of memory");
+    }
+  } // namespace
+
+
+  std::vector<std::string>
+  end_screen(const Summary &summary, const std::string &folder)
+  {
+    Lines lines;
+    if (!summary.title.empty())
+      lines.push_back(summary.title);
+    add_verdict(summary, lines);
+    add_forces(summary, lines);
+    add_contact(summary, lines);
+    add_cost(summary, lines);
+    if (!summary.note.empty())
+      lines.push_back("  " + summary.note);
+    const std::string where = shell_word(folder);
+    lines.push_back(
+      "  next: " +
+      (summary.finished ? own_call() + " compare " + where + " (against half-spaces), " : std::string()) +
+      own_call() + " report " + where + " (pictures and a page)");
+    return lines;
+  }
+} // namespace wheelrail

@@ -1,0 +1,97 @@
+// What a run says at its end: the verdict first, figures in groups, at most 25 lines.
+
+#include <wheelrail/run/end_screen.h>
+
+#include "check.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_text;
+
+namespace
+{
+  Summary
+  finished_run()
+  {
+    Summary s;
+    s.title                  = "a run";
+    s.finished               = true;
+    s.verdict                = "with care";
+    s.vertical_force         = 100e3;
+    s.lateral_force          = -2e3;
+    s.longitudinal_force     = 25e3;
+    s.max_pressure           = 1234.5e6;
+    s.contact_area           = 176.6e-6;
+    s.patch_lateral          = 0.02;
+    s.patch_longitudinal     = 0.012;
+    s.creepage               = 2e-3;
+    s.stick_fraction         = 0.7;
+    s.max_shear_traction     = 500e6;
+    s.max_von_mises          = 480e6;
+    s.max_plastic_strain     = 1e-3;
+    s.max_residual_von_mises = 90e6;
+    s.rolled_distance        = 0.06;
+    s.energy_error           = 1e-4;
+    s.elements               = 64789;
+    s.time_steps             = 12000;
+    s.wall_time              = 19.25;
+    s.ranks                  = 2;
+    s.peak_memory            = 5e8;
+    set_figure(s, "wheel_load_N", 101e3);
+    set_figure(s, "t_gamma_N", 44.9);
+    set_figure(s, "patches", 2);
+    set_figure(s, "normal_force_std_N", 321);
+    return s;
+  }
+
+  std::size_t
+  place_of(const std::vector<std::string> &lines, const std::string &part)
+  {
+    return std::find_if(lines.begin(),
+                        lines.end(),
+                        [&](const std::string &line) { return line.find(part) != std::string::npos; }) -
+           lines.begin();
+  }
+} // namespace
+
+int
+main()
+{
+  Summary run = finished_run();
+  for (int k = 0; k < 9; ++k)
+    run.doubts +=
+      (k > 0 ? " " : "") + std::string("Reason ") + std::to_string(k) + " is off by 3.2 %; do this.";
+  run.note                             = "a note";
+  const std::vector<std::string> lines = end_screen(run, "out put");
+  check(lines.size() <= 25 && lines.size() > 15, std::to_string(lines.size()) + " lines");
+  check_text(lines[1], "  verdict: with care", "the verdict comes first");
+  check_text(lines[2], "    - Reason 0 is off by 3.2 %; do this.", "its reasons follow, one a line");
+  check_text(lines[5], "    - 6 more in summary.json.", "of many reasons the first");
+  check_text(lines[place_of(lines, "Y/Q")],
+             "            Y/Q                                  -0.0200",
+             "lateral over vertical force");
+  const std::vector<std::string> order = {
+    "verdict", "vertical force Q", "peak pressure", "von Mises", "energy error", "next: "};
+  for (std::size_t k = 1; k < order.size(); ++k)
+    check(place_of(lines, order[k - 1]) < place_of(lines, order[k]) &&
+            place_of(lines, order[k]) < lines.size(),
+          order[k] + " after " + order[k - 1]);
+  check(place_of(lines, "_std_") == lines.size() && place_of(lines, "nan") == lines.size(),
+        "no raw keys, no missing figures");
+  check_text(lines.back(),
+             "  next: ./wheelrail compare \'out put\' (against half-spaces), ./wheelrail report \'out put\' "
+             "(pictures and a page)",
+             "what to do next");
+
+  Summary stopped;
+  stopped.stop_reason                 = "interrupted";
+  const std::vector<std::string> part = end_screen(stopped, "out");
+  check_text(part[0], "  verdict: not trusted", "a run that did not finish is not trusted");
+  check_text(part[1], "    - It did not finish: interrupted; this is what it has.", "and says what it has");
+  check_text(part.back(), "  next: ./wheelrail report out (pictures and a page)", "it cannot be compared");
+  return test::report();
+}
