@@ -2,6 +2,7 @@
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/hints.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/profile_copies.h>
@@ -55,14 +56,6 @@ namespace wheelrail
     is_given(const std::string &name)
     {
       return name == "vertical_force" || name == "longitudinal_force";
-    }
-
-    std::string
-    text(const char *format, const double value)
-    {
-      char buffer[64];
-      std::snprintf(buffer, sizeof(buffer), format, value);
-      return buffer;
     }
 
     nlohmann::ordered_json

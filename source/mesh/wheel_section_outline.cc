@@ -14,16 +14,6 @@ namespace wheelrail
     constexpr double degree = M_PI / 180;
 
     Segment
-    line(const char *name, const Point2 &start, const Point2 &end)
-    {
-      Segment segment;
-      segment.name  = name;
-      segment.start = start;
-      segment.end   = end;
-      return segment;
-    }
-
-    Segment
     arc(const char   *name,
         const Point2 &centre,
         const double  radius,
@@ -85,11 +75,11 @@ namespace wheelrail
 
       const bool           chamfer = face - start.x > 1e-4;
       const Point2         top     = chamfer ? Point2{face, start.y + face - start.x} : start;
-      std::vector<Segment> segments{line("rim face", {top.x, low}, top)};
+      std::vector<Segment> segments{line_segment("rim face", {top.x, low}, top)};
       if (chamfer)
-        segments.push_back(line("chamfer", top, start));
+        segments.push_back(line_segment("chamfer", top, start));
       segments.insert(segments.end(), profile.tread.segments().begin(), profile.tread.segments().end());
-      segments.push_back(line("flange back", end, {end.x, low}));
+      segments.push_back(line_segment("flange back", end, {end.x, low}));
 
       wheel.rim         = {std::make_shared<const Curve>(segments), -1, d.nominal_radius};
       wheel.tread_start = 1;
@@ -111,11 +101,11 @@ namespace wheelrail
 
       const double centre = surface + side * f;
       return {std::make_shared<const Curve>(
-                std::vector<Segment>{line("rim underside", {rim, high}, {centre, high}),
+                std::vector<Segment>{line_segment("rim underside", {rim, high}, {centre, high}),
                                      arc("rim fillet", {centre, high - f}, f, turned(90), turned(180)),
-                                     line("disc", {surface, high - f}, {surface, low + f}),
+                                     line_segment("disc", {surface, high - f}, {surface, low + f}),
                                      arc("hub fillet", {centre, low + f}, f, turned(180), turned(270)),
-                                     line("hub", {centre, low}, {hub, low})}),
+                                     line_segment("hub", {centre, low}, {hub, low})}),
               1,
               0};
     }

@@ -1,10 +1,10 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/hints.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/run/end_screen.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace wheelrail
 {
@@ -96,11 +96,7 @@ namespace wheelrail
       forces.figure("vertical_force", "vertical force Q");
       forces.figure("lateral_force", "lateral force Y");
       if (summary.vertical_force > 0)
-        {
-          char ratio[40];
-          std::snprintf(ratio, sizeof(ratio), "%.4f", summary.lateral_force / summary.vertical_force);
-          forces.line("Y/Q", ratio, "");
-        }
+        forces.line("Y/Q", text("%.4f", summary.lateral_force / summary.vertical_force), "");
       forces.figure("longitudinal_force");
     }
 

@@ -1,22 +1,14 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/verdict/agreement.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace wheelrail
 {
   namespace
   {
-    std::string
-    text(const char *format, const double value)
-    {
-      char buffer[64];
-      std::snprintf(buffer, sizeof(buffer), format, value);
-      return buffer;
-    }
-
     /// How far the peaks agree, or why half-spaces are no reference for it.
     std::string
     agreement(const Measures &m, const Verdict &verdict)

@@ -1,10 +1,10 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/verdict/verdict.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace wheelrail
@@ -31,14 +31,6 @@ namespace wheelrail
     constexpr double least_plastic       = 1e-4; ///< strain from which on steel has flowed
     constexpr double least_elements      = 8;    ///< of half-spaces across a contact
     constexpr double highest_of_any_rail = 4e9;  ///< [Pa]
-
-    std::string
-    text(const char *format, const double value)
-    {
-      char buffer[200];
-      std::snprintf(buffer, sizeof(buffer), format, value);
-      return buffer;
-    }
 
     std::string
     percent(const double share)

@@ -1,27 +1,17 @@
 #pragma once
 
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/run_parts.h>
 #include <wheelrail/state/stop.h>
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
 namespace wheelrail
 {
-  /// A line of text as by std::printf, at most 399 characters.
-  template <typename... Arguments>
-  std::string
-  text(const char *format, const Arguments... arguments)
-  {
-    char buffer[400];
-    std::snprintf(buffer, sizeof buffer, format, arguments...);
-    return buffer;
-  }
-
   /// Numbers of cells and nodes.
   std::string
   mesh_text(const MeshQuality &q);
