@@ -84,16 +84,42 @@ namespace
     check_near(at.ahead, 1e-3 * number(17), 0.5e-3, which + "place ahead of the axle [m]");
   }
 
+  /// The benchmark's wheelset off to the flange.
+  Scene
+  flange_scene(const double shift, const double yaw)
+  {
+    Scene scene                = benchmark_scene();
+    scene.roll                 = RollMode::none;
+    scene.drive                = Drive::torque;
+    scene.traction_coefficient = 0;
+    scene.lateral_shift        = -shift;
+    scene.yaw                  = -yaw;
+    return scene;
+  }
+
+  /// Just before the flange carries all: root and flange share the load.
+  void
+  check_root_and_flange()
+  {
+    const Scene             scene    = flange_scene(6.5e-3, 15.6e-3);
+    const SceneGeometry     geometry = make_geometry(scene);
+    const WheelRailSolution root =
+      solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene));
+    check(root.others.size() == 1, "root and flange: two patches");
+    if (root.others.empty())
+      return;
+    const WheelRailSolution &flange = root.others[0];
+    for (const WheelRailSolution *patch : {&root, &flange})
+      check(patch->solution.converged() && !patch->solution.touches_grid_edge, "root and flange: answered");
+    check_near(root.vertical + flange.vertical, load, 0.002 * load, "root and flange: vertical force [N]");
+    check(std::abs(flange.angle) > 1.1 && std::abs(root.angle) < 0.7, "root and flange: angles");
+  }
+
   /// On the flange all of the patch slides and the normal force is far more than the load.
   void
   check_flange(const double shift, const double yaw)
   {
-    Scene scene                       = benchmark_scene();
-    scene.roll                        = RollMode::none;
-    scene.drive                       = Drive::torque;
-    scene.traction_coefficient        = 0;
-    scene.lateral_shift               = -shift;
-    scene.yaw                         = -yaw;
+    const Scene              scene    = flange_scene(shift, yaw);
     const SceneGeometry      geometry = make_geometry(scene);
     const SectionOffsets     offsets  = scene_offsets(scene);
     const WheelRailSolution  result = solve_wheel_rail(scene, geometry, scene_load(scene, geometry), offsets);
@@ -122,6 +148,7 @@ main()
 {
   for (const auto &row : test::read_table("contact_manchester_a22.csv"))
     check_row(row);
+  check_root_and_flange();
   check_flange(6.6e-3, 15.84e-3);
   check_flange(7e-3, 16.8e-3);
   return test::report();
