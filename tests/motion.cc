@@ -163,6 +163,9 @@ namespace
     refused_from(
       scene_with("distance [mm],velocity [km/h]\n0,140\n50,140\n50.0001,400\n200,400\n"),
       entry + ": from row 2 to row 3, over 0.0001 mm of way, the velocity changes with an acceleration of ");
+    refused_from(scene_with("distance [mm],velocity [m/s]\n0,39\n50,39\n51,40\n200,40\n"),
+                 entry +
+                   ": from row 2 to row 3, over 1 mm of way, the velocity changes with an acceleration of ");
     refused_from(scene_with("distance [mm],yaw [mrad]\n0,0\n50,0\n51,5\n200,5\n"),
                  entry + ": from row 2 to row 3, over 1 mm of way, the yaw changes with an acceleration of ");
     // beyond the way of the run rows may say what they like; within it, what wheelsets do

@@ -126,10 +126,11 @@ namespace wheelrail
                        high = std::min(rolled[row], scene_.rolling_distance);
           if (!(high > low))
             continue;
-          // cubics between rows: the second derivative is largest at one of the ends
+          // cubics between rows: the second derivative is largest at one of the ends, the first, which is
+          // what a velocity has, also between them
           const double h       = 1e-3 * (high - low);
           double       largest = 0;
-          for (const double at : {low, high - h})
+          for (const double at : {low, 0.5 * (low + high), high - h})
             {
               const double v = speed(at), slope = one.curve.slope(at);
               largest = std::max(largest,
