@@ -20,44 +20,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Ratcheting of a cycle: by how much the middle of the strains has moved since the one before.
-    FigureTable
-    cycle_table(const std::vector<MaterialCycle> &cycles)
-    {
-      FigureTable table;
-      const auto  add = [&](const std::string &name, const char *unit = "1") { table.add(name, unit, {}); };
-      add("cycle");
-      for (const std::string kind : {"axial", "shear"})
-        {
-          for (const char *figure : {"_strain_min", "_strain_max", "_ratcheting"})
-            add(kind + figure);
-          for (const char *figure : {"_stress_min_MPa", "_stress_max_MPa"})
-            add(kind + figure, "MPa");
-        }
-      add("accumulated");
-      for (const char *energy : {"plastic_work_MJ_m3", "hardening_energy_MJ_m3"})
-        add(energy, "MJ/m3");
-      for (std::size_t i = 0; i < cycles.size(); ++i)
-        {
-          const MaterialCycle &c = cycles[i], &before = cycles[i > 0 ? i - 1 : 0];
-          table.add_row({i + 1.,
-                         c.axial_strain.low,
-                         c.axial_strain.high,
-                         c.axial_strain.mean() - before.axial_strain.mean(),
-                         1e-6 * c.axial_stress.low,
-                         1e-6 * c.axial_stress.high,
-                         c.shear_strain.low,
-                         c.shear_strain.high,
-                         c.shear_strain.mean() - before.shear_strain.mean(),
-                         1e-6 * c.shear_stress.low,
-                         1e-6 * c.shear_stress.high,
-                         c.accumulated,
-                         1e-6 * c.work,
-                         1e-6 * c.stored});
-        }
-      return table;
-    }
-
     /// The first cycles, then some, and the last one.
     void
     print_cycles(const std::vector<MaterialCycle> &cycles, std::ostream &out)
@@ -105,7 +67,6 @@ namespace wheelrail
           out << line;
         }
     }
-
 
     void
     tell_large_strains(const std::vector<MaterialCycle> &cycles, std::ostream &out)

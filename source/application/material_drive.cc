@@ -2,7 +2,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 
-#include <array>
 #include <cstddef>
 #include <string>
 
@@ -31,7 +30,7 @@ namespace wheelrail
       FigureTable table;
       add_column(table, "cycle");
       for (const char *kind : {"E_", "S_", "Ep_"})
-        for (const char *component : {"xx", "yy", "zz", "yz", "xz", "xy"})
+        for (const char *component : component_names)
           add_column(table, std::string(kind) + component, *kind == 'S');
       add_state_columns(table);
       return table;
@@ -55,11 +54,10 @@ namespace wheelrail
     std::string
     stresses_of(const PointTarget &target)
     {
-      constexpr std::array<const char *, 6> components = {"xx", "yy", "zz", "yz", "xz", "xy"};
-      std::string                           text;
+      std::string text;
       for (std::size_t k = 0; k < 6; ++k)
         if (target.of_stress[k] && target.value[k] != 0)
-          text += std::string(text.empty() ? "S_" : ", S_") + components[k] + " = " +
+          text += std::string(text.empty() ? "S_" : ", S_") + component_names[k] + " = " +
                   format_number(std::round(1e-4 * target.value[k]) / 100) + " MPa";
       return text;
     }
@@ -165,11 +163,46 @@ namespace wheelrail
                  const unsigned int              rows)
   {
     MaterialPoint  point(law);
-    MaterialAnswer answer{std::vector<MaterialCycle>(cycles), step_table(), steps};
+    MaterialAnswer answer{std::vector<MaterialCycle>(cycles), step_table()};
     for (unsigned int i = 0; i < cycles; ++i)
       for (const PointTarget &target : path)
         go(point, target, steps, i + 1, rows, answer.cycles[i], answer.steps);
     return answer;
+  }
+
+
+  FigureTable
+  cycle_table(const std::vector<MaterialCycle> &cycles)
+  {
+    FigureTable table;
+    add_column(table, "cycle");
+    for (const std::string kind : {"axial", "shear"})
+      {
+        for (const char *figure : {"_strain_min", "_strain_max", "_ratcheting"})
+          add_column(table, kind + figure);
+        for (const char *figure : {"_stress_min", "_stress_max"})
+          add_column(table, kind + figure, true);
+      }
+    add_state_columns(table);
+    for (std::size_t i = 0; i < cycles.size(); ++i)
+      {
+        const MaterialCycle &c = cycles[i], &before = cycles[i > 0 ? i - 1 : 0];
+        table.add_row({i + 1.,
+                       c.axial_strain.low,
+                       c.axial_strain.high,
+                       c.axial_strain.mean() - before.axial_strain.mean(),
+                       1e-6 * c.axial_stress.low,
+                       1e-6 * c.axial_stress.high,
+                       c.shear_strain.low,
+                       c.shear_strain.high,
+                       c.shear_strain.mean() - before.shear_strain.mean(),
+                       1e-6 * c.shear_stress.low,
+                       1e-6 * c.shear_stress.high,
+                       c.accumulated,
+                       1e-6 * c.work,
+                       1e-6 * c.stored});
+      }
+    return table;
   }
 
 

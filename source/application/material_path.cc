@@ -6,7 +6,6 @@
 #include <wheelrail/base/split_list.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -16,8 +15,6 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr std::array<const char *, 6> components = {"xx", "yy", "zz", "yz", "xz", "xy"};
-
     /// What a column of a file drives.
     struct Column
     {
@@ -28,11 +25,11 @@ namespace wheelrail
     Column
     column_of(const std::string &name, const std::string &where)
     {
-      for (std::size_t k = 0; k < components.size(); ++k)
+      for (std::size_t k = 0; k < component_names.size(); ++k)
         {
-          if (name == std::string("E_") + components[k])
+          if (name == std::string("E_") + component_names[k])
             return {k, false};
-          if (name == std::string("S_") + components[k] + "_MPa")
+          if (name == std::string("S_") + component_names[k] + "_MPa")
             return {k, true};
         }
       throw InputError(
@@ -62,7 +59,8 @@ namespace wheelrail
           columns.push_back(column_of(name, where));
           for (std::size_t i = 0; i + 1 < columns.size(); ++i)
             if (columns[i].component == columns.back().component)
-              throw InputError(where + "two columns for the component " + components[columns[i].component] +
+              throw InputError(where + "two columns for the component " +
+                               component_names[columns[i].component] +
                                "; a strain and its stress cannot both be given");
         }
       return columns;

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/base/split_list.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/motion_file.h>
@@ -7,8 +8,6 @@
 #include <wheelrail/profiles/profile_file.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 namespace wheelrail
@@ -82,9 +81,6 @@ namespace wheelrail
   std::string
   contents_of(const SceneFile &file)
   {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(file.path, code))
-      return "";
     if (is_scene(file.path))
       try
         {
@@ -94,7 +90,13 @@ namespace wheelrail
         {
           // its bytes, then
         }
-    std::ifstream stream(file.path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+    try
+      {
+        return read_whole_file(file.path);
+      }
+    catch (const RunError &)
+      {
+        return "";
+      }
   }
 } // namespace wheelrail

@@ -41,8 +41,7 @@ namespace wheelrail
   struct MaterialAnswer
   {
     std::vector<MaterialCycle> cycles;
-    FigureTable                steps;     ///< states on the way: stresses [MPa], energies [MJ/m3]
-    unsigned int               count = 0; ///< of the law's steps from one value to the next
+    FigureTable                steps; ///< states on the way: stresses [MPa], energies [MJ/m3]
   };
 
   /// Goes through the targets so many times, in so many even steps from one to the next; what is driven
@@ -55,6 +54,11 @@ namespace wheelrail
                  unsigned int                    cycles,
                  unsigned int                    steps,
                  unsigned int                    rows);
+
+  /// One row a cycle, in the units of the steps. Ratcheting of a cycle: by how much the middle of the strains
+  /// has moved since the one before.
+  FigureTable
+  cycle_table(const std::vector<MaterialCycle> &cycles);
 
   /// Steps with which strains, stresses and ratcheting of the first cycles are within 0.1 % of those of
   /// infinitely many, from 200 to 100000: errors of the law are of first order, so that twice the steps tell

@@ -10,6 +10,9 @@ namespace wheelrail
   /// Six components xx, yy, zz, yz, xz, xy of a strain [1] or a stress [Pa].
   using SixNumbers = std::array<double, 6>;
 
+  /// Names of these components.
+  constexpr std::array<const char *, 6> component_names = {"xx", "yy", "zz", "yz", "xz", "xy"};
+
   /// Where a point is driven to: each component by its strain or by its stress.
   struct PointTarget
   {
