@@ -110,6 +110,7 @@ namespace
       {
         write(lock, left);
         check_folder("runs/held", "no message");
+        MPI_Barrier(MPI_COMM_WORLD); // the first rank removes the lock when its folder goes
         check(!fs::exists(lock), "what a killed run left is taken over: " + left);
         MPI_Barrier(MPI_COMM_WORLD);
       }
