@@ -2,7 +2,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/print.h>
-#include <wheelrail/run/simulation.h>
+#include <wheelrail/run/run_scene.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -95,7 +95,7 @@ namespace
     MPI_Comm comm;
     MPI_Comm_dup(MPI_COMM_WORLD, &comm);
     const bool    is_root = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
-    const Failure failure = guarded([&]() { return execute(arguments, run_simulation, std::cout); });
+    const Failure failure = guarded([&]() { return execute(arguments, run_scene, std::cout); });
     if (!failure.text.empty() && !all_arrive(comm))
       {
         print_failure(failure);
@@ -117,7 +117,7 @@ main(int argc, char **argv)
       catch_interrupts();
       return run_in_parallel(argc, argv, arguments);
     }
-  const Failure failure = guarded([&]() { return execute(arguments, run_simulation, std::cout); });
+  const Failure failure = guarded([&]() { return execute(arguments, run_scene, std::cout); });
   print_failure(failure);
   return failure.code;
 }

@@ -140,7 +140,7 @@ namespace
         RunOptions options;
         options.prm_text        = "# a test\n";
         options.parameters_text = print_parameters(parts);
-        run_simulation(parts, make_geometry(parts), options);
+        run_scene(parts, make_geometry(parts), options);
         check(false, "begun passages are protected");
       }
     catch (const InputError &error)

@@ -4,7 +4,7 @@
 #include "parallel.h"
 
 #include <wheelrail/application/command_line.h>
-#include <wheelrail/run/simulation.h>
+#include <wheelrail/run/run_scene.h>
 
 #include <filesystem>
 #include <fstream>
@@ -65,7 +65,7 @@ namespace
     rail.count();
     wheel.count();
     std::ostringstream out;
-    const int          code = execute(arguments, run_simulation, out);
+    const int          code = execute(arguments, run_scene, out);
     test::check_near(code, 0, 0, arguments[0] + ": exit code");
     test::check_near(rail.count(), openings, 0, arguments[0] + ": the rail file is opened");
     test::check_near(wheel.count(), openings, 0, arguments[0] + ": the wheel file is opened");

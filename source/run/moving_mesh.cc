@@ -1,15 +1,11 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/run/moving_mesh.h>
-#include <wheelrail/run/run_texts.h>
-
-#include <chrono>
 
 namespace wheelrail
 {
   namespace
   {
     void
-    change_mesh(const MovingParts &run, void (*remake)(Model &, MPI_Comm))
+    change_mesh(RunState &run, void (*remake)(Model &, MPI_Comm))
     {
       run.rolling.change_mesh([&]() { remake(run.model, run.communicator); }, run.axle.contact_along());
     }
@@ -17,7 +13,7 @@ namespace wheelrail
 
 
   void
-  use_window(const MovingParts &run)
+  use_window(RunState &run)
   {
     if (!run.model.swept)
       return;
@@ -27,7 +23,7 @@ namespace wheelrail
 
 
   bool
-  follow_wheel(const MovingParts &run)
+  follow_wheel(RunState &run)
   {
     const Model           &model    = run.model;
     const RunningSurfaces &surfaces = model.contact->surfaces();
@@ -43,37 +39,17 @@ namespace wheelrail
 
 
   void
-  lengthen_way(const MovingParts &run)
+  lengthen_way(RunState &run)
   {
     if (run.model.swept && lengthen_path(run.model, run.scene.rolling_distance))
       change_mesh(run, prepare_window);
   }
 
 
-  std::optional<Residual>
-  take_loads_off(const MovingParts &run, Log &log, const std::function<void()> &meanwhile)
+  void
+  use_forest(RunState &run)
   {
-    Model &model = run.model;
-    if (!model.solid.blocks.rail.plastic() && !model.solid.blocks.wheel.plastic())
-      return {};
-    const auto begin = std::chrono::steady_clock::now();
-    try
-      {
-        if (model.swept)
-          change_mesh(run, prepare_window_forest);
-        Residual residual = find_residual(model, run.axle, meanwhile, run.communicator);
-        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-        log.value("unloading",
-                  text("%u Newton steps, %u CG steps, %s",
-                       residual.way.steps,
-                       residual.way.cg_steps,
-                       format_duration(taken.count()).c_str()));
-        return residual;
-      }
-    catch (const RunError &error)
-      {
-        log.warning(error.what());
-        return {};
-      }
+    if (run.model.swept)
+      change_mesh(run, prepare_window_forest);
   }
 } // namespace wheelrail

@@ -1,6 +1,5 @@
 #include <wheelrail/base/print.h>
 #include <wheelrail/output/root.h>
-#include <wheelrail/output/summary.h>
 #include <wheelrail/run/passage_jumps.h>
 #include <wheelrail/run/passage_table.h>
 #include <wheelrail/state/rail_state.h>
@@ -70,25 +69,16 @@ namespace wheelrail
   }
 
 
-  /// Largest plastic strain in the rail [1].
-  double
-  PassageJumps::strain_after(const unsigned int passage) const
-  {
-    return get_figure(read_summary(passage_folder(scene_.folder, passage) + "/summary.json"),
-                      "rail_plastic_strain");
-  }
-
-
   void
   PassageJumps::judge(std::vector<unsigned int> &computed)
   {
     if (jumps_.empty() || jumps_.back().judged || computed.back() != jumps_.back().to + 2 * of_round_)
       return;
     PassageJump &jump   = jumps_.back();
-    const double strain = strain_after(jump.to + 2 * of_round_);
+    const double strain = left_in_rail(scene_.folder, jump.to + 2 * of_round_).strain;
     judge_jump(jump,
                (jump.to - jump.from) / of_round_,
-               strain - strain_after(jump.to + of_round_),
+               strain - left_in_rail(scene_.folder, jump.to + of_round_).strain,
                strain,
                scene_.jump_error);
     MPI_Barrier(communicator_);
@@ -152,7 +142,9 @@ namespace wheelrail
   JumpBasis
   PassageJumps::basis_of(const unsigned int passage, const PassageJump *last) const
   {
-    const auto before = [&](const unsigned int rounds) { return strain_after(passage - rounds * of_round_); };
+    const auto before = [&](const unsigned int rounds) {
+      return left_in_rail(scene_.folder, passage - rounds * of_round_).strain;
+    };
     const double now = before(0), one = before(1), two = before(2);
     // growth does not go on growing
     const auto rate = [](const double of, const double over) {

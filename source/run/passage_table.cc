@@ -174,6 +174,16 @@ namespace wheelrail
   }
 
 
+  LeftInRail
+  left_in_rail(const std::string &folder, const unsigned int passage)
+  {
+    const Summary summary = read_summary(passage_folder(folder, passage) + "/summary.json");
+    return {get_figure(summary, "rail_plastic_strain"),
+            get_figure(summary, "residual_forward_flow_m"),
+            get_figure(summary, "plastic_band_depth_m")};
+  }
+
+
   FigureTable
   passage_table(const std::string &folder, const std::vector<unsigned int> &computed)
   {
@@ -223,18 +233,15 @@ namespace wheelrail
       {
         if (k % of_round != 0)
           continue;
-        const Summary summary = read_summary(passage_folder(folder, k) + "/summary.json");
-        const double  now     = get_figure(summary, "rail_plastic_strain"),
-                     at       = get_figure(summary, "residual_forward_flow_m"),
-                     depth    = get_figure(summary, "plastic_band_depth_m");
-        const double shear    = depth > 0 ? (at - forward) / depth : 0;
+        const LeftInRail now   = left_in_rail(folder, k);
+        const double     shear = now.depth > 0 ? (now.forward - forward) / now.depth : 0;
         if (k == last + of_round)
-          rounds.push_back({std::isnan(now) ? 0 : now - strain, shear});
+          rounds.push_back({std::isnan(now.strain) ? 0 : now.strain - strain, shear});
         else
           rounds.clear();
         last    = k;
-        strain  = std::isnan(now) ? strain : now;
-        forward = std::isnan(at) ? forward : at;
+        strain  = std::isnan(now.strain) ? strain : now.strain;
+        forward = std::isnan(now.forward) ? forward : now.forward;
       }
     return rounds;
   }

@@ -177,6 +177,7 @@ namespace wheelrail
   void
   add_residual(const Residual &residual, Summary &summary)
   {
+    summary.max_residual_von_mises = residual.largest;
     if (std::isfinite(residual.forward))
       set_figure(summary, "residual_forward_flow_m", residual.forward);
     for (const Slice &slice : residual.slices)
@@ -257,8 +258,7 @@ namespace wheelrail
   void
   write_failure(const Scene       &scene,
                 const std::string &program_version,
-                const Recorder    *recorder,
-                const Axle        *axle,
+                const RunState    *run,
                 const std::string &error)
   {
     try
@@ -266,10 +266,11 @@ namespace wheelrail
         Summary summary;
         summary.title           = scene.title;
         summary.program_version = program_version;
-        if (recorder)
-          recorder->fill(summary, recorder->averaging_stretch(scene));
-        if (axle)
-          summary.rolled_distance = axle->travelled();
+        if (run)
+          {
+            run->recorder.fill(summary, run->recorder.averaging_stretch(scene));
+            summary.rolled_distance = run->axle.travelled();
+          }
         summary.stop_reason = error;
         write_summary(summary, scene.folder + "/summary.json");
       }

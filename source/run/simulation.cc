@@ -6,24 +6,22 @@
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/end_screen.h>
 #include <wheelrail/run/moving_mesh.h>
-#include <wheelrail/run/passages.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_output.h>
+#include <wheelrail/run/run_schedule.h>
 #include <wheelrail/run/run_start.h>
+#include <wheelrail/run/run_state.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/run/simulation.h>
+#include <wheelrail/run/unloaded_rail.h>
 #include <wheelrail/state/checkpoint_files.h>
 #include <wheelrail/state/rail_state.h>
 #include <wheelrail/state/saved_states.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
-
-#include <unistd.h>
 
 namespace wheelrail
 {
@@ -38,7 +36,8 @@ namespace wheelrail
       return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
     }
 
-    /// One run from the static start, or from a saved state, to the summary.
+    /// One run from the static start, or from a saved state, to the summary: a state (RunState), a schedule
+    /// (RunSchedule), and what they are written to.
     class Simulation
     {
     public:
@@ -58,21 +57,21 @@ namespace wheelrail
       {
         warnings_ = check_on_machine(scene_, geometry_, communicator_);
         open_folder();
-        model_ = make_model(scene_, geometry_, communicator_);
+        Model model = make_model(scene_, geometry_, communicator_);
         folder_->begin(options_.parameters_text, resume_point_.has_value());
         if (!resume_point_)
           on_root(communicator_, [&]() { keep_profiles(scene_, scene_.folder); });
         Stop stop;
         try
           {
-            set_out();
+            set_out(std::move(model));
             stop = roll();
             end(stop);
           }
         catch (const RunError &error)
           {
             if (rank_ == 0)
-              write_failure(scene_, options_.program_version, recorder_.get(), axle_.get(), error.what());
+              write_failure(scene_, options_.program_version, run_.get(), error.what());
             throw;
           }
         if (!stop.reason.empty() && stop.reason != interrupted)
@@ -84,55 +83,35 @@ namespace wheelrail
       void
       open_folder();
       void
-      set_out();
-      void
-      start_rolling();
-      void
-      resume_rolling();
-      void
-      make_rolling(double lift, double rate);
+      set_out(Model model);
       Stop
       roll();
       void
       end(const Stop &stop);
-      MovingParts
-      moving();
-      void
-      record();
       void
       keep_state();
-      void
-      tick();
       bool
       must_stop() const;
       void
       finish(const std::string &stop_reason);
-      void
-      leave_rail() const;
+      std::optional<Residual>
+      residual();
 
       Scene                         scene_;
       const RunOptions             &options_;
-      double                        start_;
+      double                        start_; ///< of this part of the run [s]
       MPI_Comm                      communicator_ = MPI_COMM_WORLD;
       int                           rank_ = 0, size_ = 1;
       std::vector<std::string>      warnings_; ///< what the machine may lack
       Log                           log_;
       std::unique_ptr<OutputFolder> folder_;
       SceneGeometry                 geometry_;
-      Model                         model_;
       std::optional<ResumePoint>    resume_point_;
       std::optional<Checkpoint>     rail_; ///< of an earlier run
-      SavedStates                   states_;
-      std::unique_ptr<Axle>         axle_;
-      std::unique_ptr<Rolling>      rolling_;
-      std::unique_ptr<Recorder>     recorder_;
-      std::unique_ptr<RunParts>     parts_;
+      std::unique_ptr<RunState>     run_;
       std::unique_ptr<RunOutput>    output_;
-      unsigned int                  tick_           = 0;
-      unsigned int                  mesh_changes_   = 0;                   ///< of this part of the run
-      double                        loop_start_     = 0;                   ///< of this part of the run [s]
-      unsigned long                 first_step_     = 0;                   ///< steps before this part
-      double                        first_distance_ = 0, wall_before_ = 0; ///< the same [m], [s]
+      SavedStates                   states_;
+      double                        loop_start_ = 0; ///< [s]
     };
 
 
@@ -163,81 +142,38 @@ namespace wheelrail
 
     /// To the first step: the header, then the static start or the saved state.
     void
-    Simulation::set_out()
+    Simulation::set_out(Model model)
     {
-      on_root(communicator_, [&]() { log_ = Log(scene_.folder + "/log.txt", resume_point_.has_value()); });
-      write_header(log_, scene_, model_, size_, options_.note, geometry_.notes, warnings_);
+      const bool resumed = resume_point_.has_value();
+      on_root(communicator_, [&]() { log_ = Log(scene_.folder + "/log.txt", resumed); });
+      write_header(log_, scene_, model, size_, options_.note, geometry_.notes, warnings_);
       log_.value("set-up", format_duration(seconds() - start_));
-      if (options_.resume && !resume_point_)
+      if (options_.resume && !resumed)
         log_.warning("the run in this folder had not saved a state yet; it starts anew");
-      if (resume_point_)
-        resume_rolling();
-      else
-        start_rolling();
-    }
-
-
-    void
-    Simulation::start_rolling()
-    {
-      const RunStart start =
-        start_on_wide_mesh(scene_, geometry_, model_, rail_ ? &*rail_ : nullptr, log_, communicator_);
-      rail_.reset(); // its memory
-      make_rolling(start.lift, start.rate);
-      use_window(moving());
-      if (scene_.volume_fields)
-        output_->volume("volume_start", nodal_stress(model_.solid, communicator_));
-      keep_state();
-      states_.save();
-    }
-
-
-    void
-    Simulation::resume_rolling()
-    {
-      const Checkpoint &whole = resume_point_->whole;
-      tick_                   = whole.ticks;
-      model_.time_step        = whole.time_step; // another Run/Rolling distance would round it otherwise
-      if (model_.swept)
+      bool evaluated = false; // a volume file that stays beside that of the start; the end is written anew
+      if (resumed)
         {
-          model_.window = whole.window;
-          model_.forest.reset();
-          prepare_window(model_, communicator_);
+          run_ = resume_run(scene_, std::move(model), resume_point_->whole, communicator_);
+          for (const std::string &note : resume_point_->notes)
+            log_.warning(note);
+          log_.value(
+            "resumed",
+            text("at %.3f mm rolled, after %lu steps", 1e3 * run_->first_distance, run_->first_step));
+          evaluated = scene_.evaluate_at > 0 && run_->first_distance >= scene_.evaluate_at;
         }
-      make_rolling(0, 0);
-      restore_checkpoint(whole, model_, *axle_, *rolling_, *recorder_, communicator_);
-      lengthen_way(moving());
-      first_step_     = rolling_->steps();
-      first_distance_ = axle_->travelled();
-      wall_before_    = whole.wall_time;
-      for (const std::string &note : resume_point_->notes)
-        log_.warning(note);
-      log_.value("resumed", text("at %.3f mm rolled, after %lu steps", 1e3 * first_distance_, first_step_));
-      resume_point_->whole = Checkpoint(); // its memory
+      else
+        {
+          run_ = start_run(scene_, geometry_, std::move(model), rail_, log_, communicator_);
+          rail_.reset(); // its memory
+        }
+      resume_point_.reset();
+      scene_  = run_->scene;
+      output_ = std::make_unique<RunOutput>(run_->parts(), resumed, run_->ticks, evaluated ? 2 : 1);
+      if (!resumed && scene_.volume_fields)
+        output_->volume("volume_start", nodal_stress(run_->model.solid, communicator_));
       keep_state();
-    }
-
-
-    void
-    Simulation::make_rolling(const double lift, const double rate)
-    {
-      axle_    = std::make_unique<Axle>(model_.axle, lift, rate, communicator_);
-      rolling_ = std::make_unique<Rolling>(
-        model_.solid, *model_.contact, *axle_, time_scheme(scene_, model_), communicator_);
-      recorder_ = std::make_unique<Recorder>(model_);
-      parts_ =
-        std::make_unique<RunParts>(RunParts{scene_, model_, *axle_, *rolling_, *recorder_, communicator_});
-      // the start and the place of evaluation stay, the end is written anew
-      const bool evaluated =
-        resume_point_ && scene_.evaluate_at > 0 && resume_point_->whole.axle.travelled >= scene_.evaluate_at;
-      output_ = std::make_unique<RunOutput>(*parts_, resume_point_.has_value(), tick_, evaluated ? 2 : 1);
-    }
-
-
-    MovingParts
-    Simulation::moving()
-    {
-      return {scene_, model_, *rolling_, *axle_, communicator_};
+      if (!resumed)
+        states_.save();
     }
 
 
@@ -254,33 +190,35 @@ namespace wheelrail
     Stop
     Simulation::roll()
     {
-      const unsigned long n_steps = std::lround(model_.duration / model_.time_step);
-      const unsigned long every   = std::max<unsigned long>(1, n_steps / 1000);
-      Stop                stop;
+      RunState         &run = *run_;
+      const RunSchedule schedule(scene_, run.model, options_.stop_after_steps);
+      Stop              stop;
       loop_start_ = seconds();
-      for (unsigned long n = first_step_ + 1; n <= n_steps && stop.reason.empty(); ++n)
+      for (unsigned long n = run.first_step + 1; n <= schedule.steps() && stop.reason.empty(); ++n)
         {
-          mesh_changes_ += follow_wheel(moving());
-          const bool   record_now = n % every == 0 || n == 1 || n == n_steps;
-          const double before     = axle_->travelled();
-          rolling_->step(record_now);
-          if (before < scene_.evaluate_at && axle_->travelled() >= scene_.evaluate_at && scene_.volume_fields)
-            output_->volume("volume_evaluated", nodal_stress(model_.solid, communicator_));
-          if (record_now)
+          run.mesh_changes += follow_wheel(run);
+          const bool   record = schedule.record(n), regular = schedule.tick(n);
+          const double before = run.axle.travelled();
+          run.rolling.step(record);
+          if (schedule.evaluate(before, run.axle.travelled()) && scene_.volume_fields)
+            output_->volume("volume_evaluated", nodal_stress(run.model.solid, communicator_));
+          if (record)
             {
-              record();
-              stop = reason_to_stop(*parts_);
+              run.record();
+              stop = reason_to_stop(run.parts());
             }
           const bool good = stop.reason.empty();
-          if (good && (n == options_.stop_after_steps || (n % 20 == 0 && must_stop())))
+          if (good && (schedule.break_off(n) || (schedule.listen(n) && must_stop())))
             stop.reason = interrupted;
-          const bool regular = n * scene_.ticks / n_steps > (n - 1) * scene_.ticks / n_steps;
-          if (regular || n == n_steps || !stop.reason.empty())
-            tick();
-          tick_ += regular; // a resumed run writes the tick of an interruption over
+          if (regular || n == schedule.steps() || !stop.reason.empty())
+            {
+              log_.tick(tick_line(run.parts(), run.first_step, run.first_distance, seconds() - loop_start_));
+              output_->tick(run.ticks);
+            }
+          run.ticks += regular; // a resumed run writes the tick of an interruption over
           if (good && (regular || stop.reason == interrupted))
             keep_state();
-          if (record_now && stop.reason.empty() && n < n_steps && states_.due())
+          if (record && stop.reason.empty() && n < schedule.steps() && states_.due())
             {
               keep_state();
               states_.save();
@@ -291,25 +229,9 @@ namespace wheelrail
 
 
     void
-    Simulation::record()
-    {
-      recorder_->add(*rolling_, *axle_);
-      recorder_->add_patch(patch_fields(*model_.contact, *axle_, rolling_->time()));
-    }
-
-
-    void
     Simulation::keep_state()
     {
-      states_.keep(*parts_, tick_, wall_before_ + seconds() - start_);
-    }
-
-
-    void
-    Simulation::tick()
-    {
-      log_.tick(tick_line(*parts_, first_step_, first_distance_, seconds() - loop_start_));
-      output_->tick(tick_);
+      states_.keep(run_->parts(), run_->ticks, run_->wall_before + seconds() - start_);
     }
 
 
@@ -328,47 +250,48 @@ namespace wheelrail
     }
 
 
+    /// What the run leaves in bodies that may yield; leaves the rail for a next run.
+    std::optional<Residual>
+    Simulation::residual()
+    {
+      const auto unloaded = take_loads_off(*run_, log_);
+      if (!unloaded)
+        return {};
+      const WhileUnloaded without(run_->model.solid, *unloaded);
+      const Residual      residual = residual_of(run_->model, run_->axle, communicator_);
+      if (run_->model.solid.blocks.rail.plastic())
+        save_rail(run_->parts(), options_.parameters_text);
+      return residual;
+    }
+
+
     void
     Simulation::finish(const std::string &stop_reason)
     {
-      const RunTally tally{wall_before_ + seconds() - start_, seconds() - loop_start_, first_step_};
-      const auto     residual =
-        stop_reason.empty() ? take_loads_off(moving(), log_, [&]() { leave_rail(); }) : std::nullopt;
-      const auto stress = nodal_stress(model_.solid, communicator_);
+      RunState      &run      = *run_;
+      const bool     finished = stop_reason.empty();
+      const double   now      = seconds();
+      const RunTally tally{run.wall_before + now - start_, now - loop_start_, run.first_step};
+      const auto     left   = finished ? residual() : std::nullopt;
+      const auto     stress = nodal_stress(run.model.solid, communicator_);
       if (scene_.volume_fields)
-        output_->volume("volume_end", stress, residual ? &residual->stress : nullptr);
-      if (residual)
-        output_->residual(*residual);
-      Summary summary = summary_of(*parts_, tally, stress);
-      if (residual)
-        {
-          summary.max_residual_von_mises = residual->largest;
-          add_residual(*residual, summary);
-        }
+        output_->volume("volume_end", stress, left ? &left->stress : nullptr);
+      if (left)
+        output_->residual(*left);
+      Summary summary = summary_of(run.parts(), tally, stress);
+      if (left)
+        add_residual(*left, summary);
       summary.program_version = options_.program_version;
-      summary.finished        = stop_reason.empty();
+      summary.finished        = finished;
       summary.stop_reason     = stop_reason;
-      write_timing(log_, *parts_, summary, mesh_changes_);
+      write_timing(log_, run.parts(), summary, run.mesh_changes);
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
-      if (summary.finished)
+      if (finished)
         for (const std::string &warning : judge(scene_, geometry_, summary))
           log_.warning(warning);
       on_root(communicator_, [&]() { write_summary(summary, scene_.folder + "/summary.json"); });
       for (const std::string &line : end_screen(summary, scene_.folder))
         log_.line(line);
-    }
-
-
-    /// The rail for a next run.
-    void
-    Simulation::leave_rail() const
-    {
-      if (!model_.solid.blocks.rail.plastic())
-        return;
-      Checkpoint part  = take_checkpoint(model_, *axle_, *rolling_, *recorder_);
-      part.parameters  = options_.parameters_text;
-      part.fine_margin = scene_.fine_margin;
-      save_rail(part, scene_.folder, communicator_);
     }
   } // namespace
 
@@ -376,9 +299,6 @@ namespace wheelrail
   int
   run_simulation(const Scene &scene, const SceneGeometry &geometry, const RunOptions &options)
   {
-    if (scene.several_passages())
-      return run_passages(scene, geometry, options);
-    Simulation simulation(scene, geometry, options);
-    return simulation.run();
+    return Simulation(scene, geometry, options).run();
   }
 } // namespace wheelrail

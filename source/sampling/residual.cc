@@ -1,7 +1,6 @@
 #include <wheelrail/sampling/fields.h>
 #include <wheelrail/sampling/residual.h>
 #include <wheelrail/solid/cauchy.h>
-#include <wheelrail/solid/kept_flow.h>
 #include <wheelrail/solid/point_state.h>
 
 #include <algorithm>
@@ -11,31 +10,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Gives displacement and flow back at its end, whatever happens.
-    class Meanwhile
-    {
-    public:
-      explicit Meanwhile(Solid &solid)
-        : solid_(solid)
-        , displacement_(solid.displacement)
-        , flow_(solid.blocks)
-      {
-      }
-      ~Meanwhile()
-      {
-        solid_.displacement = displacement_;
-        flow_.restore(solid_.blocks);
-      }
-      Meanwhile(const Meanwhile &) = delete;
-      Meanwhile &
-      operator=(const Meanwhile &) = delete;
-
-    private:
-      Solid                      &solid_;
-      const AlignedVector<double> displacement_;
-      const KeptFlow              flow_;
-    };
-
     /// Largest von Mises stress of rail elements that have flowed and begin before z [m].
     double
     largest_before(const Solid &solid, const double z, MPI_Comm communicator)
@@ -86,21 +60,18 @@ namespace wheelrail
 
 
   Residual
-  find_residual(Model &model, const Axle &axle, const std::function<void()> &meanwhile, MPI_Comm communicator)
+  residual_of(const Model &model, const Axle &axle, MPI_Comm communicator)
   {
-    const Meanwhile back(model.solid);
-    Residual        residual;
-    residual.way = unload(*model.forest, model.solid, axle);
     // the same place on the rail, whatever the start: the one that the wheel without an offset has just left
-    const double offset = model.forest->plan().start_block * model.forest->plan().block_length();
-    const double behind = model.reach + offset;
-    residual.stress     = nodal_stress(model.solid, communicator);
-    const auto forward  = outward_change(model, communicator);
+    const SweepPlan &plan   = model.forest->plan();
+    const double     offset = plan.start_block * plan.block_length(), behind = model.reach + offset;
+    Residual         residual;
+    residual.stress    = nodal_stress(model.solid, communicator);
+    const auto forward = outward_change(model, communicator);
     residual.slices = slices_behind(model, residual.stress, axle.travelled(), behind, communicator, &forward);
     residual.largest = largest_before(model.solid, axle.travelled() - behind, communicator);
     residual.forward =
       forward_flow(model.solid, 0.5 * axle.travelled() - offset, axle.travelled() - behind, communicator);
-    meanwhile();
     return residual;
   }
 } // namespace wheelrail

@@ -55,12 +55,15 @@ namespace wheelrail
 
 
   void
-  save_rail(const Checkpoint &part, const std::string &folder, MPI_Comm communicator)
+  save_rail(const RunParts &run, const std::string &parameters)
   {
-    const Checkpoint whole = gather_checkpoint(part, communicator);
-    on_root(communicator, [&]() {
+    Checkpoint part        = take_checkpoint(run.model, run.axle, run.rolling, run.recorder);
+    part.parameters        = parameters;
+    part.fine_margin       = run.scene.fine_margin;
+    const Checkpoint whole = gather_checkpoint(part, run.communicator);
+    on_root(run.communicator, [&]() {
       const std::vector<char> bytes = checkpoint_bytes(whole);
-      replace_file(folder + file_name, bytes.data(), bytes.size());
+      replace_file(run.scene.folder + file_name, bytes.data(), bytes.size());
     });
   }
 

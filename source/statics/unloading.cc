@@ -1,6 +1,5 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/mesh/forest.h>
-#include <wheelrail/solid/kept_flow.h>
 #include <wheelrail/statics/static_system.h>
 #include <wheelrail/statics/unloading.h>
 #include <wheelrail/wheelset/wheel_axes.h>
@@ -21,37 +20,46 @@ namespace wheelrail
   } // namespace
 
 
-  Unloading
+  UnloadedBodies
   unload(const Forest &forest, Solid &solid, const Axle &axle)
   {
     constexpr double       enough = 1e-5, of_step = 1e-3;
     constexpr unsigned int most_steps = 40;
     const WheelAxes        axes(axle);
-    const KeptFlow         flow(solid.blocks);
+    const KeptState        loaded(solid);
     axes.to_wheel(solid);
     StaticSystem system(forest, solid);
     system.set_springs({});
-    SharedSum sum(solid.mesh, forest.communicator());
-    Unloading unloading;
-    double    first = 0;
-    for (;; ++unloading.steps)
+    SharedSum    sum(solid.mesh, forest.communicator());
+    unsigned int cg_steps = 0;
+    double       first    = 0;
+    for (unsigned int steps = 0;; ++steps)
       {
-        const StaticVector force = out_of_balance(solid, flow, system, sum);
+        const StaticVector force = out_of_balance(solid, loaded.flow(), system, sum);
         const double       norm  = force.l2_norm();
-        if (unloading.steps == 0)
+        if (steps == 0)
           first = norm;
-        unloading.residual = first > 0 ? norm / first : 0;
-        if (unloading.residual <= enough)
-          break;
-        if (unloading.steps == most_steps || !(unloading.residual < 10))
-          throw RunError("the unloading did not converge: after " + std::to_string(unloading.steps) +
-                         " steps " + std::to_string(100 * unloading.residual) +
+        const double left = first > 0 ? norm / first : 0;
+        if (left <= enough)
+          {
+            axes.to_track(solid);
+            return {solid.displacement, KeptFlow(solid.blocks), steps, cg_steps, left};
+          }
+        if (steps == most_steps || !(left < 10))
+          throw RunError("the unloading did not converge: after " + std::to_string(steps) + " steps " +
+                         std::to_string(100 * left) +
                          " % of the forces are left, and residual stresses stay unknown");
         StaticVector step = system.zero();
-        unloading.cg_steps += system.solve_held(force, of_step, step);
+        cg_steps += system.solve_held(force, of_step, step);
         system.add_to_nodes(step, 0, solid.displacement);
       }
-    axes.to_track(solid);
-    return unloading;
+  }
+
+
+  WhileUnloaded::WhileUnloaded(Solid &solid, const UnloadedBodies &bodies)
+    : loaded_(solid)
+  {
+    solid.displacement = bodies.displacement;
+    bodies.flow.restore(solid.blocks);
   }
 } // namespace wheelrail

@@ -45,8 +45,6 @@ namespace wheelrail
     jump_over(const std::vector<unsigned int> &computed, const JumpBasis &basis, unsigned int rounds);
     JumpBasis
     basis_of(unsigned int passage, const PassageJump *last) const;
-    double
-    strain_after(unsigned int passage) const;
 
     const Scene             &scene_;
     unsigned int             of_round_, most_;

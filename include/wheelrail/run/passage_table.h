@@ -12,6 +12,16 @@ namespace wheelrail
   std::string
   passage_folder(const std::string &folder, unsigned int passage);
 
+  /// What a finished passage has left in the rail, NaN where nothing has flowed.
+  struct LeftInRail
+  {
+    double strain  = 0; ///< largest plastic strain that has come up so far [1]
+    double forward = 0; ///< flow of the surface along the track [m]
+    double depth   = 0; ///< of the plastic band [m]
+  };
+  LeftInRail
+  left_in_rail(const std::string &folder, unsigned int passage);
+
   /// The table passages.csv of the passages `computed` below `folder`, numbers from 1 that ascend, from their
   /// summaries; the column "verdict" holds the numbers of Grade. A passage whose forerunner was jumped over
   /// has no increments.

@@ -2,8 +2,8 @@
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/run/run_state.h>
 #include <wheelrail/sampling/residual.h>
-#include <wheelrail/sampling/run_parts.h>
 #include <wheelrail/solid/stress_recovery.h>
 #include <wheelrail/state/stop.h>
 
@@ -32,7 +32,7 @@ namespace wheelrail
   std::vector<std::string>
   judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary);
 
-  /// Adds what the run left in the rail where BB_behind cuts it.
+  /// Adds what the run left in the rail, the components where BB_behind cuts it.
   void
   add_residual(const Residual &residual, Summary &summary);
 
@@ -41,12 +41,11 @@ namespace wheelrail
   Summary
   summary_of(const RunParts &run, const RunTally &tally, const NodalStress &stress);
 
-  /// After a failure: writes why into summary.json, with the means so far where there is a recorder and an
-  /// axle, as far as that can still be written. To be called on one rank.
+  /// After a failure: writes why into summary.json, with the means so far where the run has started (else
+  /// null), as far as that can still be written. To be called on one rank.
   void
   write_failure(const Scene       &scene,
                 const std::string &program_version,
-                const Recorder    *recorder,
-                const Axle        *axle,
+                const RunState    *run,
                 const std::string &error);
 } // namespace wheelrail

@@ -19,8 +19,9 @@ namespace wheelrail
     std::string   program_version;
   };
 
-  /// Computes a scene with the `geometry` of its profiles (require_computable()) from static start to summary
-  /// and writes its output folder. Collective over MPI_COMM_WORLD; catch_interrupts() has been called.
+  /// Computes one wheel rolling over its rail: a scene with the `geometry` of its profiles
+  /// (require_computable()) from static start to summary and writes its output folder. Collective over
+  /// MPI_COMM_WORLD; catch_interrupts() has been called.
   ///
   /// Returns the exit code: 0 finished, 3 interrupted and saved. Throws InputError for what cannot
   /// be computed or must not be overwritten, RunError when the run stopped, on all ranks alike.

@@ -2,32 +2,25 @@
 
 #include <wheelrail/model/model.h>
 #include <wheelrail/sampling/slices.h>
-#include <wheelrail/statics/unloading.h>
 #include <wheelrail/wheelset/axle.h>
 
-#include <functional>
 #include <vector>
 
 namespace wheelrail
 {
-  /// What a passage leaves in the bodies once all loads are taken off, see unload().
+  /// What a passage leaves in the bodies once all loads are taken off.
   struct Residual
   {
     NodalStress stress; ///< recovered at the nodes of the rank
     /// AA_behind and BB_behind (slices_behind()) of the rail that the patch has left; with a start farther
     /// along the rail BB_behind is at the same place of the rail as without.
     std::vector<Slice> slices;
-    Unloading          way;
     double largest; ///< von Mises, of elements of that rail that have flowed [Pa]; NaN without one
     double forward; ///< displacement of that rail along Z that is the largest in size, where all was rolled
                     ///< over [m]
   };
 
-  /// Takes the loads off for the sample, and for `meanwhile`; the bodies are then again as they were. Throws
-  /// RunError as unload(). Collective.
+  /// Measures it in bodies without loads (WhileUnloaded) on the mesh of a forest. Collective.
   Residual
-  find_residual(Model                       &model,
-                const Axle                  &axle,
-                const std::function<void()> &meanwhile,
-                MPI_Comm                     communicator);
+  residual_of(const Model &model, const Axle &axle, MPI_Comm communicator);
 } // namespace wheelrail

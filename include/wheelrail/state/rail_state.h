@@ -1,15 +1,16 @@
 #pragma once
 
+#include <wheelrail/sampling/run_parts.h>
 #include <wheelrail/state/checkpoint.h>
 
 #include <string>
 
 namespace wheelrail
 {
-  /// Writes what a run leaves, the loads taken off, as rail.h5 into `folder`: the state `part` of the ranks,
-  /// whose model has the mesh of a forest. Collective; throws RunError on all ranks.
+  /// Writes what a run leaves, in bodies without loads on the mesh of a forest, as rail.h5 into its folder,
+  /// with all `parameters` in force. Collective; throws RunError on all ranks.
   void
-  save_rail(const Checkpoint &part, const std::string &folder, MPI_Comm communicator);
+  save_rail(const RunParts &run, const std::string &parameters);
 
   /// Reads the rail that Run/Rail of the scene names. `parameters` are the entries now in force. Throws
   /// InputError when no run has left a rail there, or one of another steel. To be called on all ranks.

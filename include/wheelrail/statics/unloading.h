@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/solid/kept_state.h>
 #include <wheelrail/solid/solid.h>
 #include <wheelrail/wheelset/axle.h>
 
@@ -7,11 +8,14 @@ namespace wheelrail
 {
   class Forest;
 
-  struct Unloading
+  /// Both bodies with all loads taken off, without the solid that has their mesh.
+  struct UnloadedBodies
   {
-    unsigned int steps    = 0; ///< of Newton's method
-    unsigned int cg_steps = 0;
-    double       residual = 0; ///< forces out of balance at the end over those at the begin (2-norms)
+    AlignedVector<double> displacement; ///< u_res as in Solid [m]
+    KeptFlow              flow;         ///< what flows while the loads go is in it
+    unsigned int          steps    = 0; ///< of Newton's method
+    unsigned int          cg_steps = 0;
+    double residual = 0; ///< forces out of balance at the end over those at the begin (2-norms)
   };
 
   /// Takes all loads off both bodies, contact, weight and inertia, and finds the equilibrium that plastic
@@ -23,8 +27,18 @@ namespace wheelrail
   /// elastic one at rest, which the kernel's own forces correct (modified Newton); for the wheel in the axes
   /// that turn with it.
   ///
-  /// Changes solid.displacement and the history of what flows; velocities stay. Throws RunError when it does
-  /// not converge. Collective.
-  Unloading
+  /// The solid is needed to compute forces in, and left as it was. Throws RunError when it does not converge.
+  /// Collective.
+  UnloadedBodies
   unload(const Forest &forest, Solid &solid, const Axle &axle);
+
+  /// As long as it lives a solid is in the state of its unloaded bodies, but for the velocities.
+  class WhileUnloaded
+  {
+  public:
+    WhileUnloaded(Solid &solid, const UnloadedBodies &bodies);
+
+  private:
+    KeptState loaded_;
+  };
 } // namespace wheelrail

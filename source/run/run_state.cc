@@ -1,0 +1,68 @@
+#include <wheelrail/run/moving_mesh.h>
+#include <wheelrail/run/run_start.h>
+#include <wheelrail/run/run_state.h>
+#include <wheelrail/sampling/fields.h>
+
+#include <utility>
+
+namespace wheelrail
+{
+  RunState::RunState(const Scene &scene_of_run,
+                     Model      &&built,
+                     const double lift,
+                     const double rate,
+                     MPI_Comm     of_all)
+    : scene(scene_of_run)
+    , model(std::move(built))
+    , communicator(of_all)
+    , axle(model.axle, lift, rate, communicator)
+    , rolling(model.solid, *model.contact, axle, time_scheme(scene, model), communicator)
+    , recorder(model)
+  {
+  }
+
+
+  void
+  RunState::record()
+  {
+    recorder.add(rolling, axle);
+    recorder.add_patch(patch_fields(*model.contact, axle, rolling.time()));
+  }
+
+
+  std::unique_ptr<RunState>
+  start_run(Scene                            scene,
+            const SceneGeometry             &geometry,
+            Model                            model,
+            const std::optional<Checkpoint> &rail,
+            Log                             &log,
+            MPI_Comm                         communicator)
+  {
+    const RunStart start =
+      start_on_wide_mesh(scene, geometry, model, rail ? &*rail : nullptr, log, communicator);
+    auto run = std::make_unique<RunState>(scene, std::move(model), start.lift, start.rate, communicator);
+    use_window(*run);
+    return run;
+  }
+
+
+  std::unique_ptr<RunState>
+  resume_run(const Scene &scene, Model model, const Checkpoint &saved, MPI_Comm communicator)
+  {
+    model.time_step = saved.time_step; // another Run/Rolling distance would round it otherwise
+    if (model.swept)
+      {
+        model.window = saved.window;
+        model.forest.reset();
+        prepare_window(model, communicator);
+      }
+    auto run = std::make_unique<RunState>(scene, std::move(model), 0, 0, communicator);
+    restore_checkpoint(saved, run->model, run->axle, run->rolling, run->recorder, communicator);
+    lengthen_way(*run);
+    run->ticks          = saved.ticks;
+    run->first_step     = run->rolling.steps();
+    run->first_distance = run->axle.travelled();
+    run->wall_before    = saved.wall_time;
+    return run;
+  }
+} // namespace wheelrail

@@ -1,0 +1,35 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/run/moving_mesh.h>
+#include <wheelrail/run/run_texts.h>
+#include <wheelrail/run/unloaded_rail.h>
+
+#include <chrono>
+
+namespace wheelrail
+{
+  std::optional<UnloadedBodies>
+  take_loads_off(RunState &run, Log &log)
+  {
+    const PerBody<ElementBlocks> &blocks = run.model.solid.blocks;
+    if (!blocks.rail.plastic() && !blocks.wheel.plastic())
+      return {};
+    const auto begin = std::chrono::steady_clock::now();
+    try
+      {
+        use_forest(run);
+        UnloadedBodies                      bodies = unload(*run.model.forest, run.model.solid, run.axle);
+        const std::chrono::duration<double> taken  = std::chrono::steady_clock::now() - begin;
+        log.value("unloading",
+                  text("%u Newton steps, %u CG steps, %s",
+                       bodies.steps,
+                       bodies.cg_steps,
+                       format_duration(taken.count()).c_str()));
+        return bodies;
+      }
+    catch (const RunError &error)
+      {
+        log.warning(error.what());
+        return {};
+      }
+  }
+} // namespace wheelrail
