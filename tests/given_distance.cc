@@ -64,6 +64,13 @@ namespace
       "Wheelset/Yaw: without effect where Half-space/Undeformed distance is not that of the profiles; give "
       "Wheelset/Lateral creepage (about minus the yaw in rad), or set Undeformed distance = profiles",
       "yaw without profiles");
+    Scene curved        = hertz_scene();
+    curved.track_radius = 300;
+    check_text(
+      test::message_of([&]() { solve(curved); }),
+      "Track/Radius: without effect where Half-space/Undeformed distance is not that of the profiles; give "
+      "Half-space/Given spin, or set Undeformed distance = profiles",
+      "a curve without profiles");
     back.halfspace_normal_force = 100e3;
     check_text(
       message_of([&]() { solve(back); }),

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -40,11 +41,13 @@ namespace
       {"Track/Gauge height", "15 mm"},
       {"Track/Rail inclination", "1/20"},
       {"Track/Rail length", "1.2 m"},
+      {"Track/Radius", "-300 m"},
       {"Wheelset/Nominal rolling radius", "420 mm"},
       {"Wheelset/Flange back distance", "1361 mm"},
       {"Wheelset/Lateral shift", "-3.5 mm"},
       {"Wheelset/Roll", "from contact"},
       {"Wheelset/Side", "left"},
+      {"Wheelset/Axle", "independent"},
       {"Wheelset/Yaw", "5 mrad"},
       {"Wheelset/Motion", "motion.csv"},
       {"Wheelset/Motion start", "12.5 m"},
@@ -174,14 +177,15 @@ namespace
     for (const auto &value : other_values())
       sets.push_back(value.first + " = " + value.second);
     SceneInput input                = scene_from_text("", "none", sets);
-    SceneInput straight             = input; // runs know neither
+    SceneInput straight             = input; // not all of it can be run
     straight.scene.yaw              = 0;
     straight.scene.lateral_creepage = 0;
     straight.scene.motion           = "none"; // its file is not there
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
     straight.scene.passage_jump     = 0;      // the wheel is the same again
     straight.scene.planned_strip.clear();     // nor that strip
-    straight.scene.start_offset     = 0;      // the window is fixed
+    straight.scene.track_radius     = std::numeric_limits<double>::infinity();
+    straight.scene.start_offset     = 0; // the window is fixed
     straight.scene.staggered_starts = 1;
     require_computable(straight);
     return input.scene;
@@ -254,6 +258,8 @@ namespace
     check_near(s.track.flange_back_distance, 1.361, 0, "field flange_back_distance");
     check_near(s.lateral_shift, -0.0035, 0, "field lateral_shift");
     check(s.roll == RollMode::from_contact, "field roll");
+    check_near(s.track_radius, -300, 0, "field track_radius");
+    check(!s.rigid_axle, "field rigid_axle");
     check_text(s.motion, "motion.csv", "field motion");
     check_near(s.motion_start, 12.5, 0, "field motion_start");
     check_near(s.wheel.rim_width, 0.136, 0, "field rim_width");

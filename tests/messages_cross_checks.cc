@@ -125,6 +125,14 @@ namespace
     const auto answer = [](const std::vector<std::string> &sets) {
       return message_of([&]() { require_computable(scene_from_text("", "x.prm", sets)); });
     };
+    check_text(answer({"Track/Radius = 300 m"}),
+               "--set: Track/Radius = 300 m: a run rolls straight on; write straight, or compute half-spaces "
+               "(halfspace, vehicle), which take curves",
+               "a run in a curve");
+    check_text(answer({"Track/Radius = 3 m"}),
+               "--set: Track/Radius = 3 m: too narrow for a track; 20 m is the least, to either side, or "
+               "straight",
+               "a curve that is no track");
     check_text(answer({"Mesh/Planned strip = -20 mm, 10 mm", "Wheelset/Yaw = 5 mrad"}),
                "--set: Mesh/Planned strip = -20 mm, 10 mm: is for wheels without yaw; write none, or "
                "Wheelset/Yaw = 0 mrad",

@@ -61,7 +61,7 @@ def results():
     program("run", "keys.prm", "--overwrite")
     program("compare", "out", "--no-pictures")
     program("halfspace", "keys.prm", "--no-pictures")
-    program("vehicle", "keys.prm", "rows.csv", "--no-pictures")
+    program("vehicle", "keys.prm", "rows.csv", "--no-pictures", "--both-wheels")
     program("halfspace", "keys.prm", "--no-pictures", "--creep-curve", "longitudinal 0.1,0.2 %")
     program("material", "keys.prm", "--no-pictures", *MATERIAL)
     program("run", "keys.prm", "--overwrite", "--set", "Run/Passages = 2", "--set", "Output/Folder = many")

@@ -57,8 +57,9 @@ namespace
   test_messages()
   {
     const std::string there =
-      "; there are time, distance, lateral shift, roll, yaw, load, velocity, torque, traction, creepage and "
-      "lateral creepage, each with its unit in brackets, such as \"load [kN]\"";
+      "; there are time, distance, lateral shift, roll, yaw, load, load right, load left, velocity, torque, "
+      "traction, creepage, lateral creepage and radius, each with its unit in brackets, such as \"load "
+      "[kN]\"";
     refused("time [s],jaw [mrad]\n0,1\n",
             ":1: column \"jaw [mrad]\" is not known, perhaps yaw is meant" + there);
     refused("time [s],yaw\n0,1\n",
@@ -84,6 +85,14 @@ namespace
             ": neither time nor distance; one of them must be a column, such as \"time [s]\"");
     refused("time [s],torque [N m],creepage [%]\n0,1,1\n",
             ": torque and creepage; one follows from the other: leave one of the columns out");
+    refused("time [s],load right [kN]\n0,80\n",
+            ": load right without load left; write both, or load for a load that both wheels have");
+    refused("time [s],load [kN],load right [kN],load left [kN]\n0,1,1,1\n",
+            ": load beside load right and load left; leave it out, or the two others");
+    refused(
+      "time [s],radius [m]\n0,0\n1,-12\n",
+      ":3: radius = -12 is out of range; 20 m to 100 km on either side, or 0 is accepted, in the unit of "
+      "the first line");
     refused("# nothing\n",
             ": no rows; such a table has a first line with names and units, and rows of numbers");
     test::check_text(test::message_of([]() { read_motion_file("no_such.csv"); }),
@@ -232,7 +241,8 @@ namespace
     const MotionFile motion = read_motion_file(file.path());
     check(motion.rows() == 4 && std::abs((*motion.find(MotionQuantity::yaw))[2] - 3e-3) < 1e-15, "four rows");
     const SceneProfiles profiles = read_profiles(scene);
-    const VehicleWheel  wheel    = solve_vehicle(scene, profiles, motion, false, [](std::size_t) {});
+    const VehicleWheel  wheel =
+      solve_vehicle(scene, profiles, motion, false, [](std::size_t) {}).wheels.front();
     check(wheel.faults[0].empty() && wheel.faults[1].empty() && wheel.faults[2].empty(),
           "three rows have contact");
     check(wheel.faults[3].find("no contact point") != std::string::npos,
@@ -261,9 +271,47 @@ namespace
     row.left_wheel            = true;
     const SceneGeometry other = make_geometry(row, profiles);
     load.longitudinal         = 4600 / other.contact.rolling_radius;
-    const auto         left   = solve_wheel_rail(row, other, load, scene_offsets(row));
-    const VehicleWheel both   = solve_vehicle(scene, profiles, motion, true, [](std::size_t) {});
-    check_near(both.rows[2].lateral_force, left.lateral, 1e-6, "lateral force of the left wheel [N]");
+    const auto left           = solve_wheel_rail(row, other, load, scene_offsets(row));
+    scene.rigid_axle          = false;
+    const VehicleResult both  = solve_vehicle(scene, profiles, motion, true, [](std::size_t) {});
+    check(both.axle.empty(), "independent wheels are no axle");
+    check_near(
+      both.wheels[0].rows[2].lateral_force, own.lateral, 1e-9, "independent wheels: the right one [N]");
+    check_near(both.wheels[1].rows[2].lateral_force, left.lateral, 1e-9, "and the left one [N]");
+  }
+
+  /// Both wheels on their axle: each row has its loads and its curve, and its torque is that of the axle.
+  void
+  test_axle_rows()
+  {
+    Scene scene                  = {};
+    scene.halfspace_element_size = 0.8e-3;
+    const File file(
+      "distance [m],lateral shift [mm],load right [kN],load left [kN],torque [kN m],radius [m]\n"
+      "0,-2,100,60,0,0\n1,-2,100,60,4,300\n2,-2,100,0,0,0\n");
+    const MotionFile    motion   = read_motion_file(file.path());
+    const SceneProfiles profiles = read_profiles(scene);
+    const VehicleResult both     = solve_vehicle(scene, profiles, motion, true, [](std::size_t) {});
+    check(both.axle.size() == 3 && both.wheels.size() == 2, "three rows of two wheels on one axle");
+    const auto force = [&](const std::size_t wheel, const std::size_t row) {
+      return get_figure(both.wheels[wheel].rows[row], "wheelset_longitudinal_force_N");
+    };
+    check_near(both.wheels[0].rows[0].vertical_force / 100e3, 1, 1.1e-3, "load of the right wheel: ratio");
+    check_near(both.wheels[1].rows[0].vertical_force / 60e3, 1, 1.1e-3, "load of the left wheel: ratio");
+    check_near(both.axle[0].load, 160e3, 0, "load of the axle [N]");
+    check_near((force(0, 0) + force(1, 0)) / 160e3, 0, 1e-3, "what one wheel drives the other brakes");
+    check(force(0, 0) > 1e3, "the wheel near its flange drives on a straight track [N]");
+    check_near(both.axle[1].torque, 4e3, 10, "torque of the axle [N m]");
+    check(force(0, 1) < force(0, 0), "in a curve to the left the outer wheel has farther to go");
+    check_near(both.wheels[1].rows[2].normal_force, 0, 0, "a wheel without load [N]");
+    // one wheel that does not touch is enough
+    scene.track.flange_back_distance = 1.37;
+    const File          off("distance [m],lateral shift [mm],load [kN]\n0,11.9,80\n");
+    const VehicleResult none =
+      solve_vehicle(scene, profiles, read_motion_file(off.path()), true, [](std::size_t) {});
+    check(none.wheels[0].faults[0].find("no contact point") != std::string::npos &&
+            std::isnan(none.axle[0].torque),
+          "a row that does not touch has no figures, and says so");
   }
 } // namespace
 
@@ -275,5 +323,6 @@ main()
   test_scene_of_row();
   test_free_rows();
   test_rows();
+  test_axle_rows();
   return test::report();
 }

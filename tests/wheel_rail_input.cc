@@ -2,6 +2,7 @@
 // profiles that give the same contact when they are read back.
 #include "messages.h"
 
+#include <limits>
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/profile_file.h>
@@ -125,7 +126,12 @@ namespace
       "--contact-wheel-rail-input writes wheelsets that roll straight on only: set Wheelset/Yaw = 0 mrad, "
       "Wheelset/Lateral creepage = 0 and Half-space/Given spin = auto",
       "yaw");
-    scene.yaw                = 0;
+    scene.yaw          = 0;
+    scene.track_radius = 300;
+    check_text(message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),
+               "--contact-wheel-rail-input writes straight tracks only: set Track/Radius = straight",
+               "a curve");
+    scene.track_radius       = std::numeric_limits<double>::infinity();
     scene.halfspace_distance = "hertz";
     check_text(
       message_of([&]() { wheel_rail_input(scene, make_geometry(scene), 1e5, "r", "w"); }),

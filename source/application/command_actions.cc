@@ -24,8 +24,10 @@
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/simulation.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -110,10 +112,22 @@ namespace wheelrail
       return told ? static_cast<unsigned int>(std::strtoul(told, nullptr, 10)) : 0;
     }
 
+    /// The scene that a run computes of --row: straight on. Returns a note on a curve that is left out, or
+    /// nothing.
+    std::string
+    roll_straight(const po::variables_map &options, Scene &scene)
+    {
+      if (!options.count("row") || !std::isfinite(scene.track_radius))
+        return "";
+      scene.track_radius = std::numeric_limits<double>::infinity();
+      return "the run rolls straight on, without the radius of the row";
+    }
+
     int
     validate(const po::variables_map &options, std::ostream &out)
     {
-      const SceneInput   input   = input_of(options);
+      SceneInput input = input_of(options);
+      print_note(roll_straight(options, input.scene), out);
       const CheckedScene checked = check_scene(input.scene, this_machine(ranks_of_launcher()));
       const Findings    &found   = checked.found;
       require_none(found.errors, input);
@@ -183,7 +197,8 @@ namespace wheelrail
     run_options.resume    = options.count("resume") > 0;
     if (run_options.overwrite && run_options.resume)
       throw InputError("--overwrite starts anew and --resume goes on: give one of them");
-    const SceneInput    input    = one_scene_of(options);
+    SceneInput          input    = one_scene_of(options);
+    const std::string   curve    = roll_straight(options, input.scene);
     const SceneGeometry geometry = require_computable(input);
     run_options.prm_text         = input.text;
     for (const std::string &set : sets_of(options))
@@ -191,7 +206,8 @@ namespace wheelrail
     if (options.count("row"))
       run_options.prm_text += "# --row " + options["row"].as<std::string>() +
                               (options.count("traction") ? " --traction from scene\n" : "\n");
-    run_options.note            = drive_note(options, input);
+    const std::string drive     = drive_note(options, input);
+    run_options.note            = drive + (drive.empty() || curve.empty() ? "" : "; ") + curve;
     run_options.parameters_text = print_parameters(input.scene);
     run_options.program_version = WHEELRAIL_VERSION;
     return run(input.scene, geometry, run_options);
@@ -276,6 +292,8 @@ namespace wheelrail
     require_one_scene(input);
     input.scene.motion = "none"; // the rows of the command take its place
     print_note(drive_of_rows(input.scene, motion, row_drive_of(options)), out);
+    if (!options.count("both-wheels") && !has_drive(motion))
+      print_note("one wheel, which turns by itself; --both-wheels puts both on one axle", out);
     input.scene = scene_for_rows(input.scene, motion, row_drive_of(options));
     require_none(contact_checks(input.scene).errors, input);
     if (distance_is_given(input.scene))

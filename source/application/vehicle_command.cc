@@ -102,11 +102,39 @@ namespace wheelrail
       return wheel.faults[row].empty() ? grade_of(wheel.rows[row]) : Grade::not_trusted;
     }
 
-    FigureTable
-    table_of(const MotionFile &motion, const std::vector<VehicleWheel> &wheels)
+    /// Of each wheel, and of both together.
+    void
+    add_axle(FigureTable &table, const std::vector<AxleRow> &rows)
     {
-      FigureTable         table;
-      std::vector<double> numbers;
+      const auto add = [&](const char *key, const char *unit, const auto &value) {
+        std::vector<double> values;
+        for (const AxleRow &row : rows)
+          values.push_back(value(row));
+        table.add(key, unit, values);
+      };
+      add("axle_pitch_rate_rad_per_s", "rad/s", [](const AxleRow &row) { return row.pitch_rate; });
+      add("axle_torque_Nm", "Nm", [](const AxleRow &row) { return row.torque; });
+      add("axle_lateral_force_N", "N", [](const AxleRow &row) { return row.lateral_force; });
+      add("axle_yaw_moment_Nm", "Nm", [](const AxleRow &row) { return row.yaw_moment; });
+      // Prud'homme 1967, limit of the sum of lateral forces that shifts the track, with k = 1
+      add("axle_prudhomme_limit_N", "N", [](const AxleRow &row) { return 10e3 + row.load / 3; });
+    }
+
+    std::vector<double>
+    lateral_over_vertical(const std::vector<Summary> &rows)
+    {
+      std::vector<double> ratios;
+      for (const Summary &row : rows)
+        ratios.push_back(row.vertical_force > 0 ? row.lateral_force / row.vertical_force : std::nan(""));
+      return ratios;
+    }
+
+    FigureTable
+    table_of(const MotionFile &motion, const VehicleResult &vehicle)
+    {
+      const std::vector<VehicleWheel> &wheels = vehicle.wheels;
+      FigureTable                      table;
+      std::vector<double>              numbers;
       for (std::size_t row = 0; row < motion.rows(); ++row)
         numbers.push_back(row + 1.);
       table.add("row", "1", numbers);
@@ -117,6 +145,7 @@ namespace wheelrail
           const std::string side = wheel.left ? "left_" : "right_";
           FigureTable       own;
           own.add_figures(figure_keys(), wheel.rows);
+          own.add("lateral_over_vertical", "1", lateral_over_vertical(wheel.rows));
           add_patches(own, wheel.rows);
           for (std::size_t k = 0; k < own.keys.size(); ++k)
             table.add(side + own.keys[k], own.units[k], own.columns[k]);
@@ -130,6 +159,8 @@ namespace wheelrail
           table.add(side + "verdict", "1", grades);
           table.add(side + "trusted", "1", good);
         }
+      if (!vehicle.axle.empty())
+        add_axle(table, vehicle.axle);
       return table;
     }
 
@@ -204,19 +235,18 @@ namespace wheelrail
     const std::filesystem::path folder = folder_beside(scene.folder, "-vehicle");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
 
-    const auto                begin = std::chrono::steady_clock::now();
-    std::vector<VehicleWheel> wheels;
-    std::mutex                lock;
-    for (const bool left : both_wheels ? std::vector<bool>{false, true} : std::vector<bool>{scene.left_wheel})
-      wheels.push_back(solve_vehicle(scene, profiles, motion, left, [&](const std::size_t done) {
+    const auto          begin = std::chrono::steady_clock::now();
+    std::mutex          lock;
+    const VehicleResult vehicle =
+      solve_vehicle(scene, profiles, motion, both_wheels, [&](const std::size_t done) {
         const std::lock_guard<std::mutex> guard(lock);
         if (done % 200 == 0)
-          out << (left ? "left" : "right") << " wheel: " << done << " of " << motion.rows() << " rows"
-              << std::endl;
-      }));
+          out << done << " of " << motion.rows() << " rows" << std::endl;
+      });
+    const std::vector<VehicleWheel> &wheels = vehicle.wheels;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
-    const FigureTable table = table_of(motion, wheels);
+    const FigureTable table = table_of(motion, vehicle);
     table.write_csv((folder / "vehicle.csv").string());
     table.write_hdf5((folder / "vehicle.h5").string());
     char text[160];

@@ -1,10 +1,12 @@
 #include <wheelrail/halfspace/friction_field.h>
+#include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/measures.h>
 #include <wheelrail/halfspace/normal.h>
 #include <wheelrail/halfspace/tangential.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <sstream>
 #include <vector>
 
@@ -14,25 +16,17 @@ namespace wheelrail
   {
     using Spectrum = InfluenceProducts::Spectrum;
 
-    HalfspaceConstants
-    constants_of(const HalfspaceProblem &problem)
-    {
-      HalfspaceConstants constants = halfspace_constants(problem.body1, problem.body2);
-      constants.layer              = problem.layer_compliance;
-      return constants;
-    }
-
     /// One problem while it is solved.
     class Solver
     {
     public:
-      explicit Solver(const HalfspaceProblem &problem)
+      Solver(const HalfspaceProblem &problem, HalfspaceKernels &kernels)
         : problem_(problem)
         , grid_(problem.grid)
-        , constants_(constants_of(problem))
-        , products_(problem.grid)
+        , kernels_(kernels)
+        , products_(kernels.products())
         , pressure_given_(!problem.pressure.empty())
-        , coupled_(std::abs(constants_.coupling) > 1e-12 * constants_.normal)
+        , coupled_(std::abs(kernels.constants().coupling) > 1e-12 * kernels.constants().normal)
         , friction_(problem.motion != HalfspaceMotion::none)
         , velocity_dependent_(problem.friction.depends_on_speed())
       {
@@ -45,28 +39,12 @@ namespace wheelrail
             normal_.pressure  = problem.pressure;
             normal_.converged = true;
           }
-        else
-          normal_kernel_ = kernel(2, 2, 0);
-        if (coupled_)
-          {
-            coupling_x_ = kernel(2, 0, 0);
-            coupling_y_ = kernel(2, 1, 0);
-          }
       }
 
       HalfspaceSolution
       run();
 
     private:
-      /// Spectrum of the displacement a under traction b, seen `ahead` further along rolling.
-      Spectrum
-      kernel(const int a, const int b, const double ahead)
-      {
-        return products_.kernel([&](const double x, const double y) {
-          return influence_coefficients(constants_, grid_.dx, grid_.dy, x + ahead, y)[a][b];
-        });
-      }
-
       /// Adds factor times the displacement a (seen `ahead`) of a traction field in direction b.
       void
       add_displacement(const int                  a,
@@ -79,7 +57,7 @@ namespace wheelrail
         Spectrum            s;
         std::vector<double> u;
         products_.forward(traction, s);
-        const Spectrum k = kernel(a, b, ahead);
+        const Spectrum &k = kernels_.of(a, b, ahead);
         for (std::size_t m = 0; m < s.size(); ++m)
           s[m] *= k[m];
         products_.backward(s, u);
@@ -105,12 +83,10 @@ namespace wheelrail
 
       const HalfspaceProblem &problem_;
       HalfspaceGrid           grid_;
-      HalfspaceConstants      constants_;
-      InfluenceProducts       products_;
-      Spectrum                normal_kernel_, coupling_x_, coupling_y_;
+      HalfspaceKernels       &kernels_;
+      InfluenceProducts      &products_;
       bool                    pressure_given_, coupled_, friction_, velocity_dependent_;
       double                  offset_ = 0;
-      SlipKernels             slip_kernels_;
       NormalContact           normal_;
       TangentialState         tangential_;
       std::vector<double>     mu_;
@@ -128,15 +104,16 @@ namespace wheelrail
           std::vector<double> u;
           products_.forward(tangential_.traction[0], x);
           products_.forward(tangential_.traction[1], y);
+          const Spectrum &under_x = kernels_.of(2, 0, 0), &under_y = kernels_.of(2, 1, 0);
           for (std::size_t m = 0; m < x.size(); ++m)
-            x[m] = x[m] * coupling_x_[m] + y[m] * coupling_y_[m];
+            x[m] = x[m] * under_x[m] + y[m] * under_y[m];
           products_.backward(x, u);
           for (std::size_t e = 0; e < u.size(); ++e)
             distance[e] += u[e];
         }
       normal_.approach = problem_.approach;
       solve_normal(products_,
-                   normal_kernel_,
+                   kernels_.of(2, 2, 0),
                    grid_,
                    distance,
                    problem_.force_given,
@@ -187,7 +164,7 @@ namespace wheelrail
     Solver::tangential_problem()
     {
       TangentialTask task;
-      task.kernels     = &slip_kernels_;
+      task.kernels     = &kernels_.slip(solution_.step, problem_.motion == HalfspaceMotion::steady);
       task.grid        = grid_;
       task.rigid_slip  = rigid_slip();
       task.force_given = {{problem_.longitudinal_force_given, problem_.lateral_force_given}};
@@ -251,9 +228,6 @@ namespace wheelrail
     {
       tangential_.creepage = {{problem_.xi, problem_.eta}};
       mu_.assign(grid_.size(), problem_.friction.at_rest);
-      if (friction_)
-        slip_kernels_ = slip_kernels(
-          products_, constants_, grid_, solution_.step, problem_.motion == HalfspaceMotion::steady);
       for (solution_.coupling_rounds = 1;; ++solution_.coupling_rounds)
         {
           const std::vector<double> old = normal_.pressure;
@@ -343,6 +317,17 @@ namespace wheelrail
   solve_rolling(const HalfspaceProblem &problem)
   {
     check_problem(problem);
-    return Solver(problem).run();
+    HalfspaceKernels kernels(problem);
+    return Solver(problem, kernels).run();
+  }
+
+
+  HalfspaceSolution
+  solve_rolling(const HalfspaceProblem &problem, std::shared_ptr<HalfspaceKernels> &kernels)
+  {
+    check_problem(problem);
+    if (!kernels || !kernels->fit(problem))
+      kernels = std::make_shared<HalfspaceKernels>(problem);
+    return Solver(problem, *kernels).run();
   }
 } // namespace wheelrail

@@ -250,6 +250,10 @@ namespace wheelrail
   contact_checks(const Scene &scene)
   {
     Findings found;
+    if (std::abs(scene.track_radius) < least_track_radius)
+      found.errors.push_back(entry_text(scene, "Track", "Radius") + ": too narrow for a track; " +
+                             format_quantity(least_track_radius, "m") +
+                             " is the least, to either side, or straight");
     check_wheel(scene, found.errors);
     check_material(scene, "Rail material", scene.rail_material, found);
     check_material(scene, "Wheel material", scene.wheel_material, found);
@@ -262,6 +266,10 @@ namespace wheelrail
   cross_checks(const Scene &scene)
   {
     Findings found = contact_checks(scene);
+    if (std::isfinite(scene.track_radius) && std::abs(scene.track_radius) >= least_track_radius)
+      found.errors.push_back(entry_text(scene, "Track", "Radius") +
+                             ": a run rolls straight on; write straight, or compute half-spaces (halfspace, "
+                             "vehicle), which take curves");
     check_cells(scene, found.errors);
     check_steps(scene, found.warnings);
     if (scene.several_passages() && !scene.rail_material.yields())

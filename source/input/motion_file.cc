@@ -5,11 +5,13 @@
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/base/split_list.h>
+#include <wheelrail/input/motion_columns.h>
 #include <wheelrail/input/motion_file.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <sstream>
 
 namespace wheelrail
@@ -17,60 +19,6 @@ namespace wheelrail
   namespace
   {
     using Q = MotionQuantity;
-
-    struct Column
-    {
-      Q           quantity;
-      const char *name;
-      Dimension   dimension;
-      double      least, most; ///< accepted [SI]
-      const char *range;
-    };
-
-    using Columns = std::vector<Column>;
-
-    const Columns &
-    motion_columns()
-    {
-      static const Columns list = {
-        {Q::time, "time", Dimension::time, -1e9, 1e9, ""},
-        {Q::distance, "distance", Dimension::length, -1e9, 1e9, ""},
-        {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
-        {Q::roll, "roll", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"},
-        {Q::yaw, "yaw", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"},
-        {Q::load, "load", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
-        {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
-        {Q::torque, "torque", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
-        {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
-        {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
-        {Q::lateral_creepage, "lateral creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
-      return list;
-    }
-
-    const Columns &
-    passage_columns()
-    {
-      static const Columns list = {
-        {Q::load, "load", Dimension::force, 1e3, 5e5, "1 kN to 500 kN"},
-        {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
-        {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
-        {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
-        {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
-      return list;
-    }
-
-    const Columns &
-    curve_columns()
-    {
-      static const Columns list = {
-        {Q::creepage, "creepage", Dimension::none, -1, 1, "-100 % to 100 %"},
-        {Q::spin, "spin", Dimension::none, -100, 100, "-100 1/m to 100 1/m"},
-        {Q::longitudinal_force, "longitudinal force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"},
-        {Q::lateral_force, "lateral force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"},
-        {Q::spin_moment, "spin moment", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
-        {Q::traction, "traction", Dimension::none, -2, 2, "-2 to 2"}};
-      return list;
-    }
 
     std::string
     trimmed(const std::string &text)
@@ -88,42 +36,11 @@ namespace wheelrail
       return cells;
     }
 
-    /// SI value of one of the unit; throws InputError.
-    double
-    unit_factor(const Column &column, const std::string &unit)
-    {
-      if (column.quantity == Q::spin)
-        {
-          if (unit == "1/m")
-            return 1;
-          throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a spin; 1/m is accepted");
-        }
-      if (column.quantity == Q::torque || column.quantity == Q::spin_moment)
-        {
-          if (unit == "N m" || unit == "Nm")
-            return 1;
-          if (unit == "kN m" || unit == "kNm")
-            return 1e3;
-          throw InputError("\"" + shown_text(unit, 40) +
-                           "\" is no unit of a torque; N m or kN m is accepted");
-        }
-      if (column.dimension == Dimension::none)
-        {
-          if (unit == "%")
-            return 0.01;
-          if (unit.empty() || unit == "1" || unit == "-")
-            return 1;
-          throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a " + column.name +
-                           "; %, or 1 is accepted");
-        }
-      return parse_quantity("1 " + unit, column.dimension);
-    }
-
     /// Reads one file.
     class Reader
     {
     public:
-      Reader(const std::string &path, const Columns &known, const std::string &purpose)
+      Reader(const std::string &path, const MotionColumns &known, const std::string &purpose)
         : path_(path)
         , known_(known)
         , purpose_(purpose)
@@ -144,14 +61,14 @@ namespace wheelrail
       void
       read_row(const std::string &line);
 
-      std::string                 path_;
-      const Columns              &known_;
-      std::string                 purpose_; ///< what needs the file, for messages
-      int                         line_      = 0;
-      char                        separator_ = ',';
-      std::vector<const Column *> columns_;
-      std::vector<double>         factors_;
-      MotionFile                  motion_;
+      std::string                       path_;
+      const MotionColumns              &known_;
+      std::string                       purpose_; ///< what needs the file, for messages
+      int                               line_      = 0;
+      char                              separator_ = ',';
+      std::vector<const MotionColumn *> columns_;
+      std::vector<double>               factors_;
+      MotionFile                        motion_;
     };
 
     void
@@ -167,14 +84,14 @@ namespace wheelrail
           std::transform(
             name.begin(), name.end(), name.begin(), [](const char c) { return c == '_' ? ' ' : c; });
           std::vector<std::string> names;
-          for (const Column &column : known_)
+          for (const MotionColumn &column : known_)
             names.push_back(column.name);
           const auto known = std::find(names.begin(), names.end(), name);
           if (known == names.end())
             fail("column \"" + shown_text(cell, 40) + "\" is not known" + perhaps(name, names) +
                  "; there are " + join_choices(names, "and") +
                  ", each with its unit in brackets, such as \"load [kN]\"");
-          const Column &column = known_[known - names.begin()];
+          const MotionColumn &column = known_[known - names.begin()];
           if (std::find(columns_.begin(), columns_.end(), &column) != columns_.end())
             fail("two columns of " + name + "; leave one out");
           const bool has_unit = open != std::string::npos && close != std::string::npos && close > open;
@@ -220,7 +137,10 @@ namespace wheelrail
               fail("\"" + shown_text(cells[k], 40) + "\" of " + name +
                    " is not a number; units stand in the first line");
             }
-          if (value < columns_[k]->least * (1 + 1e-12) - 1e-15 || value > columns_[k]->most * (1 + 1e-12))
+          const bool too_narrow =
+            columns_[k]->quantity == Q::radius && value != 0 && std::abs(value) < least_track_radius;
+          if (too_narrow || value < columns_[k]->least * (1 + 1e-12) - 1e-15 ||
+              value > columns_[k]->most * (1 + 1e-12))
             fail(name + " = " + shown_text(cells[k], 40) + " is out of range; " + columns_[k]->range +
                  " is accepted, in the unit of the first line");
           auto &column = motion_.columns[k];
@@ -284,6 +204,19 @@ namespace wheelrail
         throw InputError(path + ": " + drives[0] + " and " + drives[1] +
                          "; one follows from the other: leave one of the columns out");
     }
+
+    /// Throws InputError for a load of both wheels beside one of each, or for that of one alone.
+    void
+    require_loads(const std::string &path, const MotionFile &rows)
+    {
+      const bool right = rows.find(Q::load_right), left = rows.find(Q::load_left);
+      if (right != left)
+        throw InputError(path + ": " + (right ? "load right" : "load left") + " without " +
+                         (right ? "load left" : "load right") +
+                         "; write both, or load for a load that both wheels have");
+      if (right && rows.find(Q::load))
+        throw InputError(path + ": load beside load right and load left; leave it out, or the two others");
+    }
   } // namespace
 
 
@@ -297,7 +230,7 @@ namespace wheelrail
   std::string
   motion_name(const MotionQuantity quantity)
   {
-    for (const Column &column : motion_columns())
+    for (const MotionColumn &column : motion_columns())
       if (column.quantity == quantity)
         return column.name;
     return "";
@@ -309,7 +242,7 @@ namespace wheelrail
   {
     if (quantity == Q::torque)
       return "Nm";
-    for (const Column &column : motion_columns())
+    for (const MotionColumn &column : motion_columns())
       if (column.quantity == quantity)
         return column.dimension == Dimension::none ? "1" : si_unit(column.dimension);
     return "1";
@@ -322,6 +255,7 @@ namespace wheelrail
     const MotionFile motion =
       Reader(path, motion_columns(), "a motion is a table of rows over time or distance").read();
     require_one_drive(path, motion);
+    require_loads(path, motion);
     if (!motion.find(Q::time) && !motion.find(Q::distance))
       throw InputError(path +
                        ": neither time nor distance; one of them must be a column, such as \"time [s]\"");
@@ -368,6 +302,21 @@ namespace wheelrail
   }
 
 
+  MotionFile
+  of_wheel(const MotionFile &motion, const bool left)
+  {
+    MotionFile wheel;
+    for (std::size_t k = 0; k < motion.quantities.size(); ++k)
+      if (const Q quantity = motion.quantities[k]; quantity != (left ? Q::load_right : Q::load_left))
+        {
+          wheel.quantities.push_back(quantity == Q::load_right || quantity == Q::load_left ? Q::load
+                                                                                           : quantity);
+          wheel.columns.push_back(motion.columns[k]);
+        }
+    return wheel;
+  }
+
+
   Scene
   scene_at(const Scene &scene, const MotionFile &motion, const std::size_t row)
   {
@@ -391,6 +340,8 @@ namespace wheelrail
     if (set(Q::creepage, at.creepage))
       at.drive = Drive::rate;
     set(Q::lateral_creepage, at.lateral_creepage);
+    if (set(Q::radius, at.track_radius) && at.track_radius == 0)
+      at.track_radius = std::numeric_limits<double>::infinity();
     return at;
   }
 } // namespace wheelrail

@@ -3,6 +3,7 @@
 #include <wheelrail/input/section_entries.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace wheelrail
@@ -49,6 +50,21 @@ namespace wheelrail
                    "m",
                    B::between("200 mm", "10 m"),
                    field(&S::rail_length)));
+    const auto radius = field(&S::track_radius);
+    list.push_back(with_word(
+      number_entry(
+        {"Track",
+         "Radius",
+         "Of the curve that the wheelset runs along, for half-spaces (halfspace, vehicle); positive: "
+         "the curve goes to the left, so that the right-hand wheel is the outer one. Runs roll "
+         "straight on."},
+        Dimension::length,
+        "m",
+        B::between("-100 km", "100 km"),
+        radius),
+      "straight",
+      std::numeric_limits<double>::infinity(),
+      radius));
     return list;
   }
 } // namespace wheelrail

@@ -128,6 +128,12 @@ namespace wheelrail
                                          "the modelled wheel."},
                                         {{"right", false}, {"left", true}},
                                         field(&S::left_wheel)));
+      list.push_back(choice_entry<bool>({"Wheelset",
+                                         "Axle",
+                                         "Of vehicle --both-wheels. rigid: both wheels turn at one rate, and "
+                                         "share the torque; independent: each turns by itself."},
+                                        {{"rigid", true}, {"independent", false}},
+                                        field(&S::rigid_axle)));
       list.push_back(
         length_entry({"Wheelset",
                       "Lateral shift",

@@ -46,6 +46,10 @@ namespace wheelrail
       throw InputError(entry +
                        ": lateral shift and lateral creepage; a run moves the wheelset aside as the "
                        "shift says: leave one of the columns out");
+    if (motion.find(Q::radius))
+      throw InputError(entry +
+                       ": radius; a run rolls straight on: leave the column out (half-spaces of "
+                       "\"vehicle\" take it)");
     check_times(motion);
     const double end = start + scene_.rolling_distance, round_off = 1e-9;
     if (start < along.front() - round_off || start > along.back())

@@ -19,7 +19,7 @@ namespace wheelrail
   SceneMotion::SceneMotion(const Scene &scene)
     : scene_(scene)
   {
-    const MotionFile    motion = read_motion_file(scene.motion);
+    const MotionFile    motion = of_wheel(read_motion_file(scene.motion), scene.left_wheel);
     std::vector<double> along  = rows_along(motion);
     const double        start  = std::isfinite(scene.motion_start) ? scene.motion_start : along.front();
     check(motion, along, start);

@@ -273,7 +273,11 @@ namespace wheelrail
     bool
     cross_each_other(const Point2 &a, const Point2 &b, const Point2 &c, const Point2 &d)
     {
-      return cross(b - a, c - a) * cross(b - a, d - a) < 0 && cross(d - c, a - c) * cross(d - c, b - c) < 0;
+      // pieces of one straight line, such as a cone's, lie on either side of each other by round-off
+      const bool apart = std::max(a.x, b.x) < std::min(c.x, d.x) || std::max(c.x, d.x) < std::min(a.x, b.x) ||
+                         std::max(a.y, b.y) < std::min(c.y, d.y) || std::max(c.y, d.y) < std::min(a.y, b.y);
+      return !apart && cross(b - a, c - a) * cross(b - a, d - a) < 0 &&
+             cross(d - c, a - c) * cross(d - c, b - c) < 0;
     }
 
     /// Pieces of the line are compared within the squares of a grid that they touch.

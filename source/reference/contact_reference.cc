@@ -5,39 +5,35 @@
 
 namespace wheelrail
 {
-  namespace
+  WheelsetForces
+  wheelset_forces(const ContactSections   &sections,
+                  const PressureMeans     &means,
+                  const HalfspaceSolution &solution)
   {
-    /// Adds force and moment of the tractions on the wheelset, about its middle, in the track frame.
-    void
-    add_forces(const ContactSections   &sections,
-               const PressureMeans     &means,
-               const HalfspaceSolution &solution,
-               Vector3                 &force,
-               Vector3                 &moment)
-    {
-      const HalfspaceGrid &grid = solution.grid;
-      const double         c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
-      const Point2        &middle = sections.geometry().axis.middle;
-      for (int j = 0; j < grid.my; ++j)
-        {
-          const Point2 place = sections.rail_place(grid.y(j));
-          for (int i = 0; i < grid.mx; ++i)
-            {
-              const int e = i + grid.mx * j;
-              if (solution.pressure[e] <= 0)
-                continue;
-              // tractions of the solution are those on the rail
-              const Vector3 f =
-                grid.element_area() * Vector3{-s * solution.pressure[e] - c * solution.traction_y[e],
-                                              c * solution.pressure[e] - s * solution.traction_y[e],
-                                              -solution.traction_x[e]};
-              const Vector3 r = {place.x - middle.x, place.y - middle.y, sections.region().along + grid.x(i)};
-              add(force, 1, f);
-              add(moment, 1, cross(r, f));
-            }
-        }
-    }
-  } // namespace
+    const HalfspaceGrid &grid = solution.grid;
+    const double         c = std::cos(means.rail_angle), s = std::sin(means.rail_angle);
+    const Point2        &middle = sections.geometry().axis.middle;
+    WheelsetForces       sum;
+    for (int j = 0; j < grid.my; ++j)
+      {
+        const Point2 place = sections.rail_place(grid.y(j));
+        for (int i = 0; i < grid.mx; ++i)
+          {
+            const int e = i + grid.mx * j;
+            if (solution.pressure[e] <= 0)
+              continue;
+            // tractions of the solution are those on the rail
+            const Vector3 f =
+              grid.element_area() * Vector3{-s * solution.pressure[e] - c * solution.traction_y[e],
+                                            c * solution.pressure[e] - s * solution.traction_y[e],
+                                            -solution.traction_x[e]};
+            const Vector3 r = {place.x - middle.x, place.y - middle.y, sections.region().along + grid.x(i)};
+            add(sum.force, 1, f);
+            add(sum.moment, 1, cross(r, f));
+          }
+      }
+    return sum;
+  }
 
 
   ContactReference
@@ -85,17 +81,17 @@ namespace wheelrail
     reference.creepage         = creepage / reference.speed;
     reference.lateral_creepage = -slip.lateral / reference.speed;
     reference.spin =
-      (motion.one_spin && !std::isnan(motion.spin) ? motion.spin : wheel_spin(sections, slice, solution.xi)) /
+      (motion.one_spin && !std::isnan(motion.spin) ? motion.spin
+                                                   : wheel_spin(sections, slice, motion, solution.xi)) /
       reference.speed;
     reference.spin_moment = solution.spin_moment - x * solution.fy + s * solution.fx;
 
-    Vector3 force = {{0, 0, 0}}, moment = {{0, 0, 0}};
-    add_forces(sections, means, solution, force, moment);
-    reference.traction   = -solution.fy;
-    reference.driving    = (force[2] * axle[0] - force[0] * axle[2]) / level;
-    reference.across     = (force[0] * axle[0] + force[2] * axle[2]) / level;
-    reference.torque     = -dot(moment, axle);
-    reference.yaw_moment = moment[1];
+    const auto [force, moment] = wheelset_forces(sections, means, solution);
+    reference.traction         = -solution.fy;
+    reference.driving          = (force[2] * axle[0] - force[0] * axle[2]) / level;
+    reference.across           = (force[0] * axle[0] + force[2] * axle[2]) / level;
+    reference.torque           = -dot(moment, axle);
+    reference.yaw_moment       = moment[1];
     return reference;
   }
 } // namespace wheelrail

@@ -201,17 +201,21 @@ namespace wheelrail
   {
     const double rate = 1 / (sections.geometry().rolling_radius * std::cos(sections.geometry().yaw));
     const double c = std::cos(slice.wheel_tangent), s = std::sin(slice.wheel_tangent);
-    return {-1 - rate * slice.rolling[2],
+    return {-(1 - motion.curvature * slice.from_middle[0]) - rate * slice.rolling[2],
             -(1 + creepage) * rate * (c * slice.rolling[0] + s * slice.rolling[1]) -
-              motion.lateral_creepage * c};
+              (motion.lateral_creepage + motion.curvature * slice.from_middle[2]) * c};
   }
 
 
   double
-  wheel_spin(const ContactSections &sections, const ContactSections::Slice &slice, const double creepage)
+  wheel_spin(const ContactSections        &sections,
+             const ContactSections::Slice &slice,
+             const WheelMotion            &motion,
+             const double                  creepage)
   {
     const ContactGeometry &geometry = sections.geometry();
-    return (1 + creepage) * std::sin(slice.wheel_angle) / (geometry.rolling_radius * std::cos(geometry.yaw));
+    return (1 + creepage) * std::sin(slice.wheel_angle) / (geometry.rolling_radius * std::cos(geometry.yaw)) -
+           motion.curvature * std::cos(slice.wheel_tangent);
   }
 
 
@@ -231,7 +235,8 @@ namespace wheelrail
     if (motion.one_spin)
       {
         problem.phi = std::isnan(motion.spin)
-                        ? std::sin(means.wheel_angle) / (centre.radius * std::cos(sections.geometry().yaw))
+                        ? std::sin(means.wheel_angle) / (centre.radius * std::cos(sections.geometry().yaw)) -
+                            motion.curvature * std::cos(centre.wheel_tangent)
                         : motion.spin;
         problem.rigid_slip_x.assign(grid.size(), mean.along + problem.phi * means.s);
         problem.rigid_slip_y.assign(grid.size(), -problem.phi * centre.along);
@@ -243,7 +248,7 @@ namespace wheelrail
         const double                 s     = std::clamp(grid.y(j), sections.s_min(), sections.s_max());
         const ContactSections::Slice slice = sections.slice(s);
         const RigidSlip              slip  = rigid_slip(sections, slice, motion, creepage);
-        const double                 turn  = wheel_spin(sections, slice, 0);
+        const double                 turn  = wheel_spin(sections, slice, motion, 0);
         for (int i = 0; i < grid.mx; ++i)
           {
             problem.rigid_slip_x[i + grid.mx * j] = slip.along;

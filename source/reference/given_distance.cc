@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace wheelrail
@@ -125,10 +126,11 @@ namespace wheelrail
     /// The normal problem, on a grid that is enlarged until the contact keeps off its edge or all that is
     /// known of the surfaces is covered.
     HalfspaceSolution
-    solve_normal_problem(const Scene         &scene,
-                         const GivenSurfaces &surfaces,
-                         HalfspaceProblem    &problem,
-                         int                 &enlargements)
+    solve_normal_problem(const Scene                       &scene,
+                         const GivenSurfaces               &surfaces,
+                         HalfspaceProblem                  &problem,
+                         int                               &enlargements,
+                         std::shared_ptr<HalfspaceKernels> &kernels)
     {
       const double E = contact_modulus(scene), R = std::sqrt(surfaces.radius_along * surfaces.radius_across);
       const double approach = problem.force_given
@@ -147,7 +149,7 @@ namespace wheelrail
                                                   surfaces.lowest);
       };
       return solve_on_growing_grid(
-        problem, approach, scene.halfspace_element_size, 8, lay_grid, enlargements);
+        problem, approach, scene.halfspace_element_size, 8, lay_grid, enlargements, kernels);
     }
   } // namespace
 
@@ -179,6 +181,10 @@ namespace wheelrail
       throw InputError(
         "Half-space/Normal force = auto: no wheel load presses rollers together; give the force, or "
         "Half-space/Approach");
+    if (std::isfinite(scene.track_radius))
+      throw InputError(
+        "Track/Radius: without effect where Half-space/Undeformed distance is not that of the profiles; give "
+        "Half-space/Given spin, or set Undeformed distance = profiles");
     if (scene.yaw != 0)
       throw InputError(
         "Wheelset/Yaw: without effect where Half-space/Undeformed distance is not that of the "
@@ -194,7 +200,9 @@ namespace wheelrail
       problem.normal_force = scene.halfspace_normal_force > 0 ? scene.halfspace_normal_force
                                                               : static_wheel_load(scene, geometry->wheel);
 
-    const HalfspaceSolution normal   = solve_normal_problem(scene, surfaces, problem, result.enlargements);
+    std::shared_ptr<HalfspaceKernels> kernels;
+    const HalfspaceSolution           normal =
+      solve_normal_problem(scene, surfaces, problem, result.enlargements, kernels);
     problem.motion                   = HalfspaceMotion::steady;
     problem.phi                      = std::isfinite(scene.halfspace_given_spin)
                                          ? scene.halfspace_given_spin
@@ -203,7 +211,7 @@ namespace wheelrail
     problem.longitudinal_force_given = scene.drive == Drive::torque;
     problem.fx                       = -scene.traction_coefficient * normal.fn;
     problem.xi                       = scene.drive == Drive::rate ? scene.creepage : 0;
-    result.solution                  = solve_carried(problem);
+    result.solution                  = solve_carried(problem, kernels);
     if (!result.solution.within_friction)
       {
         problem.longitudinal_force_given = false;

@@ -44,14 +44,21 @@ namespace wheelrail
     WheelRailSolution result = one.result();
     if (const auto regions = separate_regions(geometry, offsets, one); regions.size() > 1)
       result = solve_together(scene, geometry, load, offsets, regions, one);
+    name_made_up(geometry, result);
+    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return result;
+  }
+
+
+  void
+  name_made_up(const SceneGeometry &geometry, WheelRailSolution &result)
+  {
     const auto touched = [&](WheelRailSolution &patch) {
       if (patch.reference)
         patch.made_up = made_up_part(geometry, patch.reference->place);
     };
     touched(result);
     std::for_each(result.others.begin(), result.others.end(), touched);
-    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return result;
   }
 
 

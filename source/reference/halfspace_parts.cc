@@ -65,7 +65,8 @@ namespace wheelrail
                         double                                     element,
                         const int                                  most,
                         const std::function<void(double, double)> &lay_grid,
-                        int                                       &enlargements)
+                        int                                       &enlargements,
+                        std::shared_ptr<HalfspaceKernels>         &kernels)
   {
     constexpr double most_elements    = 50000;
     constexpr int    most_refinements = 5; // by up to twelve each; no contact at all would never end
@@ -75,7 +76,7 @@ namespace wheelrail
     while (true)
       {
         lay_grid(approach, element);
-        const HalfspaceSolution solution = solve_rolling(problem);
+        const HalfspaceSolution solution = solve_rolling(problem, kernels);
         const int               n        = elements_across(solution);
         // half as many again as are needed, since so few tell the size of the contact only roughly; the first
         // guess of the approach is that of another load, and the grid over it larger than the contact by far
@@ -101,15 +102,15 @@ namespace wheelrail
 
 
   HalfspaceSolution
-  solve_carried(const HalfspaceProblem &problem)
+  solve_carried(const HalfspaceProblem &problem, std::shared_ptr<HalfspaceKernels> &kernels)
   {
-    HalfspaceSolution solution = solve_rolling(problem);
+    HalfspaceSolution solution = solve_rolling(problem, kernels);
     if (solution.within_friction)
       return solution;
     HalfspaceProblem sliding         = problem;
     sliding.longitudinal_force_given = false;
     sliding.xi                       = problem.fx < 0 ? 1 : -1;
-    solution                         = solve_rolling(sliding);
+    solution                         = solve_rolling(sliding, kernels);
     solution.within_friction         = false;
     return solution;
   }

@@ -16,7 +16,8 @@ namespace wheelrail
       const bool given = std::isfinite(scene.halfspace_given_spin);
       return {given || scene.halfspace_spin == HalfspaceSpin::contact,
               given ? scene.halfspace_given_spin : std::nan(""),
-              lateral_creepage(scene)};
+              lateral_creepage(scene),
+              path_curvature(scene)};
     }
 
     // interpenetration at 0.55 of the approach has about the size of the patch (Kik and Piotrowski, 1996),
@@ -53,7 +54,7 @@ namespace wheelrail
             problem.undeformed_distance[i + problem.grid.mx * j] +=
               added_distance(problem.grid.x(i), problem.grid.y(j));
     };
-    solution = solve_on_growing_grid(problem, first_approach, element_, 6, lay_grid, enlargements);
+    solution = solve_on_growing_grid(problem, first_approach, element_, 6, lay_grid, enlargements, kernels_);
     if (solution.contact_elements > 0)
       means = pressure_means(sections, solution);
   }
@@ -87,7 +88,7 @@ namespace wheelrail
     problem.longitudinal_force_given = false;
     problem.xi                       = creepage;
     set_slip(sections, means, motion, creepage, problem);
-    solution = solve_rolling(problem);
+    solution = solve_rolling(problem, kernels_);
   }
 
 
@@ -116,7 +117,7 @@ namespace wheelrail
         problem.fx = load.slides ? -std::copysign(10 * load.force, load.longitudinal)
                                  : -(load.longitudinal - lateral() * std::sin(yaw)) / std::cos(yaw);
         set_slip(sections, means, motion, problem.xi, problem);
-        solution = solve_carried(problem);
+        solution = solve_carried(problem, kernels_);
         if (solution.within_friction)
           problem.xi = solution.xi;
         missed     = vertical() - load.force;

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/parallel.h>
+#include <wheelrail/reference/axle_contact.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/reference/vehicle.h>
@@ -42,25 +43,54 @@ namespace wheelrail
       return summary;
     }
 
-    /// Empty when the row has no load.
-    std::optional<WheelRailSolution>
-    solve_row(const Scene         &scene,
-              const SceneProfiles &profiles,
-              const MotionFile    &motion,
-              const std::size_t    row)
+    /// The scene at a row for one of the wheels.
+    WheelOnAxle
+    wheel_of_row(const Scene         &scene,
+                 const SceneProfiles &profiles,
+                 const MotionFile    &motion,
+                 const std::size_t    row,
+                 const bool           left)
     {
-      const auto *const loads   = motion.find(MotionQuantity::load);
+      Scene at      = scene_at(scene, of_wheel(motion, left), row);
+      at.left_wheel = left;
+      return {at, make_geometry(at, profiles), at.wheel_load};
+    }
+
+    /// A torque of the row, or nothing.
+    std::optional<double>
+    torque_of(const MotionFile &motion, const std::size_t row)
+    {
       const auto *const torques = motion.find(MotionQuantity::torque);
-      if (loads && (*loads)[row] == 0)
+      return torques ? std::optional<double>((*torques)[row]) : std::nullopt;
+    }
+
+    /// One wheel that turns by itself; empty when the row has no load.
+    std::optional<WheelRailSolution>
+    solve_wheel(const WheelOnAxle &wheel, const std::optional<double> &torque)
+    {
+      if (wheel.load == 0)
         return {};
-      const SceneGeometry geometry = make_geometry(scene, profiles);
-      WheelRailLoad       load     = scene_load(scene, geometry);
-      if (torques)
+      WheelRailLoad load = scene_load(wheel.scene, wheel.geometry);
+      if (torque)
         {
           load.rate_held    = false;
-          load.longitudinal = (*torques)[row] / geometry.contact.rolling_radius;
+          load.longitudinal = *torque / wheel.geometry.contact.rolling_radius;
         }
-      return solve_wheel_rail(scene, geometry, load, scene_offsets(scene));
+      return solve_wheel_rail(wheel.scene, wheel.geometry, load, scene_offsets(wheel.scene));
+    }
+
+    /// What turns the axle of a row: its torque, its traction as that of both wheels, or its creepage.
+    AxleDrive
+    axle_drive(const WheelOnAxle &right, const WheelOnAxle &left, const std::optional<double> &torque)
+    {
+      const auto driven = [](const WheelOnAxle &wheel) {
+        return wheel.scene.traction_coefficient * wheel.load * wheel.geometry.contact.rolling_radius;
+      };
+      AxleDrive drive;
+      drive.torque    = torque ? *torque : driven(right) + driven(left);
+      drive.rate_held = !torque && right.scene.drive == Drive::rate;
+      drive.creepage  = right.scene.creepage;
+      return drive;
     }
 
     /// The solutions of the rows with the largest peak pressures; several threads may hand in theirs.
@@ -95,49 +125,97 @@ namespace wheelrail
       std::mutex                   lock_;
       std::vector<Row>             rows_;
     };
+
+    /// The figures of a wheel from its solution of a row.
+    void
+    take(const std::optional<WheelRailSolution> &result,
+         const Scene                            &at,
+         const std::size_t                       row,
+         VehicleWheel                           &wheel)
+    {
+      wheel.rows[row]   = result ? halfspace_summary(at, *result) : no_contact(at);
+      wheel.faults[row] = wheel.rows[row].finished ? "" : wheel.rows[row].stop_reason;
+    }
+
+    AxleRow
+    axle_row(const AxleSolution &axle, const double velocity, const double load)
+    {
+      return {axle.rate * velocity, axle.torque, axle.lateral, axle.yaw_moment, load};
+    }
+
+    /// Stresses below the patch take longer than the patch: of the rows with the largest pressures only.
+    void
+    add_stresses(const Highest &highest, VehicleWheel &wheel)
+    {
+      parallel_for(highest.rows().size(), [&](const std::size_t i) {
+        const HalfspaceStresses stresses = halfspace_stresses(highest.rows()[i].solution);
+        set_figure(wheel.rows[highest.rows()[i].row],
+                   "largest_von_mises_Pa",
+                   std::max(stresses.surface_von_mises, stresses.subsurface_von_mises));
+      });
+    }
   } // namespace
 
 
-  VehicleWheel
+  VehicleResult
   solve_vehicle(const Scene                            &scene,
                 const SceneProfiles                    &profiles,
                 const MotionFile                       &motion,
-                const bool                              left,
+                const bool                              both,
                 const std::function<void(std::size_t)> &report)
   {
-    VehicleWheel wheel{left, std::vector<Summary>(motion.rows()), std::vector<std::string>(motion.rows())};
-    Scene        base = scene;
-    base.left_wheel   = left;
+    const bool        rigid = both && scene.rigid_axle;
+    VehicleResult     vehicle;
+    std::vector<bool> sides = both ? std::vector<bool>{false, true} : std::vector<bool>{scene.left_wheel};
+    for (const bool left : sides)
+      vehicle.wheels.push_back(
+        {left, std::vector<Summary>(motion.rows()), std::vector<std::string>(motion.rows())});
+    vehicle.axle.resize(rigid ? motion.rows() : 0);
     // the weight of the wheel is the same in all rows
-    if (!motion.find(MotionQuantity::load))
-      base.wheel_load = static_wheel_load(base, profiles.wheel);
+    Scene base      = scene;
+    base.wheel_load = static_wheel_load(base, profiles.wheel);
     std::atomic<std::size_t> done{0};
-    Highest                  highest;
+    std::vector<Highest>     highest(sides.size());
     parallel_for(motion.rows(), [&](const std::size_t row) {
-      Summary &summary = wheel.rows[row];
-      try
-        {
-          const Scene at     = scene_at(base, motion, row);
-          auto        result = solve_row(at, profiles, motion, row);
-          summary            = result ? halfspace_summary(at, *result) : no_contact(at);
-          wheel.faults[row]  = summary.finished ? "" : summary.stop_reason;
-          if (result && summary.max_pressure > 0)
-            highest.hand_in({row, summary.max_pressure, std::move(*result)});
-        }
-      catch (const InputError &error)
-        {
-          wheel.faults[row] = error.what();
-        }
+      const std::optional<double> torque = torque_of(motion, row);
+      const auto                  wheel  = [&](const std::size_t side) {
+        return wheel_of_row(base, profiles, motion, row, sides[side]);
+      };
+      const auto keep =
+        [&](const std::size_t side, const Scene &at, std::optional<WheelRailSolution> result) {
+          take(result, at, row, vehicle.wheels[side]);
+          if (const double peak = vehicle.wheels[side].rows[row].max_pressure; result && peak > 0)
+            highest[side].hand_in({row, peak, std::move(*result)});
+        };
+      const auto guarded = [&](const std::vector<std::size_t> &concerned, const auto &solve) {
+        try
+          {
+            solve();
+          }
+        catch (const InputError &error)
+          {
+            for (const std::size_t side : concerned)
+              vehicle.wheels[side].faults[row] = error.what();
+          }
+      };
+      if (rigid)
+        guarded({0, 1}, [&]() {
+          const WheelOnAxle right = wheel(0), left = wheel(1);
+          AxleSolution      axle = solve_axle(right, left, axle_drive(right, left, torque));
+          vehicle.axle[row]      = axle_row(axle, right.scene.velocity, right.load + left.load);
+          keep(0, right.scene, std::move(axle.right));
+          keep(1, left.scene, std::move(axle.left));
+        });
+      else
+        for (std::size_t side = 0; side < sides.size(); ++side)
+          guarded({side}, [&]() {
+            const WheelOnAxle one = wheel(side);
+            keep(side, one.scene, solve_wheel(one, torque));
+          });
       report(++done);
     });
-
-    // stresses below the patch take longer than the patch: of the rows with the largest pressures only
-    parallel_for(highest.rows().size(), [&](const std::size_t i) {
-      const HalfspaceStresses stresses = halfspace_stresses(highest.rows()[i].solution);
-      set_figure(wheel.rows[highest.rows()[i].row],
-                 "largest_von_mises_Pa",
-                 std::max(stresses.surface_von_mises, stresses.subsurface_von_mises));
-    });
-    return wheel;
+    for (std::size_t side = 0; side < sides.size(); ++side)
+      add_stresses(highest[side], vehicle.wheels[side]);
+    return vehicle;
   }
 } // namespace wheelrail

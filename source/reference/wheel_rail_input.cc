@@ -33,6 +33,8 @@ namespace wheelrail
           "wheelsets that roll straight on only: set Wheelset/Yaw = 0 mrad, Wheelset/Lateral creepage = 0 "
           "and "
           "Half-space/Given spin = auto");
+      if (std::isfinite(scene.track_radius))
+        refuse("straight tracks only: set Track/Radius = straight");
       if (distance_is_given(scene))
         refuse("profiles only: set Half-space/Undeformed distance = profiles");
     }

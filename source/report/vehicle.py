@@ -22,9 +22,13 @@ import style
 #: figures of a picture: title, (key, factor), unit
 PICTURES = [
     ("Motion", [("given_lateral_shift_m", 1e3, "lateral shift [mm]"), ("given_yaw_rad", 1e3, "yaw [mrad]"),
-                ("given_load_N", 1e-3, "load [kN]")]),
+                ("given_load_N", 1e-3, "load [kN]"), ("given_load_right_N", 1e-3, "load, right [kN]"),
+                ("given_load_left_N", 1e-3, "load, left [kN]"), ("given_radius_m", 1, "radius [m], 0: straight")]),
     ("Forces on the wheel", [("longitudinal_force_N", 1e-3, "longitudinal [kN]"), ("lateral_force_N", 1e-3, "lateral [kN]"),
-                             ("vertical_force_N", 1e-3, "vertical [kN]")]),
+                             ("vertical_force_N", 1e-3, "vertical [kN]"),
+                             ("lateral_over_vertical", 1, "lateral / vertical, Y/Q")]),
+    ("Axle with both wheels", [("axle_lateral_force_N", 1e-3, "lateral, sum [kN]"),
+                               ("axle_yaw_moment_Nm", 1e-3, "steering moment [kN m]")]),
     ("Creepages and spin", [("reference_creepage", 1e3, "creepage [1e-3]"),
                             ("reference_lateral_creepage", 1e3, "lateral [1e-3]"),
                             ("reference_spin_per_m", 1, "spin [1/m]")]),

@@ -16,11 +16,14 @@ namespace wheelrail
     roll,
     yaw,
     load,
+    load_right,
+    load_left,
     velocity,
     torque,
     traction,
     creepage,
     lateral_creepage,
+    radius, ///< of the track; 0: straight
     spin,
     longitudinal_force,
     lateral_force,
@@ -57,8 +60,8 @@ namespace wheelrail
 
   /// Reads a table with commas, semicolons or tabs between and a first line that names each column and its
   /// unit: "time [s], lateral shift [mm], yaw [mrad], load [kN]". What follows # is a remark. There must be
-  /// time or distance, which grows from row to row. Throws InputError, with file, line and column, for
-  /// everything else.
+  /// time or distance, which grows from row to row; loads of both wheels, or one that both have. Throws
+  /// InputError, with file, line and column, for everything else.
   MotionFile
   read_motion_file(const std::string &path);
 
@@ -79,7 +82,12 @@ namespace wheelrail
   MotionFile
   read_curve_file(const std::string &path, MotionQuantity over);
 
-  /// The scene at a row: columns in the place of its entries. A torque is not an entry: see vehicle.h.
+  /// The rows as one wheel of the wheelset has them: its own load (load right, load left) as the load.
+  MotionFile
+  of_wheel(const MotionFile &motion, bool left);
+
+  /// The scene at a row of one wheel: columns in the place of its entries. A torque is not an entry: see
+  /// vehicle.h.
   Scene
   scene_at(const Scene &scene, const MotionFile &motion, std::size_t row);
 } // namespace wheelrail

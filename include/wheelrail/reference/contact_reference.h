@@ -30,6 +30,17 @@ namespace wheelrail
     double yaw_moment = 0; ///< of the contact on the wheelset about the vertical through its middle [N m]
   };
 
+  /// What the tractions of a contact do to the wheelset, in the track frame.
+  struct WheelsetForces
+  {
+    Vector3 force  = {{0, 0, 0}}; ///< [N]
+    Vector3 moment = {{0, 0, 0}}; ///< about the middle of the wheelset [N m]
+  };
+  WheelsetForces
+  wheelset_forces(const ContactSections   &sections,
+                  const PressureMeans     &means,
+                  const HalfspaceSolution &solution);
+
   /// Computes them. The tractions act in one plane at the mean angle of the rail, as they were solved.
   ContactReference
   contact_reference(const ContactSections   &sections,

@@ -125,10 +125,13 @@ namespace wheelrail
     bool   one_spin         = false; ///< one creepage and one spin in place of those of every slice
     double spin             = 0;     ///< the one [1/m]; NaN: that of the wheel
     double lateral_creepage = 0;     ///< velocity of the wheelset along X over V
+    double curvature        = 0;     ///< of its path, positive with the centre on the side of +X [1/m]
   };
 
   /// Rigid slip of the rail against the wheel over V, with the pitch rate V (1 + creepage) / (R cos(yaw)), at
-  /// the lowest place of a slice: along the rail for the creepage 0, and along s.
+  /// the lowest place of a slice: along the rail for the creepage 0, and along s. V is that of the middle of
+  /// the wheelset; on a curved path, seen from the wheelset, the rail at x, z comes with -V (1 - kappa x)
+  /// along the track and -V kappa z along X (the frame turns with V kappa about the vertical).
   struct RigidSlip
   {
     double along = 0, lateral = 0;
@@ -140,9 +143,13 @@ namespace wheelrail
              double                        creepage);
 
   /// Spin of the rail against the wheel at a slice, about the normal out of the rail, for each metre of V
-  /// [1/m].
+  /// [1/m]: sin(contact angle) / R of the wheel, and cos(contact angle) kappa of the path, with the signs of
+  /// a contact angle that falls to the gauge side.
   double
-  wheel_spin(const ContactSections &sections, const ContactSections::Slice &slice, double creepage);
+  wheel_spin(const ContactSections        &sections,
+             const ContactSections::Slice &slice,
+             const WheelMotion            &motion,
+             double                        creepage);
 
   /// Sets the fields of rigid slip, spin and lateral creepage of a problem whose bodies roll with `creepage`
   /// (or, where it is to be found, nearly so). The small product of creepage and r / R - 1 is left out.

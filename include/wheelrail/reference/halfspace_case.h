@@ -79,6 +79,10 @@ namespace wheelrail
                    const WheelRailLoad  &load,
                    const SectionOffsets &offsets);
 
+  /// Notes on all patches of a solution which part of a profile that no file holds they lie on.
+  void
+  name_made_up(const SceneGeometry &geometry, WheelRailSolution &result);
+
   /// The normal problem of solve_wheel_rail() alone, under a force normal to the contact plane [N], with the
   /// rigid slip of a wheel that rolls with `creepage`: some hundredths of a second.
   HalfspacePressure

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <wheelrail/halfspace/problem.h>
+#include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/output/fields.h>
 #include <wheelrail/scene/scene.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace wheelrail
@@ -30,7 +31,8 @@ namespace wheelrail
                         double                                     element,
                         int                                        most,
                         const std::function<void(double, double)> &lay_grid,
-                        int                                       &enlargements);
+                        int                                       &enlargements,
+                        std::shared_ptr<HalfspaceKernels>         &kernels);
 
   /// What is to be told about the elements of a solution: that they were made smaller than those of the
   /// scene, or are still too coarse; empty otherwise.
@@ -42,7 +44,7 @@ namespace wheelrail
   /// -1), and of one that turns twice as fast, for one that spins up, when driving. `within_friction` is then
   /// false.
   HalfspaceSolution
-  solve_carried(const HalfspaceProblem &problem);
+  solve_carried(const HalfspaceProblem &problem, std::shared_ptr<HalfspaceKernels> &kernels);
 
   /// What is to be told of a patch that slides as a whole under a wheel that is driven (a positive force on
   /// the wheel [N]) or braked.

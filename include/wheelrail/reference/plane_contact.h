@@ -1,11 +1,13 @@
 #pragma once
 
+#include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/problem.h>
 #include <wheelrail/reference/contact_sections.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/sampling/patch_measures.h>
 
 #include <functional>
+#include <memory>
 
 namespace wheelrail
 {
@@ -78,6 +80,8 @@ namespace wheelrail
 
     void
     load_not_found();
+
+    std::shared_ptr<HalfspaceKernels> kernels_; ///< of the grid that there is
 
     double expected_force_ = 0, expected_approach_ = 0; ///< of the scene [N], [m]
     double element_ = 0;                                ///< wanted size of the elements [m]

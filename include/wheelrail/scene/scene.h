@@ -46,6 +46,9 @@ namespace wheelrail
     }
   };
 
+  /// Narrowest curve of a track [m]; those of trams have 20 m.
+  constexpr double least_track_radius = 20;
+
   /// What turns the wheel.
   enum class Drive
   {
@@ -112,24 +115,27 @@ namespace wheelrail
     ProfileFileOptions rail_file{ProfileKind::rail};
     std::string        rail_body = "auto"; ///< standard rail below a measured head
     TrackDimensions    track; ///< flange-back distance and nominal radius belong to Wheelset in the file
-    double             rail_length = 1.8;            ///< [m]
-    WheelDimensions    wheel;                        ///< Wheelset/Rim width, ... [m]
-    bool               left_wheel           = false; ///< the modelled one; seen as its mirror image
-    double             lateral_shift        = 0;     ///< [m]
-    RollMode           roll                 = RollMode::none;
-    double             roll_angle           = 0; ///< with RollMode::given, from X to Y [rad]
-    double             yaw                  = 0; ///< angle of attack, from Z to X [rad]
-    double             lateral_creepage     = 0; ///< lateral velocity of the wheelset along X over `velocity`
-    double             sprung_mass          = 10000;     ///< [kg]
-    double             wheel_load           = 0;         ///< [N], 0: from the sprung mass
-    double             axle_mass            = 180;       ///< half axle, rigid [kg]
-    double             axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
-    double             suspension_stiffness = 1.15e6;    ///< [N/m]
-    double             suspension_damping   = 2500;      ///< [N s/m]
-    double             velocity             = 140 / 3.6; ///< [m/s]
-    Drive              drive                = Drive::torque;
-    double             traction_coefficient = 0;
-    double             creepage             = 0; ///< used with Drive::rate, positive driving
+    double             rail_length = 1.8; ///< [m]
+    double             track_radius =
+      std::numeric_limits<double>::infinity();    ///< of a curve to the left; negative: right [m]
+    WheelDimensions wheel;                        ///< Wheelset/Rim width, ... [m]
+    bool            left_wheel           = false; ///< the modelled one; seen as its mirror image
+    bool            rigid_axle           = true;  ///< both wheels on it turn at one rate
+    double          lateral_shift        = 0;     ///< [m]
+    RollMode        roll                 = RollMode::none;
+    double          roll_angle           = 0; ///< with RollMode::given, from X to Y [rad]
+    double          yaw                  = 0; ///< angle of attack, from Z to X [rad]
+    double          lateral_creepage     = 0; ///< lateral velocity of the wheelset along X over `velocity`
+    double          sprung_mass          = 10000;     ///< [kg]
+    double          wheel_load           = 0;         ///< [N], 0: from the sprung mass
+    double          axle_mass            = 180;       ///< half axle, rigid [kg]
+    double          axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
+    double          suspension_stiffness = 1.15e6;    ///< [N/m]
+    double          suspension_damping   = 2500;      ///< [N s/m]
+    double          velocity             = 140 / 3.6; ///< [m/s]
+    Drive           drive                = Drive::torque;
+    double          traction_coefficient = 0;
+    double          creepage             = 0; ///< used with Drive::rate, positive driving
 
     std::string motion = "none"; ///< file of a motion that the run follows, or none
     double      motion_start =
@@ -252,5 +258,13 @@ namespace wheelrail
   lateral_creepage(const Scene &scene)
   {
     return scene.left_wheel ? -scene.lateral_creepage : scene.lateral_creepage;
+  }
+
+  /// Curvature of the wheelset's path, seen likewise: positive with the centre on the side of +X, where the
+  /// modelled wheel is the outer one [1/m].
+  inline double
+  path_curvature(const Scene &scene)
+  {
+    return (scene.left_wheel ? -1 : 1) / scene.track_radius;
   }
 } // namespace wheelrail

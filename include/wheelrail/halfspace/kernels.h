@@ -1,0 +1,64 @@
+#pragma once
+
+#include <wheelrail/halfspace/influence.h>
+#include <wheelrail/halfspace/slip_kernels.h>
+
+#include <list>
+#include <memory>
+
+namespace wheelrail
+{
+  /// The influence functions of two half-spaces on one grid, as spectra: what takes longest of a solution,
+  /// and stays the same for all loads, creepages and frictions. Each is computed when it is first asked for.
+  /// Not for several threads at once.
+  class HalfspaceKernels
+  {
+  public:
+    using Spectrum = InfluenceProducts::Spectrum;
+
+    /// For grid, bodies and layer of a problem.
+    explicit HalfspaceKernels(const HalfspaceProblem &problem);
+
+    /// Whether they are those of a problem, too: elements of the same number and size, wherever they lie.
+    bool
+    fit(const HalfspaceProblem &problem) const;
+
+    const HalfspaceConstants &
+    constants() const
+    {
+      return constants_;
+    }
+    InfluenceProducts &
+    products()
+    {
+      return products_;
+    }
+
+    /// Of the displacement a under traction b (0, 1, 2 = x, y, n), seen `ahead` further along rolling [m].
+    const Spectrum &
+    of(int a, int b, double ahead);
+
+    /// Of the slip, see slip_kernels(); valid until the next call.
+    const SlipKernels &
+    slip(double step, bool steady);
+
+  private:
+    struct Kept
+    {
+      int      a, b;
+      double   ahead;
+      Spectrum spectrum;
+    };
+
+    HalfspaceGrid      grid_;
+    HalfspaceConstants constants_;
+    InfluenceProducts  products_;
+    std::list<Kept>    kept_; // references to them stay valid
+    SlipKernels        slip_;
+  };
+
+  /// solve_rolling() with the influence functions of an earlier solution where they fit; else they are made
+  /// anew, and kept in `kernels` (which may be null).
+  HalfspaceSolution
+  solve_rolling(const HalfspaceProblem &problem, std::shared_ptr<HalfspaceKernels> &kernels);
+} // namespace wheelrail

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <wheelrail/reference/halfspace_case.h>
+
+#include <optional>
+
+namespace wheelrail
+{
+  /// One wheel of a wheelset on its rail. A left one is seen as its mirror image (Wheelset/Side).
+  struct WheelOnAxle
+  {
+    Scene         scene;
+    SceneGeometry geometry;
+    double        load = 0; ///< vertical [N]; 0: it does not touch
+  };
+
+  /// What turns an axle.
+  struct AxleDrive
+  {
+    double torque    = 0;     ///< on the axle, positive forward [N m]
+    bool   rate_held = false; ///< the creepage of the right-hand wheel is given instead
+    double creepage  = 0;     ///< at its rolling radius, positive driving
+  };
+
+  /// Two wheels that turn at one rate. Sums have the signs of the right-hand wheel: forces along X count to
+  /// the left, moments about the vertical turn the nose to the left.
+  struct AxleSolution
+  {
+    std::optional<WheelRailSolution> right, left; ///< none: without load
+    double rate       = 0; ///< pitch rate over the velocity of the wheelset's middle [1/m]
+    double torque     = 0; ///< that keeps the axle turning so [N m]; wanted and found differ where it slides
+    double lateral    = 0; ///< sum of the forces on the wheels [N]
+    double yaw_moment = 0; ///< of both contacts about the vertical through the middle [N m]
+  };
+
+  /// Solves the steady rolling of a wheelset in its given pose with half-spaces: each wheel carries its load,
+  /// both have the one pitch rate at which the torques of their contacts add up to that of the drive. On a
+  /// curved path (Track/Radius) the rails come with different speeds. The wheels may touch their rails in
+  /// several places (WheelContacts). Where friction cannot carry the torque, the wheels lock or spin up.
+  AxleSolution
+  solve_axle(const WheelOnAxle &right, const WheelOnAxle &left, const AxleDrive &drive);
+} // namespace wheelrail

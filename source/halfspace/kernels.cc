@@ -1,0 +1,56 @@
+#include <wheelrail/halfspace/kernels.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    HalfspaceConstants
+    constants_of(const HalfspaceProblem &problem)
+    {
+      HalfspaceConstants constants = halfspace_constants(problem.body1, problem.body2);
+      constants.layer              = problem.layer_compliance;
+      return constants;
+    }
+  } // namespace
+
+
+  HalfspaceKernels::HalfspaceKernels(const HalfspaceProblem &problem)
+    : grid_(problem.grid)
+    , constants_(constants_of(problem))
+    , products_(problem.grid)
+  {
+  }
+
+
+  bool
+  HalfspaceKernels::fit(const HalfspaceProblem &problem) const
+  {
+    const HalfspaceGrid     &grid = problem.grid;
+    const HalfspaceConstants now  = constants_of(problem);
+    return grid.mx == grid_.mx && grid.my == grid_.my && grid.dx == grid_.dx && grid.dy == grid_.dy &&
+           now.normal == constants_.normal && now.poisson == constants_.poisson &&
+           now.coupling == constants_.coupling && now.layer == constants_.layer;
+  }
+
+
+  const HalfspaceKernels::Spectrum &
+  HalfspaceKernels::of(const int a, const int b, const double ahead)
+  {
+    for (const Kept &kept : kept_)
+      if (kept.a == a && kept.b == b && kept.ahead == ahead)
+        return kept.spectrum;
+    kept_.push_back({a, b, ahead, products_.kernel([&](const double x, const double y) {
+                       return influence_coefficients(constants_, grid_.dx, grid_.dy, x + ahead, y)[a][b];
+                     })});
+    return kept_.back().spectrum;
+  }
+
+
+  const SlipKernels &
+  HalfspaceKernels::slip(const double step, const bool steady)
+  {
+    if (slip_.step != step || slip_.steady != steady)
+      slip_ = slip_kernels(products_, constants_, grid_, step, steady);
+    return slip_;
+  }
+} // namespace wheelrail

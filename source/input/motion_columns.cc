@@ -1,0 +1,90 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/shown_text.h>
+#include <wheelrail/input/motion_columns.h>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Q = MotionQuantity;
+  } // namespace
+
+
+  const MotionColumns &
+  motion_columns()
+  {
+    static const MotionColumns list = {
+      {Q::time, "time", Dimension::time, -1e9, 1e9, ""},
+      {Q::distance, "distance", Dimension::length, -1e9, 1e9, ""},
+      {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
+      {Q::roll, "roll", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"},
+      {Q::yaw, "yaw", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"},
+      {Q::load, "load", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
+      {Q::load_right, "load right", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
+      {Q::load_left, "load left", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
+      {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
+      {Q::torque, "torque", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
+      {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
+      {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
+      {Q::lateral_creepage, "lateral creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
+      {Q::radius, "radius", Dimension::length, -1e5, 1e5, "20 m to 100 km on either side, or 0"}};
+    return list;
+  }
+
+
+  const MotionColumns &
+  passage_columns()
+  {
+    static const MotionColumns list = {
+      {Q::load, "load", Dimension::force, 1e3, 5e5, "1 kN to 500 kN"},
+      {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
+      {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
+      {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
+      {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
+    return list;
+  }
+
+
+  const MotionColumns &
+  curve_columns()
+  {
+    static const MotionColumns list = {
+      {Q::creepage, "creepage", Dimension::none, -1, 1, "-100 % to 100 %"},
+      {Q::spin, "spin", Dimension::none, -100, 100, "-100 1/m to 100 1/m"},
+      {Q::longitudinal_force, "longitudinal force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"},
+      {Q::lateral_force, "lateral force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"},
+      {Q::spin_moment, "spin moment", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
+      {Q::traction, "traction", Dimension::none, -2, 2, "-2 to 2"}};
+    return list;
+  }
+
+
+  double
+  unit_factor(const MotionColumn &column, const std::string &unit)
+  {
+    if (column.quantity == Q::spin)
+      {
+        if (unit == "1/m")
+          return 1;
+        throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a spin; 1/m is accepted");
+      }
+    if (column.quantity == Q::torque || column.quantity == Q::spin_moment)
+      {
+        if (unit == "N m" || unit == "Nm")
+          return 1;
+        if (unit == "kN m" || unit == "kNm")
+          return 1e3;
+        throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a torque; N m or kN m is accepted");
+      }
+    if (column.dimension == Dimension::none)
+      {
+        if (unit == "%")
+          return 0.01;
+        if (unit.empty() || unit == "1" || unit == "-")
+          return 1;
+        throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a " + column.name +
+                         "; %, or 1 is accepted");
+      }
+    return parse_quantity("1 " + unit, column.dimension);
+  }
+} // namespace wheelrail

@@ -1,0 +1,175 @@
+#include <wheelrail/reference/axle_contact.h>
+#include <wheelrail/reference/load_search.h>
+#include <wheelrail/reference/several_patches.h>
+#include <wheelrail/reference/wheel_contacts.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Way along the track for each angle that the wheel turns without creepage [m].
+    double
+    forward_radius(const WheelOnAxle &wheel)
+    {
+      return wheel.geometry.contact.rolling_radius * std::cos(wheel.geometry.contact.yaw);
+    }
+
+    /// One wheel while the axle is searched for.
+    class LoadedWheel
+    {
+    public:
+      /// `rate` [1/m] for the first guess.
+      LoadedWheel(const WheelOnAxle &wheel, const double rate)
+        : wheel_(wheel)
+        , search_(wheel.load)
+      {
+        const SectionOffsets offsets = scene_offsets(wheel.scene);
+        const ContactRegion  whole   = whole_region(wheel.geometry.contact);
+        PlaneContact         one(wheel.scene, wheel.geometry, offsets, whole);
+        WheelRailLoad        load;
+        load.force     = wheel.load;
+        load.vertical  = true;
+        load.rate_held = true;
+        load.creepage  = creepage(rate);
+        one.press(wheel.load / std::cos(whole.frame.angle));
+        // friction changes the force, and with it what touches, on a steep flange alone
+        const auto &further = wheel.geometry.contact.further;
+        if (std::any_of(further.begin(), further.end(), [&](const FurtherPoint &point) {
+              return std::abs(point.frame.angle - whole.frame.angle) >= same_plane;
+            }))
+          one.carry(load);
+        contacts_ = std::make_unique<WheelContacts>(
+          wheel.scene, wheel.geometry, offsets, separate_regions(wheel.geometry, offsets, one), one);
+      }
+
+      /// Under the force that is to be tried now, if it is another one.
+      void
+      press()
+      {
+        if (pressed_ != search_.pressed())
+          contacts_->press(search_.pressed(), true);
+        pressed_ = search_.pressed();
+      }
+
+      /// Of the contacts at a pitch rate, that keeps the wheel turning so [N m].
+      double
+      roll(const double rate)
+      {
+        contacts_->roll(creepage(rate));
+        return contacts_->torque();
+      }
+
+      /// Whether what it was pressed with carries its load.
+      bool
+      carried()
+      {
+        return search_.carried(contacts_->vertical());
+      }
+
+      /// By how much the load was missed, over the load.
+      double
+      missed() const
+      {
+        return std::abs(search_.missed());
+      }
+
+      WheelRailSolution
+      result(const bool within_friction, const std::string &not_found) const
+      {
+        WheelRailSolution result = contacts_->result(within_friction, not_found);
+        name_made_up(wheel_.geometry, result);
+        return result;
+      }
+
+    private:
+      double
+      creepage(const double rate) const
+      {
+        return rate * forward_radius(wheel_) - 1;
+      }
+
+      const WheelOnAxle             &wheel_;
+      LoadSearch                     search_;
+      double                         pressed_ = 0; ///< [N]
+      std::unique_ptr<WheelContacts> contacts_;
+    };
+
+    /// Adds what a wheel does to the wheelset; `side` is -1 for the left one, which is seen in a mirror.
+    void
+    add_wheel(const WheelRailSolution &wheel, const double side, AxleSolution &axle)
+    {
+      const auto add_patch = [&](const WheelRailSolution &patch) {
+        axle.lateral += side * patch.lateral;
+        axle.yaw_moment += side * patch.reference->yaw_moment;
+        axle.torque += patch.reference->torque;
+      };
+      add_patch(wheel);
+      for (const WheelRailSolution &other : wheel.others)
+        add_patch(other);
+    }
+  } // namespace
+
+
+  AxleSolution
+  solve_axle(const WheelOnAxle &right, const WheelOnAxle &left, const AxleDrive &drive)
+  {
+    constexpr int    most_rounds  = 20;
+    constexpr double enough       = 1e-4; // of the torque that the loads have about the axle
+    constexpr double ten_promille = 1e-2; // of the load, after the last round
+    const auto       begin        = std::chrono::steady_clock::now();
+    // the rate at which the wheels roll freely in the mean, weighted with their loads
+    const double loads = right.load + left.load,
+                 mean_radius =
+                   loads > 0 ? (right.load * forward_radius(right) + left.load * forward_radius(left)) / loads
+                             : forward_radius(right);
+    AxleSolution axle;
+    axle.rate = drive.rate_held ? (1 + drive.creepage) / forward_radius(right) : 1 / mean_radius;
+    std::vector<std::unique_ptr<LoadedWheel>> wheels;
+    for (const WheelOnAxle *wheel : {&right, &left})
+      if (wheel->load > 0)
+        wheels.push_back(std::make_unique<LoadedWheel>(*wheel, axle.rate));
+    // loads and creepage are found together: what one changes of the other fades from round to round
+    CreepageSearch search(axle.rate * mean_radius - 1);
+    bool           found = wheels.empty(), nearly = found;
+    for (int round = 0; round < most_rounds && !found; ++round)
+      {
+        axle.rate     = (1 + search.creepage()) / mean_radius;
+        double torque = 0, missed = 0;
+        found = true;
+        for (const auto &wheel : wheels)
+          {
+            wheel->press();
+            torque += wheel->roll(axle.rate);
+            found  = wheel->carried() && found;
+            missed = std::max(missed, wheel->missed());
+          }
+        double miss = (torque - drive.torque) / (loads * mean_radius);
+        if (drive.rate_held || !search.carried())
+          miss = 0;
+        nearly = missed < ten_promille && std::abs(miss) < 10 * enough;
+        if (std::abs(miss) > enough)
+          {
+            found = false;
+            search.missed(miss);
+          }
+      }
+    found = found || nearly;
+    for (const auto &wheel : wheels)
+      {
+        const bool of_right = wheel == wheels.front() && right.load > 0;
+        auto      &result   = of_right ? axle.right : axle.left;
+        result              = wheel->result(search.carried(),
+                               found ? "" : "The turning rate and the loads of the axle were not found. ");
+        add_wheel(*result, of_right ? 1 : -1, axle);
+        result->time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      }
+    return axle;
+  }
+} // namespace wheelrail
