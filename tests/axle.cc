@@ -2,13 +2,12 @@
 // curve, the balance of torques, and a mirror.
 
 #include "check.h"
+#include "cone_scene.h"
 
 #include <wheelrail/reference/axle_contact.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <string>
@@ -16,55 +15,13 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::cones;
+using test::conicity;
+using test::crown;
+using test::wheel_of;
 
 namespace
 {
-  constexpr double conicity = 0.05, crown = 300; // [1], [mm]
-
-  /// A line for each place from `begin` to `end` [mm].
-  void
-  write_shape(const std::string &path, const double begin, const double end, double (*height)(double))
-  {
-    std::ofstream file(path);
-    file << "# lateral, height [mm]\n";
-    char line[80];
-    for (double x = begin; x <= end + 1e-9; x += 0.2)
-      {
-        std::snprintf(line, sizeof(line), "%.3f %.9f\n", x, height(x));
-        file << line;
-      }
-  }
-
-  /// Cones with a flange on heads of one radius.
-  Scene
-  cones()
-  {
-    write_shape("axle_cone.txt", -69.4, 60, [](const double x) {
-      const double off = (x + 56) / 9;
-      return conicity * x - 28 * std::exp(-off * off);
-    });
-    write_shape("axle_head.txt", -36, 36, [](const double x) {
-      const double beyond = std::max(0., std::abs(x) - 27);
-      return -x * x / (2 * crown) - 0.25 * beyond * beyond;
-    });
-    Scene scene;
-    scene.wheel_profile          = "axle_cone.txt";
-    scene.rail_profile           = "axle_head.txt";
-    scene.track.inclination      = 0;
-    scene.wheel_load             = 80e3;
-    scene.halfspace_element_size = 0.8e-3;
-    return scene;
-  }
-
-  WheelOnAxle
-  wheel_of(const Scene &scene, const bool left, const double load)
-  {
-    Scene at      = scene;
-    at.left_wheel = left;
-    at.wheel_load = load;
-    return {at, make_geometry(at), load};
-  }
-
   AxleSolution
   solved(const Scene &scene, const AxleDrive &drive = {})
   {

@@ -42,12 +42,19 @@ namespace
       {"Track/Rail inclination", "1/20"},
       {"Track/Rail length", "1.2 m"},
       {"Track/Radius", "-300 m"},
+      {"Track/Cant", "-80 mm"},
+      {"Track/Track shift factor", "0.85"},
       {"Wheelset/Nominal rolling radius", "420 mm"},
       {"Wheelset/Flange back distance", "1361 mm"},
       {"Wheelset/Lateral shift", "-3.5 mm"},
       {"Wheelset/Roll", "from contact"},
       {"Wheelset/Side", "left"},
+      {"Wheelset/Wheels", "both"},
       {"Wheelset/Axle", "independent"},
+      {"Wheelset/Pose", "equilibrium"},
+      {"Wheelset/Lateral stiffness", "3 MN/m"},
+      {"Wheelset/Yaw stiffness", "5 MN m/rad"},
+      {"Wheelset/Centre of gravity height", "1.6 m"},
       {"Wheelset/Yaw", "5 mrad"},
       {"Wheelset/Motion", "motion.csv"},
       {"Wheelset/Motion start", "12.5 m"},
@@ -72,6 +79,7 @@ namespace
       {"Wheelset/Creepage", "0.001"},
       {"Wheelset/Lateral creepage", "-0.002"},
       {"Contact/Friction coefficient", "0.3"},
+      {"Contact/Friction coefficient left", "0.25"},
       {"Contact/Friction law", "rational"},
       {"Contact/Dynamic friction coefficient", "0.25"},
       {"Contact/Friction decay", "0.1 s/m"},
@@ -184,9 +192,11 @@ namespace
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
     straight.scene.passage_jump     = 0;      // the wheel is the same again
     straight.scene.planned_strip.clear();     // nor that strip
-    straight.scene.track_radius     = std::numeric_limits<double>::infinity();
-    straight.scene.start_offset     = 0; // the window is fixed
-    straight.scene.staggered_starts = 1;
+    straight.scene.both_wheels = straight.scene.pose_balances = false;
+    straight.scene.cant                                       = std::numeric_limits<double>::infinity();
+    straight.scene.track_radius                               = std::numeric_limits<double>::infinity();
+    straight.scene.start_offset                               = 0; // the window is fixed
+    straight.scene.staggered_starts                           = 1;
     require_computable(straight);
     return input.scene;
   }
@@ -259,7 +269,13 @@ namespace
     check_near(s.lateral_shift, -0.0035, 0, "field lateral_shift");
     check(s.roll == RollMode::from_contact, "field roll");
     check_near(s.track_radius, -300, 0, "field track_radius");
-    check(!s.rigid_axle, "field rigid_axle");
+    check(!s.rigid_axle && s.both_wheels && s.pose_balances, "fields of the axle");
+    check_near(s.cant, -0.08, 0, "field cant");
+    check_near(s.prudhomme_factor, 0.85, 0, "field prudhomme_factor");
+    check_near(s.lateral_stiffness, 3e6, 0, "field lateral_stiffness");
+    check_near(s.yaw_stiffness, 5e6, 0, "field yaw_stiffness");
+    check_near(s.centre_height, 1.6, 0, "field centre_height");
+    check_near(s.left_friction, 0.25, 0, "field left_friction");
     check_text(s.motion, "motion.csv", "field motion");
     check_near(s.motion_start, 12.5, 0, "field motion_start");
     check_near(s.wheel.rim_width, 0.136, 0, "field rim_width");

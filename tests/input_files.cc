@@ -5,6 +5,7 @@
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/listing.h>
@@ -14,6 +15,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -77,11 +79,20 @@ namespace
             std::string       message;
             try
               {
-                const SceneInput input = read_scene(file.path().string(), {});
+                SceneInput input = read_scene(file.path().string(), {});
                 check(input.origin.count("Wheelset/Traction coefficient") == 1,
                       name + " states its traction");
                 if (folder == std::string("prm"))
-                  require_computable(input);
+                  {
+                    // a whole wheelset is no run; one of its wheels is
+                    if (input.scene.both_wheels)
+                      {
+                        check(contact_checks(input.scene).errors.empty(), name + " is valid as a wheelset");
+                        input.scene.both_wheels = input.scene.pose_balances = false;
+                        input.scene.track_radius = input.scene.cant = std::numeric_limits<double>::infinity();
+                      }
+                    require_computable(input);
+                  }
               }
             catch (const InputError &error)
               {

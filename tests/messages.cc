@@ -98,7 +98,8 @@ namespace
                "an entry of other sections");
     check_file(
       "subsection Contact\nset Zigzag frequency = 1\nend",
-      "x.prm:2: Contact/Zigzag frequency: no such entry; Contact has Friction coefficient, Friction law, "
+      "x.prm:2: Contact/Zigzag frequency: no such entry; Contact has Friction coefficient, Friction "
+      "coefficient left, Friction law, "
       "Dynamic friction coefficient, Friction decay, Friction half velocity, Penalty scale, Surface filter, "
       "Damping",
       "an entry like no other");
@@ -266,7 +267,7 @@ namespace
     check_line(
       {"run", "a.prm", "--overwrit"},
       "run: --overwrit is no option; there are --set, --row, --traction, --ranks, --overwrite, --resume, "
-      "--validate and --help, "
+      "--validate, --wheelset and --help, "
       "perhaps --overwrite is meant; \"./wheelrail run --help\" tells more");
     check_line({"run", "a.prm", "b.prm"},
                "run: only one FILE.prm can be given; \"./wheelrail run --help\" tells more");

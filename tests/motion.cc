@@ -152,6 +152,11 @@ namespace
             entry +
               ": lateral shift and lateral creepage; a run moves the wheelset aside as the shift says: "
               "leave one of the columns out");
+    refused(
+      scene_with("distance [m],cant [mm]\n0,100\n1,100\n"),
+      entry +
+        ": cant; a run has one wheel, whose load the column load gives: leave the column out (half-spaces of "
+        "\"vehicle\" take it)");
     refused(scene_with("distance [m],radius [m]\n0,300\n1,300\n"),
             entry +
               ": radius; a run rolls straight on: leave the column out (half-spaces of \"vehicle\" take it)");

@@ -62,12 +62,17 @@ def results():
     program("compare", "out", "--no-pictures")
     program("halfspace", "keys.prm", "--no-pictures")
     program("vehicle", "keys.prm", "rows.csv", "--no-pictures", "--both-wheels")
+    program("halfspace", "keys.prm", "--set", "Wheelset/Wheels = both", "--set", "Output/Folder = both")
+    program("report", "both-halfspace")
+    for page in ("wheelset.html", "right/report.html", "left/report.html"):
+        check(os.path.getsize(f"both-halfspace/{page}") > 10000, f"{page} is there, with its pictures")
     program("halfspace", "keys.prm", "--no-pictures", "--creep-curve", "longitudinal 0.1,0.2 %")
     program("material", "keys.prm", "--no-pictures", *MATERIAL)
     program("run", "keys.prm", "--overwrite", "--set", "Run/Passages = 2", "--set", "Output/Folder = many")
     return {"summary.json of a run": keys("out/summary.json"),
             "compare.json": keys("out/compare.json"),
             "summary.json of half-spaces": keys("out-halfspace/summary.json"),
+            "summary.json of a wheelset": keys("both-halfspace/summary.json"),
             "vehicle.csv": columns("out-vehicle/vehicle.csv"),
             "creep_curve.csv": columns("out-halfspace/creep_curve.csv"),
             "cycles.csv": columns("out-material/cycles.csv"),

@@ -58,7 +58,7 @@ namespace
   {
     const std::string there =
       "; there are time, distance, lateral shift, roll, yaw, load, load right, load left, velocity, torque, "
-      "traction, creepage, lateral creepage and radius, each with its unit in brackets, such as \"load "
+      "traction, creepage, lateral creepage, radius and cant, each with its unit in brackets, such as \"load "
       "[kN]\"";
     refused("time [s],jaw [mrad]\n0,1\n",
             ":1: column \"jaw [mrad]\" is not known, perhaps yaw is meant" + there);
@@ -89,6 +89,10 @@ namespace
             ": load right without load left; write both, or load for a load that both wheels have");
     refused("time [s],load [kN],load right [kN],load left [kN]\n0,1,1,1\n",
             ": load beside load right and load left; leave it out, or the two others");
+    refused(
+      "time [s],cant [mm],load right [kN],load left [kN]\n0,0,1,1\n",
+      ": cant beside load right and load left; it shares the load of the axle between the wheels: leave "
+      "it out, or write load in their place");
     refused(
       "time [s],radius [m]\n0,0\n1,-12\n",
       ":3: radius = -12 is out of range; 20 m to 100 km on either side, or 0 is accepted, in the unit of "
@@ -125,6 +129,63 @@ namespace
     test::check_text(said({"halfspace", scene, "--beside", file.path()}),
                      "--beside draws points beside a creep curve: give --creep-curve, too",
                      "points beside nothing");
+    // whole wheelsets
+    const std::string both = "Wheelset/Wheels = both";
+    test::check_text(said({"halfspace", scene, "--set", both, "--creep-curve", "spin 0,1 1/m"}),
+                     "--creep-curve takes one wheel; Wheelset/Wheels = both asks for two: set it to one",
+                     "a creep curve of two wheels");
+    {
+      const File cant("distance [m],cant [mm]\n0,100\n");
+      test::check_text(
+        said({"vehicle", scene, cant.path()}),
+        "the column cant shares the load of an axle between two wheels: give --both-wheels, or leave it out",
+        "a cant under one wheel");
+    }
+    const File loads("distance [m],load right [kN],load left [kN]\n0,80,60\n");
+    test::check_text(
+      said({"vehicle", scene, loads.path(), "--both-wheels", "--set", "Track/Cant = 100 mm"}),
+      "Track/Cant = 100 mm: the rows have the loads of both wheels already; write none, or the column "
+      "load in their place",
+      "a cant beside loads");
+    test::check_text(
+      said({"run", scene, "--wheelset", "--row", loads.path() + ":1"}),
+      "--row: the row has a load for each wheel, the scene one for both; write the column load in "
+      "their place, and cant where the curve shares it",
+      "a row with two loads as a scene");
+    test::check_text(said({"run",
+                           scene,
+                           "--wheelset",
+                           "--set",
+                           "Wheelset/Side = left",
+                           "--set",
+                           "Track/Cant = 0 mm",
+                           "--set",
+                           "Track/Radius = 200 m"}),
+                     "--wheelset: the left-hand wheel is lifted in this curve; run the other side, or change "
+                     "radius, cant or "
+                     "velocity",
+                     "a lifted wheel");
+    test::check_text(said({"run",
+                           scene,
+                           "--wheelset",
+                           "--set",
+                           "Half-space/Element size = 3 mm",
+                           "--set",
+                           "Contact/Friction coefficient = 0",
+                           "--set",
+                           "Wheelset/Pose = equilibrium",
+                           "--set",
+                           "Track/Radius = 500 m",
+                           "--set",
+                           "Track/Cant = 0 mm",
+                           "--set",
+                           "Wheelset/Velocity = 500 km/h",
+                           "--set",
+                           "Wheelset/Centre of gravity height = 0 m"}),
+                     "--wheelset: The pose in which the forces on the wheelset balance was not found. Look "
+                     "at the wheelset with "
+                     "the command halfspace first",
+                     "a curve that no flange holds");
     check(read_motion_file(WHEELRAIL_SOURCE_DIR "/prm/s_curve.csv").rows() > 100,
           "the curve of prm/ can be read");
   }
@@ -241,8 +302,7 @@ namespace
     const MotionFile motion = read_motion_file(file.path());
     check(motion.rows() == 4 && std::abs((*motion.find(MotionQuantity::yaw))[2] - 3e-3) < 1e-15, "four rows");
     const SceneProfiles profiles = read_profiles(scene);
-    const VehicleWheel  wheel =
-      solve_vehicle(scene, profiles, motion, false, [](std::size_t) {}).wheels.front();
+    const VehicleWheel  wheel    = solve_vehicle(scene, profiles, motion, [](std::size_t) {}).wheels.front();
     check(wheel.faults[0].empty() && wheel.faults[1].empty() && wheel.faults[2].empty(),
           "three rows have contact");
     check(wheel.faults[3].find("no contact point") != std::string::npos,
@@ -273,8 +333,10 @@ namespace
     load.longitudinal         = 4600 / other.contact.rolling_radius;
     const auto left           = solve_wheel_rail(row, other, load, scene_offsets(row));
     scene.rigid_axle          = false;
-    const VehicleResult both  = solve_vehicle(scene, profiles, motion, true, [](std::size_t) {});
-    check(both.axle.empty(), "independent wheels are no axle");
+    scene.both_wheels         = true;
+    const VehicleResult both  = solve_vehicle(scene, profiles, motion, [](std::size_t) {});
+    check(std::isnan(get_figure(both.axle[2], "axle_pitch_rate_rad_per_s")),
+          "independent wheels have no one rate");
     check_near(
       both.wheels[0].rows[2].lateral_force, own.lateral, 1e-9, "independent wheels: the right one [N]");
     check_near(both.wheels[1].rows[2].lateral_force, left.lateral, 1e-9, "and the left one [N]");
@@ -286,32 +348,59 @@ namespace
   {
     Scene scene                  = {};
     scene.halfspace_element_size = 0.8e-3;
+    scene.both_wheels            = true;
     const File file(
       "distance [m],lateral shift [mm],load right [kN],load left [kN],torque [kN m],radius [m]\n"
       "0,-2,100,60,0,0\n1,-2,100,60,4,300\n2,-2,100,0,0,0\n");
     const MotionFile    motion   = read_motion_file(file.path());
     const SceneProfiles profiles = read_profiles(scene);
-    const VehicleResult both     = solve_vehicle(scene, profiles, motion, true, [](std::size_t) {});
+    const VehicleResult both     = solve_vehicle(scene, profiles, motion, [](std::size_t) {});
     check(both.axle.size() == 3 && both.wheels.size() == 2, "three rows of two wheels on one axle");
     const auto force = [&](const std::size_t wheel, const std::size_t row) {
       return get_figure(both.wheels[wheel].rows[row], "wheelset_longitudinal_force_N");
     };
     check_near(both.wheels[0].rows[0].vertical_force / 100e3, 1, 1.1e-3, "load of the right wheel: ratio");
     check_near(both.wheels[1].rows[0].vertical_force / 60e3, 1, 1.1e-3, "load of the left wheel: ratio");
-    check_near(both.axle[0].load, 160e3, 0, "load of the axle [N]");
+    check_near(get_figure(both.axle[0], "axle_load_N"), 160e3, 0, "load of the axle [N]");
     check_near((force(0, 0) + force(1, 0)) / 160e3, 0, 1e-3, "what one wheel drives the other brakes");
     check(force(0, 0) > 1e3, "the wheel near its flange drives on a straight track [N]");
-    check_near(both.axle[1].torque, 4e3, 10, "torque of the axle [N m]");
+    check_near(get_figure(both.axle[1], "axle_torque_Nm"), 4e3, 10, "torque of the axle [N m]");
     check(force(0, 1) < force(0, 0), "in a curve to the left the outer wheel has farther to go");
     check_near(both.wheels[1].rows[2].normal_force, 0, 0, "a wheel without load [N]");
     // one wheel that does not touch is enough
     scene.track.flange_back_distance = 1.37;
     const File          off("distance [m],lateral shift [mm],load [kN]\n0,11.9,80\n");
     const VehicleResult none =
-      solve_vehicle(scene, profiles, read_motion_file(off.path()), true, [](std::size_t) {});
+      solve_vehicle(scene, profiles, read_motion_file(off.path()), [](std::size_t) {});
     check(none.wheels[0].faults[0].find("no contact point") != std::string::npos &&
-            std::isnan(none.axle[0].torque),
+            std::isnan(get_figure(none.axle[0], "axle_torque_Nm")),
           "a row that does not touch has no figures, and says so");
+  }
+
+  /// Rows of radius and cant: the loads that follow, and a wheel that is lifted.
+  void
+  test_cant_rows()
+  {
+    Scene scene                  = {};
+    scene.halfspace_element_size = 0.8e-3;
+    scene.both_wheels            = true;
+    const File file(
+      "distance [m],load [kN],velocity [km/h],radius [m],cant [mm]\n"
+      "0,80,72,500,0\n1,80,72,-500,0\n2,80,200,500,0\n");
+    const VehicleResult vehicle =
+      solve_vehicle(scene, read_profiles(scene), read_motion_file(file.path()), [](std::size_t) {});
+    const auto load = [&](const std::size_t wheel, const std::size_t row) {
+      return vehicle.wheels[wheel].rows[row].vertical_force;
+    };
+    check_near(
+      get_figure(vehicle.axle[0], "axle_unbalanced_acceleration_m_per_s2"), 0.8, 1e-12, "V^2/R [m/s2]");
+    check_near((load(0, 0) - load(1, 0)) / 160e3 * 9.81 / 0.8 * 0.75 / scene.centre_height,
+               1,
+               0.02,
+               "the outer wheel carries h/b a/g more: ratio");
+    check_near(load(0, 0) / load(1, 1), 1, 1e-9, "in a curve to the right it is the left one");
+    check_near(load(0, 2), 160e3, 200, "the outer wheel carries all [N]");
+    check_near(load(1, 2), 0, 0, "when the inner one is lifted [N]");
   }
 } // namespace
 
@@ -324,5 +413,6 @@ main()
   test_free_rows();
   test_rows();
   test_axle_rows();
+  test_cant_rows();
   return test::report();
 }

@@ -1,4 +1,5 @@
 #include <wheelrail/application/command_actions.h>
+#include <wheelrail/application/command_scene.h>
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/creep_curve_command.h>
 #include <wheelrail/application/geometry_command.h>
@@ -9,9 +10,11 @@
 #include <wheelrail/application/scene_row.h>
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/application/vehicle_command.h>
+#include <wheelrail/application/wheelset_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
 #include <wheelrail/input/cross_checks.h>
+#include <wheelrail/input/entries.h>
 #include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/motion_file.h>
@@ -31,78 +34,13 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
 {
-  namespace po = boost::program_options;
-
   namespace
   {
-    std::vector<std::string>
-    sets_of(const po::variables_map &options)
-    {
-      return options.count("set") ? options["set"].as<std::vector<std::string>>()
-                                  : std::vector<std::string>();
-    }
-
-    std::string
-    file_of(const po::variables_map &options)
-    {
-      return options.count("file") ? options["file"].as<std::string>() : "";
-    }
-
-    /// The file with the --set options; without a file the defaults.
-    SceneInput
-    file_input_of(const po::variables_map &options)
-    {
-      const std::string file = file_of(options);
-      return file.empty() ? scene_from_text("", "defaults", sets_of(options))
-                          : read_scene(file, sets_of(options));
-    }
-
-    /// What drives rows without a column for it.
-    RowDrive
-    row_drive_of(const po::variables_map &options)
-    {
-      return options.count("traction") ? row_drive(options["traction"].as<std::string>()) : RowDrive::none;
-    }
-
-    /// The same at the row of --row, or where it starts to follow its motion.
-    SceneInput
-    input_of(const po::variables_map &options)
-    {
-      SceneInput input = file_input_of(options);
-      if (options.count("row") && input.scene.motion != "none")
-        throw InputError(
-          "--row and Wheelset/Motion: a scene has one row, or follows a motion; leave one out");
-      if (options.count("traction") && !options.count("row"))
-        throw InputError(
-          "--traction says what drives a row: give --row, too, or set Wheelset/Traction coefficient");
-      input.scene = options.count("row")
-                      ? scene_of_row(input.scene, options["row"].as<std::string>(), row_drive_of(options))
-                      : scene_at_start(input.scene);
-      return input;
-    }
-
-    /// What the user should know of the drive of a scene that does not say it; empty when it does.
-    std::string
-    drive_note(const po::variables_map &options, const SceneInput &input)
-    {
-      if (options.count("row"))
-        return drive_of_rows(input.scene,
-                             read_motion_file(file_of_row(options["row"].as<std::string>())),
-                             row_drive_of(options));
-      return former_drive_note(input);
-    }
-
-    void
-    print_note(const std::string &note, std::ostream &out)
-    {
-      if (!note.empty())
-        out << "note: " << note << "\n";
-    }
-
     /// The processes that the launcher would start a run on, which it tells by an environment variable; 0
     /// when it does not.
     unsigned int
@@ -112,21 +50,11 @@ namespace wheelrail
       return told ? static_cast<unsigned int>(std::strtoul(told, nullptr, 10)) : 0;
     }
 
-    /// The scene that a run computes of --row: straight on. Returns a note on a curve that is left out, or
-    /// nothing.
-    std::string
-    roll_straight(const po::variables_map &options, Scene &scene)
-    {
-      if (!options.count("row") || !std::isfinite(scene.track_radius))
-        return "";
-      scene.track_radius = std::numeric_limits<double>::infinity();
-      return "the run rolls straight on, without the radius of the row";
-    }
-
     int
     validate(const po::variables_map &options, std::ostream &out)
     {
       SceneInput input = input_of(options);
+      print_note(take_wheel(options, input), out);
       print_note(roll_straight(options, input.scene), out);
       const CheckedScene checked = check_scene(input.scene, this_machine(ranks_of_launcher()));
       const Findings    &found   = checked.found;
@@ -142,42 +70,44 @@ namespace wheelrail
       return 0;
     }
 
-    /// `example`: a ready scene, with what else makes a whole command of it.
+    /// One wheel on straight track, which needs as many processes as one taken from its wheelset.
     void
-    require_file(const po::variables_map &options,
-                 const std::string       &command,
-                 const std::string       &example = "rolling.prm")
+    roll_alone(Scene &scene)
     {
-      if (file_of(options).empty())
-        throw InputError(command + " needs a parameter file, such as " + own_call() + " " + command + " " +
-                         ready_scene(example));
+      scene.both_wheels = scene.pose_balances = false;
+      scene.track_radius = scene.cant = std::numeric_limits<double>::infinity();
     }
 
+    /// Cant, which shares the load of an axle, against rows that have the loads of both wheels, or one wheel.
     void
-    require_one_scene(const SceneInput &input)
+    require_cant_for_loads(const Scene &scene, const MotionFile &motion)
     {
-      if (!input.scene.study.axes.empty())
-        throw InputError(input.name + ": a study, since Study/Axes is set; " + own_call() + " study " +
-                         shell_word(input.name) + " computes its cases");
+      if (motion.find(MotionQuantity::load_right) && std::isfinite(scene.cant))
+        throw InputError(
+          entry_text(scene, "Track", "Cant") +
+          ": the rows have the loads of both wheels already; write none, or the column load in "
+          "their place");
+      if (motion.find(MotionQuantity::cant) && !scene.both_wheels)
+        throw InputError(
+          "the column cant shares the load of an axle between two wheels: give --both-wheels, or "
+          "leave it out");
     }
 
-    /// The one scene of a file; throws InputError for a study.
-    SceneInput
-    one_scene_of(const po::variables_map &options)
+    int
+    halfspaces_of_wheelset(const po::variables_map        &options,
+                           const SceneInput               &input,
+                           const std::vector<std::string> &warnings,
+                           std::ostream                   &out)
     {
-      SceneInput input = input_of(options);
-      require_one_scene(input);
-      return input;
-    }
-
-    void
-    require_folder(const po::variables_map &options, const std::string &command)
-    {
-      const std::string folder = file_of(options);
-      if (!std::filesystem::is_directory(folder))
-        throw InputError(folder.empty()
-                           ? command + " needs the output folder of a run, such as output/rolling"
-                           : folder + ": no such folder; " + command + " needs the output folder of a run");
+      for (const char *option : {"contact-input", "contact-wheel-rail-input", "creep-curve"})
+        if (options.count(option))
+          throw InputError(std::string("--") + option + " takes one wheel; " +
+                           entry_text(input.scene, "Wheelset", "Wheels") + " asks for two: set it to one");
+      for (const std::string &warning : warnings)
+        out << "warning: " << warning << "\n";
+      print_note(drive_note(options, input), out);
+      return run_wheelset_command(
+        input.scene, read_profiles(input.scene), !options.count("no-pictures"), out);
     }
   } // namespace
 
@@ -198,6 +128,7 @@ namespace wheelrail
     if (run_options.overwrite && run_options.resume)
       throw InputError("--overwrite starts anew and --resume goes on: give one of them");
     SceneInput          input    = one_scene_of(options);
+    const std::string   wheelset = take_wheel(options, input);
     const std::string   curve    = roll_straight(options, input.scene);
     const SceneGeometry geometry = require_computable(input);
     run_options.prm_text         = input.text;
@@ -206,8 +137,10 @@ namespace wheelrail
     if (options.count("row"))
       run_options.prm_text += "# --row " + options["row"].as<std::string>() +
                               (options.count("traction") ? " --traction from scene\n" : "\n");
-    const std::string drive     = drive_note(options, input);
-    run_options.note            = drive + (drive.empty() || curve.empty() ? "" : "; ") + curve;
+    if (options.count("wheelset"))
+      run_options.prm_text += "# --wheelset\n";
+    for (const std::string &note : {wheelset.empty() ? drive_note(options, input) : wheelset, curve})
+      run_options.note += (run_options.note.empty() || note.empty() ? "" : "; ") + note;
     run_options.parameters_text = print_parameters(input.scene);
     run_options.program_version = WHEELRAIL_VERSION;
     return run(input.scene, geometry, run_options);
@@ -245,6 +178,8 @@ namespace wheelrail
     const SceneInput input = one_scene_of(options);
     const Findings   found = contact_checks(input.scene);
     require_none(found.errors, input);
+    if (input.scene.both_wheels)
+      return halfspaces_of_wheelset(options, input, found.warnings, out);
     std::optional<SceneGeometry> geometry;
     if (needs_profiles(input.scene) || !file("contact-wheel-rail-input").empty())
       geometry = require_touching(input);
@@ -291,20 +226,19 @@ namespace wheelrail
     SceneInput       input  = file_input_of(options);
     require_one_scene(input);
     input.scene.motion = "none"; // the rows of the command take its place
+    if (options.count("both-wheels"))
+      input.scene.both_wheels = true;
     print_note(drive_of_rows(input.scene, motion, row_drive_of(options)), out);
-    if (!options.count("both-wheels") && !has_drive(motion))
+    if (!input.scene.both_wheels && !has_drive(motion))
       print_note("one wheel, which turns by itself; --both-wheels puts both on one axle", out);
     input.scene = scene_for_rows(input.scene, motion, row_drive_of(options));
+    require_cant_for_loads(input.scene, motion);
     require_none(contact_checks(input.scene).errors, input);
     if (distance_is_given(input.scene))
       throw InputError(
         "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
-    return run_vehicle_command(input.scene,
-                               read_profiles(input.scene),
-                               motion,
-                               options.count("both-wheels") > 0,
-                               !options.count("no-pictures"),
-                               out);
+    return run_vehicle_command(
+      input.scene, read_profiles(input.scene), motion, !options.count("no-pictures"), out);
   }
 
 
@@ -325,7 +259,9 @@ namespace wheelrail
         out << parameter_reference();
         return 0;
       }
-    const SceneInput    input    = input_of(options);
+    SceneInput input = input_of(options);
+    if (options.count("ranks"))
+      roll_alone(input.scene);
     const SceneGeometry geometry = require_computable(input);
     if (options.count("ranks"))
       {

@@ -61,6 +61,10 @@ namespace wheelrail
          options.add_options()("overwrite", "replace the run in the output folder, finished or saved");
          options.add_options()("resume", "go on from the last checkpoint in the output folder");
          options.add_options()("validate", "check the file without running");
+         options.add_options()(
+           "wheelset",
+           "roll the modelled wheel as it rolls on its wheelset: half-spaces of both wheels "
+           "give it load, pose and creepage first");
        },
        act_run},
       {"geometry",
@@ -118,9 +122,10 @@ namespace wheelrail
          options.add_options()(
            "motion",
            po::value<std::string>(),
-           "the rows: time or distance, lateral shift, roll, yaw, load, velocity, torque or "
-           "creepage, with units in the first line");
-         options.add_options()("both-wheels", "compute the right and the left wheel");
+           "the rows: time or distance, lateral shift, roll, yaw, load, velocity, radius, cant, torque "
+           "or creepage, with units in the first line");
+         options.add_options()(
+           "both-wheels", "compute the right and the left wheel, on one axle; as Wheelset/Wheels = both");
          add_traction_option(options);
          add_no_pictures_option(options);
        },

@@ -1,5 +1,5 @@
 #include <wheelrail/application/compare_command.h>
-#include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/halfspace_results.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>

@@ -7,6 +7,7 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/several_patches.h>
 #include <wheelrail/reference/vehicle.h>
+#include <wheelrail/reference/wheelset_figures.h>
 #include <wheelrail/verdict/verdict.h>
 
 #include <chrono>
@@ -43,6 +44,7 @@ namespace wheelrail
                                                     "reference_along_m",
                                                     "reference_ahead_of_axle_m",
                                                     "reference_angle_rad",
+                                                    "lateral_over_vertical",
                                                     "wheelset_roll_rad",
                                                     "approach_m",
                                                     "max_pressure_Pa",
@@ -102,33 +104,6 @@ namespace wheelrail
       return wheel.faults[row].empty() ? grade_of(wheel.rows[row]) : Grade::not_trusted;
     }
 
-    /// Of each wheel, and of both together.
-    void
-    add_axle(FigureTable &table, const std::vector<AxleRow> &rows)
-    {
-      const auto add = [&](const char *key, const char *unit, const auto &value) {
-        std::vector<double> values;
-        for (const AxleRow &row : rows)
-          values.push_back(value(row));
-        table.add(key, unit, values);
-      };
-      add("axle_pitch_rate_rad_per_s", "rad/s", [](const AxleRow &row) { return row.pitch_rate; });
-      add("axle_torque_Nm", "Nm", [](const AxleRow &row) { return row.torque; });
-      add("axle_lateral_force_N", "N", [](const AxleRow &row) { return row.lateral_force; });
-      add("axle_yaw_moment_Nm", "Nm", [](const AxleRow &row) { return row.yaw_moment; });
-      // Prud'homme 1967, limit of the sum of lateral forces that shifts the track, with k = 1
-      add("axle_prudhomme_limit_N", "N", [](const AxleRow &row) { return 10e3 + row.load / 3; });
-    }
-
-    std::vector<double>
-    lateral_over_vertical(const std::vector<Summary> &rows)
-    {
-      std::vector<double> ratios;
-      for (const Summary &row : rows)
-        ratios.push_back(row.vertical_force > 0 ? row.lateral_force / row.vertical_force : std::nan(""));
-      return ratios;
-    }
-
     FigureTable
     table_of(const MotionFile &motion, const VehicleResult &vehicle)
     {
@@ -145,7 +120,6 @@ namespace wheelrail
           const std::string side = wheel.left ? "left_" : "right_";
           FigureTable       own;
           own.add_figures(figure_keys(), wheel.rows);
-          own.add("lateral_over_vertical", "1", lateral_over_vertical(wheel.rows));
           add_patches(own, wheel.rows);
           for (std::size_t k = 0; k < own.keys.size(); ++k)
             table.add(side + own.keys[k], own.units[k], own.columns[k]);
@@ -159,8 +133,7 @@ namespace wheelrail
           table.add(side + "verdict", "1", grades);
           table.add(side + "trusted", "1", good);
         }
-      if (!vehicle.axle.empty())
-        add_axle(table, vehicle.axle);
+      table.add_figures(axle_keys(), vehicle.axle);
       return table;
     }
 
@@ -228,7 +201,6 @@ namespace wheelrail
   run_vehicle_command(const Scene         &scene,
                       const SceneProfiles &profiles,
                       const MotionFile    &motion,
-                      const bool           both_wheels,
                       const bool           draws,
                       std::ostream        &out)
   {
@@ -237,12 +209,11 @@ namespace wheelrail
 
     const auto          begin = std::chrono::steady_clock::now();
     std::mutex          lock;
-    const VehicleResult vehicle =
-      solve_vehicle(scene, profiles, motion, both_wheels, [&](const std::size_t done) {
-        const std::lock_guard<std::mutex> guard(lock);
-        if (done % 200 == 0)
-          out << done << " of " << motion.rows() << " rows" << std::endl;
-      });
+    const VehicleResult vehicle = solve_vehicle(scene, profiles, motion, [&](const std::size_t done) {
+      const std::lock_guard<std::mutex> guard(lock);
+      if (done % 200 == 0)
+        out << done << " of " << motion.rows() << " rows" << std::endl;
+    });
     const std::vector<VehicleWheel> &wheels = vehicle.wheels;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 

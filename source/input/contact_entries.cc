@@ -1,6 +1,7 @@
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <limits>
 #include <vector>
 
 namespace wheelrail
@@ -18,6 +19,17 @@ namespace wheelrail
         pure_entry({"Contact", "Friction coefficient", "Coulomb friction, at rest; 0: no friction."},
                    B::between("0", "1.5"),
                    field(&S::friction, &FrictionLaw::at_rest)));
+      const auto left = field(&S::left_friction);
+      list.push_back(with_word(
+        pure_entry({"Contact",
+                    "Friction coefficient left",
+                    "On the left-hand rail, with Wheelset/Wheels = both; the dynamic coefficient changes in "
+                    "proportion."},
+                   B::between("0", "1.5"),
+                   left),
+        "as right",
+        std::numeric_limits<double>::infinity(),
+        left));
       list.push_back(choice_entry<FrictionKind>(
         {"Contact",
          "Friction law",

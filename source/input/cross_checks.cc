@@ -2,6 +2,7 @@
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/study_cases.h>
+#include <wheelrail/input/wheelset_checks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -250,10 +251,7 @@ namespace wheelrail
   contact_checks(const Scene &scene)
   {
     Findings found;
-    if (std::abs(scene.track_radius) < least_track_radius)
-      found.errors.push_back(entry_text(scene, "Track", "Radius") + ": too narrow for a track; " +
-                             format_quantity(least_track_radius, "m") +
-                             " is the least, to either side, or straight");
+    check_wheelset(scene, found);
     check_wheel(scene, found.errors);
     check_material(scene, "Rail material", scene.rail_material, found);
     check_material(scene, "Wheel material", scene.wheel_material, found);
@@ -270,6 +268,11 @@ namespace wheelrail
       found.errors.push_back(entry_text(scene, "Track", "Radius") +
                              ": a run rolls straight on; write straight, or compute half-spaces (halfspace, "
                              "vehicle), which take curves");
+    if (scene.both_wheels)
+      found.errors.push_back(
+        entry_text(scene, "Wheelset", "Wheels") +
+        ": a run has one wheel; run --wheelset rolls the modelled one as it rolls on the "
+        "wheelset, Wheels = one by itself");
     check_cells(scene, found.errors);
     check_steps(scene, found.warnings);
     if (scene.several_passages() && !scene.rail_material.yields())

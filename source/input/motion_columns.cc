@@ -27,7 +27,8 @@ namespace wheelrail
       {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
       {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
       {Q::lateral_creepage, "lateral creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
-      {Q::radius, "radius", Dimension::length, -1e5, 1e5, "20 m to 100 km on either side, or 0"}};
+      {Q::radius, "radius", Dimension::length, -1e5, 1e5, "20 m to 100 km on either side, or 0"},
+      {Q::cant, "cant", Dimension::length, -0.3, 0.3, "-300 mm to 300 mm"}};
     return list;
   }
 

@@ -216,6 +216,10 @@ namespace wheelrail
                          "; write both, or load for a load that both wheels have");
       if (right && rows.find(Q::load))
         throw InputError(path + ": load beside load right and load left; leave it out, or the two others");
+      if (right && rows.find(Q::cant))
+        throw InputError(path +
+                         ": cant beside load right and load left; it shares the load of the axle between the "
+                         "wheels: leave it out, or write load in their place");
     }
   } // namespace
 
@@ -342,6 +346,7 @@ namespace wheelrail
     set(Q::lateral_creepage, at.lateral_creepage);
     if (set(Q::radius, at.track_radius) && at.track_radius == 0)
       at.track_radius = std::numeric_limits<double>::infinity();
+    set(Q::cant, at.cant);
     return at;
   }
 } // namespace wheelrail

@@ -65,6 +65,27 @@ namespace wheelrail
       "straight",
       std::numeric_limits<double>::infinity(),
       radius));
+    const auto cant = field(&S::cant);
+    list.push_back(with_word(
+      length_entry(
+        {"Track",
+         "Cant",
+         "Height of the right-hand rail above the left-hand one, with Wheelset/Wheels = both: radius, "
+         "cant and velocity then share the load of the axle between its wheels; positive in a curve "
+         "to the left, negative in one to the right. none: both wheels carry the load as given."},
+        "mm",
+        B::between("-300 mm", "300 mm"),
+        cant),
+      "none",
+      std::numeric_limits<double>::infinity(),
+      cant));
+    list.push_back(
+      pure_entry({"Track",
+                  "Track shift factor",
+                  "k of Prud'homme's limit k (10 kN + P/3) of the sum of the lateral forces of an "
+                  "axle with the load P; 1 for track that lies well, 0.85 for others."},
+                 B::between("0.1", "2"),
+                 field(&S::prudhomme_factor)));
     return list;
   }
 } // namespace wheelrail

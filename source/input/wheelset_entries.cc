@@ -110,6 +110,54 @@ namespace wheelrail
                                     field(&S::wheel, row.member)));
     }
 
+    /// Of the wheelset with both wheels.
+    void
+    add_axle(std::vector<Entry> &list)
+    {
+      list.push_back(choice_entry<bool>({"Wheelset",
+                                         "Wheels",
+                                         "Of halfspace and vehicle. one: the modelled wheel alone; both: the "
+                                         "whole wheelset on its two rails."},
+                                        {{"one", false}, {"both", true}},
+                                        field(&S::both_wheels)));
+      list.push_back(choice_entry<bool>({"Wheelset",
+                                         "Axle",
+                                         "With Wheels = both. rigid: both wheels turn at one rate, and share "
+                                         "the torque; independent: each turns by itself."},
+                                        {{"rigid", true}, {"independent", false}},
+                                        field(&S::rigid_axle)));
+      list.push_back(choice_entry<bool>({"Wheelset",
+                                         "Pose",
+                                         "With Wheels = both. given: Lateral shift and Yaw are those of the "
+                                         "wheelset; equilibrium: both are found "
+                                         "such that the forces on the wheelset balance, with springs that "
+                                         "are at rest at Lateral shift and Yaw."},
+                                        {{"given", false}, {"equilibrium", true}},
+                                        field(&S::pose_balances)));
+      list.push_back(number_entry(
+        {"Wheelset", "Lateral stiffness", "Of the spring that guides the wheelset, with Pose = equilibrium."},
+        D::stiffness,
+        "MN/m",
+        B::between("0 MN/m", "1000 MN/m"),
+        field(&S::lateral_stiffness)));
+      list.push_back(
+        number_entry({"Wheelset",
+                      "Yaw stiffness",
+                      "Of the spring that guides the wheelset about the vertical, with Pose = equilibrium."},
+                     D::turning_stiffness,
+                     "MN m/rad",
+                     B::between("0 MN m/rad", "1000 MN m/rad"),
+                     field(&S::yaw_stiffness)));
+      list.push_back(length_entry(
+        {"Wheelset",
+         "Centre of gravity height",
+         "Of what rests on the axle, above the rails: how much of the load goes to the outer wheel "
+         "of a curve with Track/Cant."},
+        "m",
+        B::between("0 m", "4 m"),
+        field(&S::centre_height)));
+    }
+
     void
     add_wheelset(std::vector<Entry> &list)
     {
@@ -128,12 +176,7 @@ namespace wheelrail
                                          "the modelled wheel."},
                                         {{"right", false}, {"left", true}},
                                         field(&S::left_wheel)));
-      list.push_back(choice_entry<bool>({"Wheelset",
-                                         "Axle",
-                                         "Of vehicle --both-wheels. rigid: both wheels turn at one rate, and "
-                                         "share the torque; independent: each turns by itself."},
-                                        {{"rigid", true}, {"independent", false}},
-                                        field(&S::rigid_axle)));
+      add_axle(list);
       list.push_back(
         length_entry({"Wheelset",
                       "Lateral shift",

@@ -50,6 +50,10 @@ namespace wheelrail
       throw InputError(entry +
                        ": radius; a run rolls straight on: leave the column out (half-spaces of "
                        "\"vehicle\" take it)");
+    if (motion.find(Q::cant))
+      throw InputError(entry +
+                       ": cant; a run has one wheel, whose load the column load gives: leave the column out "
+                       "(half-spaces of \"vehicle\" take it)");
     check_times(motion);
     const double end = start + scene_.rolling_distance, round_off = 1e-9;
     if (start < along.front() - round_off || start > along.back())

@@ -53,14 +53,32 @@ namespace wheelrail
     running(const Scene &scene, const double wheel_load)
     {
       std::string text = wheel_load > 0 ? "wheel load " + shown(1e-3 * wheel_load) + " kN, " : "";
-      text += kilometres_per_hour(scene) + ", lateral shift " + shown(1e3 * scene.lateral_shift) +
-              " mm, yaw " + shown(1e3 * scene.yaw) + " mrad";
+      text += kilometres_per_hour(scene);
+      if (scene.pose_balances)
+        text += ", lateral shift and yaw from equilibrium";
+      else
+        text += ", lateral shift " + shown(1e3 * scene.lateral_shift) + " mm, yaw " + shown(1e3 * scene.yaw) +
+                " mrad";
       if (scene.roll == RollMode::given)
         text += ", roll " + shown(1e3 * scene.roll_angle) + " mrad";
       else if (scene.roll == RollMode::from_contact)
         text += ", roll from contact";
       if (scene.lateral_creepage != 0)
         text += ", lateral creepage " + shown(100 * scene.lateral_creepage) + " %";
+      return text;
+    }
+
+    /// "curve of 300 m to the left, cant 100 mm"; empty on straight track without cant.
+    std::string
+    curve(const Scene &scene)
+    {
+      std::string text;
+      if (std::isfinite(scene.track_radius))
+        text = "curve of " + shown(std::abs(scene.track_radius)) + " m to the " +
+               (scene.track_radius > 0 ? "left" : "right");
+      if (std::isfinite(scene.cant))
+        text += (text.empty() ? "straight, cant " : ", cant ") + shown(1e3 * scene.cant) +
+                " mm, centre of gravity " + shown(scene.centre_height) + " m above the rails";
       return text;
     }
 
@@ -109,6 +127,11 @@ namespace wheelrail
       {
         head.push_back({"wheel and rail", bodies_in_touch(scene)});
         head.push_back({"running", running(scene, wheel_load)});
+        if (const std::string track = curve(scene); !track.empty())
+          head.push_back({"track", track});
+        if (scene.both_wheels)
+          head.push_back(
+            {"axle", scene.rigid_axle ? "both wheels turn at one rate" : "wheels turn by themselves"});
       }
     head.push_back({"drive", what_drives(scene)});
     if (scene.motion != "none")

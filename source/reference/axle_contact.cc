@@ -1,3 +1,4 @@
+#include <wheelrail/base/parallel.h>
 #include <wheelrail/reference/axle_contact.h>
 #include <wheelrail/reference/load_search.h>
 #include <wheelrail/reference/several_patches.h>
@@ -6,6 +7,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -117,8 +120,22 @@ namespace wheelrail
   } // namespace
 
 
+  void
+  sum_up(AxleSolution &axle)
+  {
+    axle.torque = axle.lateral = axle.yaw_moment = 0;
+    if (axle.right)
+      add_wheel(*axle.right, 1, axle);
+    if (axle.left)
+      add_wheel(*axle.left, -1, axle);
+  }
+
+
   AxleSolution
-  solve_axle(const WheelOnAxle &right, const WheelOnAxle &left, const AxleDrive &drive)
+  solve_axle(const WheelOnAxle &right,
+             const WheelOnAxle &left,
+             const AxleDrive   &drive,
+             const unsigned int threads)
   {
     constexpr int    most_rounds  = 20;
     constexpr double enough       = 1e-4; // of the torque that the loads have about the axle
@@ -131,10 +148,15 @@ namespace wheelrail
                              : forward_radius(right);
     AxleSolution axle;
     axle.rate = drive.rate_held ? (1 + drive.creepage) / forward_radius(right) : 1 / mean_radius;
-    std::vector<std::unique_ptr<LoadedWheel>> wheels;
+    std::vector<const WheelOnAxle *> loaded;
     for (const WheelOnAxle *wheel : {&right, &left})
       if (wheel->load > 0)
-        wheels.push_back(std::make_unique<LoadedWheel>(*wheel, axle.rate));
+        loaded.push_back(wheel);
+    std::vector<std::unique_ptr<LoadedWheel>> wheels(loaded.size());
+    const auto                                of_each = [&](const std::function<void(std::size_t)> &work) {
+      parallel_for(wheels.size(), work, threads);
+    };
+    of_each([&](const std::size_t k) { wheels[k] = std::make_unique<LoadedWheel>(*loaded[k], axle.rate); });
     // loads and creepage are found together: what one changes of the other fades from round to round
     CreepageSearch search(axle.rate * mean_radius - 1);
     bool           found = wheels.empty(), nearly = found;
@@ -143,10 +165,15 @@ namespace wheelrail
         axle.rate     = (1 + search.creepage()) / mean_radius;
         double torque = 0, missed = 0;
         found = true;
-        for (const auto &wheel : wheels)
+        std::vector<double> torques(wheels.size());
+        of_each([&](const std::size_t k) {
+          wheels[k]->press();
+          torques[k] = wheels[k]->roll(axle.rate);
+        });
+        for (std::size_t k = 0; k < wheels.size(); ++k)
           {
-            wheel->press();
-            torque += wheel->roll(axle.rate);
+            const auto &wheel = wheels[k];
+            torque += torques[k];
             found  = wheel->carried() && found;
             missed = std::max(missed, wheel->missed());
           }
@@ -167,9 +194,9 @@ namespace wheelrail
         auto      &result   = of_right ? axle.right : axle.left;
         result              = wheel->result(search.carried(),
                                found ? "" : "The turning rate and the loads of the axle were not found. ");
-        add_wheel(*result, of_right ? 1 : -1, axle);
-        result->time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        result->time        = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       }
+    sum_up(axle);
     return axle;
   }
 } // namespace wheelrail

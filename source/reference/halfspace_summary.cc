@@ -173,9 +173,14 @@ namespace wheelrail
   Summary
   halfspace_summary(const Scene &scene, const WheelRailSolution &result)
   {
+    const auto set_quotient = [](Summary &summary) {
+      if (summary.vertical_force > 0)
+        set_figure(summary, "lateral_over_vertical", summary.lateral_force / summary.vertical_force);
+    };
     std::vector<Summary> patches{summary_of_patch(scene, result)};
     if (result.others.empty())
       {
+        set_quotient(patches.front());
         set_verdict(patches.front(), judge_patches(result));
         return patches.front();
       }
@@ -186,6 +191,7 @@ namespace wheelrail
     });
     add_up(patches, total);
     total.wall_time = result.time;
+    set_quotient(total);
     set_verdict(total, judge_patches(result));
     set_figure(total, "patches", patches.size());
     for (std::size_t k = 0; k < patches.size(); ++k)

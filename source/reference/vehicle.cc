@@ -1,10 +1,11 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/parallel.h>
-#include <wheelrail/reference/axle_contact.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/reference/vehicle.h>
 #include <wheelrail/reference/wheel_load.h>
+#include <wheelrail/reference/wheelset_contact.h>
+#include <wheelrail/reference/wheelset_figures.h>
 
 #include <algorithm>
 #include <atomic>
@@ -44,16 +45,10 @@ namespace wheelrail
     }
 
     /// The scene at a row for one of the wheels.
-    WheelOnAxle
-    wheel_of_row(const Scene         &scene,
-                 const SceneProfiles &profiles,
-                 const MotionFile    &motion,
-                 const std::size_t    row,
-                 const bool           left)
+    Scene
+    wheel_of_row(const Scene &scene, const MotionFile &motion, const std::size_t row, const bool left)
     {
-      Scene at      = scene_at(scene, of_wheel(motion, left), row);
-      at.left_wheel = left;
-      return {at, make_geometry(at, profiles), at.wheel_load};
+      return scene_at(wheel_of_wheelset(scene, left), of_wheel(motion, left), row);
     }
 
     /// A torque of the row, or nothing.
@@ -62,35 +57,6 @@ namespace wheelrail
     {
       const auto *const torques = motion.find(MotionQuantity::torque);
       return torques ? std::optional<double>((*torques)[row]) : std::nullopt;
-    }
-
-    /// One wheel that turns by itself; empty when the row has no load.
-    std::optional<WheelRailSolution>
-    solve_wheel(const WheelOnAxle &wheel, const std::optional<double> &torque)
-    {
-      if (wheel.load == 0)
-        return {};
-      WheelRailLoad load = scene_load(wheel.scene, wheel.geometry);
-      if (torque)
-        {
-          load.rate_held    = false;
-          load.longitudinal = *torque / wheel.geometry.contact.rolling_radius;
-        }
-      return solve_wheel_rail(wheel.scene, wheel.geometry, load, scene_offsets(wheel.scene));
-    }
-
-    /// What turns the axle of a row: its torque, its traction as that of both wheels, or its creepage.
-    AxleDrive
-    axle_drive(const WheelOnAxle &right, const WheelOnAxle &left, const std::optional<double> &torque)
-    {
-      const auto driven = [](const WheelOnAxle &wheel) {
-        return wheel.scene.traction_coefficient * wheel.load * wheel.geometry.contact.rolling_radius;
-      };
-      AxleDrive drive;
-      drive.torque    = torque ? *torque : driven(right) + driven(left);
-      drive.rate_held = !torque && right.scene.drive == Drive::rate;
-      drive.creepage  = right.scene.creepage;
-      return drive;
     }
 
     /// The solutions of the rows with the largest peak pressures; several threads may hand in theirs.
@@ -137,12 +103,6 @@ namespace wheelrail
       wheel.faults[row] = wheel.rows[row].finished ? "" : wheel.rows[row].stop_reason;
     }
 
-    AxleRow
-    axle_row(const AxleSolution &axle, const double velocity, const double load)
-    {
-      return {axle.rate * velocity, axle.torque, axle.lateral, axle.yaw_moment, load};
-    }
-
     /// Stresses below the patch take longer than the patch: of the rows with the largest pressures only.
     void
     add_stresses(const Highest &highest, VehicleWheel &wheel)
@@ -161,16 +121,15 @@ namespace wheelrail
   solve_vehicle(const Scene                            &scene,
                 const SceneProfiles                    &profiles,
                 const MotionFile                       &motion,
-                const bool                              both,
                 const std::function<void(std::size_t)> &report)
   {
-    const bool        rigid = both && scene.rigid_axle;
+    const bool        both = scene.both_wheels;
     VehicleResult     vehicle;
     std::vector<bool> sides = both ? std::vector<bool>{false, true} : std::vector<bool>{scene.left_wheel};
     for (const bool left : sides)
       vehicle.wheels.push_back(
         {left, std::vector<Summary>(motion.rows()), std::vector<std::string>(motion.rows())});
-    vehicle.axle.resize(rigid ? motion.rows() : 0);
+    vehicle.axle.resize(both ? motion.rows() : 0);
     // the weight of the wheel is the same in all rows
     Scene base      = scene;
     base.wheel_load = static_wheel_load(base, profiles.wheel);
@@ -178,40 +137,35 @@ namespace wheelrail
     std::vector<Highest>     highest(sides.size());
     parallel_for(motion.rows(), [&](const std::size_t row) {
       const std::optional<double> torque = torque_of(motion, row);
-      const auto                  wheel  = [&](const std::size_t side) {
-        return wheel_of_row(base, profiles, motion, row, sides[side]);
-      };
-      const auto keep =
+      const auto                  keep =
         [&](const std::size_t side, const Scene &at, std::optional<WheelRailSolution> result) {
           take(result, at, row, vehicle.wheels[side]);
           if (const double peak = vehicle.wheels[side].rows[row].max_pressure; result && peak > 0)
             highest[side].hand_in({row, peak, std::move(*result)});
         };
-      const auto guarded = [&](const std::vector<std::size_t> &concerned, const auto &solve) {
-        try
-          {
-            solve();
-          }
-        catch (const InputError &error)
-          {
-            for (const std::size_t side : concerned)
-              vehicle.wheels[side].faults[row] = error.what();
-          }
-      };
-      if (rigid)
-        guarded({0, 1}, [&]() {
-          const WheelOnAxle right = wheel(0), left = wheel(1);
-          AxleSolution      axle = solve_axle(right, left, axle_drive(right, left, torque));
-          vehicle.axle[row]      = axle_row(axle, right.scene.velocity, right.load + left.load);
-          keep(0, right.scene, std::move(axle.right));
-          keep(1, left.scene, std::move(axle.left));
-        });
-      else
-        for (std::size_t side = 0; side < sides.size(); ++side)
-          guarded({side}, [&]() {
-            const WheelOnAxle one = wheel(side);
-            keep(side, one.scene, solve_wheel(one, torque));
-          });
+      try
+        {
+          if (both)
+            {
+              WheelsetSolution wheelset = solve_wheelset(wheel_of_row(base, motion, row, false),
+                                                         wheel_of_row(base, motion, row, true),
+                                                         profiles,
+                                                         torque);
+              set_axle_figures(wheelset, vehicle.axle[row]);
+              keep(0, wheelset.right.scene, std::move(wheelset.axle.right));
+              keep(1, wheelset.left.scene, std::move(wheelset.axle.left));
+            }
+          else
+            {
+              const Scene at = wheel_of_row(base, motion, row, sides[0]);
+              keep(0, at, solve_alone({at, make_geometry(at, profiles), at.wheel_load}, torque));
+            }
+        }
+      catch (const InputError &error)
+        {
+          for (VehicleWheel &wheel : vehicle.wheels)
+            wheel.faults[row] = error.what();
+        }
       report(++done);
     });
     for (std::size_t side = 0; side < sides.size(); ++side)

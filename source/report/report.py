@@ -26,6 +26,7 @@ import plastic_pictures
 import run_data
 import subsurface_pictures
 import views
+import wheelset
 
 # pictures that an interactive view stands for on the screen
 COVERED = {"pressure_surface", "shear_surface", "pressure_contour", "shear_contour", "cut_aa", "cut_bb", "forces",
@@ -93,9 +94,21 @@ def make_report(run):
                                      script)
 
 
+def report_wheelset(folder):
+    """The pages of both wheels, and that of the wheelset."""
+    for side in ("left", "right"):
+        if os.path.isdir(os.path.join(folder, side)):
+            count, path = make_report(run_data.load(os.path.join(folder, side)))
+            print(f"{count} pictures, the page of the {side}-hand wheel is {path}")
+    print(f"The page of the wheelset is {wheelset.make_page(folder)}")
+    return 0
+
+
 def main(arguments):
     options = parse_arguments(arguments)
     try:
+        if os.path.exists(os.path.join(options.folder, "wheelset.csv")):
+            return report_wheelset(options.folder)
         if os.path.exists(os.path.join(options.folder, "passages.csv")):
             run, count, path = passages.make_report(options.folder)
         else:

@@ -16,11 +16,6 @@ namespace wheelrail
     std::string wheel_rail; ///< the scene, for the wheel-rail module; two profile files go beside it
   };
 
-  /// Writes the first patch of a solution into `folder`/halfspace.h5, others into halfspace_patch_2.h5 and so
-  /// on.
-  void
-  write_halfspace_patches(const WheelRailSolution &result, const std::string &folder);
-
   /// Solves the scene as two elastic half-spaces, prints the figures, and writes halfspace.h5 (one tick in
   /// the form of a run's patch.h5), slices.h5 (stresses below the contact, as a run's), summary.json,
   /// parameters.prm and pictures into "<Output/Folder>-halfspace". Pictures are left out unless `draws`.

@@ -8,15 +8,14 @@
 
 namespace wheelrail
 {
-  /// Carries out the command vehicle: half-spaces of each row of a motion, for the scene's wheel or for both,
-  /// into vehicle.csv, vehicle.h5 and, when `draws`, vehicle.html in the folder <Output/Folder>-vehicle; the
-  /// worst rows on the screen. Returns 0, or 2 when a row has no figures or figures that are not to be
-  /// trusted.
+  /// Carries out the command vehicle: half-spaces of each row of a motion, of one wheel or of both
+  /// (Wheelset/Wheels), into vehicle.csv, vehicle.h5 and, when `draws`, vehicle.html in the folder
+  /// <Output/Folder>-vehicle; the worst rows on the screen. Returns 0, or 2 when a row has no figures or
+  /// figures that are not to be trusted.
   int
   run_vehicle_command(const Scene         &scene,
                       const SceneProfiles &profiles,
                       const MotionFile    &motion,
-                      bool                 both_wheels,
                       bool                 draws,
                       std::ostream        &out);
 } // namespace wheelrail

@@ -17,6 +17,7 @@ namespace wheelrail
     stress,
     density,
     stiffness,
+    turning_stiffness, ///< moment per angle
     damping,
     mass_moment, ///< moment of inertia of a mass
     angle,

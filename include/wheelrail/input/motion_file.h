@@ -24,6 +24,7 @@ namespace wheelrail
     creepage,
     lateral_creepage,
     radius, ///< of the track; 0: straight
+    cant,
     spin,
     longitudinal_force,
     lateral_force,

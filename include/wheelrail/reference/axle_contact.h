@@ -33,10 +33,18 @@ namespace wheelrail
     double yaw_moment = 0; ///< of both contacts about the vertical through the middle [N m]
   };
 
+  /// Adds up what both wheels do to the wheelset: forces, moments, torque.
+  void
+  sum_up(AxleSolution &axle);
+
   /// Solves the steady rolling of a wheelset in its given pose with half-spaces: each wheel carries its load,
   /// both have the one pitch rate at which the torques of their contacts add up to that of the drive. On a
   /// curved path (Track/Radius) the rails come with different speeds. The wheels may touch their rails in
-  /// several places (WheelContacts). Where friction cannot carry the torque, the wheels lock or spin up.
+  /// several places (WheelContacts). Where friction cannot carry the torque, the wheels lock or spin up. On
+  /// two threads each has one wheel.
   AxleSolution
-  solve_axle(const WheelOnAxle &right, const WheelOnAxle &left, const AxleDrive &drive);
+  solve_axle(const WheelOnAxle &right,
+             const WheelOnAxle &left,
+             const AxleDrive   &drive,
+             unsigned int       threads = 1);
 } // namespace wheelrail

@@ -117,35 +117,44 @@ namespace wheelrail
     TrackDimensions    track; ///< flange-back distance and nominal radius belong to Wheelset in the file
     double             rail_length = 1.8; ///< [m]
     double             track_radius =
-      std::numeric_limits<double>::infinity();    ///< of a curve to the left; negative: right [m]
-    WheelDimensions wheel;                        ///< Wheelset/Rim width, ... [m]
-    bool            left_wheel           = false; ///< the modelled one; seen as its mirror image
-    bool            rigid_axle           = true;  ///< both wheels on it turn at one rate
-    double          lateral_shift        = 0;     ///< [m]
-    RollMode        roll                 = RollMode::none;
-    double          roll_angle           = 0; ///< with RollMode::given, from X to Y [rad]
-    double          yaw                  = 0; ///< angle of attack, from Z to X [rad]
-    double          lateral_creepage     = 0; ///< lateral velocity of the wheelset along X over `velocity`
-    double          sprung_mass          = 10000;     ///< [kg]
-    double          wheel_load           = 0;         ///< [N], 0: from the sprung mass
-    double          axle_mass            = 180;       ///< half axle, rigid [kg]
-    double          axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
-    double          suspension_stiffness = 1.15e6;    ///< [N/m]
-    double          suspension_damping   = 2500;      ///< [N s/m]
-    double          velocity             = 140 / 3.6; ///< [m/s]
-    Drive           drive                = Drive::torque;
-    double          traction_coefficient = 0;
-    double          creepage             = 0; ///< used with Drive::rate, positive driving
+      std::numeric_limits<double>::infinity(); ///< of a curve to the left; negative: right [m]
+    WheelDimensions wheel;                     ///< Wheelset/Rim width, ... [m]
+    bool            left_wheel  = false;       ///< the modelled one; seen as its mirror image
+    bool            both_wheels = false;       ///< of the wheelset, in half-spaces
+    bool            rigid_axle  = true;        ///< both wheels on it turn at one rate
+    bool   pose_balances        = false; ///< lateral shift and yaw are found from the forces on the wheelset
+    double lateral_stiffness    = 0;     ///< that holds the wheelset then [N/m]
+    double yaw_stiffness        = 0;     ///< [N m/rad]
+    double centre_height        = 1.8;   ///< of the centre of gravity above the rails [m]
+    double cant = std::numeric_limits<double>::infinity(); ///< right rail above the left [m]; infinite: none
+    double prudhomme_factor       = 1;                     ///< k of the limit of the sum of lateral forces
+    double lateral_shift          = 0;                     ///< [m]
+    RollMode roll                 = RollMode::none;
+    double   roll_angle           = 0;         ///< with RollMode::given, from X to Y [rad]
+    double   yaw                  = 0;         ///< angle of attack, from Z to X [rad]
+    double   lateral_creepage     = 0;         ///< lateral velocity of the wheelset along X over `velocity`
+    double   sprung_mass          = 10000;     ///< [kg]
+    double   wheel_load           = 0;         ///< [N], 0: from the sprung mass
+    double   axle_mass            = 180;       ///< half axle, rigid [kg]
+    double   axle_pitch_inertia   = 1.5;       ///< half axle about its own axis [kg m2]
+    double   suspension_stiffness = 1.15e6;    ///< [N/m]
+    double   suspension_damping   = 2500;      ///< [N s/m]
+    double   velocity             = 140 / 3.6; ///< [m/s]
+    Drive    drive                = Drive::torque;
+    double   traction_coefficient = 0;
+    double   creepage             = 0; ///< used with Drive::rate, positive driving
 
     std::string motion = "none"; ///< file of a motion that the run follows, or none
     double      motion_start =
       std::numeric_limits<double>::infinity(); ///< place there [m]; infinite: its first row
 
     // Contact
-    FrictionLaw friction        = {0.5, FrictionKind::constant, 0.4, 0.05, 15}; ///< between wheel and rail
-    double      penalty_scale   = 10;   ///< effective scale f: eps = f K / h
-    double      contact_damping = 0.3;  ///< fraction of critical
-    bool        surface_filter  = true; ///< corrects the surface response of the mesh
+    FrictionLaw friction = {0.5, FrictionKind::constant, 0.4, 0.05, 15}; ///< between wheel and rail
+    double      left_friction =
+      std::numeric_limits<double>::infinity(); ///< at rest, of the left rail; infinite: as the other
+    double penalty_scale   = 10;               ///< effective scale f: eps = f K / h
+    double contact_damping = 0.3;              ///< fraction of critical
+    bool   surface_filter  = true;             ///< corrects the surface response of the mesh
 
     MaterialData rail_material, wheel_material;
 

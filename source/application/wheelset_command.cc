@@ -1,0 +1,161 @@
+#include <wheelrail/application/halfspace_results.h>
+#include <wheelrail/application/report_script.h>
+#include <wheelrail/application/wheelset_command.h>
+#include <wheelrail/application/wheelset_picture.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/base/parallel.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/output/figures.h>
+#include <wheelrail/output/folder.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/wheel_load.h>
+#include <wheelrail/reference/wheelset_figures.h>
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iomanip>
+#include <optional>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// With the load that the wheel of the profiles has.
+    WheelsetSolution
+    solve(const Scene &scene, const SceneProfiles &profiles)
+    {
+      Scene base      = scene;
+      base.wheel_load = static_wheel_load(scene, profiles.wheel);
+      return solve_wheelset(
+        wheel_of_wheelset(base, false), wheel_of_wheelset(base, true), profiles, std::nullopt, 2);
+    }
+
+    /// One row of a table with a column for each wheel.
+    void
+    print_row(const std::string &label,
+              const std::string &unit,
+              const std::string (&values)[2],
+              std::ostream &out)
+    {
+      out << "  " << std::left << std::setw(38) << label << std::right << std::setw(12) << values[0]
+          << std::setw(12) << values[1] << "  " << unit << '\n';
+    }
+
+    void
+    print_wheels(const std::optional<HalfspaceResults> (&wheels)[2], std::ostream &out)
+    {
+      print_row("", "", {"right", "left"}, out);
+      for (const char *name : {"vertical_force",
+                               "lateral_force",
+                               "lateral_over_vertical",
+                               "longitudinal_force",
+                               "reference_creepage",
+                               "reference_lateral_creepage",
+                               "reference_spin",
+                               "t_gamma",
+                               "max_pressure",
+                               "contact_area",
+                               "patches",
+                               "reference_lateral",
+                               "rolling_radius",
+                               "subsurface_von_mises"})
+        {
+          const Figure &figure = figure_named(name);
+          std::string   values[2];
+          bool          any = false;
+          for (int k = 0; k < 2; ++k)
+            {
+              const double value = wheels[k] ? get_figure(wheels[k]->figures, figure.key()) : std::nan("");
+              values[k]          = wheels[k] ? figure.shown(value) : "lifted";
+              any                = any || std::isfinite(value);
+            }
+          if (any)
+            print_row(figure.label, figure.unit, values, out);
+        }
+      out << "  Lateral forces count to the track centre, places from the running circle to it.\n";
+    }
+
+    void
+    print_axle(const Summary &axle, std::ostream &out)
+    {
+      out << "Axle:\n";
+      for (const Figure &figure : all_figures())
+        if (const double value = get_figure(axle, figure.key());
+            std::string(figure.name).rfind("axle_", 0) == 0 && std::isfinite(value))
+          out << "  " << std::left << std::setw(46) << figure.label << std::right << std::setw(12)
+              << figure.shown(value) << "  " << figure.unit
+              << (*figure.remark ? std::string(", ") + figure.remark : "") << '\n';
+    }
+  } // namespace
+
+
+  int
+  run_wheelset_command(const Scene &scene, const SceneProfiles &profiles, const bool draws, std::ostream &out)
+  {
+    print_head(scene, static_wheel_load(scene, profiles.wheel), out);
+    const WheelsetSolution          wheelset = solve(scene, profiles);
+    std::optional<HalfspaceResults> wheels[2];
+    parallel_for(2, [&](const std::size_t left) {
+      if (const auto &solution = left ? wheelset.axle.left : wheelset.axle.right)
+        {
+          HalfspaceResults &results =
+            wheels[left].emplace(halfspace_results((left ? wheelset.left : wheelset.right).scene, *solution));
+          set_wheel_figures(wheelset, left, results.figures);
+        }
+    });
+    const Summary axle = wheelset_summary(
+      scene, wheelset, wheels[0] ? &wheels[0]->figures : nullptr, wheels[1] ? &wheels[1]->figures : nullptr);
+    const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
+    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+    for (const bool left : {false, true})
+      if (wheels[left])
+        {
+          const std::filesystem::path own = folder / (left ? "left" : "right");
+          std::filesystem::create_directories(own);
+          Scene single  = single_wheel(wheelset, left);
+          single.folder = (std::filesystem::path(scene.folder) / (left ? "left" : "right")).string();
+          write_halfspace_folder(
+            single, left ? *wheelset.axle.left : *wheelset.axle.right, *wheels[left], own.string());
+          if (draws)
+            draw_results("halfspace.py", own.string());
+        }
+    write_summary(axle, (folder / "summary.json").string());
+    write_wheelset_lines(wheelset, (folder / "wheelset.csv").string());
+    if (draws)
+      draw_results("wheelset.py", folder.string());
+    print_wheels(wheels, out);
+    print_axle(axle, out);
+    if (!axle.stop_reason.empty())
+      out << axle.stop_reason << '\n';
+    out << verdict_line(axle) << '\n';
+    out << "Results in " << folder.string() << std::endl;
+    return axle.finished ? 0 : 2;
+  }
+
+
+  WheelOfWheelset
+  take_from_wheelset(const Scene &scene, const SceneProfiles &profiles)
+  {
+    const WheelsetSolution wheelset = solve(scene, profiles);
+    const auto            &own      = scene.left_wheel ? wheelset.axle.left : wheelset.axle.right;
+    const std::string      side     = scene.left_wheel ? "left" : "right";
+    if (!own)
+      throw InputError("--wheelset: the " + side +
+                       "-hand wheel is lifted in this curve; run the other side, or change radius, cant or "
+                       "velocity");
+    if (!own->solution.not_reached.empty())
+      throw InputError("--wheelset: " + own->solution.not_reached +
+                       "Look at the wheelset with the command halfspace first");
+    WheelOfWheelset wheel{single_wheel(wheelset, scene.left_wheel), ""};
+    const Scene    &at = wheel.scene;
+    wheel.note = "from the wheelset: load " + text("%.2f kN", 1e-3 * at.wheel_load) + ", lateral shift " +
+                 text("%.3f mm", 1e3 * at.lateral_shift) + ", yaw " + text("%.3f mrad", 1e3 * at.yaw);
+    if (at.drive == Drive::rate)
+      wheel.note += ", creepage " + text("%.4f %%", 100 * at.creepage);
+    wheel.note += "; the run rolls straight on";
+    return wheel;
+  }
+} // namespace wheelrail

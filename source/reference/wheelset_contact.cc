@@ -1,0 +1,284 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/reference/pair_root.h>
+#include <wheelrail/reference/wheelset_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double shift_limit = 12e-3; ///< of Wheelset/Lateral shift [m]
+
+    /// What turns the axle: its torque, the traction coefficient as that of both wheels, or the creepage.
+    AxleDrive
+    axle_drive(const WheelOnAxle &right, const WheelOnAxle &left, const std::optional<double> &torque)
+    {
+      const auto driven = [](const WheelOnAxle &wheel) {
+        return wheel.scene.traction_coefficient * wheel.load * wheel.geometry.contact.rolling_radius;
+      };
+      AxleDrive drive;
+      drive.torque    = torque ? *torque : driven(right) + driven(left);
+      drive.rate_held = !torque && right.scene.drive == Drive::rate;
+      drive.creepage  = right.scene.creepage;
+      return drive;
+    }
+
+    /// A wheelset whose pose can be changed.
+    class PosedWheelset
+    {
+    public:
+      PosedWheelset(const Scene                 &right,
+                    const Scene                 &left,
+                    const SceneProfiles         &profiles,
+                    const std::optional<double> &torque,
+                    const unsigned int           threads)
+        : right_(right)
+        , left_(left)
+        , profiles_(profiles)
+        , torque_(torque)
+        , threads_(threads)
+      {
+      }
+
+      /// In a pose; throws InputError where the profiles do not touch.
+      WheelsetSolution
+      solve(const Pair &pose) const
+      {
+        WheelsetSolution wheelset = placed(pose);
+        WheelOnAxle     &right = wheelset.right, &left = wheelset.left;
+        if (right_.rigid_axle)
+          wheelset.axle = solve_axle(right, left, axle_drive(right, left, torque_), threads_);
+        else
+          {
+            wheelset.axle.right = solve_alone(right, torque_);
+            wheelset.axle.left  = solve_alone(left, torque_);
+            wheelset.axle.rate  = std::numeric_limits<double>::quiet_NaN();
+            sum_up(wheelset.axle);
+          }
+        wheelset.lateral_missed = wheelset.axle.lateral - wheelset.loads.lateral -
+                                  right_.lateral_stiffness * (pose[0] - right_.lateral_shift);
+        wheelset.yaw_missed = wheelset.axle.yaw_moment - right_.yaw_stiffness * (pose[1] - right_.yaw);
+        return wheelset;
+      }
+
+      /// By how much the rolling radii of a pose miss the rolling line: (r_right - r_left) / (r_right +
+      /// r_left) - b / R. Nothing where the profiles do not touch.
+      std::optional<double>
+      off_rolling_line(const double shift) const
+      {
+        try
+          {
+            const WheelsetSolution wheelset = placed({shift, right_.yaw});
+            const double           right    = wheelset.right.geometry.contact.rolling_radius,
+                         left               = wheelset.left.geometry.contact.rolling_radius;
+            return (right - left) / (right + left) -
+                   half_base(wheelset.right.geometry, wheelset.left.geometry) / right_.track_radius;
+          }
+        catch (const InputError &)
+          {
+            return {};
+          }
+      }
+
+    private:
+      WheelsetSolution
+      placed(const Pair &pose) const
+      {
+        const auto wheel = [&](const Scene &scene) {
+          Scene at         = scene;
+          at.lateral_shift = pose[0];
+          at.yaw           = pose[1];
+          return WheelOnAxle{at, make_geometry(at, profiles_), at.wheel_load};
+        };
+        WheelsetSolution wheelset{wheel(right_), wheel(left_), {}, {}};
+        wheelset.loads      = curve_loads(right_,
+                                     wheelset.right.load,
+                                     wheelset.left.load,
+                                     half_base(wheelset.right.geometry, wheelset.left.geometry));
+        wheelset.right.load = wheelset.loads.right;
+        wheelset.left.load  = wheelset.loads.left;
+        return wheelset;
+      }
+
+      Scene                        right_, left_;
+      const SceneProfiles         &profiles_;
+      const std::optional<double> &torque_;
+      unsigned int                 threads_;
+    };
+
+    /// The lateral shift at which the rolling radii roll round the curve, or the nearest to it at which the
+    /// profiles touch, and the yaw of the scene.
+    Pair
+    rolling_line(const PosedWheelset &wheelset, const double yaw)
+    {
+      const auto here = wheelset.off_rolling_line(0);
+      if (!here || *here == 0)
+        return {0, yaw};
+      // the farther to the left, the larger the radius of the left-hand wheel
+      const double step = std::copysign(0.5e-3, *here);
+      double       near = 0, far = step;
+      auto         there = wheelset.off_rolling_line(far);
+      while (there && *there * *here > 0 && std::abs(far) < shift_limit)
+        {
+          near = far;
+          far += step;
+          there = wheelset.off_rolling_line(far);
+        }
+      while (std::abs(far - near) > 1e-5)
+        {
+          const double middle                        = 0.5 * (near + far);
+          const auto   value                         = wheelset.off_rolling_line(middle);
+          (value && *value * *here > 0 ? near : far) = middle;
+        }
+      return {near, yaw};
+    }
+
+    Scene
+    coarser(const Scene &scene)
+    {
+      Scene coarse                  = scene;
+      coarse.halfspace_element_size = std::max(0.8e-3, scene.halfspace_element_size);
+      return coarse;
+    }
+
+    /// Tells the solutions of both wheels that they do not balance.
+    void
+    tell(const std::string &what, AxleSolution &axle)
+    {
+      for (auto *wheel : {&axle.right, &axle.left})
+        if (*wheel)
+          (*wheel)->solution.not_reached += what;
+    }
+
+    WheelsetSolution
+    solve_balanced(const Scene                 &right,
+                   const Scene                 &left,
+                   const SceneProfiles         &profiles,
+                   const std::optional<double> &torque,
+                   const unsigned int           threads)
+    {
+      const PosedWheelset fine(right, left, profiles, torque, threads),
+        coarse(coarser(right), coarser(left), profiles, torque, threads);
+      std::optional<WheelsetSolution> last;
+      int                             poses  = 0;
+      const auto                      missed = [&](const PosedWheelset &wheelset) {
+        return [&](const Pair &pose) -> std::optional<Pair> {
+          if (std::abs(pose[0]) > shift_limit || std::abs(pose[1]) > 0.05)
+            return {};
+          try
+            {
+              ++poses;
+              WheelsetSolution solution = wheelset.solve(pose);
+              const double     load     = solution.right.load + solution.left.load,
+                           base = half_base(solution.right.geometry, solution.left.geometry);
+              const Pair left_over{solution.lateral_missed / load, solution.yaw_missed / (load * base)};
+              last = std::move(solution);
+              return left_over;
+            }
+          catch (const InputError &)
+            {
+              return {};
+            }
+        };
+      };
+      PairSearch search{{0.1e-3, 0.2e-3}, {1e-3, 3e-3}, 3e-3, 40};
+      const bool free = right.lateral_stiffness == 0 && right.yaw_stiffness == 0;
+      const Pair given{right.lateral_shift, right.yaw};
+      auto       root = find_pair_root(
+        {free ? rolling_line(coarse, 0) : given, {}, {}}, search, missed(coarse), missed(coarse));
+      if (!root)
+        return fine.solve(given);
+      if (root->found)
+        {
+          search.enough     = 1e-4;
+          search.most_calls = 12;
+          root              = find_pair_root(*root, search, missed(fine), missed(coarse));
+        }
+      WheelsetSolution found = root ? fine.solve(root->at) : std::move(*last);
+      found.poses            = poses;
+      if (!root || !root->found)
+        tell("The pose in which the forces on the wheelset balance was not found. ", found.axle);
+      return found;
+    }
+  } // namespace
+
+
+  std::optional<WheelRailSolution>
+  solve_alone(const WheelOnAxle &wheel, const std::optional<double> &torque)
+  {
+    if (wheel.load == 0)
+      return {};
+    Scene scene        = wheel.scene;
+    scene.wheel_load   = wheel.load;
+    WheelRailLoad load = scene_load(scene, wheel.geometry);
+    if (torque)
+      {
+        load.rate_held    = false;
+        load.longitudinal = *torque / wheel.geometry.contact.rolling_radius;
+      }
+    return solve_wheel_rail(scene, wheel.geometry, load, scene_offsets(scene));
+  }
+
+
+  Scene
+  wheel_of_wheelset(const Scene &scene, const bool left)
+  {
+    Scene wheel      = scene;
+    wheel.left_wheel = left;
+    if (left && std::isfinite(scene.left_friction))
+      {
+        // a law that falls with the speed keeps its shape
+        if (wheel.friction.at_rest > 0)
+          wheel.friction.at_speed *= scene.left_friction / wheel.friction.at_rest;
+        wheel.friction.at_rest = scene.left_friction;
+      }
+    return wheel;
+  }
+
+
+  double
+  half_base(const SceneGeometry &right, const SceneGeometry &left)
+  {
+    const auto to_middle = [](const ContactGeometry &contact) {
+      return contact.axis.middle.x - contact.frame.origin.x;
+    };
+    return 0.5 * (to_middle(right.contact) + to_middle(left.contact));
+  }
+
+
+  WheelsetSolution
+  solve_wheelset(const Scene                 &right,
+                 const Scene                 &left,
+                 const SceneProfiles         &profiles,
+                 const std::optional<double> &torque,
+                 const unsigned int           threads)
+  {
+    if (right.pose_balances)
+      return solve_balanced(right, left, profiles, torque, threads);
+    return PosedWheelset(right, left, profiles, torque, threads).solve({right.lateral_shift, right.yaw});
+  }
+
+
+  Scene
+  single_wheel(const WheelsetSolution &wheelset, const bool left)
+  {
+    const WheelOnAxle     &wheel   = left ? wheelset.left : wheelset.right;
+    const ContactGeometry &contact = wheel.geometry.contact;
+    Scene                  scene   = wheel.scene;
+    const double comes  = 1 + path_curvature(scene) * (contact.axis.middle.x - contact.frame.origin.x);
+    scene.both_wheels   = false;
+    scene.pose_balances = false;
+    scene.track_radius = scene.cant = std::numeric_limits<double>::infinity();
+    scene.wheel_load                = wheel.load;
+    if (std::isfinite(wheelset.axle.rate))
+      {
+        scene.drive    = Drive::rate;
+        scene.creepage = wheelset.axle.rate * contact.forward_radius / comes - 1;
+      }
+    return scene;
+  }
+} // namespace wheelrail

@@ -1,0 +1,230 @@
+// A wheelset that finds its pose: the rolling line of cones, springs, a mirror; what a curve with cant does
+// to its loads; the search itself; one wheel taken from it; full slip on the flange (Nadal 1896).
+
+#include "check.h"
+#include "cone_scene.h"
+
+#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/pair_root.h>
+#include <wheelrail/reference/wheelset_contact.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::conicity;
+
+namespace
+{
+  Scene
+  free_cones(const double radius)
+  {
+    Scene scene         = test::cones();
+    scene.both_wheels   = true;
+    scene.pose_balances = true;
+    scene.track_radius  = radius;
+    return scene;
+  }
+
+  WheelsetSolution
+  solved(const Scene &scene)
+  {
+    return solve_wheelset(
+      wheel_of_wheelset(scene, false), wheel_of_wheelset(scene, true), read_profiles(scene), std::nullopt, 2);
+  }
+
+  double
+  axle_load(const WheelsetSolution &wheelset)
+  {
+    return wheelset.right.load + wheelset.left.load;
+  }
+
+  void
+  check_balanced(const WheelsetSolution &wheelset, const std::string &what)
+  {
+    const double base = half_base(wheelset.right.geometry, wheelset.left.geometry);
+    check_near(wheelset.lateral_missed / axle_load(wheelset), 0, 1e-4, what + ": lateral forces balance");
+    check_near(wheelset.yaw_missed / (axle_load(wheelset) * base), 0, 1e-4, what + ": yaw moments balance");
+    check(wheelset.axle.right->solution.converged() && wheelset.axle.left->solution.converged(),
+          what + ": is found");
+  }
+
+  /// A free wheelset of cones runs outwards until its radii fit the curve: y = r0 b / (lambda R).
+  void
+  test_rolling_line()
+  {
+    const WheelsetSolution left = solved(free_cones(3000));
+    const double           base = half_base(left.right.geometry, left.left.geometry),
+                 radius         = free_cones(3000).track.nominal_radius;
+    check_balanced(left, "a free wheelset");
+    // the spin of the cones pushes outwards a little, and is held by a small yaw
+    check_near(left.right.scene.lateral_shift * conicity * 3000 / (radius * base),
+               -1,
+               0.01,
+               "rolling line of cones: ratio");
+    check_near(
+      left.axle.right->reference->creepage * 3000 / base, 0, 0.01, "no creepage along the track, over b/R");
+    check_near(left.right.scene.yaw, 0, 1e-4, "it stands nearly along the radius [rad]");
+
+    const WheelsetSolution right = solved(free_cones(-3000));
+    check_near((right.right.scene.lateral_shift + left.right.scene.lateral_shift) /
+                 left.right.scene.lateral_shift,
+               0,
+               1e-9,
+               "in a curve to the right the same to the other side");
+    check_near(right.axle.left->lateral / left.axle.right->lateral, 1, 1e-9, "with the same forces");
+  }
+
+  /// A stiff spring keeps the pose, and takes what the contacts leave over.
+  void
+  test_springs()
+  {
+    Scene scene                     = free_cones(3000);
+    scene.lateral_shift             = -1e-3;
+    scene.lateral_stiffness         = 1e9;
+    scene.yaw_stiffness             = 1e9;
+    const WheelsetSolution wheelset = solved(scene);
+    check_balanced(wheelset, "a wheelset on springs");
+    check_near(
+      wheelset.right.scene.lateral_shift / scene.lateral_shift, 1, 0.01, "a stiff spring keeps the shift");
+    check_near(wheelset.axle.yaw_moment / (1e9 * wheelset.right.scene.yaw),
+               1,
+               0.01,
+               "the spring holds the steering moment");
+    check(wheelset.axle.yaw_moment < 0,
+          "which turns the nose into the curve's outside where the shift is too small");
+  }
+
+  void
+  test_curve_loads()
+  {
+    Scene        scene = test::cones();
+    const double base = 0.75, h = scene.centre_height, g = scene.gravity;
+    check_near(curve_loads(scene, 80e3, 70e3, base).left, 70e3, 0, "without cant loads are as given");
+    scene.track_radius = 500;
+    scene.velocity     = 20;
+    scene.cant         = 2 * base / g * scene.velocity * scene.velocity / scene.track_radius;
+    CurveLoads loads   = curve_loads(scene, 80e3, 80e3, base);
+    check_near(loads.right / 80e3, 1, 1e-12, "a cant that balances V^2/R = g c/(2 b): equal loads");
+    check_near(loads.lateral, 0, 1e-6, "and no lateral force");
+    scene.cant        = 0;
+    loads             = curve_loads(scene, 80e3, 80e3, base);
+    const double over = scene.velocity * scene.velocity / scene.track_radius;
+    check_near(
+      loads.right / 80e3 - 1, h / base * over / g, 1e-12, "load transfer (h/b) a/g to the outer wheel");
+    check_near(loads.right + loads.left, 160e3, 1e-6, "the axle load stays");
+    check_near(loads.lateral, 160e3 / g * over, 1e-6, "what the rails owe");
+    scene.velocity = 60;
+    loads          = curve_loads(scene, 80e3, 80e3, base);
+    check(loads.left == 0 && loads.right == 160e3, "the inner wheel is lifted");
+  }
+
+  void
+  test_pair_root()
+  {
+    // a circle and a line, which have no values left of the middle
+    const PairFunction function = [](const Pair &at) -> std::optional<Pair> {
+      if (at[0] < 0)
+        return {};
+      return Pair{at[0] * at[0] + at[1] * at[1] - 25, at[0] - at[1] + 1};
+    };
+    const PairSearch search{{1e-4, 1e-4}, {2, 2}, 1e-10, 40};
+    const auto       root = find_pair_root({{1, 1}, {}, {}}, search, function, function);
+    check(root && root->found, "the root is found");
+    check_near(root->at[0], 3, 1e-8, "first unknown");
+    check_near(root->at[1], 4, 1e-8, "second unknown");
+    check(!find_pair_root({{-1, 1}, {}, {}}, search, function, function),
+          "nothing where there are no values");
+    const auto none = find_pair_root(
+      {{1, 1}, {}, {}},
+      search,
+      [](const Pair &at) {
+        return Pair{at[0] * at[0] + 1, at[1]};
+      },
+      [](const Pair &at) {
+        return Pair{at[0] * at[0] + 1, at[1]};
+      });
+    check(none && !none->found, "no root is no root");
+  }
+
+  /// Alone it carries the load and turns at the rate that it had on the axle.
+  void
+  test_single_wheel()
+  {
+    Scene scene                     = free_cones(std::numeric_limits<double>::infinity());
+    scene.pose_balances             = false;
+    scene.lateral_shift             = -0.5e-3;
+    scene.left_friction             = 0.2;
+    const WheelsetSolution wheelset = solved(scene);
+    for (const bool left : {false, true})
+      {
+        const Scene             one      = single_wheel(wheelset, left);
+        const SceneGeometry     geometry = make_geometry(one);
+        const WheelRailSolution alone =
+          solve_wheel_rail(one, geometry, scene_load(one, geometry), scene_offsets(one));
+        const WheelRailSolution &there = left ? *wheelset.axle.left : *wheelset.axle.right;
+        const std::string        side  = left ? "left" : "right";
+        check(one.left_wheel == left && !one.both_wheels, side + ": one wheel");
+        check_near(
+          one.friction.at_rest, left ? 0.2 : scene.friction.at_rest, 0, side + ": friction of its rail");
+        check_near(alone.reference->creepage / there.reference->creepage,
+                   1,
+                   1e-3,
+                   side + ": creepage alone over that on the axle");
+        check_near(alone.vertical / there.vertical, 1, 1e-3, side + ": vertical force");
+        check_near((alone.solution.fx - there.solution.fx) / there.solution.fx,
+                   0,
+                   2e-3,
+                   side + ": longitudinal force");
+      }
+  }
+
+  /// Y/Q = (tan(gamma) - mu) / (1 + mu tan(gamma)) where the flange slips down the rail as a whole.
+  void
+  test_nadal()
+  {
+    Scene scene                      = Scene();
+    scene.track.flange_back_distance = 1.370;
+    scene.lateral_shift              = -2e-3;
+    scene.lateral_creepage           = 0.1;
+    scene.friction.at_rest           = 0.3;
+    scene.wheel_load                 = 80e3;
+    scene.drive                      = Drive::rate;
+    const SceneGeometry     geometry = make_geometry(scene);
+    const WheelRailSolution result =
+      solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene));
+    std::vector<const WheelRailSolution *> patches{&result};
+    for (const WheelRailSolution &other : result.others)
+      patches.push_back(&other);
+    bool on_flange = false;
+    for (const WheelRailSolution *patch : patches)
+      if (const double slope = std::tan(-patch->angle), mu = scene.friction.at_rest; slope > 1)
+        {
+          on_flange = true;
+          check_near(patch->lateral / patch->vertical / ((slope - mu) / (1 + mu * slope)),
+                     1,
+                     0.01,
+                     "Nadal's limit on the flange: ratio");
+        }
+    check(on_flange, "the flange touches");
+  }
+} // namespace
+
+
+int
+main()
+{
+  test_pair_root();
+  test_curve_loads();
+  test_rolling_line();
+  test_springs();
+  test_single_wheel();
+  test_nadal();
+  return test::report();
+}
