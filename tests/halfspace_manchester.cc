@@ -6,9 +6,11 @@
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/wheelset_contact.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -84,6 +86,44 @@ namespace
     check_near(at.ahead, 1e-3 * number(17), 0.5e-3, which + "place ahead of the axle [m]");
   }
 
+  /// Both wheels on one axle that turns with the benchmark's rate, half as fine: forces 1 % of the load,
+  /// creepages 2 %.
+  void
+  check_axle(const std::vector<std::string> &left_row, const std::vector<std::string> &right_row)
+  {
+    const auto number            = [&](const int column) { return std::stod(right_row[column]); };
+    Scene      scene             = benchmark_scene();
+    scene.halfspace_element_size = 0.4e-3;
+    scene.both_wheels            = true;
+    scene.lateral_shift          = -1e-3 * number(2);
+    scene.yaw                    = -1e-3 * number(3);
+    scene.roll_angle             = 1e-3 * number(4);
+    const Scene right            = wheel_of_wheelset(scene, false);
+    scene.creepage = -number(7) * make_geometry(right).contact.forward_radius / scene.velocity - 1;
+    const WheelsetSolution wheelset = solve_wheelset(
+      wheel_of_wheelset(scene, false), wheel_of_wheelset(scene, true), read_profiles(scene), std::nullopt, 2);
+    check_near(wheelset.axle.rate * scene.velocity, -number(7), 1e-9, "turning rate of the axle [rad/s]");
+    const double few = 0.01 * load;
+    for (const bool is_left : {false, true})
+      {
+        const auto              &row    = is_left ? left_row : right_row;
+        const WheelRailSolution &wheel  = is_left ? *wheelset.axle.left : *wheelset.axle.right;
+        const double             mirror = is_left ? 1 : -1;
+        const std::string        which  = "on the axle, " + row[0] + " wheel, shift " + row[2] + " mm: ";
+        const auto               value  = [&](const int column) { return std::stod(row[column]); };
+        check_near(wheel.solution.fx, value(25), few, which + "force along the rail [N]");
+        check_near(-wheel.lateral, mirror * value(26), few, which + "lateral force on the rail [N]");
+        check_near(wheel.reference->creepage,
+                   value(31),
+                   std::max(0.02 * std::abs(value(31)), 4e-6),
+                   which + "creepage");
+      }
+    const auto sum = [&](const int column) {
+      return std::stod(left_row[column]) + std::stod(right_row[column]);
+    };
+    check_near(wheelset.axle.lateral, sum(26), 2 * few, "sum of the lateral forces [N]");
+  }
+
   /// The benchmark's wheelset off to the flange.
   Scene
   flange_scene(const double shift, const double yaw)
@@ -146,8 +186,13 @@ namespace
 int
 main()
 {
-  for (const auto &row : test::read_table("contact_manchester_a22.csv"))
+  const auto rows = test::read_table("contact_manchester_a22.csv");
+  for (const auto &row : rows)
     check_row(row);
+  for (const auto &left : rows)
+    for (const auto &right : rows)
+      if (left[0] == "left" && right[0] == "right" && left[1] == right[1])
+        check_axle(left, right);
   check_root_and_flange();
   check_flange(6.6e-3, 15.84e-3);
   check_flange(7e-3, 16.8e-3);

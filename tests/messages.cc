@@ -109,7 +109,7 @@ namespace
     check_set(
       "Sleepers/Spacing = 600 mm",
       "--set: Sleepers/Spacing: no such subsection; there are Profiles, Track, Wheelset, Contact, Rail "
-      "material, Wheel material, Mesh, Run, Output, Half-space, Material test, Study");
+      "material, Wheel material, Mesh, Run, Output, Half-space, Wear, Material test, Study");
   }
 
   void

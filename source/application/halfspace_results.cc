@@ -1,9 +1,12 @@
 #include <wheelrail/application/halfspace_results.h>
+#include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_head.h>
+#include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <iomanip>
@@ -76,6 +79,32 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// Wear over the lateral place of each patch, in its own plane.
+    void
+    write_wear(const Scene &scene, const WheelRailSolution &solution, const std::string &path)
+    {
+      FigureTable table;
+      table.add("patch", "1", {});
+      table.add("lateral_m", "m", {});
+      table.add("archard_depth_m", "m", {});
+      table.add("friction_work_N_per_m", "N/m", {});
+      double     number    = 0;
+      const auto add_patch = [&](const WheelRailSolution &patch) {
+        ++number;
+        const WearProfile profile = wear_profile(patch.patch, scene.velocity, scene.wear);
+        for (std::size_t j = 0; j < profile.lateral.size(); ++j)
+          table.add_row({number, profile.lateral[j], profile.depth[j], profile.work[j]});
+      };
+      add_patch(solution);
+      for (const WheelRailSolution &other : solution.others)
+        add_patch(other);
+      table.write_csv(path);
+    }
+  } // namespace
+
+
   void
   write_halfspace_folder(const Scene             &scene,
                          const WheelRailSolution &solution,
@@ -87,6 +116,7 @@ namespace wheelrail
     write_halfspace_patches(solution, folder);
     TickFile slices((path / "slices.h5").string(), false, 0);
     append_slices(slices, solution.patch.time, solution.patch.rolled_distance, results.stresses.slices);
+    write_wear(scene, solution, (path / "wear.csv").string());
     write_summary(results.figures, (path / "summary.json").string());
   }
 } // namespace wheelrail

@@ -55,6 +55,14 @@ namespace wheelrail
                                                     "stick_fraction",
                                                     "t_gamma_N",
                                                     "frictional_power_W",
+                                                    "t_gamma_over_area_N_per_m2",
+                                                    "usfd_wear_rate_kg_per_m3",
+                                                    "burstow_damage",
+                                                    "utilised_friction",
+                                                    "fatigue_index",
+                                                    "shakedown_load",
+                                                    "archard_depth_m",
+                                                    "archard_section_m2",
                                                     "largest_von_mises_Pa",
                                                     "patches"};
       return keys;
@@ -73,6 +81,7 @@ namespace wheelrail
                            "longitudinal_force_N",
                            "tangential_lateral_force_N",
                            "reference_angle_rad",
+                           "reference_lateral_m",
                            "reference_creepage",
                            "reference_lateral_creepage",
                            "reference_spin_per_m",

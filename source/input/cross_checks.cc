@@ -256,6 +256,11 @@ namespace wheelrail
     check_material(scene, "Rail material", scene.rail_material, found);
     check_material(scene, "Wheel material", scene.wheel_material, found);
     check_drive(scene, found.warnings);
+    if (!(scene.wear.damage_begins < scene.wear.damage_peak &&
+          scene.wear.damage_peak < scene.wear.damage_ends))
+      found.errors.push_back(entry_text(scene, "Wear", "Damage peak at") + ": must lie between " +
+                             entry_text(scene, "Wear", "Damage begins at") + " and " +
+                             entry_text(scene, "Wear", "Damage ends at"));
     return found;
   }
 

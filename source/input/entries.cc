@@ -51,6 +51,7 @@ namespace wheelrail
                                                 run_entries(),
                                                 output_entries(),
                                                 halfspace_entries(),
+                                                wear_entries(),
                                                 material_test_entries(),
                                                 study_entries()})
         list.insert(list.end(), section.begin(), section.end());

@@ -140,6 +140,7 @@ namespace wheelrail
     constexpr int    most_rounds  = 20;
     constexpr double enough       = 1e-4; // of the torque that the loads have about the axle
     constexpr double ten_promille = 1e-2; // of the load, after the last round
+    constexpr double settled      = 0.05; // of the load, from where on the creepage is sought
     const auto       begin        = std::chrono::steady_clock::now();
     // the rate at which the wheels roll freely in the mean, weighted with their loads
     const double loads = right.load + left.load,
@@ -184,7 +185,8 @@ namespace wheelrail
         if (std::abs(miss) > enough)
           {
             found = false;
-            search.missed(miss);
+            if (missed < settled) // else the sign may be that of another load
+              search.missed(miss);
           }
       }
     found = found || nearly;

@@ -1,3 +1,4 @@
+#include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
@@ -5,6 +6,7 @@
 #include <wheelrail/verdict/verdict.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -99,6 +101,16 @@ namespace wheelrail
       const double t_gamma = determined || at_rest ? s.creepage_work : Summary::none;
       set_figure(summary, "t_gamma_N", t_gamma);
       set_figure(summary, "frictional_power_W", t_gamma * scene.velocity);
+      WornContact worn;
+      worn.fields           = &result.patch;
+      worn.normal_force     = s.fn;
+      worn.tangential_force = std::hypot(s.fx, s.fy);
+      worn.peak_pressure    = s.peak_pressure;
+      worn.area             = result.measures.area;
+      worn.t_gamma          = t_gamma;
+      worn.velocity         = scene.velocity;
+      worn.yield_stress     = scene.rail_material.yield_stress;
+      set_wear_figures(worn, scene.wear, summary);
       summary.finished    = s.converged() && !s.touches_grid_edge;
       summary.stop_reason = s.not_reached;
       if (!s.within_friction)
@@ -147,16 +159,27 @@ namespace wheelrail
                               "drive_torque_Nm",
                               "yaw_moment_Nm",
                               "t_gamma_N",
-                              "frictional_power_W"})
+                              "frictional_power_W",
+                              "archard_section_m2"})
         {
           double sum = 0;
           for (const Summary &patch : patches)
             sum += get_figure(patch, key);
           set_figure(total, key, sum);
         }
-      for (const char *key : {"max_pressure_Pa", "max_pressure_fitted_Pa", "max_shear_traction_Pa"})
+      for (const char *key : {"max_pressure_Pa",
+                              "max_pressure_fitted_Pa",
+                              "max_shear_traction_Pa",
+                              "t_gamma_over_area_N_per_m2",
+                              "usfd_wear_rate_kg_per_m3",
+                              "burstow_damage",
+                              "utilised_friction",
+                              "fatigue_index",
+                              "shakedown_load",
+                              "archard_depth_m"})
         for (const Summary &patch : patches)
-          set_figure(total, key, std::max(get_figure(total, key), get_figure(patch, key)));
+          if (const double value = get_figure(patch, key); std::isfinite(value))
+            set_figure(total, key, std::max(get_figure(total, key), value));
       total.stick_fraction = 0;
       total.finished       = true;
       total.stop_reason.clear();

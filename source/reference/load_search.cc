@@ -18,8 +18,22 @@ namespace wheelrail
     const double slope = before_ > 0 && now != before_ ? (missed_ - missed_before) / (now - before_) : slope_;
     if (slope > least_slope && slope < largest_slope)
       slope_ = slope;
-    before_  = now;
-    pressed_ = std::clamp(now - missed_ / slope_, 0.2 * now, 5 * now);
+    before_                      = now;
+    (missed_ > 0 ? high_ : low_) = now;
+    pressed_                     = std::clamp(now - missed_ / slope_, 0.2 * now, 5 * now);
+    if (low_ > 0 && high_ > 0 && (pressed_ <= low_ || pressed_ >= high_))
+      {
+        // a bound that is passed again and again is one of before
+        if (++passed_ == 4)
+          {
+            (pressed_ >= high_ ? high_ : low_) = 0;
+            passed_                            = 0;
+          }
+        else
+          pressed_ = 0.5 * (low_ + high_);
+      }
+    else
+      passed_ = 0;
     return false;
   }
 
@@ -46,7 +60,21 @@ namespace wheelrail
         step_ = std::max(step_, std::abs(step));
       }
     else if (now + step <= low_ || now + step >= high_)
-      step = 0.5 * (low_ + high_) - now;
+      {
+        // a bound that secants pass twice is one of before
+        if (slope > 0 && ++passed_ == 2)
+          {
+            passed_                      = 0;
+            (step > 0 ? high_ : low_)    = step > 0 ? 1 : -1;
+            (step > 0 ? above_ : below_) = false;
+            step_                        = std::abs(now - before_);
+            step                         = std::clamp(step, -growth * step_, growth * step_);
+          }
+        else
+          step = 0.5 * (low_ + high_) - now;
+      }
+    else
+      passed_ = 0;
     before_      = now;
     miss_before_ = miss;
     first_       = false;

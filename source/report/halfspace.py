@@ -14,6 +14,7 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 import patch_pictures
 import run_data
 import subsurface_pictures
+import wear_pictures
 
 
 def main(arguments):
@@ -22,7 +23,7 @@ def main(arguments):
         return 1
     try:
         run = run_data.load(arguments[0])
-        pictures = patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run)
+        pictures = patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run) + wear_pictures.draw_all(run)
         if not pictures:
             raise run_data.ReportError(f"There is no loaded contact patch in {run.folder}.")
     except (run_data.ReportError, OSError) as error:

@@ -26,6 +26,7 @@ import plastic_pictures
 import run_data
 import subsurface_pictures
 import views
+import wear_pictures
 import wheelset
 
 # pictures that an interactive view stands for on the screen
@@ -85,7 +86,7 @@ def make_parts(run, pictures, shown):
 def make_report(run):
     """Draws everything; returns the number of pictures and the path of the page."""
     pictures = (patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run) + body_pictures.draw_all(run) +
-                plastic_pictures.draw_all(run) + history_pictures.draw_all(run))
+                plastic_pictures.draw_all(run) + wear_pictures.draw_all(run) + history_pictures.draw_all(run))
     script = page.plotly_script()
     if script is None:
         run.remarks.append("Python's plotly is not installed (package python3-plotly); the page shows pictures alone.")

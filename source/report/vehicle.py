@@ -14,6 +14,7 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.collections import LineCollection
 
 import columns
 import page
@@ -63,6 +64,49 @@ def draw(table, x, label, title, rows, path):
     return title, path
 
 
+#: what colours the running band: key, factor, text
+BAND = [("max_pressure_Pa", 1e-6, "peak pressure [MPa]"), ("t_gamma_N", 1, "T-gamma [N]")]
+
+
+def draw_band(table, x, label, path):
+    """Where on the heads the wheels run: for each row the width of its patch, coloured by pressure and by T-gamma."""
+    sides = [side for side in ("right_", "left_") if side + "reference_lateral_m" in table]
+    if not sides or len(x) < 2:
+        return None
+    figure, all_axes = plt.subplots(len(BAND), len(sides), figsize=(6 * len(sides), 6), sharex=True, sharey=True,
+                                    squeeze=False, constrained_layout=True)
+    # bars that touch each other on the page, where rows are evenly spaced
+    width = 1.1 * 72 * 5.0 * np.median(np.diff(x)) / (x[-1] - x[0])
+    for row, (key, factor, text) in zip(all_axes, BAND):
+        known = np.concatenate([factor * table[side + key] for side in sides])
+        known = known[np.isfinite(known)]
+        for axes, side in zip(row, sides):
+            place, half, value = (1e3 * table[side + "reference_lateral_m"], 0.5e3 * table[side + "patch_lateral_m"],
+                                  factor * table[side + key])
+            there = np.isfinite(place) & np.isfinite(half) & np.isfinite(value)
+            bars = LineCollection([[(at, p - h), (at, p + h)] for at, p, h in zip(x[there], place[there], half[there])],
+                                  array=value[there], cmap="viridis", linewidths=max(width, 0.8), capstyle="butt")
+            if len(known):
+                bars.set_clim(known.min(), known.max())
+            axes.add_collection(bars)
+            axes.plot(x[there], place[there], color="black", linewidth=0.6)
+            axes.autoscale()
+            axes.set_xlim(x[0], x[-1])
+            axes.grid(True)
+            for height, side_of, align in ((0.98, "\N{UPWARDS ARROW} gauge side", "top"),
+                                           (0.02, "\N{DOWNWARDS ARROW} field side", "bottom")):
+                axes.text(0.01, height, side_of, transform=axes.transAxes, va=align, color=style.GREY, fontsize=8)
+        figure.colorbar(bars, ax=row, label=text)
+        row[0].set_ylabel("place on the head [mm]")
+    for axes, side in zip(all_axes[0], sides):
+        axes.set_title(f"{side.strip('_')}-hand rail")
+    for axes in all_axes[-1]:
+        axes.set_xlabel(label)
+    figure.savefig(path)
+    plt.close(figure)
+    return "Running band: width and place of the patches on the heads, from the running circle to the track centre", path
+
+
 def verdicts(table):
     """How many rows have which verdict, a sentence for each wheel."""
     return [sentence for side in ("right", "left")
@@ -99,8 +143,9 @@ def main(arguments):
         for title, rows in PICTURES:
             path = os.path.join(folder, "pictures", title.split()[0].lower() + ".png")
             pictures.append(draw(table, table[given], label, title, rows, path))
+        pictures.insert(1, draw_band(table, table[given], label, os.path.join(folder, "pictures", "band.png")))
         parts = [*verdicts(table), f"<p>{len(table[given])} rows.</p>", "<h2>Worst rows</h2>", worst_rows(table, table[given], label),
-                 "<h2>Curves</h2>", page.pictures_html([picture for picture in pictures if picture])]
+                 "<h2>Curves</h2>", page.pictures_html([picture for picture in pictures if picture], broad=("band",))]
         path = page.write(os.path.join(folder, "vehicle.html"), "Wheelset of a vehicle", parts, [], "")
     except OSError as error:
         print(error, file=sys.stderr)

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/made_up_part.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
@@ -86,6 +87,22 @@ namespace wheelrail
       set_figure(summary, "torque_miss", (force - asked) / std::max(std::abs(asked), carried));
       if (scene.traction_coefficient != 0 && summary.stick_fraction < 1e-3)
         summary.note = sliding_note(scene.traction_coefficient);
+    }
+
+    /// Wear and cracks, from the means of forces and patch.
+    void
+    add_wear(Summary &summary, const Scene &scene)
+    {
+      const double across = get_figure(summary, "tangential_lateral_force_N");
+      WornContact  worn;
+      worn.normal_force     = summary.normal_force;
+      worn.tangential_force = std::hypot(summary.longitudinal_force, std::isfinite(across) ? across : 0);
+      worn.peak_pressure    = summary.max_pressure;
+      worn.area             = summary.contact_area;
+      worn.t_gamma          = get_figure(summary, "t_gamma_N");
+      worn.velocity         = summary.velocity;
+      worn.yield_stress     = scene.rail_material.yield_stress;
+      set_wear_figures(worn, scene.wear, summary);
     }
 
     /// How the wheelset stood in the middle of the stretch of the means.
@@ -229,9 +246,10 @@ namespace wheelrail
     add_drive(summary, run.scene, centre_radius);
     summary.rolled_distance = run.axle.travelled();
     summary.velocity        = run.scene.velocity;
-    summary.elements        = double(model.solid.quality.elements);
-    summary.time_steps      = double(run.rolling.steps());
-    summary.time_step       = model.time_step;
+    add_wear(summary, run.scene);
+    summary.elements   = double(model.solid.quality.elements);
+    summary.time_steps = double(run.rolling.steps());
+    summary.time_step  = model.time_step;
     summary.element_updates_per_second =
       summary.elements * double(run.rolling.steps() - tally.first_step) / tally.loop_seconds;
     int size;

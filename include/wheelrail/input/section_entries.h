@@ -39,6 +39,9 @@ namespace wheelrail
   halfspace_entries();
 
   std::vector<Entry>
+  wear_entries();
+
+  std::vector<Entry>
   material_test_entries();
 
   std::vector<Entry>

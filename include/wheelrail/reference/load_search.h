@@ -3,7 +3,7 @@
 namespace wheelrail
 {
   /// Finds the force to press with under which the contacts of a wheel carry a vertical load: secants, from
-  /// that load on.
+  /// that load on, inside what is left.
   class LoadSearch
   {
   public:
@@ -33,7 +33,9 @@ namespace wheelrail
 
   private:
     double load_, pressed_, before_ = 0, missed_ = 0;
-    double slope_ = 1; ///< of the vertical force over the one that presses
+    double slope_ = 1;          ///< of the vertical force over the one that presses
+    double low_ = 0, high_ = 0; ///< between which it lies; 0: not known [N]
+    int    passed_ = 0;         ///< how often in a row a secant led beyond a bound
   };
 
   /// Finds the creepage at which a force or torque that grows with it is reached: steps that grow until the
@@ -69,5 +71,6 @@ namespace wheelrail
     double before_ = 0, miss_before_ = 0;
     double low_ = -1, high_ = 1; ///< between which it lies
     bool   below_ = false, above_ = false, first_ = true, carried_ = true;
+    int    passed_ = 0; ///< how often in a row a secant led beyond a bound
   };
 } // namespace wheelrail

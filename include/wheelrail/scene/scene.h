@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/damage/laws.h>
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/material/cyclic_hardening.h>
 #include <wheelrail/material/friction.h>
@@ -217,6 +218,8 @@ namespace wheelrail
     double      halfspace_normal_force  = 0;     ///< [N], 0: the static wheel load
     double      halfspace_approach      = 0;     ///< [m], 0: found from the normal force
     double      halfspace_contact_angle = 0;     ///< of the axle to the contact plane: the spin [rad]
+
+    WearData wear; ///< laws of wear and cracks
 
     MaterialTest material_test; ///< for the command material
 

@@ -1,0 +1,50 @@
+#include <wheelrail/damage/laws.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  double
+  usfd_wear_rate(const double t_gamma_over_area)
+  {
+    constexpr double mild = 5.3, first = 10.4, plateau = 55.0, second = 77.2, severe = 61.9,
+                     offset     = 4778.7; // ug/(m mm2) over N/mm2
+    constexpr double micrograms = 1e-3;   // kg/m3
+    const double     t          = 1e-6 * t_gamma_over_area;
+    if (t < first)
+      return micrograms * std::min(mild * t, plateau);
+    if (t < second)
+      return micrograms * plateau;
+    return micrograms * std::max(plateau, severe * t - offset);
+  }
+
+
+  double
+  burstow_damage(const double t_gamma, const WearData &data)
+  {
+    if (t_gamma <= data.damage_begins || t_gamma >= data.damage_ends)
+      return 0;
+    return data.damage_most * (t_gamma < data.damage_peak
+                                 ? (t_gamma - data.damage_begins) / (data.damage_peak - data.damage_begins)
+                                 : (data.damage_ends - t_gamma) / (data.damage_ends - data.damage_peak));
+  }
+
+
+  double
+  fatigue_index(const double traction, const double shear_yield, const double peak_pressure)
+  {
+    return traction - shear_yield / peak_pressure;
+  }
+
+
+  double
+  archard_coefficient(const double slip_velocity, const double pressure, const WearData &data)
+  {
+    if (std::isfinite(data.archard))
+      return data.archard;
+    if (pressure > 0.8 * data.hardness)
+      return 350e-4;
+    return slip_velocity < 0.2 || slip_velocity > 0.7 ? 5e-4 : 35e-4;
+  }
+} // namespace wheelrail

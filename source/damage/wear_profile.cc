@@ -1,0 +1,54 @@
+#include <wheelrail/damage/wear_profile.h>
+
+#include <cmath>
+#include <cstddef>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Width that belongs to a row of the patch [m].
+    double
+    width(const std::vector<double> &lateral, const std::size_t j)
+    {
+      const std::size_t before = j > 0 ? j - 1 : j, after = j + 1 < lateral.size() ? j + 1 : j;
+      return after > before ? std::abs(lateral[after] - lateral[before]) / (after - before) : 0;
+    }
+  } // namespace
+
+
+  WearProfile
+  wear_profile(const PatchFields &patch, const double velocity, const WearData &data)
+  {
+    WearProfile profile;
+    // nodes go across the rail first
+    profile.lateral.assign(patch.lateral.begin(), patch.lateral.begin() + patch.n_lateral);
+    profile.depth.assign(patch.n_lateral, 0);
+    profile.work.assign(patch.n_lateral, 0);
+    for (std::size_t j = 0; j < patch.n_lateral; ++j)
+      {
+        const double row = width(profile.lateral, j);
+        for (std::size_t i = 0; i < patch.n_along && row > 0; ++i)
+          {
+            const std::size_t e    = j + patch.n_lateral * i;
+            const double      step = patch.area[e] / row,
+                         slip      = std::hypot(patch.slip_along[e], patch.slip_lateral[e]),
+                         k         = archard_coefficient(velocity * slip, patch.pressure[e], data);
+            profile.depth[j] += k * patch.pressure[e] * slip * step / data.hardness;
+            profile.work[j] += step * (patch.traction_along[e] * patch.slip_along[e] +
+                                       patch.traction_lateral[e] * patch.slip_lateral[e]);
+          }
+      }
+    return profile;
+  }
+
+
+  double
+  over_width(const WearProfile &profile, const std::vector<double> &values)
+  {
+    double sum = 0;
+    for (std::size_t j = 0; j < values.size(); ++j)
+      sum += values[j] * width(profile.lateral, j);
+    return sum;
+  }
+} // namespace wheelrail

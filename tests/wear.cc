@@ -1,0 +1,125 @@
+// Laws of wear and cracks at their breakpoints, and wear across the rail against the work that is done.
+
+#include "check.h"
+
+#include <wheelrail/damage/wear_figures.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/wheelset_contact.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+namespace
+{
+  void
+  test_laws()
+  {
+    const auto rate = [](const double t) { return 1e3 * usfd_wear_rate(1e6 * t); }; // ug/(m mm2)
+    check_near(rate(1), 5.3, 1e-12, "5.3 T/A ug/(m mm2)");
+    check_near(rate(10.4), 55.0, 1e-12, "55.0 from 10.4 N/mm2 on");
+    check_near(rate(10.4 - 1e-9), 55.0, 1e-6, "to which the first branch rises");
+    check_near(rate(77), 55.0, 1e-12, "to 77.2 N/mm2");
+    check_near(rate(77.2 + 1e-9), 55.0, 1e-6, "and on, where the source jumps to nothing");
+    check_near(rate(100), 61.9 * 100 - 4778.7, 1e-9, "then 61.9 T/A - 4778.7");
+    check_near(rate(4778.7 / 61.9 + 55 / 61.9), 55, 1e-9, "which begins at the plateau");
+
+    const WearData data;
+    check_near(burstow_damage(15, data), 0, 0, "no damage at 15 N");
+    check_near(burstow_damage(40, data), 0.5e-5, 1e-18, "half of it at 40 N");
+    check_near(burstow_damage(65, data), 1e-5, 1e-18, "all at 65 N");
+    check_near(burstow_damage(120, data), 0.5e-5, 1e-18, "half of it at 120 N");
+    check_near(burstow_damage(175, data), 0, 0, "none at 175 N");
+    check_near(burstow_damage(500, data), 0, 0, "none beyond");
+
+    check_near(fatigue_index(0.3, 300e6, 1000e6), 0, 1e-15, "the surface fatigues above mu = k/p0");
+    check_near(archard_coefficient(0.1, 1e9, data), 5e-4, 0, "mild wear");
+    check_near(archard_coefficient(0.5, 1e9, data), 35e-4, 0, "severe wear at 0.2 to 0.7 m/s");
+    check_near(archard_coefficient(1, 1e9, data), 5e-4, 0, "mild again");
+    check_near(archard_coefficient(0.1, 2.1e9, data), 350e-4, 0, "seizure above 0.8 H");
+  }
+
+  /// V = k F s / H of whatever shape: a wheel that slides as a whole, and the main scene.
+  void
+  test_volume()
+  {
+    Scene scene                      = {};
+    scene.wheel_load                 = 80e3;
+    scene.halfspace_element_size     = 0.8e-3;
+    scene.wear.archard               = 1e-3;
+    scene.drive                      = Drive::rate;
+    scene.creepage                   = 0.05;
+    const SceneGeometry     geometry = make_geometry(scene);
+    const WheelRailSolution result =
+      solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene));
+    const WearProfile profile = wear_profile(result.patch, scene.velocity, scene.wear);
+    double            slid = 0, work = 0; // force times way, for each metre rolled [N]
+    for (std::size_t e = 0; e < result.patch.pressure.size(); ++e)
+      {
+        slid += result.patch.pressure[e] * result.patch.area[e] *
+                std::hypot(result.patch.slip_along[e], result.patch.slip_lateral[e]);
+        work += result.patch.area[e] * (result.patch.traction_along[e] * result.patch.slip_along[e] +
+                                        result.patch.traction_lateral[e] * result.patch.slip_lateral[e]);
+      }
+    check_near(over_width(profile, profile.depth) / (scene.wear.archard * slid / scene.wear.hardness),
+               1,
+               1e-12,
+               "section that is worn over k F s / H");
+    check_near(work / (scene.friction.at_rest * slid),
+               1,
+               1e-9,
+               "where all slides, work is friction times force times way");
+    check_near(over_width(profile, profile.work) / work, 1, 1e-12, "work over the width");
+    check_near(work / result.solution.creepage_work, 1, 0.01, "which is T-gamma where all slides");
+  }
+
+  /// Figures of the main scene, from its T-gamma and its patch.
+  void
+  test_figures()
+  {
+    Scene scene                      = read_scene(WHEELRAIL_SOURCE_DIR "/prm/rolling.prm", {}).scene;
+    scene.rail_material.yield_stress = 480e6;
+    const SceneGeometry geometry     = make_geometry(scene);
+    const Summary       figures      = halfspace_summary(
+      scene, solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene)));
+    const auto value = [&](const char *key) { return get_figure(figures, key); };
+    check_near(value("t_gamma_over_area_N_per_m2") * value("contact_area_m2") / value("t_gamma_N"),
+               1,
+               1e-12,
+               "T-gamma over area");
+    check_near(1e3 * value("usfd_wear_rate_kg_per_m3"),
+               5.3e-6 * value("t_gamma_over_area_N_per_m2"),
+               1e-9,
+               "mild wear [ug/m/mm2]");
+    check_near(
+      1e5 * value("burstow_damage"), (value("t_gamma_N") - 15) / 50, 1e-9, "crack damage on its rising line");
+    check_near(value("utilised_friction") * value("normal_force_N") /
+                 std::hypot(value("longitudinal_force_N"), value("tangential_lateral_force_N")),
+               1,
+               1e-9,
+               "traction over normal force");
+    check_near(value("shakedown_load") * 480e6 / std::sqrt(3.) / value("max_pressure_Pa"), 1, 1e-12, "p0/k");
+    scene.friction.at_rest     = 0;
+    scene.traction_coefficient = 0;
+    const Summary none         = halfspace_summary(
+      scene, solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene)));
+    check_near(get_figure(none, "usfd_wear_rate_kg_per_m3"), 0, 1e-15, "without friction no wear");
+    check_near(get_figure(none, "t_gamma_N"), 0, 1e-12, "and no T-gamma");
+  }
+} // namespace
+
+
+int
+main()
+{
+  test_laws();
+  test_volume();
+  test_figures();
+  return test::report();
+}
