@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -104,6 +103,38 @@ namespace wheelrail
       std::unique_ptr<WheelContacts> contacts_;
     };
 
+    /// What came of a round of the search.
+    struct Round
+    {
+      double torque  = 0;    ///< of all wheels [N m]
+      double missed  = 0;    ///< of a load, the largest share
+      bool   carried = true; ///< whether each wheel carries its load
+    };
+
+    /// Presses all wheels anew and rolls them with a pitch rate [1/m].
+    Round
+    roll_all(const std::vector<std::unique_ptr<LoadedWheel>> &wheels,
+             const double                                     rate,
+             const unsigned int                               threads)
+    {
+      std::vector<double> torques(wheels.size());
+      parallel_for(
+        wheels.size(),
+        [&](const std::size_t k) {
+          wheels[k]->press();
+          torques[k] = wheels[k]->roll(rate);
+        },
+        threads);
+      Round round;
+      for (std::size_t k = 0; k < wheels.size(); ++k)
+        {
+          round.torque += torques[k];
+          round.carried = wheels[k]->carried() && round.carried;
+          round.missed  = std::max(round.missed, wheels[k]->missed());
+        }
+      return round;
+    }
+
     /// Adds what a wheel does to the wheelset; `side` is -1 for the left one, which is seen in a mirror.
     void
     add_wheel(const WheelRailSolution &wheel, const double side, AxleSolution &axle)
@@ -154,38 +185,26 @@ namespace wheelrail
       if (wheel->load > 0)
         loaded.push_back(wheel);
     std::vector<std::unique_ptr<LoadedWheel>> wheels(loaded.size());
-    const auto                                of_each = [&](const std::function<void(std::size_t)> &work) {
-      parallel_for(wheels.size(), work, threads);
-    };
-    of_each([&](const std::size_t k) { wheels[k] = std::make_unique<LoadedWheel>(*loaded[k], axle.rate); });
+    parallel_for(
+      wheels.size(),
+      [&](const std::size_t k) { wheels[k] = std::make_unique<LoadedWheel>(*loaded[k], axle.rate); },
+      threads);
     // loads and creepage are found together: what one changes of the other fades from round to round
     CreepageSearch search(axle.rate * mean_radius - 1);
     bool           found = wheels.empty(), nearly = found;
     for (int round = 0; round < most_rounds && !found; ++round)
       {
-        axle.rate     = (1 + search.creepage()) / mean_radius;
-        double torque = 0, missed = 0;
-        found = true;
-        std::vector<double> torques(wheels.size());
-        of_each([&](const std::size_t k) {
-          wheels[k]->press();
-          torques[k] = wheels[k]->roll(axle.rate);
-        });
-        for (std::size_t k = 0; k < wheels.size(); ++k)
-          {
-            const auto &wheel = wheels[k];
-            torque += torques[k];
-            found  = wheel->carried() && found;
-            missed = std::max(missed, wheel->missed());
-          }
-        double miss = (torque - drive.torque) / (loads * mean_radius);
+        axle.rate       = (1 + search.creepage()) / mean_radius;
+        const Round now = roll_all(wheels, axle.rate, threads);
+        found           = now.carried;
+        double miss     = (now.torque - drive.torque) / (loads * mean_radius);
         if (drive.rate_held || !search.carried())
           miss = 0;
-        nearly = missed < ten_promille && std::abs(miss) < 10 * enough;
+        nearly = now.missed < ten_promille && std::abs(miss) < 10 * enough;
         if (std::abs(miss) > enough)
           {
             found = false;
-            if (missed < settled) // else the sign may be that of another load
+            if (now.missed < settled) // else the sign may be that of another load
               search.missed(miss);
           }
       }
