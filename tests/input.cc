@@ -6,10 +6,10 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/scene/one_wheel.h>
 
 #include <algorithm>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -199,11 +199,9 @@ namespace
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
     straight.scene.passage_jump     = 0;      // the wheel is the same again
     straight.scene.planned_strip.clear();     // nor that strip
-    straight.scene.both_wheels = straight.scene.pose_balances = false;
-    straight.scene.cant                                       = std::numeric_limits<double>::infinity();
-    straight.scene.track_radius                               = std::numeric_limits<double>::infinity();
-    straight.scene.start_offset                               = 0; // the window is fixed
-    straight.scene.staggered_starts                           = 1;
+    leave_wheelset(straight.scene);
+    straight.scene.start_offset     = 0; // the window is fixed
+    straight.scene.staggered_starts = 1;
     require_computable(straight);
     return input.scene;
   }

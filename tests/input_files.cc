@@ -12,10 +12,10 @@
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_head.h>
 #include <wheelrail/run/simulation.h>
+#include <wheelrail/scene/one_wheel.h>
 
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <map>
 #include <sstream>
 #include <string>
@@ -88,8 +88,7 @@ namespace
                     if (input.scene.both_wheels)
                       {
                         check(contact_checks(input.scene).errors.empty(), name + " is valid as a wheelset");
-                        input.scene.both_wheels = input.scene.pose_balances = false;
-                        input.scene.track_radius = input.scene.cant = std::numeric_limits<double>::infinity();
+                        leave_wheelset(input.scene);
                       }
                     require_computable(input);
                   }

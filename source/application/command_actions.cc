@@ -26,6 +26,7 @@
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/simulation.h>
+#include <wheelrail/scene/one_wheel.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -68,14 +69,6 @@ namespace wheelrail
       out << file_of(options) << ": all entries are valid"
           << (found.warnings.empty() ? "" : ", with the warnings above") << "\n";
       return 0;
-    }
-
-    /// One wheel on straight track, which needs as many processes as one taken from its wheelset.
-    void
-    roll_alone(Scene &scene)
-    {
-      scene.both_wheels = scene.pose_balances = false;
-      scene.track_radius = scene.cant = std::numeric_limits<double>::infinity();
     }
 
     /// Cant, which shares the load of an axle, against rows that have the loads of both wheels, or one wheel.
@@ -260,8 +253,8 @@ namespace wheelrail
         return 0;
       }
     SceneInput input = input_of(options);
-    if (options.count("ranks"))
-      roll_alone(input.scene);
+    if (options.count("ranks")) // one wheel of a wheelset needs as many as one by itself
+      leave_wheelset(input.scene);
     const SceneGeometry geometry = require_computable(input);
     if (options.count("ranks"))
       {

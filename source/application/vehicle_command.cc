@@ -1,5 +1,6 @@
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/vehicle_command.h>
+#include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/figures.h>
@@ -26,45 +27,40 @@ namespace wheelrail
     const std::vector<std::string> &
     figure_keys()
     {
-      static const std::vector<std::string> keys = {"longitudinal_force_N",
-                                                    "lateral_force_N",
-                                                    "vertical_force_N",
-                                                    "normal_force_N",
-                                                    "tangential_lateral_force_N",
-                                                    "wheelset_longitudinal_force_N",
-                                                    "wheelset_lateral_force_N",
-                                                    "drive_torque_Nm",
-                                                    "yaw_moment_Nm",
-                                                    "creepage",
-                                                    "reference_creepage",
-                                                    "reference_lateral_creepage",
-                                                    "reference_spin_per_m",
-                                                    "reference_spin_moment_Nm",
-                                                    "reference_lateral_m",
-                                                    "reference_along_m",
-                                                    "reference_ahead_of_axle_m",
-                                                    "reference_angle_rad",
-                                                    "lateral_over_vertical",
-                                                    "wheelset_roll_rad",
-                                                    "approach_m",
-                                                    "max_pressure_Pa",
-                                                    "max_shear_traction_Pa",
-                                                    "contact_area_m2",
-                                                    "patch_lateral_m",
-                                                    "patch_longitudinal_m",
-                                                    "stick_fraction",
-                                                    "t_gamma_N",
-                                                    "frictional_power_W",
-                                                    "t_gamma_over_area_N_per_m2",
-                                                    "usfd_wear_rate_kg_per_m3",
-                                                    "burstow_damage",
-                                                    "utilised_friction",
-                                                    "fatigue_index",
-                                                    "shakedown_load",
-                                                    "archard_depth_m",
-                                                    "archard_section_m2",
-                                                    "largest_von_mises_Pa",
-                                                    "patches"};
+      static const std::vector<std::string> keys = [] {
+        std::vector<std::string> list = {"longitudinal_force_N",
+                                         "lateral_force_N",
+                                         "vertical_force_N",
+                                         "normal_force_N",
+                                         "tangential_lateral_force_N",
+                                         "wheelset_longitudinal_force_N",
+                                         "wheelset_lateral_force_N",
+                                         "drive_torque_Nm",
+                                         "yaw_moment_Nm",
+                                         "creepage",
+                                         "reference_creepage",
+                                         "reference_lateral_creepage",
+                                         "reference_spin_per_m",
+                                         "reference_spin_moment_Nm",
+                                         "reference_lateral_m",
+                                         "reference_along_m",
+                                         "reference_ahead_of_axle_m",
+                                         "reference_angle_rad",
+                                         "lateral_over_vertical",
+                                         "wheelset_roll_rad",
+                                         "approach_m",
+                                         "max_pressure_Pa",
+                                         "max_shear_traction_Pa",
+                                         "contact_area_m2",
+                                         "patch_lateral_m",
+                                         "patch_longitudinal_m",
+                                         "stick_fraction",
+                                         "t_gamma_N",
+                                         "frictional_power_W"};
+        list.insert(list.end(), worst_wear_keys().begin(), worst_wear_keys().end());
+        list.insert(list.end(), {"archard_section_m2", "largest_von_mises_Pa", "patches"});
+        return list;
+      }();
       return keys;
     }
 

@@ -5,6 +5,20 @@
 
 namespace wheelrail
 {
+  const std::vector<std::string> &
+  worst_wear_keys()
+  {
+    static const std::vector<std::string> keys = {"t_gamma_over_area_N_per_m2",
+                                                  "usfd_wear_rate_kg_per_m3",
+                                                  "burstow_damage",
+                                                  "utilised_friction",
+                                                  "fatigue_index",
+                                                  "shakedown_load",
+                                                  "archard_depth_m"};
+    return keys;
+  }
+
+
   void
   set_wear_figures(const WornContact &contact, const WearData &data, Summary &summary)
   {

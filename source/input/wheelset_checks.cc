@@ -3,6 +3,7 @@
 #include <wheelrail/geometry/track.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/wheelset_checks.h>
+#include <wheelrail/scene/curve_loads.h>
 
 #include <cmath>
 #include <string>
@@ -36,14 +37,14 @@ namespace wheelrail
     void
     check_cant(const Scene &scene, std::vector<std::string> &warnings)
     {
-      const double half_base = running_circle_distance(scene.track),
-                   over      = scene.velocity * scene.velocity / scene.track_radius -
-                          scene.gravity * scene.cant / (2 * half_base);
+      // of wheels with the load 1, which touch at their running circles
+      const CurveLoads loads = curve_loads(scene, 1, 1, running_circle_distance(scene.track));
+      const double     over  = loads.acceleration;
       if (std::isfinite(scene.track_radius) && scene.cant * scene.track_radius < 0)
         warnings.push_back(entry_text(scene, "Track", "Cant") +
                            ": the inner rail of the curve is the higher one; in " +
                            entry_text(scene, "Track", "Radius") + " a cant of the other sign leans inwards");
-      if (scene.centre_height * std::abs(over) > half_base * scene.gravity)
+      if (loads.right == 0 || loads.left == 0)
         warnings.push_back(entry_text(scene, "Wheelset", "Velocity") + ": " + text("%.1f", std::abs(over)) +
                            " m/s2 beyond what the cant balances lift the " + (over > 0 ? "left" : "right") +
                            "-hand wheel; look at radius, cant and velocity");

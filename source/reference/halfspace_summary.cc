@@ -167,16 +167,10 @@ namespace wheelrail
             sum += get_figure(patch, key);
           set_figure(total, key, sum);
         }
-      for (const char *key : {"max_pressure_Pa",
-                              "max_pressure_fitted_Pa",
-                              "max_shear_traction_Pa",
-                              "t_gamma_over_area_N_per_m2",
-                              "usfd_wear_rate_kg_per_m3",
-                              "burstow_damage",
-                              "utilised_friction",
-                              "fatigue_index",
-                              "shakedown_load",
-                              "archard_depth_m"})
+      std::vector<std::string> largest = {
+        "max_pressure_Pa", "max_pressure_fitted_Pa", "max_shear_traction_Pa"};
+      largest.insert(largest.end(), worst_wear_keys().begin(), worst_wear_keys().end());
+      for (const std::string &key : largest)
         for (const Summary &patch : patches)
           if (const double value = get_figure(patch, key); std::isfinite(value))
             set_figure(total, key, std::max(get_figure(total, key), value));

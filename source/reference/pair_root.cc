@@ -19,20 +19,17 @@ namespace wheelrail
       return {at[0] + t * step[0], at[1] + t * step[1]};
     }
 
-    /// Derivatives by differences; nothing where a place beside `at` has no value on either side.
+    /// Derivatives by differences from the value `here`; nothing where a place beside `at` has no value on
+    /// either side.
     std::optional<PairSlope>
-    derivatives(const PairFunction &function, const Pair &at, const Pair &step, int &calls)
+    derivatives(const PairFunction &function, const Pair &at, const Pair &here, const Pair &step, int &calls)
     {
-      const auto here = function(at);
-      ++calls;
-      if (!here)
-        return {};
       PairSlope result{};
       for (int k = 0; k < 2; ++k)
         {
           Pair move{};
           // with the sign of the function, so that the mirror image is sought by mirrored steps
-          move[k]    = std::copysign(step[k], (*here)[k]);
+          move[k]    = std::copysign(step[k], here[k]);
           auto there = function(moved(at, 1, move));
           ++calls;
           if (!there)
@@ -44,7 +41,7 @@ namespace wheelrail
           if (!there)
             return {};
           for (int i = 0; i < 2; ++i)
-            result[i][k] = ((*there)[i] - (*here)[i]) / move[k];
+            result[i][k] = ((*there)[i] - here[i]) / move[k];
         }
       return result;
     }
@@ -95,7 +92,9 @@ namespace wheelrail
       {
         if (!slope)
           {
-            slope = derivatives(cheap, root.at, search.step, root.calls);
+            root.calls += cheap ? 1 : 0;
+            if (const std::optional<Pair> here = cheap ? cheap(root.at) : root.left)
+              slope = derivatives(cheap ? cheap : function, root.at, *here, search.step, root.calls);
             fresh = true;
             part  = 1;
           }

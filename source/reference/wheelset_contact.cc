@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/reference/pair_root.h>
 #include <wheelrail/reference/wheelset_contact.h>
+#include <wheelrail/scene/one_wheel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,30 +155,21 @@ namespace wheelrail
           (*wheel)->solution.not_reached += what;
     }
 
+    /// `fine` and `coarse`: the wheelset with the elements of its scene, and with larger ones.
     WheelsetSolution
-    solve_balanced(const Scene                 &right,
-                   const Scene                 &left,
-                   const SceneProfiles         &profiles,
-                   const std::optional<double> &torque,
-                   const unsigned int           threads)
+    solve_balanced(const Scene &scene, const PosedWheelset &fine, const PosedWheelset &coarse)
     {
-      const PosedWheelset fine(right, left, profiles, torque, threads),
-        coarse(coarser(right), coarser(left), profiles, torque, threads);
-      std::optional<WheelsetSolution> last;
-      int                             poses  = 0;
+      std::optional<WheelsetSolution> last; // in the pose that was tried last
       const auto                      missed = [&](const PosedWheelset &wheelset) {
         return [&](const Pair &pose) -> std::optional<Pair> {
           if (std::abs(pose[0]) > shift_limit || std::abs(pose[1]) > 0.05)
             return {};
           try
             {
-              ++poses;
-              WheelsetSolution solution = wheelset.solve(pose);
-              const double     load     = solution.right.load + solution.left.load,
-                           base = half_base(solution.right.geometry, solution.left.geometry);
-              const Pair left_over{solution.lateral_missed / load, solution.yaw_missed / (load * base)};
-              last = std::move(solution);
-              return left_over;
+              last              = wheelset.solve(pose);
+              const double load = last->right.load + last->left.load,
+                           base = half_base(last->right.geometry, last->left.geometry);
+              return Pair{last->lateral_missed / load, last->yaw_missed / (load * base)};
             }
           catch (const InputError &)
             {
@@ -186,10 +178,9 @@ namespace wheelrail
         };
       };
       PairSearch search{{0.1e-3, 0.2e-3}, {1e-3, 3e-3}, 3e-3, 40};
-      const bool free = right.lateral_stiffness == 0 && right.yaw_stiffness == 0;
-      const Pair given{right.lateral_shift, right.yaw};
-      auto       root = find_pair_root(
-        {free ? rolling_line(coarse, 0) : given, {}, {}}, search, missed(coarse), missed(coarse));
+      const bool free = scene.lateral_stiffness == 0 && scene.yaw_stiffness == 0;
+      const Pair given{scene.lateral_shift, scene.yaw};
+      auto root = find_pair_root({free ? rolling_line(coarse, 0) : given, {}, {}}, search, missed(coarse));
       if (!root)
         return fine.solve(given);
       if (root->found)
@@ -198,9 +189,10 @@ namespace wheelrail
           search.most_calls = 12;
           root              = find_pair_root(*root, search, missed(fine), missed(coarse));
         }
-      WheelsetSolution found = root ? fine.solve(root->at) : std::move(*last);
-      found.poses            = poses;
-      if (!root || !root->found)
+      // a search that ends well ends in the pose that it tried last, with the elements of the scene
+      const bool       balanced = root && root->found;
+      WheelsetSolution found    = root && !balanced ? fine.solve(root->at) : std::move(*last);
+      if (!balanced)
         tell("The pose in which the forces on the wheelset balance was not found. ", found.axle);
       return found;
     }
@@ -257,9 +249,11 @@ namespace wheelrail
                  const std::optional<double> &torque,
                  const unsigned int           threads)
   {
+    const PosedWheelset wheelset(right, left, profiles, torque, threads);
     if (right.pose_balances)
-      return solve_balanced(right, left, profiles, torque, threads);
-    return PosedWheelset(right, left, profiles, torque, threads).solve({right.lateral_shift, right.yaw});
+      return solve_balanced(
+        right, wheelset, PosedWheelset(coarser(right), coarser(left), profiles, torque, threads));
+    return wheelset.solve({right.lateral_shift, right.yaw});
   }
 
 
@@ -269,11 +263,9 @@ namespace wheelrail
     const WheelOnAxle     &wheel   = left ? wheelset.left : wheelset.right;
     const ContactGeometry &contact = wheel.geometry.contact;
     Scene                  scene   = wheel.scene;
-    const double comes  = 1 + path_curvature(scene) * (contact.axis.middle.x - contact.frame.origin.x);
-    scene.both_wheels   = false;
-    scene.pose_balances = false;
-    scene.track_radius = scene.cant = std::numeric_limits<double>::infinity();
-    scene.wheel_load                = wheel.load;
+    const double comes = 1 + path_curvature(scene) * (contact.axis.middle.x - contact.frame.origin.x);
+    leave_wheelset(scene);
+    scene.wheel_load = wheel.load;
     if (std::isfinite(wheelset.axle.rate))
       {
         scene.drive    = Drive::rate;

@@ -3,6 +3,9 @@
 #include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/output/summary.h>
 
+#include <string>
+#include <vector>
+
 namespace wheelrail
 {
   /// One patch, as wear and crack laws see it; SI units.
@@ -14,6 +17,10 @@ namespace wheelrail
     double             t_gamma = 0, velocity = 0;              ///< [N], [m/s]
     double             yield_stress = 0;                       ///< of the rail [Pa]; infinite: elastic
   };
+
+  /// The keys of those that count for the worst patch, which are all but the section.
+  const std::vector<std::string> &
+  worst_wear_keys();
 
   /// Sets the figures of wear and cracks of a patch: T-gamma over its area, wear rate (usfd_wear_rate()),
   /// share of the life of one passage (burstow_damage()), largest depth and section that Archard's law takes

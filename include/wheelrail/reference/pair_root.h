@@ -34,12 +34,12 @@ namespace wheelrail
   };
 
   /// Seeks the root of two functions from `first.at` on, by Newton's method with derivatives by
-  /// differences of `cheap`, which may be a coarser form of the functions, mended by Broyden's formula (1965)
-  /// after each step, or with those of `first` to begin with; a step that makes both larger is halved.
-  /// Returns nothing where the functions have no value at the first guess.
+  /// differences of `cheap`, a coarser form of the functions, or else of the functions themselves, mended by
+  /// Broyden's formula (1965) after each step, or with those of `first` to begin with; a step that makes both
+  /// larger is halved. Returns nothing where the functions have no value at the first guess.
   std::optional<PairRoot>
   find_pair_root(const PairRoot     &first,
                  const PairSearch   &search,
                  const PairFunction &function,
-                 const PairFunction &cheap);
+                 const PairFunction &cheap = {});
 } // namespace wheelrail

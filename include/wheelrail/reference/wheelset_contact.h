@@ -2,7 +2,7 @@
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/axle_contact.h>
-#include <wheelrail/reference/curve_loads.h>
+#include <wheelrail/scene/curve_loads.h>
 
 #include <optional>
 #include <string>
@@ -17,7 +17,6 @@ namespace wheelrail
     CurveLoads   loads;
     double       lateral_missed = 0; ///< of the forces along X: what is left over [N]
     double       yaw_missed     = 0; ///< of the moments about the vertical [N m]
-    int          poses          = 1; ///< that were solved on the way
   };
 
   /// One wheel of the wheelset of a scene: that of its side, with the friction of its rail.

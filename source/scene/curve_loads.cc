@@ -1,4 +1,4 @@
-#include <wheelrail/reference/curve_loads.h>
+#include <wheelrail/scene/curve_loads.h>
 
 #include <algorithm>
 #include <cmath>

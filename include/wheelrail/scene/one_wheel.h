@@ -1,0 +1,17 @@
+#pragma once
+
+#include <wheelrail/scene/scene.h>
+
+#include <limits>
+
+namespace wheelrail
+{
+  /// Takes the modelled wheel out of its wheelset and its curve: what a run can roll. Load, pose and drive
+  /// stay as they are.
+  inline void
+  leave_wheelset(Scene &scene)
+  {
+    scene.both_wheels = scene.pose_balances = false;
+    scene.track_radius = scene.cant = std::numeric_limits<double>::infinity();
+  }
+} // namespace wheelrail
