@@ -100,8 +100,11 @@ namespace
     scene.roll_angle             = 1e-3 * number(4);
     const Scene right            = wheel_of_wheelset(scene, false);
     scene.creepage = -number(7) * make_geometry(right).contact.forward_radius / scene.velocity - 1;
-    const WheelsetSolution wheelset = solve_wheelset(
-      wheel_of_wheelset(scene, false), wheel_of_wheelset(scene, true), read_profiles(scene), std::nullopt, 2);
+    const WheelsetSolution wheelset = solve_wheelset(wheel_of_wheelset(scene, false),
+                                                     wheel_of_wheelset(scene, true),
+                                                     read_wheelset_profiles(scene),
+                                                     std::nullopt,
+                                                     2);
     check_near(wheelset.axle.rate * scene.velocity, -number(7), 1e-9, "turning rate of the axle [rad/s]");
     const double few = 0.01 * load;
     for (const bool is_left : {false, true})

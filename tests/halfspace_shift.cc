@@ -5,7 +5,7 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/halfspace/influence.h>
-#include <wheelrail/halfspace/subsurface.h>
+#include <wheelrail/halfspace/subsurface_layers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -197,11 +197,12 @@ namespace
     for (const auto side : {HalfspaceSide::body1, HalfspaceSide::body2})
       {
         const HalfspaceBody &body = side == HalfspaceSide::body1 ? sphere.body1 : sphere.body2;
-        SubsurfaceLayers     layers(rolling, body, side);
+        SubsurfaceLayers     layers(rolling, sphere.body1, sphere.body2);
         double               worst = 0;
         for (const double depth : {0., 0.3e-3, 3e-3})
           {
-            const HalfspaceStress layer = layers.at(depth)[e];
+            const LayerStresses   both  = layers.at(depth);
+            const HalfspaceStress layer = (side == HalfspaceSide::body1 ? both.body1 : both.body2)[e];
             const HalfspaceStress sum =
               subsurface_stresses(rolling, body, side, {{sphere.grid.x(i), sphere.grid.y(j), depth}})[0];
             for (const auto c : {&HalfspaceStress::xx,

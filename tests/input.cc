@@ -33,6 +33,8 @@ namespace
       {"Profiles/Wheel unit", "mm"},
       {"Profiles/Wheel origin", "running circle"},
       {"Profiles/Rail", "60E1"},
+      {"Profiles/Rail left", "54E1"},
+      {"Profiles/Wheel left", "S1002"},
       {"Profiles/Rail mirror", "yes"},
       {"Profiles/Rail unit", "inch"},
       {"Profiles/Rail body", "60E1"},
@@ -264,6 +266,8 @@ namespace
     check_near(s.rail_file.noise, 1e-5, 0, "field rail_file.noise");
     check_near(s.wheel_file.noise, 1e-5, 0, "field wheel_file.noise");
     check_text(s.rail_profile, "60E1", "field rail_profile");
+    check_text(s.left_rail_profile, "54E1", "field left_rail_profile");
+    check_text(s.left_wheel_profile, "S1002", "field left_wheel_profile");
     check_near(s.track.gauge, 1.437, 0, "field gauge");
     check_near(s.track.gauge_height, 0.015, 0, "field gauge_height");
     check_near(s.track.inclination, 0.05, 0, "field inclination");

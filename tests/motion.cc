@@ -157,9 +157,6 @@ namespace
       entry +
         ": cant; a run has one wheel, whose load the column load gives: leave the column out (half-spaces of "
         "\"vehicle\" take it)");
-    refused(scene_with("distance [m],radius [m]\n0,300\n1,300\n"),
-            entry +
-              ": radius; a run rolls straight on: leave the column out (half-spaces of \"vehicle\" take it)");
     refused(scene_with("time [s],torque [kN m],traction\n0,1,1\n1,1,1\n"),
             file + ": torque and traction; one follows from the other: leave one of the columns out");
     refused(

@@ -90,10 +90,6 @@ namespace
     refused("time [s],load [kN],load right [kN],load left [kN]\n0,1,1,1\n",
             ": load beside load right and load left; leave it out, or the two others");
     refused(
-      "time [s],cant [mm],load right [kN],load left [kN]\n0,0,1,1\n",
-      ": cant beside load right and load left; it shares the load of the axle between the wheels: leave "
-      "it out, or write load in their place");
-    refused(
       "time [s],radius [m]\n0,0\n1,-12\n",
       ":3: radius = -12 is out of range; 20 m to 100 km on either side, or 0 is accepted, in the unit of "
       "the first line");
@@ -301,8 +297,8 @@ namespace
       "0; 0; 0; 100; 0\r\n1; 0.5; 2; 0; 0\r\n# remark\r\n2; 1; 3; 80; 4.6\r\n3; 11.9; 0; 80; 0\r\n");
     const MotionFile motion = read_motion_file(file.path());
     check(motion.rows() == 4 && std::abs((*motion.find(MotionQuantity::yaw))[2] - 3e-3) < 1e-15, "four rows");
-    const SceneProfiles profiles = read_profiles(scene);
-    const VehicleWheel  wheel    = solve_vehicle(scene, profiles, motion, [](std::size_t) {}).wheels.front();
+    const WheelsetProfiles profiles = read_wheelset_profiles(scene);
+    const VehicleWheel     wheel = solve_vehicle(scene, profiles, motion, [](std::size_t) {}).wheels.front();
     check(wheel.faults[0].empty() && wheel.faults[1].empty() && wheel.faults[2].empty(),
           "three rows have contact");
     check(wheel.faults[3].find("no contact point") != std::string::npos,
@@ -315,7 +311,7 @@ namespace
     row.lateral_shift            = 1e-3;
     row.yaw                      = 3e-3;
     row.wheel_load               = 80e3;
-    const SceneGeometry geometry = make_geometry(row, profiles);
+    const SceneGeometry geometry = make_geometry(row, profiles.right);
     WheelRailLoad       load     = scene_load(row, geometry);
     load.longitudinal            = 4600 / geometry.contact.rolling_radius;
     const WheelRailSolution own  = solve_wheel_rail(row, geometry, load, scene_offsets(row));
@@ -329,7 +325,7 @@ namespace
 
     // the left wheel sees the motion in a mirror
     row.left_wheel            = true;
-    const SceneGeometry other = make_geometry(row, profiles);
+    const SceneGeometry other = make_geometry(row, profiles.right);
     load.longitudinal         = 4600 / other.contact.rolling_radius;
     const auto left           = solve_wheel_rail(row, other, load, scene_offsets(row));
     scene.rigid_axle          = false;
@@ -352,9 +348,9 @@ namespace
     const File file(
       "distance [m],lateral shift [mm],load right [kN],load left [kN],torque [kN m],radius [m]\n"
       "0,-2,100,60,0,0\n1,-2,100,60,4,300\n2,-2,100,0,0,0\n");
-    const MotionFile    motion   = read_motion_file(file.path());
-    const SceneProfiles profiles = read_profiles(scene);
-    const VehicleResult both     = solve_vehicle(scene, profiles, motion, [](std::size_t) {});
+    const MotionFile       motion   = read_motion_file(file.path());
+    const WheelsetProfiles profiles = read_wheelset_profiles(scene);
+    const VehicleResult    both     = solve_vehicle(scene, profiles, motion, [](std::size_t) {});
     check(both.axle.size() == 3 && both.wheels.size() == 2, "three rows of two wheels on one axle");
     const auto force = [&](const std::size_t wheel, const std::size_t row) {
       return get_figure(both.wheels[wheel].rows[row], "wheelset_longitudinal_force_N");
@@ -388,7 +384,7 @@ namespace
       "distance [m],load [kN],velocity [km/h],radius [m],cant [mm]\n"
       "0,80,72,500,0\n1,80,72,-500,0\n2,80,200,500,0\n");
     const VehicleResult vehicle =
-      solve_vehicle(scene, read_profiles(scene), read_motion_file(file.path()), [](std::size_t) {});
+      solve_vehicle(scene, read_wheelset_profiles(scene), read_motion_file(file.path()), [](std::size_t) {});
     const auto load = [&](const std::size_t wheel, const std::size_t row) {
       return vehicle.wheels[wheel].rows[row].vertical_force;
     };

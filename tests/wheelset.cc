@@ -35,8 +35,11 @@ namespace
   WheelsetSolution
   solved(const Scene &scene)
   {
-    return solve_wheelset(
-      wheel_of_wheelset(scene, false), wheel_of_wheelset(scene, true), read_profiles(scene), std::nullopt, 2);
+    return solve_wheelset(wheel_of_wheelset(scene, false),
+                          wheel_of_wheelset(scene, true),
+                          read_wheelset_profiles(scene),
+                          std::nullopt,
+                          2);
   }
 
   double
@@ -70,6 +73,12 @@ namespace
                "rolling line of cones: ratio");
     check_near(
       left.axle.right->reference->creepage * 3000 / base, 0, 0.01, "no creepage along the track, over b/R");
+    // free wheels roll along a sine whose curvature is that of the rolling line at each place: y'' = -y / (R
+    // y_R)
+    check_near(std::sqrt(-left.right.scene.lateral_shift * 3000 / (base * radius / conicity)),
+               1,
+               0.01,
+               "wave length of Klingel's motion over 2 pi sqrt(b r0 / lambda)");
     check_near(left.right.scene.yaw, 0, 1e-4, "it stands nearly along the radius [rad]");
 
     const WheelsetSolution right = solved(free_cones(-3000));
@@ -185,6 +194,39 @@ namespace
       }
   }
 
+  /// A rail of its own under the left-hand wheel.
+  void
+  test_different_rails()
+  {
+    Scene scene                     = Scene();
+    scene.both_wheels               = true;
+    scene.rigid_axle                = false;
+    scene.lateral_shift             = -1e-3;
+    scene.left_rail_profile         = "60E1";
+    scene.wheel_load                = 80e3;
+    const WheelsetSolution wheelset = solved(scene);
+    for (const bool left : {false, true})
+      {
+        Scene alone        = scene;
+        alone.both_wheels  = false;
+        alone.left_wheel   = left;
+        alone.rail_profile = left ? "60E1" : scene.rail_profile;
+        const auto one     = solve_alone({alone, make_geometry(alone), scene.wheel_load}, std::nullopt);
+        const auto there   = left ? wheelset.axle.left : wheelset.axle.right;
+        check_near(there->solution.peak_pressure / one->solution.peak_pressure,
+                   1,
+                   1e-9,
+                   std::string(left ? "left" : "right") + " wheel on its own rail: peak pressure");
+        check_near(there->lateral / one->lateral, 1, 1e-9, "and lateral force");
+      }
+    check_near(wheelset.axle.left->solution.peak_pressure / wheelset.axle.right->solution.peak_pressure,
+               1,
+               0.5,
+               "the rails differ, but not much");
+    check(wheelset.axle.left->solution.peak_pressure != wheelset.axle.right->solution.peak_pressure,
+          "the rails differ");
+  }
+
   /// Y/Q = (tan(gamma) - mu) / (1 + mu tan(gamma)) where the flange slips down the rail as a whole.
   void
   test_nadal()
@@ -225,6 +267,7 @@ main()
   test_rolling_line();
   test_springs();
   test_single_wheel();
+  test_different_rails();
   test_nadal();
   return test::report();
 }

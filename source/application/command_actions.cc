@@ -80,7 +80,7 @@ namespace wheelrail
           entry_text(scene, "Track", "Cant") +
           ": the rows have the loads of both wheels already; write none, or the column load in "
           "their place");
-      if (motion.find(MotionQuantity::cant) && !scene.both_wheels)
+      if (motion.find(MotionQuantity::cant) && !motion.find(MotionQuantity::load_right) && !scene.both_wheels)
         throw InputError(
           "the column cant shares the load of an axle between two wheels: give --both-wheels, or "
           "leave it out");
@@ -100,7 +100,7 @@ namespace wheelrail
         out << "warning: " << warning << "\n";
       print_note(drive_note(options, input), out);
       return run_wheelset_command(
-        input.scene, read_profiles(input.scene), !options.count("no-pictures"), out);
+        input.scene, read_wheelset_profiles(input.scene), !options.count("no-pictures"), out);
     }
   } // namespace
 
@@ -231,7 +231,7 @@ namespace wheelrail
       throw InputError(
         "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
     return run_vehicle_command(
-      input.scene, read_profiles(input.scene), motion, !options.count("no-pictures"), out);
+      input.scene, read_wheelset_profiles(input.scene), motion, !options.count("no-pictures"), out);
   }
 
 

@@ -86,6 +86,8 @@ namespace wheelrail
   std::string
   roll_straight(const po::variables_map &options, Scene &scene)
   {
+    if (scene.motion != "none" && read_motion_file(scene.motion).find(MotionQuantity::radius))
+      return "the run rolls straight on, without the radius of " + scene.motion;
     if (!options.count("row") || !std::isfinite(scene.track_radius))
       return "";
     scene.track_radius = std::numeric_limits<double>::infinity();
@@ -100,7 +102,7 @@ namespace wheelrail
       return "";
     input.scene.both_wheels = true;
     require_none(contact_checks(input.scene).errors, input);
-    WheelOfWheelset wheel = take_from_wheelset(input.scene, read_profiles(input.scene));
+    WheelOfWheelset wheel = take_from_wheelset(input.scene, read_wheelset_profiles(input.scene));
     input.scene           = std::move(wheel.scene);
     return wheel.note;
   }

@@ -203,11 +203,11 @@ namespace wheelrail
 
 
   int
-  run_vehicle_command(const Scene         &scene,
-                      const SceneProfiles &profiles,
-                      const MotionFile    &motion,
-                      const bool           draws,
-                      std::ostream        &out)
+  run_vehicle_command(const Scene            &scene,
+                      const WheelsetProfiles &profiles,
+                      const MotionFile       &motion,
+                      const bool              draws,
+                      std::ostream           &out)
   {
     const std::filesystem::path folder = folder_beside(scene.folder, "-vehicle");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));

@@ -25,10 +25,10 @@ namespace wheelrail
   {
     /// With the load that the wheel of the profiles has.
     WheelsetSolution
-    solve(const Scene &scene, const SceneProfiles &profiles)
+    solve(const Scene &scene, const WheelsetProfiles &profiles)
     {
       Scene base      = scene;
-      base.wheel_load = static_wheel_load(scene, profiles.wheel);
+      base.wheel_load = static_wheel_load(scene, profiles.right.wheel);
       return solve_wheelset(
         wheel_of_wheelset(base, false), wheel_of_wheelset(base, true), profiles, std::nullopt, 2);
     }
@@ -93,9 +93,12 @@ namespace wheelrail
 
 
   int
-  run_wheelset_command(const Scene &scene, const SceneProfiles &profiles, const bool draws, std::ostream &out)
+  run_wheelset_command(const Scene            &scene,
+                       const WheelsetProfiles &profiles,
+                       const bool              draws,
+                       std::ostream           &out)
   {
-    print_head(scene, static_wheel_load(scene, profiles.wheel), out);
+    print_head(scene, static_wheel_load(scene, profiles.right.wheel), out);
     const WheelsetSolution          wheelset = solve(scene, profiles);
     std::optional<HalfspaceResults> wheels[2];
     parallel_for(2, [&](const std::size_t left) {
@@ -137,7 +140,7 @@ namespace wheelrail
 
 
   WheelOfWheelset
-  take_from_wheelset(const Scene &scene, const SceneProfiles &profiles)
+  take_from_wheelset(const Scene &scene, const WheelsetProfiles &profiles)
   {
     const WheelsetSolution wheelset = solve(scene, profiles);
     const auto            &own      = scene.left_wheel ? wheelset.axle.left : wheelset.axle.right;

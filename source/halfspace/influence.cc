@@ -44,6 +44,32 @@ namespace wheelrail
               y * log_r + (x == 0 ? 0 : x * std::atan(y / x)),
               x * log_r + (y == 0 ? 0 : y * std::atan(x / y))};
     }
+
+    /// The coefficients from the integrals at the four corners of the element; `itself`: under its own load.
+    InfluenceCoefficients
+    between(const HalfspaceConstants    &constants,
+            const std::array<double, 5> &far_far,
+            const std::array<double, 5> &far_near,
+            const std::array<double, 5> &near_far,
+            const std::array<double, 5> &near_near,
+            const bool                   itself)
+    {
+      std::array<double, 5> i;
+      for (int k = 0; k < 5; ++k)
+        i[k] = far_far[k] - far_near[k] - near_far[k] + near_near[k];
+      const double          inverse_distance = i[0] + i[1];
+      const double          n = constants.normal, nu = constants.poisson, k = constants.coupling;
+      InfluenceCoefficients c;
+      c[0] = {n * inverse_distance + nu * i[0], nu * i[2], -k * i[3]};
+      c[1] = {nu * i[2], n * inverse_distance + nu * i[1], -k * i[4]};
+      c[2] = {k * i[3], k * i[4], n * inverse_distance};
+      if (itself)
+        {
+          c[0][0] += constants.layer;
+          c[1][1] += constants.layer;
+        }
+      return c;
+    }
   } // namespace
 
   HalfspaceConstants
@@ -61,24 +87,44 @@ namespace wheelrail
   InfluenceCoefficients
   influence_coefficients(const HalfspaceConstants &constants, double dx, double dy, double x, double y)
   {
-    const double          xa = x - dx / 2, xb = x + dx / 2, ya = y - dy / 2, yb = y + dy / 2;
-    const auto            bb = primitives(xb, yb), ba = primitives(xb, ya);
-    const auto            ab = primitives(xa, yb), aa = primitives(xa, ya);
-    std::array<double, 5> i;
-    for (int k = 0; k < 5; ++k)
-      i[k] = bb[k] - ba[k] - ab[k] + aa[k];
-    const double          inverse_distance = i[0] + i[1];
-    const double          n = constants.normal, nu = constants.poisson, k = constants.coupling;
-    InfluenceCoefficients c;
-    c[0] = {n * inverse_distance + nu * i[0], nu * i[2], -k * i[3]};
-    c[1] = {nu * i[2], n * inverse_distance + nu * i[1], -k * i[4]};
-    c[2] = {k * i[3], k * i[4], n * inverse_distance};
-    if (std::abs(x) < dx / 2 && std::abs(y) < dy / 2)
+    const double xa = x - dx / 2, xb = x + dx / 2, ya = y - dy / 2, yb = y + dy / 2;
+    return between(constants,
+                   primitives(xb, yb),
+                   primitives(xb, ya),
+                   primitives(xa, yb),
+                   primitives(xa, ya),
+                   std::abs(x) < dx / 2 && std::abs(y) < dy / 2);
+  }
+
+
+  std::vector<std::vector<double>>
+  influence_by_distance(const HalfspaceConstants         &constants,
+                        const HalfspaceGrid              &grid,
+                        const InfluenceProducts          &products,
+                        const double                      ahead,
+                        const std::vector<InfluencePair> &pairs)
+  {
+    const int                          nx = products.columns(), ny = products.rows();
+    std::vector<std::vector<double>>   tables(pairs.size(), std::vector<double>(std::size_t(nx) * ny));
+    std::vector<std::array<double, 5>> near(nx + 1), far(nx + 1); // corners with less and with more y
+    const auto                         corners = [&](const int j, auto &row) {
+      for (int i = 0; i <= nx; ++i)
+        row[i] = primitives((i - nx / 2 - 0.5) * grid.dx + ahead, (j - ny / 2 - 0.5) * grid.dy);
+    };
+    corners(0, far);
+    for (int j = 0; j < ny; ++j)
       {
-        c[0][0] += constants.layer;
-        c[1][1] += constants.layer;
+        std::swap(near, far);
+        corners(j + 1, far);
+        for (int i = 0; i < nx; ++i)
+          {
+            const bool itself = j == ny / 2 && std::abs((i - nx / 2) * grid.dx + ahead) < grid.dx / 2;
+            const auto c      = between(constants, far[i + 1], near[i + 1], far[i], near[i], itself);
+            for (std::size_t k = 0; k < pairs.size(); ++k)
+              tables[k][i + std::size_t(nx) * j] = c[pairs[k].a][pairs[k].b];
+          }
       }
-    return c;
+    return tables;
   }
 
   namespace
@@ -124,15 +170,15 @@ namespace wheelrail
   }
 
   InfluenceProducts::Spectrum
-  InfluenceProducts::kernel(const std::function<double(double, double)> &k)
+  InfluenceProducts::kernel(const std::vector<double> &by_distance)
   {
-    // Distances that wrap around: the upper half of the doubled grid stands for negative ones.
+    // distances that wrap around: the upper half of the doubled grid stands for negative ones
     for (int j = 0; j < ny_; ++j)
-      for (int i = 0; i < nx_; ++i)
-        {
-          const int p = i < nx_ / 2 ? i : i - nx_, q = j < ny_ / 2 ? j : j - ny_;
-          plans_->real[i + std::size_t(nx_) * j] = k(p * grid_.dx, q * grid_.dy);
-        }
+      {
+        const double *from = by_distance.data() + std::size_t(nx_) * ((j + ny_ / 2) % ny_);
+        double       *to   = plans_->real + std::size_t(nx_) * j;
+        std::rotate_copy(from, from + nx_ / 2, from + nx_, to);
+      }
     fftw_execute(plans_->forward);
     Spectrum     spectrum(spectrum_size());
     const double scale = 1. / (double(nx_) * ny_);

@@ -39,9 +39,8 @@ namespace wheelrail
     for (const Kept &kept : kept_)
       if (kept.a == a && kept.b == b && kept.ahead == ahead)
         return kept.spectrum;
-    kept_.push_back({a, b, ahead, products_.kernel([&](const double x, const double y) {
-                       return influence_coefficients(constants_, grid_.dx, grid_.dy, x + ahead, y)[a][b];
-                     })});
+    const auto by_distance = influence_by_distance(constants_, grid_, products_, ahead, {{a, b}});
+    kept_.push_back({a, b, ahead, products_.kernel(by_distance.front())});
     return kept_.back().spectrum;
   }
 

@@ -20,7 +20,9 @@ namespace wheelrail
     class Solver
     {
     public:
-      Solver(const HalfspaceProblem &problem, HalfspaceKernels &kernels)
+      Solver(const HalfspaceProblem  &problem,
+             HalfspaceKernels        &kernels,
+             const HalfspaceSolution *guess = nullptr)
         : problem_(problem)
         , grid_(problem.grid)
         , kernels_(kernels)
@@ -34,6 +36,12 @@ namespace wheelrail
         solution_.grid   = grid_;
         solution_.step   = shift ? 1. : problem.step > 0 ? problem.step : grid_.dx;
         offset_          = shift ? 0. : solution_.step;
+        if (guess && guess->grid.mx == grid_.mx && guess->grid.my == grid_.my)
+          {
+            normal_.pressure = guess->pressure;
+            if (friction_ && guess->within_friction)
+              tangential_.traction = {{guess->traction_x, guess->traction_y}};
+          }
         if (pressure_given_)
           {
             normal_.pressure  = problem.pressure;
@@ -323,11 +331,13 @@ namespace wheelrail
 
 
   HalfspaceSolution
-  solve_rolling(const HalfspaceProblem &problem, std::shared_ptr<HalfspaceKernels> &kernels)
+  solve_rolling(const HalfspaceProblem            &problem,
+                std::shared_ptr<HalfspaceKernels> &kernels,
+                const HalfspaceSolution           *guess)
   {
     check_problem(problem);
     if (!kernels || !kernels->fit(problem))
       kernels = std::make_shared<HalfspaceKernels>(problem);
-    return Solver(problem, *kernels).run();
+    return Solver(problem, *kernels, guess).run();
   }
 } // namespace wheelrail

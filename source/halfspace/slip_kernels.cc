@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace wheelrail
 {
@@ -13,18 +15,12 @@ namespace wheelrail
                const bool                steady)
   {
     SlipKernels k;
-    k.step               = step;
-    k.steady             = steady;
-    const auto component = [&](const int a, const int b, const bool difference) {
-      return products.kernel([&](const double x, const double y) {
-        const double here = influence_coefficients(constants, grid.dx, grid.dy, x, y)[a][b];
-        return difference
-                 ? (here - influence_coefficients(constants, grid.dx, grid.dy, x + step, y)[a][b]) / step
-                 : here;
-      });
-    };
-    InfluenceProducts::Spectrum xx = component(0, 0, false), xy = component(0, 1, false),
-                                yy = component(1, 1, false);
+    k.step                                 = step;
+    k.steady                               = steady;
+    const std::vector<InfluencePair> pairs = {{0, 0}, {0, 1}, {1, 1}};
+    auto                             here  = influence_by_distance(constants, grid, products, 0, pairs);
+    InfluenceProducts::Spectrum      xx = products.kernel(here[0]), xy = products.kernel(here[1]),
+                                yy = products.kernel(here[2]);
     k.inverse_xx                   = xx;
     k.inverse_xy                   = xx;
     k.inverse_yy                   = xx;
@@ -42,9 +38,13 @@ namespace wheelrail
     const auto c0 = influence_coefficients(constants, grid.dx, grid.dy, 0, 0);
     if (steady)
       {
-        k.xx          = component(0, 0, true);
-        k.xy          = component(0, 1, true);
-        k.yy          = component(1, 1, true);
+        const auto there = influence_by_distance(constants, grid, products, step, pairs);
+        for (std::size_t c = 0; c < pairs.size(); ++c)
+          for (std::size_t e = 0; e < here[c].size(); ++e)
+            here[c][e] = (here[c][e] - there[c][e]) / step;
+        k.xx          = products.kernel(here[0]);
+        k.xy          = products.kernel(here[1]);
+        k.yy          = products.kernel(here[2]);
         const auto c1 = influence_coefficients(constants, grid.dx, grid.dy, step, 0);
         k.diagonal    = (c0[0][0] - c1[0][0] + c0[1][1] - c1[1][1]) / (2 * step);
       }

@@ -216,10 +216,6 @@ namespace wheelrail
                          "; write both, or load for a load that both wheels have");
       if (right && rows.find(Q::load))
         throw InputError(path + ": load beside load right and load left; leave it out, or the two others");
-      if (right && rows.find(Q::cant))
-        throw InputError(path +
-                         ": cant beside load right and load left; it shares the load of the axle between the "
-                         "wheels: leave it out, or write load in their place");
     }
   } // namespace
 
@@ -310,8 +306,10 @@ namespace wheelrail
   of_wheel(const MotionFile &motion, const bool left)
   {
     MotionFile wheel;
+    const bool loads_given = motion.find(Q::load_right); // the cant is in them already
     for (std::size_t k = 0; k < motion.quantities.size(); ++k)
-      if (const Q quantity = motion.quantities[k]; quantity != (left ? Q::load_right : Q::load_left))
+      if (const Q quantity = motion.quantities[k];
+          quantity != (left ? Q::load_right : Q::load_left) && !(loads_given && quantity == Q::cant))
         {
           wheel.quantities.push_back(quantity == Q::load_right || quantity == Q::load_left ? Q::load
                                                                                            : quantity);

@@ -67,11 +67,30 @@ namespace wheelrail
       };
       return entry;
     }
+    /// Of the other wheel of a whole wheelset.
+    Entry
+    left_entry(const std::string              &name,
+               const std::vector<std::string> &standard,
+               const std::string              &file,
+               const Field<std::string>       &place)
+    {
+      std::vector<std::string> names{"as right"};
+      names.insert(names.end(), standard.begin(), standard.end());
+      return name_or_file_entry(
+        {"Profiles",
+         name + " left",
+         "Of the left-hand side, with Wheelset/Wheels = both; a file is read as that of " + name + "."},
+        names,
+        file,
+        place);
+    }
   } // namespace
 
   std::vector<Entry>
   profiles_entries()
   {
+    const std::string wheel_file = "a profile file (with its ending, such as worn.prw)",
+                      rail_file  = "a profile file (with its ending, such as worn.prr)";
     const std::string unit = "Unit of the profile file; auto: as the file states, else mm or m by its size.";
     return {
       name_or_file_entry({"Profiles",
@@ -79,8 +98,9 @@ namespace wheelrail
                           "Wheel profile (S1002: EN 13715); a relative path of a file counts from where the "
                           "command is given."},
                          standard_wheels(),
-                         "a profile file (with its ending, such as worn.prw)",
+                         wheel_file,
                          field(&Scene::wheel_profile)),
+      left_entry("Wheel", standard_wheels(), wheel_file, field(&Scene::left_wheel_profile)),
       mirror_entry(
         "Wheel mirror",
         "Whether the lateral coordinate of the wheel file is turned to the other side; auto: by the "
@@ -102,8 +122,9 @@ namespace wheelrail
          "Rail profile (54E1, 60E1: EN 13674-1); a relative path of a file counts from where the "
          "command is given."},
         standard_rails(),
-        "a profile file (with its ending, such as worn.prr)",
+        rail_file,
         field(&Scene::rail_profile)),
+      left_entry("Rail", standard_rails(), rail_file, field(&Scene::left_rail_profile)),
       mirror_entry(
         "Rail mirror",
         "Whether the lateral coordinate of the rail file is turned to the other side; auto: MiniProf "

@@ -64,6 +64,8 @@ namespace wheelrail
     };
     add("Profiles/Wheel", scene.wheel_profile, "wheel", &Scene::wheel_profile, true);
     add("Profiles/Rail", scene.rail_profile, "rail", &Scene::rail_profile, true);
+    add("Profiles/Wheel left", scene.left_wheel_profile, "wheel_left", &Scene::left_wheel_profile, false);
+    add("Profiles/Rail left", scene.left_rail_profile, "rail_left", &Scene::left_rail_profile, false);
     add("Wheelset/Motion", scene.motion, "motion", &Scene::motion, true);
     add("Half-space/Undeformed distance",
         scene.halfspace_distance,

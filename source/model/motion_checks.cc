@@ -46,10 +46,6 @@ namespace wheelrail
       throw InputError(entry +
                        ": lateral shift and lateral creepage; a run moves the wheelset aside as the "
                        "shift says: leave one of the columns out");
-    if (motion.find(Q::radius))
-      throw InputError(entry +
-                       ": radius; a run rolls straight on: leave the column out (half-spaces of "
-                       "\"vehicle\" take it)");
     if (motion.find(Q::cant))
       throw InputError(entry +
                        ": cant; a run has one wheel, whose load the column load gives: leave the column out "

@@ -31,13 +31,20 @@ namespace wheelrail
         }
     }
 
+    /// The entry that names a profile: of the left-hand wheel of a wheelset by itself where it differs.
+    std::string
+    entry_of(const Scene &scene, const std::string &name, const std::string &path, const std::string &left)
+    {
+      return "Profiles/" + name + (scene.left_wheel && path == left ? " left" : "");
+    }
+
     WheelProfile
     read_wheel(const Scene &scene, std::vector<std::string> &notes)
     {
       if (!is_file_name(scene.wheel_profile))
         return wheel_profile(scene.wheel_profile);
       return from_file(
-        "Profiles/Wheel",
+        entry_of(scene, "Wheel", scene.wheel_profile, scene.left_wheel_profile),
         scene.wheel_profile,
         scene.wheel_file,
         [&](const MeasuredProfile &measured, std::vector<std::string> &more) {
@@ -52,7 +59,7 @@ namespace wheelrail
       if (!is_file_name(scene.rail_profile))
         return rail_profile(scene.rail_profile);
       return from_file(
-        "Profiles/Rail",
+        entry_of(scene, "Rail", scene.rail_profile, scene.left_rail_profile),
         scene.rail_profile,
         scene.rail_file,
         [&](const MeasuredProfile &measured, std::vector<std::string> &more) {

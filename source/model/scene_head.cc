@@ -19,17 +19,33 @@ namespace wheelrail
       return text;
     }
 
+    /// The name of a profile; of files without the folder.
+    std::string
+    name(const std::string &path)
+    {
+      return std::filesystem::path(path).filename().string();
+    }
+
+    /// "; left S1002 wheel on worn.prr rail" where the left-hand side of a wheelset differs.
+    std::string
+    left_bodies(const Scene &scene)
+    {
+      const std::string &wheel = scene.left_wheel_profile, &rail = scene.left_rail_profile, same = "as right";
+      if (!scene.both_wheels || (wheel == same && rail == same))
+        return "";
+      return "; left " + name(wheel == same ? scene.wheel_profile : wheel) + " wheel on " +
+             name(rail == same ? scene.rail_profile : rail) + " rail";
+    }
+
     /// "S1002 wheel on 54E1 rail, inclination 1:40"; of files the name without the folder.
     std::string
     bodies_in_touch(const Scene &scene)
     {
-      const auto name = [](const std::string &path) {
-        return std::filesystem::path(path).filename().string();
-      };
       const double n = 1 / scene.track.inclination;
       return (scene.left_wheel ? "left " : "") + name(scene.wheel_profile) + " wheel on " +
              name(scene.rail_profile) + " rail, inclination " +
-             (std::abs(n - std::round(n)) < 1e-9 * n ? "1:" + shown(n) : shown(scene.track.inclination));
+             (std::abs(n - std::round(n)) < 1e-9 * n ? "1:" + shown(n) : shown(scene.track.inclination)) +
+             left_bodies(scene);
     }
 
     std::string

@@ -26,7 +26,8 @@ namespace wheelrail
     for (double &place : along)
       place -= start;
     for (std::size_t k = 0; k < motion.quantities.size(); ++k)
-      if (motion.quantities[k] != Q::time && motion.quantities[k] != Q::distance)
+      // a run rolls straight on, without the curve of the rows
+      if (const Q of = motion.quantities[k]; of != Q::time && of != Q::distance && of != Q::radius)
         curves_.emplace(motion.quantities[k], SmoothCurve(along, motion.columns[k]));
     make_shift(motion, along);
     check_accelerations(along);

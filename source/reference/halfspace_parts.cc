@@ -102,15 +102,17 @@ namespace wheelrail
 
 
   HalfspaceSolution
-  solve_carried(const HalfspaceProblem &problem, std::shared_ptr<HalfspaceKernels> &kernels)
+  solve_carried(const HalfspaceProblem            &problem,
+                std::shared_ptr<HalfspaceKernels> &kernels,
+                const HalfspaceSolution           *guess)
   {
-    HalfspaceSolution solution = solve_rolling(problem, kernels);
+    HalfspaceSolution solution = solve_rolling(problem, kernels, guess);
     if (solution.within_friction)
       return solution;
     HalfspaceProblem sliding         = problem;
     sliding.longitudinal_force_given = false;
     sliding.xi                       = problem.fx < 0 ? 1 : -1;
-    solution                         = solve_rolling(sliding, kernels);
+    solution                         = solve_rolling(sliding, kernels, guess);
     solution.within_friction         = false;
     return solution;
   }

@@ -1,4 +1,4 @@
-#include <wheelrail/halfspace/subsurface.h>
+#include <wheelrail/halfspace/subsurface_layers.h>
 #include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/solid/cauchy.h>
 
@@ -138,27 +138,28 @@ namespace wheelrail
     const std::vector<double> depths   = layer_depths(solution.grid);
     const std::vector<Row>    rows     = rows_of(solution);
     HalfspaceStresses         stresses;
-    for (const Body body : {Body::rail, Body::wheel})
+    SubsurfaceLayers          layers(solution, result.problem.body1, result.problem.body2);
+    constexpr Body            bodies[] = {Body::rail, Body::wheel};
+    for (const Body body : bodies)
+      for (const Row &row : rows)
+        stresses.slices.push_back(empty_slice(row, solution.grid, depths, body));
+    std::array<std::array<std::vector<double>, 3>, 2> values; // von Mises stresses of the last three layers
+    for (std::size_t k = 0; k < depths.size(); ++k)
       {
-        const bool       rail = body == Body::rail;
-        SubsurfaceLayers layers(solution,
-                                rail ? result.problem.body1 : result.problem.body2,
-                                rail ? HalfspaceSide::body1 : HalfspaceSide::body2);
-        const auto       first = stresses.slices.size();
-        for (const Row &row : rows)
-          stresses.slices.push_back(empty_slice(row, solution.grid, depths, body));
-        std::array<std::vector<double>, 3> values; // von Mises stresses of the last three layers
-        for (std::size_t k = 0; k < depths.size(); ++k)
+        const LayerStresses layer = layers.at(depths[k]);
+        for (const Body body : bodies)
           {
-            const auto layer = layers.at(depths[k]);
+            const auto &here  = body == Body::rail ? layer.body1 : layer.body2;
+            const auto  first = body == Body::rail ? 0 : rows.size();
+            auto       &of    = values[body == Body::rail ? 0 : 1];
             for (std::size_t r = 0; r < rows.size(); ++r)
-              fill_slice(stresses.slices[first + r], rows[r], solution.grid, layer, k, result.angle);
-            values = {std::move(values[1]), std::move(values[2]), von_mises_of(layer)};
+              fill_slice(stresses.slices[first + r], rows[r], solution.grid, here, k, result.angle);
+            of = {std::move(of[1]), std::move(of[2]), von_mises_of(here)};
             if (k == 0)
               stresses.surface_von_mises =
-                std::max(stresses.surface_von_mises, *std::max_element(values[2].begin(), values[2].end()));
+                std::max(stresses.surface_von_mises, *std::max_element(of[2].begin(), of[2].end()));
             if (k > 1)
-              take_maxima(stresses, values, depths[k - 1], depths[1] - depths[0], body);
+              take_maxima(stresses, of, depths[k - 1], depths[1] - depths[0], body);
           }
       }
     for (const WheelRailSolution &other : result.others)

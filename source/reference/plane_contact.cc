@@ -41,20 +41,43 @@ namespace wheelrail
 
 
   void
+  PlaneContact::set_distance()
+  {
+    problem.undeformed_distance = own_distance_;
+    if (added_distance)
+      for (int j = 0; j < problem.grid.my; ++j)
+        for (int i = 0; i < problem.grid.mx; ++i)
+          problem.undeformed_distance[i + problem.grid.mx * j] +=
+            added_distance(problem.grid.x(i), problem.grid.y(j));
+  }
+
+
+  void
   PlaneContact::press_on_grid(const double first_approach)
   {
-    problem.rigid_slip_x.clear(); // of the grid before
+    constexpr double nearly = 0.2; // of the approach: a tenth of the extents
+    problem.rigid_slip_x.clear();  // of the grid before
     problem.rigid_slip_y.clear();
-    const auto lay_grid = [&](const double reached, const double size) {
-      problem.grid = sections.grid(reached, size);
-      sections.set_distance(problem);
-      if (added_distance)
-        for (int j = 0; j < problem.grid.my; ++j)
-          for (int i = 0; i < problem.grid.mx; ++i)
-            problem.undeformed_distance[i + problem.grid.mx * j] +=
-              added_distance(problem.grid.x(i), problem.grid.y(j));
-    };
-    solution = solve_on_growing_grid(problem, first_approach, element_, 6, lay_grid, enlargements, kernels_);
+    bool kept = laid_for_ > 0 && std::abs(first_approach - laid_for_) < nearly * laid_for_;
+    if (kept)
+      {
+        set_distance();
+        problem.motion = HalfspaceMotion::none;
+        solution       = solve_rolling(problem, kernels_, &solution);
+        kept           = !solution.touches_grid_edge;
+      }
+    if (!kept)
+      {
+        const auto lay_grid = [&](const double reached, const double size) {
+          problem.grid = sections.grid(reached, size);
+          sections.set_distance(problem);
+          own_distance_ = problem.undeformed_distance;
+          set_distance();
+        };
+        solution =
+          solve_on_growing_grid(problem, first_approach, element_, 6, lay_grid, enlargements, kernels_);
+        laid_for_ = first_approach;
+      }
     if (solution.contact_elements > 0)
       means = pressure_means(sections, solution);
   }
@@ -88,7 +111,7 @@ namespace wheelrail
     problem.longitudinal_force_given = false;
     problem.xi                       = creepage;
     set_slip(sections, means, motion, creepage, problem);
-    solution = solve_rolling(problem, kernels_);
+    solution = solve_rolling(problem, kernels_, &solution);
   }
 
 
@@ -102,22 +125,22 @@ namespace wheelrail
     problem.motion                   = HalfspaceMotion::steady;
     problem.longitudinal_force_given = !load.rate_held;
     problem.xi                       = load.rate_held ? load.creepage : 0;
-    solution                         = {};
     double before = 0, missed_before = 0, missed = 0, not_driven = 0;
     for (int round = 0; round < (load.vertical || yaw != 0 ? most_rounds : 1); ++round)
       {
         const double now = problem.normal_force;
         if (load.vertical && round < 2)
-          problem.normal_force = (load.force + solution.fy * s) / c;
+          problem.normal_force = (load.force + (round > 0 ? solution.fy : 0) * s) / c;
         else if (load.vertical && std::abs(missed) >= 0.1 * enough * load.force)
           problem.normal_force = now - missed * (now - before) / (missed - missed_before);
         before        = now;
         missed_before = missed;
         // a force that no friction carries, where all of the patch is known to slide
-        problem.fx = load.slides ? -std::copysign(10 * load.force, load.longitudinal)
-                                 : -(load.longitudinal - lateral() * std::sin(yaw)) / std::cos(yaw);
+        problem.fx = load.slides
+                       ? -std::copysign(10 * load.force, load.longitudinal)
+                       : -(load.longitudinal - (round > 0 ? lateral() : 0) * std::sin(yaw)) / std::cos(yaw);
         set_slip(sections, means, motion, problem.xi, problem);
-        solution = solve_carried(problem, kernels_);
+        solution = solve_carried(problem, kernels_, &solution);
         if (solution.within_friction)
           problem.xi = solution.xi;
         missed     = vertical() - load.force;

@@ -119,7 +119,7 @@ namespace wheelrail
 
   VehicleResult
   solve_vehicle(const Scene                            &scene,
-                const SceneProfiles                    &profiles,
+                const WheelsetProfiles                 &profiles,
                 const MotionFile                       &motion,
                 const std::function<void(std::size_t)> &report)
   {
@@ -132,7 +132,7 @@ namespace wheelrail
     vehicle.axle.resize(both ? motion.rows() : 0);
     // the weight of the wheel is the same in all rows
     Scene base      = scene;
-    base.wheel_load = static_wheel_load(base, profiles.wheel);
+    base.wheel_load = static_wheel_load(base, profiles.right.wheel);
     std::atomic<std::size_t> done{0};
     std::vector<Highest>     highest(sides.size());
     parallel_for(motion.rows(), [&](const std::size_t row) {
@@ -158,7 +158,11 @@ namespace wheelrail
           else
             {
               const Scene at = wheel_of_row(base, motion, row, sides[0]);
-              keep(0, at, solve_alone({at, make_geometry(at, profiles), at.wheel_load}, torque));
+              keep(
+                0,
+                at,
+                solve_alone({at, make_geometry(at, sides[0] ? profiles.left : profiles.right), at.wheel_load},
+                            torque));
             }
         }
       catch (const InputError &error)

@@ -34,7 +34,7 @@ namespace wheelrail
     public:
       PosedWheelset(const Scene                 &right,
                     const Scene                 &left,
-                    const SceneProfiles         &profiles,
+                    const WheelsetProfiles      &profiles,
                     const std::optional<double> &torque,
                     const unsigned int           threads)
         : right_(right)
@@ -89,13 +89,13 @@ namespace wheelrail
       WheelsetSolution
       placed(const Pair &pose) const
       {
-        const auto wheel = [&](const Scene &scene) {
+        const auto wheel = [&](const Scene &scene, const SceneProfiles &profiles) {
           Scene at         = scene;
           at.lateral_shift = pose[0];
           at.yaw           = pose[1];
-          return WheelOnAxle{at, make_geometry(at, profiles_), at.wheel_load};
+          return WheelOnAxle{at, make_geometry(at, profiles), at.wheel_load};
         };
-        WheelsetSolution wheelset{wheel(right_), wheel(left_), {}, {}};
+        WheelsetSolution wheelset{wheel(right_, profiles_.right), wheel(left_, profiles_.left), {}, {}};
         wheelset.loads      = curve_loads(right_,
                                      wheelset.right.load,
                                      wheelset.left.load,
@@ -106,7 +106,7 @@ namespace wheelrail
       }
 
       Scene                        right_, left_;
-      const SceneProfiles         &profiles_;
+      const WheelsetProfiles      &profiles_;
       const std::optional<double> &torque_;
       unsigned int                 threads_;
     };
@@ -146,13 +146,14 @@ namespace wheelrail
       return coarse;
     }
 
-    /// Tells the solutions of both wheels that they do not balance.
+    /// Tells the solutions of both wheels that they do not balance, which says more than what else was not
+    /// found in a pose that nothing holds.
     void
     tell(const std::string &what, AxleSolution &axle)
     {
       for (auto *wheel : {&axle.right, &axle.left})
         if (*wheel)
-          (*wheel)->solution.not_reached += what;
+          (*wheel)->solution.not_reached = what;
     }
 
     /// `fine` and `coarse`: the wheelset with the elements of its scene, and with larger ones.
@@ -221,7 +222,13 @@ namespace wheelrail
   {
     Scene wheel      = scene;
     wheel.left_wheel = left;
-    if (left && std::isfinite(scene.left_friction))
+    if (!left || !scene.both_wheels)
+      return wheel;
+    if (scene.left_wheel_profile != "as right")
+      wheel.wheel_profile = scene.left_wheel_profile;
+    if (scene.left_rail_profile != "as right")
+      wheel.rail_profile = scene.left_rail_profile;
+    if (std::isfinite(scene.left_friction))
       {
         // a law that falls with the speed keeps its shape
         if (wheel.friction.at_rest > 0)
@@ -229,6 +236,17 @@ namespace wheelrail
         wheel.friction.at_rest = scene.left_friction;
       }
     return wheel;
+  }
+
+
+  WheelsetProfiles
+  read_wheelset_profiles(const Scene &scene)
+  {
+    const Scene      right = wheel_of_wheelset(scene, false), left = wheel_of_wheelset(scene, true);
+    WheelsetProfiles profiles{read_profiles(right), {}};
+    const bool alike = left.wheel_profile == right.wheel_profile && left.rail_profile == right.rail_profile;
+    profiles.left    = alike ? profiles.right : read_profiles(left);
+    return profiles;
   }
 
 
@@ -245,7 +263,7 @@ namespace wheelrail
   WheelsetSolution
   solve_wheelset(const Scene                 &right,
                  const Scene                 &left,
-                 const SceneProfiles         &profiles,
+                 const WheelsetProfiles      &profiles,
                  const std::optional<double> &torque,
                  const unsigned int           threads)
   {

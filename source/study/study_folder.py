@@ -59,6 +59,12 @@ def is_held(path):
     return False
 
 
+def figures_of_wheels(figures):
+    """The figures as both wheels of a wheelset have them."""
+    return [{**figure, "key": f"{side}_{figure['key']}", "std_key": f"{side}_{figure['std_key']}",
+             "label": f"{side} wheel, {figure['label']}"} for side in ("right", "left") for figure in figures]
+
+
 class Study:
     """A plan and its folder."""
 
@@ -72,7 +78,7 @@ class Study:
         self.compute = plan["compute"]
         self.axes = plan["axes"]
         self.cases = plan["cases"]
-        self.figures = plan["figures"]
+        self.figures = plan["figures"] + figures_of_wheels(plan["figures"])
 
     def path(self, *names):
         return os.path.join(self.folder, *names)

@@ -25,8 +25,12 @@ from study_folder import replace
 # figures that say what a run cost; they are not the same from run to run, or from machine to machine
 COSTS = ["wall_time_s", "ranks", "peak_memory_bytes", "elements", "time_steps", "time_step_s", "element_updates_per_second"]
 
+# main figures of a wheelset, which only half-spaces have
+WHEELSET = ["axle_lateral_shift_m", "axle_yaw_rad", "right_lateral_over_vertical", "right_t_gamma_N", "left_t_gamma_N",
+            "right_max_pressure_Pa"]
+
 # columns on the screen, as far as there are such figures
-SHOWN = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "creepage", "stick_fraction"]
+SHOWN = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "creepage", "stick_fraction"] + WHEELSET
 
 
 class Column:
@@ -93,7 +97,8 @@ def columns_of(study):
             if not np.isfinite(values).any() or (index == 1 and figure["key"] in COSTS):
                 continue
             std = [number((pair[index] or {}).get(figure["std_key"])) for pair in pairs]
-            columns.append(Column(prefix + figure["key"], header(figure["label"] + tail, figure["unit"]),
+            of_wheelset = figure["key"].startswith(("axle_", "right_", "left_"))
+            columns.append(Column(prefix + figure["key"], header(figure["label"] + (not of_wheelset) * tail, figure["unit"]),
                                   si_unit(figure), figure["factor"], values, std if np.isfinite(std).any() else None))
     return columns
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/input/motion_file.h>
-#include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/reference/wheelset_contact.h>
 #include <wheelrail/scene/scene.h>
 
 #include <ostream>
@@ -13,9 +13,9 @@ namespace wheelrail
   /// <Output/Folder>-vehicle; the worst rows on the screen. Returns 0, or 2 when a row has no figures or
   /// figures that are not to be trusted.
   int
-  run_vehicle_command(const Scene         &scene,
-                      const SceneProfiles &profiles,
-                      const MotionFile    &motion,
-                      bool                 draws,
-                      std::ostream        &out);
+  run_vehicle_command(const Scene            &scene,
+                      const WheelsetProfiles &profiles,
+                      const MotionFile       &motion,
+                      bool                    draws,
+                      std::ostream           &out);
 } // namespace wheelrail

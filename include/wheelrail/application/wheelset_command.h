@@ -1,6 +1,5 @@
 #pragma once
 
-#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/wheelset_contact.h>
 #include <wheelrail/scene/scene.h>
 
@@ -16,7 +15,7 @@ namespace wheelrail
   /// with the turning rate that were found. Pictures are left out unless `draws`. Returns the exit code.
   /// Throws InputError, RunError.
   int
-  run_wheelset_command(const Scene &scene, const SceneProfiles &profiles, bool draws, std::ostream &out);
+  run_wheelset_command(const Scene &scene, const WheelsetProfiles &profiles, bool draws, std::ostream &out);
 
   /// Solves the wheelset of a scene and returns that of its modelled wheel alone, to be run with finite
   /// elements, and a sentence on what it takes from the wheelset. Throws InputError where the wheel is
@@ -27,5 +26,5 @@ namespace wheelrail
     std::string note;
   };
   WheelOfWheelset
-  take_from_wheelset(const Scene &scene, const SceneProfiles &profiles);
+  take_from_wheelset(const Scene &scene, const WheelsetProfiles &profiles);
 } // namespace wheelrail

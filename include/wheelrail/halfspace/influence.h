@@ -4,7 +4,6 @@
 
 #include <array>
 #include <complex>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -29,6 +28,12 @@ namespace wheelrail
   InfluenceCoefficients
   influence_coefficients(const HalfspaceConstants &constants, double dx, double dy, double x, double y);
 
+  /// The coefficient of displacement a under traction b: which of InfluenceCoefficients.
+  struct InfluencePair
+  {
+    int a = 0, b = 0;
+  };
+
   /// Products of influence matrices with fields on one grid, by FFT on the doubled grid: n log n per product.
   class InfluenceProducts
   {
@@ -42,9 +47,22 @@ namespace wheelrail
     InfluenceProducts &
     operator=(const InfluenceProducts &) = delete;
 
-    /// The spectrum of the kernel k(x, y), x and y being the distances from loaded to observed element.
+    /// The spectrum of a kernel given by the distance in elements, from -columns() / 2 to columns() / 2 - 1
+    /// along x, fastest, and so along y over the rows.
     Spectrum
-    kernel(const std::function<double(double, double)> &k);
+    kernel(const std::vector<double> &by_distance);
+
+    /// Sizes of the doubled grid, even.
+    int
+    columns() const
+    {
+      return nx_;
+    }
+    int
+    rows() const
+    {
+      return ny_;
+    }
 
     /// Spectrum of a field, zero outside the grid.
     void
@@ -70,4 +88,14 @@ namespace wheelrail
     int                    nx_, ny_; ///< sizes of the doubled grid
     std::unique_ptr<Plans> plans_;
   };
+
+  /// The coefficients of some pairs by the distance from loaded to observed element, as
+  /// InfluenceProducts::kernel() takes them, each [m/Pa]; the observed one lies `ahead` further along x [m].
+  /// Neighbours share their corners: what belongs to one is computed once.
+  std::vector<std::vector<double>>
+  influence_by_distance(const HalfspaceConstants         &constants,
+                        const HalfspaceGrid              &grid,
+                        const InfluenceProducts          &products,
+                        double                            ahead,
+                        const std::vector<InfluencePair> &pairs);
 } // namespace wheelrail

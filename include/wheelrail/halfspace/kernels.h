@@ -58,7 +58,10 @@ namespace wheelrail
   };
 
   /// solve_rolling() with the influence functions of an earlier solution where they fit; else they are made
-  /// anew, and kept in `kernels` (which may be null).
+  /// anew, and kept in `kernels` (which may be null). `guess`: a solution to begin with, taken where its grid
+  /// has as many elements; what comes of it is the same to the tolerances of the problem.
   HalfspaceSolution
-  solve_rolling(const HalfspaceProblem &problem, std::shared_ptr<HalfspaceKernels> &kernels);
+  solve_rolling(const HalfspaceProblem            &problem,
+                std::shared_ptr<HalfspaceKernels> &kernels,
+                const HalfspaceSolution           *guess = nullptr);
 } // namespace wheelrail

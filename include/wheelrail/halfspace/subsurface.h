@@ -1,6 +1,5 @@
 #pragma once
 
-#include <wheelrail/halfspace/influence.h>
 #include <wheelrail/halfspace/problem.h>
 
 #include <vector>
@@ -38,22 +37,7 @@ namespace wheelrail
                       HalfspaceSide                       side,
                       const std::vector<SubsurfacePoint> &points);
 
-  /// The same stresses below all element centres of a solution at once, layer by layer: in a layer they are
-  /// products of influence matrices with pressure and tractions, done by FFT.
-  class SubsurfaceLayers
-  {
-  public:
-    SubsurfaceLayers(const HalfspaceSolution &solution, const HalfspaceBody &body, HalfspaceSide side);
-
-    /// At `depth` [m] below the centres, x fastest. Throws InputError for a negative depth.
-    std::vector<HalfspaceStress>
-    at(double depth);
-
-  private:
-    HalfspaceGrid               grid_;
-    double                      poisson_ratio_;
-    double                      sign_; ///< of the tractions against those on body 1
-    InfluenceProducts           products_;
-    InfluenceProducts::Spectrum loads_[3]; ///< of traction along x and y and of the pressure
-  };
+  /// Throws InputError for a negative depth [m].
+  void
+  check_depth(double depth);
 } // namespace wheelrail

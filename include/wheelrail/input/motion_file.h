@@ -83,7 +83,8 @@ namespace wheelrail
   MotionFile
   read_curve_file(const std::string &path, MotionQuantity over);
 
-  /// The rows as one wheel of the wheelset has them: its own load (load right, load left) as the load.
+  /// The rows as one wheel of the wheelset has them: its own load (load right, load left) as the load, and
+  /// beside such loads no cant, which would move load once more.
   MotionFile
   of_wheel(const MotionFile &motion, bool left);
 

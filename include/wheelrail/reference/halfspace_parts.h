@@ -42,9 +42,11 @@ namespace wheelrail
   /// solve_rolling(). Where friction does not carry the longitudinal force that is asked for the whole patch
   /// slides, with tractions at their bound against the slip: that of a locked wheel when braking (creepage
   /// -1), and of one that turns twice as fast, for one that spins up, when driving. `within_friction` is then
-  /// false.
+  /// false. `guess` as there.
   HalfspaceSolution
-  solve_carried(const HalfspaceProblem &problem, std::shared_ptr<HalfspaceKernels> &kernels);
+  solve_carried(const HalfspaceProblem            &problem,
+                std::shared_ptr<HalfspaceKernels> &kernels,
+                const HalfspaceSolution           *guess = nullptr);
 
   /// What is to be told of a patch that slides as a whole under a wheel that is driven (a positive force on
   /// the wheel [N]) or braked.

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace wheelrail
 {
@@ -71,8 +72,14 @@ namespace wheelrail
     result() const;
 
   private:
+    /// The grid that was laid for nearly the same approach is kept, and the solution on it is the first
+    /// guess, while the contact keeps off its edge.
     void
     press_on_grid(double first_approach);
+
+    /// What the sections have on the grid, and what other contacts add to it.
+    void
+    set_distance();
 
     /// carry() on the grid and in the plane that there are.
     void
@@ -81,7 +88,9 @@ namespace wheelrail
     void
     load_not_found();
 
-    std::shared_ptr<HalfspaceKernels> kernels_; ///< of the grid that there is
+    std::shared_ptr<HalfspaceKernels> kernels_;      ///< of the grid that there is
+    std::vector<double>               own_distance_; ///< of the sections on it [m]
+    double                            laid_for_ = 0; ///< approach that it was laid for [m]
 
     double expected_force_ = 0, expected_approach_ = 0; ///< of the scene [N], [m]
     double element_ = 0;                                ///< wanted size of the elements [m]

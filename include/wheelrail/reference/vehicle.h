@@ -1,8 +1,8 @@
 #pragma once
 
 #include <wheelrail/input/motion_file.h>
-#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/figure_table.h>
+#include <wheelrail/reference/wheelset_contact.h>
 #include <wheelrail/scene/scene.h>
 
 #include <functional>
@@ -34,7 +34,7 @@ namespace wheelrail
   /// told how many rows are done, from several threads.
   VehicleResult
   solve_vehicle(const Scene                            &scene,
-                const SceneProfiles                    &profiles,
+                const WheelsetProfiles                 &profiles,
                 const MotionFile                       &motion,
                 const std::function<void(std::size_t)> &report);
 } // namespace wheelrail

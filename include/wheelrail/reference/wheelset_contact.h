@@ -19,9 +19,20 @@ namespace wheelrail
     double       yaw_missed     = 0; ///< of the moments about the vertical [N m]
   };
 
-  /// One wheel of the wheelset of a scene: that of its side, with the friction of its rail.
+  /// One wheel of the wheelset of a scene: that of its side, with profiles and friction of its own.
   Scene
   wheel_of_wheelset(const Scene &scene, bool left);
+
+  /// Profiles of both sides.
+  struct WheelsetProfiles
+  {
+    SceneProfiles right, left;
+  };
+
+  /// Reads those of a wheelset, or twice those of the wheel that is modelled. Throws InputError as
+  /// read_profiles().
+  WheelsetProfiles
+  read_wheelset_profiles(const Scene &scene);
 
   /// Solves a wheel that turns by itself: as its scene drives it, or with a torque [N m], which gives the
   /// force along the wheelset over the rolling radius. Nothing without load.
@@ -47,7 +58,7 @@ namespace wheelrail
   WheelsetSolution
   solve_wheelset(const Scene                 &right,
                  const Scene                 &left,
-                 const SceneProfiles         &profiles,
+                 const WheelsetProfiles      &profiles,
                  const std::optional<double> &torque,
                  unsigned int                 threads = 1);
 

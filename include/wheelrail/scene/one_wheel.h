@@ -13,5 +13,7 @@ namespace wheelrail
   {
     scene.both_wheels = scene.pose_balances = false;
     scene.track_radius = scene.cant = std::numeric_limits<double>::infinity();
+    scene.left_wheel_profile        = scene.left_rail_profile =
+      "as right"; // of the modelled wheel there are no others
   }
 } // namespace wheelrail

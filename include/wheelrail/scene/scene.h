@@ -109,8 +109,10 @@ namespace wheelrail
     std::string title;
 
     // Profiles, Track, Wheelset
-    std::string        wheel_profile = "S1002"; ///< standard profile or file
-    std::string        rail_profile  = "54E1";
+    std::string        wheel_profile      = "S1002"; ///< standard profile or file
+    std::string        rail_profile       = "54E1";
+    std::string        left_wheel_profile = "as right"; ///< of a whole wheelset
+    std::string        left_rail_profile  = "as right";
     ProfileFileOptions wheel_file{ProfileKind::wheel}; ///< how files are read
     WheelOrigin        wheel_origin = WheelOrigin::automatic;
     ProfileFileOptions rail_file{ProfileKind::rail};

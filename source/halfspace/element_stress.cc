@@ -1,0 +1,110 @@
+#include <wheelrail/halfspace/element_stress.h>
+
+#include <array>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// a + rho without cancellation; rest is rho^2 - a^2.
+    double
+    sum_with(const double a, const double rho, const double rest)
+    {
+      return a >= 0 ? a + rho : rest / (rho - a);
+    }
+
+    /// atan(a / b), 0 at a = 0.
+    double
+    angle(const double a, const double b)
+    {
+      return a == 0 ? 0 : std::atan(a / b);
+    }
+
+    using Derivatives                                   = PotentialDerivatives;
+    constexpr std::array<double Derivatives::*, 20> all = {
+      &Derivatives::xxx,  &Derivatives::xxy,  &Derivatives::xyy,  &Derivatives::yyy,  &Derivatives::xxz,
+      &Derivatives::xyz,  &Derivatives::yyz,  &Derivatives::xzz,  &Derivatives::yzz,  &Derivatives::zzz,
+      &Derivatives::xxxz, &Derivatives::xxyz, &Derivatives::xyyz, &Derivatives::yyyz, &Derivatives::xxzz,
+      &Derivatives::xyzz, &Derivatives::yyzz, &Derivatives::xzzz, &Derivatives::yzzz, &Derivatives::zzzz};
+  } // namespace
+
+
+  // Each line is the integral over x and y of the derivative of z ln(rho + z) - rho; those with three x or y
+  // follow from Laplace's equation.
+  PotentialDerivatives
+  corner_derivatives(const double x, const double y, const double z)
+  {
+    PotentialDerivatives d;
+    const double         rho = std::sqrt(x * x + y * y + z * z);
+    const double xr = sum_with(x, rho, y * y + z * z), yr = sum_with(y, rho, x * x + z * z), zr = rho + z;
+    const double lx = std::log(xr), ly = std::log(yr);
+    d.xxy             = -x / zr;
+    d.xyy             = -y / zr;
+    d.xxx             = y / zr - ly;
+    d.yyy             = x / zr - lx;
+    d.xyz             = std::log(zr);
+    d.xzz             = ly;
+    d.yzz             = lx;
+    d.zzz             = -std::atan2(x * y, z * rho);
+    d.xxz             = angle(y, x) - angle(z * y, x * rho);
+    d.yyz             = angle(x, y) - angle(z * x, y * rho);
+    const double xxyz = x / (rho * zr), xyyz = y / (rho * zr), xzzz = z / (rho * yr), yzzz = z / (rho * xr);
+    const double xxzz = x / (rho * yr), yyzz = y / (rho * xr);
+    d.xxyz = xxyz;
+    d.xyyz = xyyz;
+    d.xyzz = 1 / rho;
+    d.xxzz = xxzz;
+    d.yyzz = yyzz;
+    d.xzzz = xzzz;
+    d.yzzz = yzzz;
+    d.zzzz = -(xxzz + yyzz);
+    d.xxxz = -(xyyz + xzzz);
+    d.yyyz = -(xxyz + yzzz);
+    return d;
+  }
+
+
+  PotentialDerivatives
+  rectangle_derivatives(const PotentialDerivatives &far_far,
+                        const PotentialDerivatives &far_near,
+                        const PotentialDerivatives &near_far,
+                        const PotentialDerivatives &near_near)
+  {
+    PotentialDerivatives d;
+    for (const auto part : all)
+      d.*part = far_far.*part - far_near.*part - near_far.*part + near_near.*part;
+    return d;
+  }
+
+
+  // psi1 = F1_x + G1_y + H1_z, psi = psi1_z and the displacements are those of Johnson (1985), (3.2) to
+  // (3.7).
+  void
+  add_stress(const PotentialDerivatives &d,
+             const double                nu,
+             const double                z,
+             const double                qx,
+             const double                qy,
+             const double                p,
+             HalfspaceStress            &s)
+  {
+    const double factor = 1 / (2 * M_PI); // 2 G / (4 pi G)
+    // Derivatives of psi1 (a) and psi (b).
+    const double a_xx = qx * d.xxx + qy * d.xxy + p * d.xxz, a_xy = qx * d.xxy + qy * d.xyy + p * d.xyz,
+                 a_yy = qx * d.xyy + qy * d.yyy + p * d.yyz;
+    const double b_z  = qx * d.xzz + qy * d.yzz + p * d.zzz;
+    const double b_xx = qx * d.xxxz + qy * d.xxyz + p * d.xxzz, b_xy = qx * d.xxyz + qy * d.xyyz + p * d.xyzz,
+                 b_yy = qx * d.xyyz + qy * d.yyyz + p * d.yyzz, b_xz = qx * d.xxzz + qy * d.xyzz + p * d.xzzz,
+                 b_yz = qx * d.xyzz + qy * d.yyzz + p * d.yzzz, b_zz = qx * d.xzzz + qy * d.yzzz + p * d.zzzz;
+    // nu / (1 - 2 nu) times the dilatation, from which (1 - 2 nu) cancels.
+    const double volume = 2 * nu * b_z;
+    s.xx += factor * (2 * qx * d.xzz - p * d.xxz + 2 * nu * a_xx - z * b_xx + volume);
+    s.yy += factor * (2 * qy * d.yzz - p * d.yyz + 2 * nu * a_yy - z * b_yy + volume);
+    s.nn += factor * (p * d.zzz - 2 * nu * b_z - z * b_zz + volume);
+    s.xy += factor * (qx * d.yzz + qy * d.xzz - p * d.xyz + 2 * nu * a_xy - z * b_xy);
+    // (u_x,z + u_z,x) / 2: H_x in one cancels that in the other, and so do nu psi_x and -nu psi_x.
+    s.xn += factor * (qx * d.zzz - z * b_xz);
+    s.yn += factor * (qy * d.zzz - z * b_yz);
+  }
+} // namespace wheelrail

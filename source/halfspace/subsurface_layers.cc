@@ -1,0 +1,129 @@
+#include <wheelrail/halfspace/element_stress.h>
+#include <wheelrail/halfspace/subsurface_layers.h>
+
+#include <array>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr std::array<double HalfspaceStress::*, 6> components = {&HalfspaceStress::xx,
+                                                                     &HalfspaceStress::yy,
+                                                                     &HalfspaceStress::nn,
+                                                                     &HalfspaceStress::xy,
+                                                                     &HalfspaceStress::xn,
+                                                                     &HalfspaceStress::yn};
+
+    /// Under a unit of one load, by the distance from loaded to observed element, as
+    /// InfluenceProducts::kernel() takes it.
+    struct UnitStresses
+    {
+      std::array<std::vector<double>, components.size()> of;
+    };
+
+    /// For tractions along x and y and pressure. Neighbours share their corners: each is computed once.
+    std::array<UnitStresses, 3>
+    unit_stresses(const HalfspaceGrid     &grid,
+                  const InfluenceProducts &products,
+                  const double             poisson_ratio,
+                  const double             depth)
+    {
+      const int                   nx = products.columns(), ny = products.rows();
+      std::array<UnitStresses, 3> unit;
+      for (UnitStresses &stresses : unit)
+        for (auto &field : stresses.of)
+          field.resize(std::size_t(nx) * ny);
+      std::vector<PotentialDerivatives> near(nx + 1), far(nx + 1); // corners with less and with more y
+      const auto                        corners = [&](const int j, auto &row) {
+        for (int i = 0; i <= nx; ++i)
+          row[i] = corner_derivatives((i - nx / 2 - 0.5) * grid.dx, (j - ny / 2 - 0.5) * grid.dy, depth);
+      };
+      corners(0, far);
+      for (int j = 0; j < ny; ++j)
+        {
+          std::swap(near, far);
+          corners(j + 1, far);
+          for (int i = 0; i < nx; ++i)
+            {
+              const PotentialDerivatives d = rectangle_derivatives(far[i + 1], near[i + 1], far[i], near[i]);
+              for (int load = 0; load < 3; ++load)
+                {
+                  HalfspaceStress stress;
+                  add_stress(d, poisson_ratio, depth, load == 0, load == 1, load == 2, stress);
+                  for (std::size_t c = 0; c < components.size(); ++c)
+                    unit[load].of[c][i + std::size_t(nx) * j] = stress.*components[c];
+                }
+            }
+        }
+      return unit;
+    }
+
+    /// `sign`: of the tractions against those on body 1; depth runs against n in body 2.
+    std::vector<HalfspaceStress>
+    in_body(const std::array<std::vector<HalfspaceStress>, 2> &shares, const double sign)
+    {
+      std::vector<HalfspaceStress> stresses(shares[0].size());
+      for (std::size_t e = 0; e < stresses.size(); ++e)
+        {
+          for (const auto component : components)
+            stresses[e].*component = sign * shares[0][e].*component + shares[1][e].*component;
+          stresses[e].xn *= sign;
+          stresses[e].yn *= sign;
+        }
+      return stresses;
+    }
+  } // namespace
+
+
+  SubsurfaceLayers::SubsurfaceLayers(const HalfspaceSolution &solution,
+                                     const HalfspaceBody     &body1,
+                                     const HalfspaceBody     &body2)
+    : grid_(solution.grid)
+    , poisson_ratio1_(body1.poisson_ratio)
+    , poisson_ratio2_(body2.poisson_ratio)
+    , products_(solution.grid)
+  {
+    products_.forward(solution.traction_x, loads_[0]);
+    products_.forward(solution.traction_y, loads_[1]);
+    products_.forward(solution.pressure, loads_[2]);
+  }
+
+
+  std::array<std::vector<HalfspaceStress>, 2>
+  SubsurfaceLayers::shares(const double poisson_ratio, const double depth)
+  {
+    const auto                                  unit = unit_stresses(grid_, products_, poisson_ratio, depth);
+    std::array<std::vector<HalfspaceStress>, 2> shares;
+    for (auto &share : shares)
+      share.resize(grid_.size());
+    std::vector<double>         field;
+    InfluenceProducts::Spectrum sum(products_.spectrum_size());
+    for (std::size_t c = 0; c < components.size(); ++c)
+      {
+        const auto x = products_.kernel(unit[0].of[c]), y = products_.kernel(unit[1].of[c]),
+                   n = products_.kernel(unit[2].of[c]);
+        for (std::size_t m = 0; m < sum.size(); ++m)
+          sum[m] = x[m] * loads_[0][m] + y[m] * loads_[1][m];
+        products_.backward(sum, field);
+        for (std::size_t e = 0; e < field.size(); ++e)
+          shares[0][e].*components[c] = field[e];
+        for (std::size_t m = 0; m < sum.size(); ++m)
+          sum[m] = n[m] * loads_[2][m];
+        products_.backward(sum, field);
+        for (std::size_t e = 0; e < field.size(); ++e)
+          shares[1][e].*components[c] = field[e];
+      }
+    return shares;
+  }
+
+
+  LayerStresses
+  SubsurfaceLayers::at(const double depth)
+  {
+    check_depth(depth);
+    const auto first = shares(poisson_ratio1_, depth);
+    return {in_body(first, 1),
+            in_body(poisson_ratio2_ == poisson_ratio1_ ? first : shares(poisson_ratio2_, depth), -1)};
+  }
+} // namespace wheelrail
