@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wheelrail
 {
@@ -84,10 +85,12 @@ namespace wheelrail
     const auto start = function(first.at);
     if (!start)
       return {};
-    root.left                       = *start;
-    std::optional<PairSlope> &slope = root.slope;
-    bool                      fresh = false;
-    double                    part  = 1; // of the step that is tried
+    root.left                                = *start;
+    std::optional<PairSlope> &slope          = root.slope;
+    bool                      fresh          = false;
+    double                    part           = 1; // of the step that is tried
+    double                    at_derivatives = std::numeric_limits<double>::infinity(); // what was left there
+    constexpr double          worth          = 0.5; // less than that must be left for derivatives once more
     while (!(root.found = largest(root.left) <= search.enough) && root.calls < search.most_calls)
       {
         if (!slope)
@@ -114,10 +117,13 @@ namespace wheelrail
           }
         else if (part > 0.2)
           part /= 2;
-        else if (fresh)
-          break;
+        else if (fresh || largest(root.left) > worth * at_derivatives)
+          break; // where the function jumps derivatives lead nowhere
         else
-          slope.reset();
+          {
+            at_derivatives = largest(root.left);
+            slope.reset();
+          }
       }
     return root;
   }

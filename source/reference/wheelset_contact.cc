@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/reference/pair_root.h>
 #include <wheelrail/reference/wheelset_contact.h>
 #include <wheelrail/scene/one_wheel.h>
@@ -146,14 +147,21 @@ namespace wheelrail
       return coarse;
     }
 
-    /// Tells the solutions of both wheels that they do not balance, which says more than what else was not
-    /// found in a pose that nothing holds.
+    /// Tells the solutions of both wheels that they do not balance, and by how much, which says more than
+    /// what else was not found in a pose that nothing holds.
     void
-    tell(const std::string &what, AxleSolution &axle)
+    tell_unbalanced(WheelsetSolution &wheelset)
     {
-      for (auto *wheel : {&axle.right, &axle.left})
+      const std::string what = "The pose in which the forces on the wheelset balance was not found: " +
+                               text("%.3g kN across and %.3g kN m about the vertical are left over. ",
+                                    1e-3 * wheelset.lateral_missed,
+                                    1e-3 * wheelset.yaw_missed);
+      for (auto *wheel : {&wheelset.axle.right, &wheelset.axle.left})
         if (*wheel)
-          (*wheel)->solution.not_reached = what;
+          {
+            (*wheel)->solution.coupling_converged = false;
+            (*wheel)->solution.not_reached        = what;
+          }
     }
 
     /// `fine` and `coarse`: the wheelset with the elements of its scene, and with larger ones.
@@ -194,7 +202,7 @@ namespace wheelrail
       const bool       balanced = root && root->found;
       WheelsetSolution found    = root && !balanced ? fine.solve(root->at) : std::move(*last);
       if (!balanced)
-        tell("The pose in which the forces on the wheelset balance was not found. ", found.axle);
+        tell_unbalanced(found);
       return found;
     }
   } // namespace
