@@ -131,6 +131,14 @@ namespace
       {"Wear/Damage peak at", "70 N"},
       {"Wear/Damage ends at", "170 N"},
       {"Wear/Largest damage", "2e-05"},
+      {"Wear/Mix", "mix.csv"},
+      {"Wear/Worn", "both"},
+      {"Wear/Gross load", "5 Mt"},
+      {"Wear/Distance", "2000 km"},
+      {"Wear/Smoothing length", "8 mm"},
+      {"Wear/Step depth", "2 um"},
+      {"Wear/Line length", "3 km"},
+      {"Wear/Wheels", "40"},
       {"Material test/Body", "wheel"},
       {"Material test/Axial", "700 MPa, -500 MPa"},
       {"Material test/Shear", "0.01"},
@@ -285,6 +293,14 @@ namespace
     check_near(s.yaw_stiffness, 5e6, 0, "field yaw_stiffness");
     check_near(s.centre_height, 1.6, 0, "field centre_height");
     check_near(s.left_friction, 0.25, 0, "field left_friction");
+    check_text(s.wear_plan.mix, "mix.csv", "field wear_plan.mix");
+    check(s.wear_plan.worn == WornBody::both, "field wear_plan.worn");
+    check_near(s.wear_plan.gross_load, 5e9, 0, "field wear_plan.gross_load");
+    check_near(s.wear_plan.distance, 2e6, 0, "field wear_plan.distance");
+    check_near(s.wear_plan.smoothing, 8e-3, 0, "field wear_plan.smoothing");
+    check_near(s.wear_plan.step_depth, 2e-6, 0, "field wear_plan.step_depth");
+    check_near(s.wear_plan.line_length, 3e3, 0, "field wear_plan.line_length");
+    check(s.wear_plan.wheels == 40, "field wear_plan.wheels");
     check_text(s.motion, "motion.csv", "field motion");
     check_near(s.motion_start, 12.5, 0, "field motion_start");
     check_near(s.wheel.rim_width, 0.136, 0, "field rim_width");

@@ -248,7 +248,7 @@ namespace
       check_text(message_of([&]() { execute(arguments, run, std::cout); }), expected, "wheelrail" + line);
     };
     check_line({"simulate"},
-               "\"simulate\" is no command; there are run, geometry, halfspace, material, vehicle, "
+               "\"simulate\" is no command; there are run, geometry, halfspace, material, vehicle, wear, "
                "parameters, compare, report, study, version, test, build and help");
     check_line({"compare", "nowhere"}, "nowhere: no such folder; compare needs the output folder of a run");
     check_line({"build"}, "build is a command of the launcher wheelrail beside the sources");
@@ -262,7 +262,7 @@ namespace
                "\"Material test/Axial = 0.01, -0.01\"");
     check_line(
       {"geometri"},
-      "\"geometri\" is no command; there are run, geometry, halfspace, material, vehicle, "
+      "\"geometri\" is no command; there are run, geometry, halfspace, material, vehicle, wear, "
       "parameters, compare, report, study, version, test, build and help, perhaps geometry is meant");
     check_line(
       {"run", "a.prm", "--overwrit"},

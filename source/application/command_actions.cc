@@ -10,6 +10,7 @@
 #include <wheelrail/application/scene_row.h>
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/application/vehicle_command.h>
+#include <wheelrail/application/wear_command.h>
 #include <wheelrail/application/wheelset_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
@@ -232,6 +233,31 @@ namespace wheelrail
         "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
     return run_vehicle_command(
       input.scene, read_wheelset_profiles(input.scene), motion, !options.count("no-pictures"), out);
+  }
+
+
+  int
+  act_wear(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_file(options, "wear");
+    SceneInput input = file_input_of(options);
+    require_one_scene(input);
+    input.scene.motion   = "none";
+    const Findings found = contact_checks(input.scene);
+    require_none(found.errors, input);
+    const Scene &scene = input.scene;
+    if (distance_is_given(scene))
+      throw InputError(
+        "wear takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
+    for (const char *const name : {"Wheel left", "Rail left"})
+      if (const std::string text = entry_text(scene, "Profiles", name);
+          text.find("as right") == std::string::npos)
+        throw InputError(text +
+                         ": both sides wear alike, as on a line with as many curves to the left as to the "
+                         "right; write as right");
+    for (const std::string &warning : found.warnings)
+      out << "warning: " << warning << "\n";
+    return run_wear_command(scene, !options.count("no-pictures"), out);
   }
 
 

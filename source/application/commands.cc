@@ -130,6 +130,14 @@ namespace wheelrail
          add_no_pictures_option(options);
        },
        act_vehicle},
+      {"wear",
+       "FILE.prm",
+       "profiles of rail and wheel after tonnes or kilometres of a mix of traffic, by half-spaces",
+       [](po::options_description &options) {
+         add_set_option(options);
+         add_no_pictures_option(options);
+       },
+       act_wear},
       {"parameters",
        "[FILE.prm]",
        "print all entries with their values, meaning and defaults, as a parameter file",

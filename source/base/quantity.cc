@@ -37,6 +37,7 @@ namespace wheelrail
         {"km", D::length, 1e3, 1},
         {"kg", D::mass, 1, 1},
         {"t", D::mass, 1e3, 1},
+        {"Mt", D::mass, 1e9, 1},
         {"g", D::mass, 1, 1e3},
         {"s", D::time, 1, 1},
         {"ms", D::time, 1, 1e3},

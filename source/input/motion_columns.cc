@@ -34,6 +34,21 @@ namespace wheelrail
 
 
   const MotionColumns &
+  mix_columns()
+  {
+    static const MotionColumns list = [] {
+      MotionColumns columns;
+      for (const MotionColumn &column : motion_columns())
+        if (column.quantity != Q::torque) // which the load of a row would turn into a traction
+          columns.push_back(column);
+      columns.push_back({Q::weight, "weight", Dimension::none, 0, 1e12, "0 to 1e12"});
+      return columns;
+    }();
+    return list;
+  }
+
+
+  const MotionColumns &
   passage_columns()
   {
     static const MotionColumns list = {

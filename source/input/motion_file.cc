@@ -273,6 +273,20 @@ namespace wheelrail
   }
 
 
+  MotionFile
+  read_mix_file(const std::string &path)
+  {
+    MotionFile rows =
+      Reader(path, mix_columns(), "Wear/Mix needs a table with a row for each kind of traffic").read();
+    require_one_drive(path, rows);
+    require_loads(path, rows);
+    if (const auto *const weights = rows.find(Q::weight);
+        weights && std::all_of(weights->begin(), weights->end(), [](const double w) { return w == 0; }))
+      throw InputError(path + ": all weights are 0; write how often each row passes");
+    return rows;
+  }
+
+
   bool
   is_list_of_scenes(const std::string &passage_list)
   {

@@ -1,11 +1,15 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/base/split_list.h>
+#include <wheelrail/input/entries.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/profiles/profile_file.h>
+
+#include <boost/uuid/name_generator_sha1.hpp>
+#include <boost/uuid/uuid_io.hpp>
 
 #include <filesystem>
 #include <utility>
@@ -66,6 +70,7 @@ namespace wheelrail
     add("Profiles/Rail", scene.rail_profile, "rail", &Scene::rail_profile, true);
     add("Profiles/Wheel left", scene.left_wheel_profile, "wheel_left", &Scene::left_wheel_profile, false);
     add("Profiles/Rail left", scene.left_rail_profile, "rail_left", &Scene::left_rail_profile, false);
+    add("Wear/Mix", scene.wear_plan.mix, "mix", nullptr, false);
     add("Wheelset/Motion", scene.motion, "motion", &Scene::motion, true);
     add("Half-space/Undeformed distance",
         scene.halfspace_distance,
@@ -100,5 +105,51 @@ namespace wheelrail
       {
         return "";
       }
+  }
+
+
+  namespace
+  {
+    std::string
+    digest(const std::string &text)
+    {
+      return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(text)).substr(0, 8);
+    }
+
+    /// A file that is not there, or is empty, has none.
+    std::string
+    digest_or_nothing(const std::string &contents)
+    {
+      return contents.empty() ? "" : digest(contents);
+    }
+
+    /// Everything that the figures of a scene depend on.
+    std::string
+    identity(const Scene &scene, const std::string &program_version)
+    {
+      std::string                  text  = program_version + "\n";
+      const std::vector<SceneFile> files = files_of(scene);
+      for (const Entry &entry : entries())
+        {
+          const std::string path = entry.path();
+          if (entry.section == "Study" || path == "Title" || path == "Output/Folder" ||
+              path == "Output/Checkpoint interval")
+            continue;
+          const std::string value = entry.get(scene);
+          text += path + " = " + value + "\n";
+          // in the order of the entries, each file behind the one that names it
+          for (const SceneFile &file : files)
+            if (file.entry == path)
+              text += digest_or_nothing(contents_of(file)) + "\n";
+        }
+      return text;
+    }
+  } // namespace
+
+
+  std::string
+  scene_digest(const Scene &scene, const std::string &program_version)
+  {
+    return digest(identity(scene, program_version));
   }
 } // namespace wheelrail

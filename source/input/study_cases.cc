@@ -5,8 +5,6 @@
 #include <wheelrail/input/study_cases.h>
 #include <wheelrail/profiles/profile_file.h>
 
-#include <boost/uuid/name_generator_sha1.hpp>
-#include <boost/uuid/uuid_io.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -86,41 +84,6 @@ namespace wheelrail
       return name.substr(0, name.find_last_not_of('_') + 1);
     }
 
-    std::string
-    digest(const std::string &text)
-    {
-      return to_string(boost::uuids::name_generator_sha1(boost::uuids::ns::oid())(text)).substr(0, 8);
-    }
-
-    /// A file that is not there, or is empty, has none.
-    std::string
-    digest_or_nothing(const std::string &contents)
-    {
-      return contents.empty() ? "" : digest(contents);
-    }
-
-    /// Everything that the figures of a scene depend on.
-    std::string
-    identity(const Scene &scene, const std::string &program_version)
-    {
-      std::string                  text  = program_version + "\n";
-      const std::vector<SceneFile> files = files_of(scene);
-      for (const Entry &entry : entries())
-        {
-          const std::string path = entry.path();
-          if (entry.section == "Study" || path == "Title" || path == "Output/Folder" ||
-              path == "Output/Checkpoint interval")
-            continue;
-          const std::string value = entry.get(scene);
-          text += path + " = " + value + "\n";
-          // in the order of the entries, each file behind the one that names it
-          for (const SceneFile &file : files)
-            if (file.entry == path)
-              text += digest_or_nothing(contents_of(file)) + "\n";
-        }
-      return text;
-    }
-
     /// The scene with one value of each axis.
     StudyCase
     make_case(const Scene &study, const std::vector<std::size_t> &picked, const std::string &program_version)
@@ -143,7 +106,7 @@ namespace wheelrail
               words += (words.empty() ? "" : ", ") + axis.name + " " + one.values.back();
             }
         }
-      one.name = names.substr(0, 80) + "-" + digest(identity(one.scene, program_version));
+      one.name = names.substr(0, 80) + "-" + scene_digest(one.scene, program_version);
       if (one.scene.title == study.title)
         one.scene.title = shown_text((study.title.empty() ? "" : study.title + "; ") + words, 190);
       one.scene.folder = (std::filesystem::path(study.folder) / one.name).string();

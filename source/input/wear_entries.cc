@@ -11,6 +11,62 @@ namespace wheelrail
     using B = Bounds;
     using S = Scene;
     using W = WearData;
+    using P = WearPlan;
+
+    /// Of the command wear.
+    void
+    add_plan(std::vector<Entry> &list)
+    {
+      list.push_back(name_or_file_entry({"Wear",
+                                         "Mix",
+                                         "For the command wear: table of the traffic, a row for each kind "
+                                         "with its weight; none: the scene alone."},
+                                        {"none"},
+                                        "a table (with its ending, such as mix.csv)",
+                                        field(&S::wear_plan, &P::mix)));
+      list.push_back(choice_entry<WornBody>(
+        {"Wear", "Worn", "Which profile wears; the other one stays as it is."},
+        {{"rail", WornBody::rail}, {"wheel", WornBody::wheel}, {"both", WornBody::both}},
+        field(&S::wear_plan, &P::worn)));
+      list.push_back(number_entry({"Wear", "Gross load", "That passes the rail, where rail or both wear."},
+                                  D::mass,
+                                  "Mt",
+                                  B::above("0 Mt", "10000 Mt"),
+                                  field(&S::wear_plan, &P::gross_load)));
+      list.push_back(length_entry({"Wear", "Distance", "That the wheel rolls, where it wears alone."},
+                                  "km",
+                                  B::above("0 km", "1e7 km"),
+                                  field(&S::wear_plan, &P::distance)));
+      list.push_back(
+        length_entry({"Wear",
+                      "Smoothing length",
+                      "Wavelength of the worn depth that is halved; shorter waves vanish, longer "
+                      "ones stay, and no material is lost."},
+                     "mm",
+                     B::between("2 mm", "50 mm"),
+                     field(&S::wear_plan, &P::smoothing)));
+      const auto depth = field(&S::wear_plan, &P::step_depth);
+      list.push_back(
+        with_word(length_entry({"Wear",
+                                "Step depth",
+                                "Most that one step takes off; auto, and at most: what changes the "
+                                "pressure by a tenth over the smoothing length."},
+                               "um",
+                               B::between("0.01 um", "1000 um"),
+                               depth),
+                  "auto",
+                  P::automatic,
+                  depth));
+      list.push_back(
+        length_entry({"Wear", "Line length", "Of the rail that the wheels share, where both wear."},
+                     "km",
+                     B::above("0 km", "100000 km"),
+                     field(&S::wear_plan, &P::line_length)));
+      list.push_back(count_entry({"Wear", "Wheels", "That share this rail, where both wear."},
+                                 1,
+                                 100000000,
+                                 field(&S::wear_plan, &P::wheels)));
+    }
   } // namespace
 
 
@@ -60,6 +116,7 @@ namespace wheelrail
     list.push_back(pure_entry({"Wear", "Largest damage", "Share of a life that one passage takes there."},
                               B::between("0", "1"),
                               field(&S::wear, &W::damage_most)));
+    add_plan(list);
     return list;
   }
 } // namespace wheelrail

@@ -234,8 +234,10 @@ namespace wheelrail
     result.ahead        = sections.region().ahead;
     result.reference    = contact_reference(sections, means, motion, solution);
     result.patch        = halfspace_patch(solution);
-    result.measures     = measure_patch(result.patch);
-    result.turn         = turn_across(result.measures);
+    for (int j = 0; j <= problem.grid.my; ++j)
+      result.row_edges.push_back(sections.rail_place(problem.grid.y(j) - 0.5 * problem.grid.dy));
+    result.measures = measure_patch(result.patch);
+    result.turn     = turn_across(result.measures);
     return result;
   }
 } // namespace wheelrail

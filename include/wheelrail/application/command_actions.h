@@ -30,6 +30,8 @@ namespace wheelrail
   act_vehicle(const boost::program_options::variables_map &options,
               const RunFunction                           &run,
               std::ostream                                &out);
+  int
+  act_wear(const boost::program_options::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
   act_parameters(const boost::program_options::variables_map &options,

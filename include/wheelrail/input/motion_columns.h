@@ -23,6 +23,10 @@ namespace wheelrail
   const MotionColumns &
   motion_columns();
 
+  /// Of kinds of traffic.
+  const MotionColumns &
+  mix_columns();
+
   /// Of wheels that pass one after the other.
   const MotionColumns &
   passage_columns();

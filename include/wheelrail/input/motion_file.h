@@ -28,7 +28,8 @@ namespace wheelrail
     spin,
     longitudinal_force,
     lateral_force,
-    spin_moment
+    spin_moment,
+    weight ///< of a row in a mix
   };
 
   /// Rows of numbers under names: of a vehicle simulation over time or distance, or one a passage.
@@ -75,6 +76,12 @@ namespace wheelrail
   /// Whether a Run/Passage list names scenes, "a.prm, b.prm", and not a table.
   bool
   is_list_of_scenes(const std::string &passage_list);
+
+  /// Reads a table of the same form whose rows are kinds of traffic, with the columns of read_motion_file()
+  /// and "weight", any of them but a torque. Throws InputError as read_motion_file(), and for weights of 0
+  /// in all rows.
+  MotionFile
+  read_mix_file(const std::string &path);
 
   /// Reads a table of the same form whose rows are points of a creep curve, measured or of another program:
   /// "creepage [%]" or "spin [1/m]", and "longitudinal force [kN], lateral force [kN], spin moment [N m],

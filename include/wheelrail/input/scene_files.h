@@ -27,4 +27,9 @@ namespace wheelrail
   /// count and remarks do not. Empty where it cannot be read, which is told by whoever needs it.
   std::string
   contents_of(const SceneFile &file);
+
+  /// Eight letters and digits for all that the figures of a scene depend on: version of the program, entries
+  /// but title, output folder, study and saving, and the files that they name.
+  std::string
+  scene_digest(const Scene &scene, const std::string &program_version);
 } // namespace wheelrail

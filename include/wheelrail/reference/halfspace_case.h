@@ -33,6 +33,7 @@ namespace wheelrail
     HalfspaceProblem  problem; ///< as it was solved
     HalfspaceSolution solution;
     PatchFields       patch;        ///< in the form and with the signs of a run's patch
+    std::vector<Point2> row_edges; ///< of its rows across the rail: on the rail's surface, in the track plane [m]
     PatchMeasures     measures;     ///< of `patch`: area and extents from the edge line
     double            angle    = 0; ///< of the surfaces against X, mean over the pressure [rad]
     double            spin     = 0; ///< d w_y / dx at the centre of pressure [1/m]

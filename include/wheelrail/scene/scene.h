@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/damage/laws.h>
+#include <wheelrail/damage/wear_plan.h>
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/material/cyclic_hardening.h>
 #include <wheelrail/material/friction.h>
@@ -221,7 +222,8 @@ namespace wheelrail
     double      halfspace_approach      = 0;     ///< [m], 0: found from the normal force
     double      halfspace_contact_angle = 0;     ///< of the axle to the contact plane: the spin [rad]
 
-    WearData wear; ///< laws of wear and cracks
+    WearData wear;      ///< laws of wear and cracks
+    WearPlan wear_plan; ///< for the command wear
 
     MaterialTest material_test; ///< for the command material
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <wheelrail/geometry/curve.h>
+
+#include <vector>
+
+namespace wheelrail
+{
+  /// A running surface while it wears: points along it in the frame of its section, x descending, as heads
+  /// and treads of profiles.h run.
+  struct WornShape
+  {
+    std::vector<Point2> points; ///< [m]
+    std::vector<double> depth;  ///< taken off so far, along the normals [m]
+    std::vector<double> damage; ///< share of a life until a crack, summed (burstow_damage())
+    bool steel_on_left = true;  ///< of the way along the points: a rail; a wheel has it on the right
+  };
+
+  /// The part of a curve that lies above `lowest` [m], with points at most `spacing` apart [m].
+  WornShape
+  worn_shape(const Curve &curve, double lowest, double spacing, bool steel_on_left);
+
+  /// Way along the points from the first one [m].
+  std::vector<double>
+  arc_of(const std::vector<Point2> &points);
+
+  /// The way at the place next to p [m].
+  double
+  arc_next_to(const std::vector<Point2> &points, const std::vector<double> &arc, const Point2 &p);
+
+  /// Lengths that belong to the points: from the middle before to the middle behind [m].
+  std::vector<double>
+  cell_lengths(const std::vector<double> &arc);
+
+  /// Adds a section [m2] that is spread evenly between two ways to the cells of the points; what lies beyond
+  /// an end goes to the last cell there.
+  void
+  spread_section(const std::vector<double> &cells,
+                 double                     from,
+                 double                     to,
+                 double                     section,
+                 std::vector<double>       &sections);
+
+  /// Sections smoothed along the way by Gauss's filter with a cut-off wavelength [m], at which half of a wave
+  /// stays (ISO 16610-21). Each cell's section is spread as a whole, so that none gets lost.
+  std::vector<double>
+  smoothed_sections(const std::vector<double> &arc, const std::vector<double> &sections, double cut_off);
+
+  /// Takes sections [m2] off at the points, which move into the steel.
+  void
+  take_off(const std::vector<double> &sections, WornShape &shape);
+
+  /// Area between two polylines [m2].
+  double
+  section_between(const std::vector<Point2> &before, const std::vector<Point2> &now);
+} // namespace wheelrail

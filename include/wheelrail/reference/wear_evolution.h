@@ -1,0 +1,53 @@
+#pragma once
+
+#include <wheelrail/reference/wear_mix.h>
+#include <wheelrail/reference/worn_profiles.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// What is known at one state of the profiles [SI].
+  struct WearStep
+  {
+    double passages   = 0; ///< of wheels over the rail, or turns of the wheel where it wears alone
+    double gross_load = 0, distance = 0; ///< that passed the rail [kg], that a wheel rolled [m]; or NaN
+    double step_depth = 0; ///< largest depth that the step from here takes off [m]; 0 at the end
+    double rail_depth = 0, wheel_depth = 0;     ///< largest so far, along the normals [m]
+    double rail_section = 0, wheel_section = 0; ///< worn off so far [m2]
+    WornDimensions dimensions;
+    double         conicity      = 0;                    ///< equivalent, at 3 mm amplitude, or NaN
+    double         mean_pressure = 0, peak_pressure = 0; ///< as those of MixWear
+    double         mean_t_gamma = 0, peak_t_gamma = 0;
+    double         rail_damage = 0, wheel_damage = 0; ///< largest so far, shares of a life
+  };
+
+  /// Profiles on their way, from which it can go on.
+  struct WearState
+  {
+    WornShape             new_rail, new_wheel; ///< as they began
+    WornShape             rail, wheel;
+    double                passages = 0;
+    std::vector<WearStep> steps;            ///< of all states so far
+    bool                  finished = false; ///< the plan is done
+    std::string           note;             ///< sentences on what was found, or nothing
+  };
+
+  /// Profiles as they are new.
+  WearState
+  begin_wear(const SceneProfiles &profiles);
+
+  /// Wears the profiles as the scene's subsection Wear plans, step by step: half-spaces for all rows on the
+  /// profiles as they are, the worn sections of a passage smoothed (smoothed_sections()), and as many
+  /// passages as take off at most 0.1 p lambda / (pi E*), with the mean peak pressure p, the cut-off
+  /// wavelength lambda and 1 / E* = (1 - nu1^2) / E1 + (1 - nu2^2) / E2: a wave of that amplitude changes the
+  /// pressure of flat surfaces by p / 10. `keep` gets each state, before the step that follows. Throws
+  /// InputError where profiles do not touch (any more).
+  void
+  wear_on(const Scene                                  &scene,
+          const std::vector<MixRow>                    &rows,
+          const std::function<void(const WearState &)> &keep,
+          WearState                                    &state);
+} // namespace wheelrail

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <wheelrail/damage/worn_shape.h>
+#include <wheelrail/reference/wheelset_contact.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// One kind of traffic: how wheels run, and their share of all that pass.
+  struct MixRow
+  {
+    Scene       scene;     ///< of the wheel that is modelled, or of the right-hand one of two
+    Scene       left;      ///< of the other one of a wheelset
+    double      share = 1; ///< of the passages; those of a mix add up to 1
+    std::string name;      ///< for messages: "row 3"
+  };
+
+  /// The rows of Wear/Mix, or the scene alone, with the wheel load [N]. Rows without traction or creepage
+  /// roll freely. `weights`: what given weights add up to, else 1. Throws InputError as read_mix_file().
+  std::vector<MixRow>
+  mix_rows(const Scene &scene, double wheel_load, double &weights);
+
+  /// What a passage of the mix does, in the mean; sections by the points of the shapes.
+  struct MixWear
+  {
+    std::vector<double> rail_section, wheel_section; ///< taken off by a passage, by a turn of the wheel [m2]
+    std::vector<double> rail_damage, wheel_damage;   ///< share of a life
+    double              mean_pressure = 0, peak_pressure = 0; ///< of the rows' peaks [Pa]
+    double              mean_t_gamma = 0, peak_t_gamma = 0;   ///< [N]
+    double              axle_load = 0;                        ///< [N]
+    bool                at_end    = false;                    ///< whether a patch lies on the end of a shape
+  };
+
+  /// Solves all rows with half-spaces on all processors, and sums the wear of their patches
+  /// (wear_profile()) at their places on both profiles. With Wheelset/Wheels = both the wheels of a row run
+  /// on one axle, and the line has as many curves to either side: rail and wheel see each wheel of the row in
+  /// half of the passages. Throws InputError with the row's name where the profiles do not touch.
+  MixWear
+  wear_of_mix(const std::vector<MixRow> &rows,
+              const SceneProfiles       &profiles,
+              const WornShape           &rail,
+              const WornShape           &wheel);
+} // namespace wheelrail

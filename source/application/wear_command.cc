@@ -1,0 +1,182 @@
+#include <wheelrail/application/halfspace_results.h>
+#include <wheelrail/application/report_script.h>
+#include <wheelrail/application/wear_command.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/input/scene_files.h>
+
+#include <wheelrail/output/folder.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/wear_files.h>
+#include <wheelrail/reference/wheel_load.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    namespace fs = std::filesystem;
+
+    std::string
+    reached(const WearStep &step)
+    {
+      std::string text_of;
+      if (std::isfinite(step.gross_load))
+        text_of += text("%.4g Mt", 1e-9 * step.gross_load);
+      if (std::isfinite(step.distance))
+        text_of += (text_of.empty() ? "" : ", ") + text("%.4g km", 1e-3 * step.distance);
+      return text_of;
+    }
+
+    void
+    print_step(const WearState &state, std::ostream &out)
+    {
+      const WearStep &step = state.steps.back();
+      out << text(
+               "%5zu  %-22s rail %8.4f mm, wheel %8.4f mm deep   peak %6.0f MPa, T-gamma %7.2f N in the mean",
+               state.steps.size() - 1,
+               reached(step).c_str(),
+               1e3 * step.rail_depth,
+               1e3 * step.wheel_depth,
+               1e-6 * step.mean_pressure,
+               step.mean_t_gamma)
+          << std::endl;
+    }
+
+    /// Profiles of a state, with the depth that is gone and the damage in further columns.
+    void
+    write_shape(const std::string &path, const WornShape &shape, const std::string &what)
+    {
+      std::string table = "# " + what + "; x to the field side [mm], y up [mm], worn depth [mm], damage\n";
+      for (std::size_t k = 0; k < shape.points.size(); ++k)
+        table += text("%.9f %.9f %.9f %.6g\n",
+                      1e3 * shape.points[k].x,
+                      1e3 * shape.points[k].y,
+                      1e3 * shape.depth[k],
+                      shape.damage[k]);
+      replace_file(path, table);
+    }
+
+    void
+    write_state(const fs::path    &folder,
+                const WearState   &state,
+                const WornBody     worn,
+                const std::string &digest)
+    {
+      const bool        first  = state.steps.size() == 1;
+      const std::string number = text("%04zu", state.steps.size() - 1), at = reached(state.steps.back());
+      write_shape(
+        (folder / "profiles" / ("rail_" + number + ".txt")).string(), state.rail, "rail after " + at);
+      if (first || worn != WornBody::rail)
+        write_shape(
+          (folder / "profiles" / ("wheel_" + number + ".txt")).string(), state.wheel, "wheel after " + at);
+      wear_table(state).write_csv((folder / "wear.csv").string());
+      replace_file((folder / "wear.json").string(), wear_state_as_text(state, digest));
+    }
+
+    void
+    print_end(const WearState &state, const WornBody worn, std::ostream &out)
+    {
+      const WearStep &first = state.steps.front(), &last = state.steps.back();
+      const auto row = [&](const std::string &label, const double from, const double to, const char *unit) {
+        out << text("  %-44s %9.3f  %9.3f  %s\n", label.c_str(), from, to, unit);
+      };
+      out << text("after %-40s %9s  %9s\n", reached(last).c_str(), "new", "worn");
+      if (worn != WornBody::wheel)
+        {
+          row("rail: worn section", 0, 1e6 * last.rail_section, "mm2");
+          row("rail: height lost at its axis", 0, 1e3 * last.dimensions.rail_height, "mm");
+          row("rail: gauge side, 14 mm below the top", 0, 1e3 * last.dimensions.rail_side, "mm");
+          row("rail: largest damage (1: cracks)", 0, last.rail_damage, "");
+        }
+      if (worn != WornBody::rail)
+        {
+          row("wheel: worn section", 0, 1e6 * last.wheel_section, "mm2");
+          row("wheel: flange height Sh",
+              1e3 * first.dimensions.flange_height,
+              1e3 * last.dimensions.flange_height,
+              "mm");
+          row("wheel: flange thickness Sd",
+              1e3 * first.dimensions.flange_thickness,
+              1e3 * last.dimensions.flange_thickness,
+              "mm");
+          row("wheel: flange gradient qR",
+              1e3 * first.dimensions.flange_gradient,
+              1e3 * last.dimensions.flange_gradient,
+              "mm");
+          row("wheel: largest damage (1: cracks)", 0, last.wheel_damage, "");
+        }
+      row("equivalent conicity at 3 mm", first.conicity, last.conicity, "");
+      row("peak pressure, mean of the mix", 1e-6 * first.mean_pressure, 1e-6 * last.mean_pressure, "MPa");
+      row("T-gamma, mean of the mix", first.mean_t_gamma, last.mean_t_gamma, "N");
+      if (!state.note.empty())
+        out << "note: " << state.note << '\n';
+    }
+  } // namespace
+
+
+  int
+  run_wear_command(const Scene &scene, const bool draws, std::ostream &out)
+  {
+    const SceneProfiles       profiles = read_profiles(scene);
+    const double              load     = static_wheel_load(scene, profiles.wheel);
+    double                    weights  = 1;
+    const std::vector<MixRow> rows     = mix_rows(scene, load, weights);
+    if (rows.size() == 1)
+      print_head(rows.front().scene, rows.front().scene.wheel_load, out);
+    else
+      out << text("%zu kinds of traffic of %s, on ", rows.size(), scene.wear_plan.mix.c_str())
+          << (scene.both_wheels ? "wheelsets" : "one wheel") << '\n';
+    if (std::abs(weights - 1) > 1e-6 && std::abs(weights - 100) > 1e-4)
+      out << text("note: the weights of the mix add up to %.6g; each row has its share of that\n", weights);
+    const std::string        digest = scene_digest(scene, WHEELRAIL_VERSION);
+    const fs::path           place  = fs::path(scene.folder + "-wear") / "wear.json";
+    std::optional<WearState> kept   = read_wear_state(place.string(), digest);
+    WearState                state  = kept ? *kept : begin_wear(profiles);
+    if (kept)
+      out << (kept->finished ? "everything is there: " : "going on from step ")
+          << (kept->finished ? fs::path(place).parent_path().string()
+                             : std::to_string(kept->steps.size() - 1))
+          << '\n';
+    if (kept && !kept->finished)
+      state.steps.pop_back(); // which is computed again
+    std::string torn;
+    fs::path    folder;
+    const auto  keep = [&](const WearState &now) {
+      if (folder.empty()) // made once the first state is computed: bad input leaves none
+        {
+          folder = folder_beside(scene.folder, "-wear");
+          if (!kept)
+            fs::remove_all(folder / "profiles");
+          fs::create_directories(folder / "profiles");
+          replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+        }
+      write_state(folder, now, scene.wear_plan.worn, digest);
+      print_step(now, out);
+    };
+    try
+      {
+        wear_on(scene, rows, keep, state);
+      }
+    catch (const InputError &error)
+      {
+        if (state.steps.empty())
+          throw;
+        torn = error.what();
+      }
+    folder = place.parent_path();
+    print_end(state, scene.wear_plan.worn, out);
+    if (!torn.empty())
+      out << "stopped: " << torn << '\n';
+    out << "Results in " << folder.string() << std::endl;
+    if (draws)
+      draw_results("wear_evolution.py", folder.string());
+    return torn.empty() ? 0 : 2;
+  }
+} // namespace wheelrail

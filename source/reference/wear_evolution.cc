@@ -1,0 +1,192 @@
+#include <wheelrail/geometry/conicity.h>
+#include <wheelrail/reference/wear_evolution.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    double
+    largest(const std::vector<double> &values)
+    {
+      return *std::max_element(values.begin(), values.end());
+    }
+
+    /// 1 / ((1 - nu1^2) / E1 + (1 - nu2^2) / E2) [Pa].
+    double
+    contact_modulus(const Scene &scene)
+    {
+      const auto compliance = [](const auto &steel) {
+        return (1 - steel.poissons_ratio * steel.poissons_ratio) / steel.youngs_modulus;
+      };
+      return 1 / (compliance(scene.rail_material) + compliance(scene.wheel_material));
+    }
+
+    /// Turns of each wheel for one passage over the rail that they share.
+    double
+    turns_of_a_passage(const Scene &scene)
+    {
+      const WearPlan &plan = scene.wear_plan;
+      return plan.line_length / (plan.wheels * 2 * M_PI * scene.track.nominal_radius);
+    }
+
+    /// Passages of the whole plan, or turns of the wheel.
+    double
+    planned(const Scene &scene, const MixWear &wear)
+    {
+      const WearPlan &plan = scene.wear_plan;
+      return plan.worn == WornBody::wheel ? plan.distance / (2 * M_PI * scene.track.nominal_radius)
+                                          : plan.gross_load * scene.gravity / wear.axle_load;
+    }
+
+    double
+    conicity_of(const SceneProfiles &profiles, const Scene &scene)
+    {
+      constexpr double amplitude = 3e-3;
+      return equivalent_conicity(
+        radius_difference(
+          profiles.rail, profiles.wheel, scene.track, RollMode::none, amplitude + 0.5e-3, 0.5e-3),
+        amplitude,
+        2 * running_circle_distance(scene.track),
+        scene.track.nominal_radius);
+    }
+
+    WearStep
+    measured(const WearState &state, const SceneProfiles &profiles, const Scene &scene, const MixWear &wear)
+    {
+      const bool alone = scene.wear_plan.worn == WornBody::wheel,
+                 both  = scene.wear_plan.worn == WornBody::both;
+      WearStep step;
+      step.passages      = state.passages;
+      step.gross_load    = alone ? none : state.passages * wear.axle_load / scene.gravity;
+      const double turn  = 2 * M_PI * scene.track.nominal_radius;
+      step.distance      = alone  ? state.passages * turn
+                           : both ? state.passages * turns_of_a_passage(scene) * turn
+                                  : none;
+      step.rail_depth    = largest(state.rail.depth);
+      step.wheel_depth   = largest(state.wheel.depth);
+      step.rail_section  = section_between(state.new_rail.points, state.rail.points);
+      step.wheel_section = section_between(state.new_wheel.points, state.wheel.points);
+      step.dimensions    = worn_dimensions(state.new_rail, state.rail, state.wheel);
+      step.conicity      = conicity_of(profiles, scene);
+      step.mean_pressure = wear.mean_pressure;
+      step.peak_pressure = wear.peak_pressure;
+      step.mean_t_gamma  = wear.mean_t_gamma;
+      step.peak_t_gamma  = wear.peak_t_gamma;
+      step.rail_damage   = largest(state.rail.damage);
+      step.wheel_damage  = largest(state.wheel.damage);
+      return step;
+    }
+
+    /// Sections of one passage that are taken off, smoothed; nothing from a body that keeps its profile.
+    std::vector<double>
+    taken(const std::vector<double> &sections,
+          const WornShape           &shape,
+          const double               times,
+          const double               cut_off)
+    {
+      std::vector<double> smooth = smoothed_sections(arc_of(shape.points), sections, cut_off);
+      for (double &section : smooth)
+        section *= times;
+      return smooth;
+    }
+
+    double
+    deepest(const std::vector<double> &sections, const WornShape &shape)
+    {
+      const std::vector<double> cells = cell_lengths(arc_of(shape.points));
+      double                    most  = 0;
+      for (std::size_t k = 0; k < cells.size(); ++k)
+        most = std::max(most, sections[k] / cells[k]);
+      return most;
+    }
+
+    void
+    note(const std::string &sentence, WearState &state)
+    {
+      if (state.note.find(sentence) == std::string::npos)
+        state.note += (state.note.empty() ? "" : " ") + sentence;
+    }
+
+    /// The most that a step may take off; says where the scene asks for more.
+    double
+    step_bound(const Scene &scene, const MixWear &wear, WearState &state)
+    {
+      const WearPlan &plan  = scene.wear_plan;
+      const double    bound = 0.1 * wear.mean_pressure * plan.smoothing / (M_PI * contact_modulus(scene));
+      if (plan.step_depth != WearPlan::automatic && plan.step_depth > bound)
+        note("Steps are smaller than Wear/Step depth, so that one changes the pressure by a tenth at most.",
+             state);
+      return std::min(plan.step_depth, bound);
+    }
+
+    void
+    add_damage(const std::vector<double> &damage, const double passages, WornShape &shape)
+    {
+      for (std::size_t k = 0; k < damage.size(); ++k)
+        shape.damage[k] += passages * damage[k];
+    }
+  } // namespace
+
+
+  WearState
+  begin_wear(const SceneProfiles &profiles)
+  {
+    WearState state;
+    state.new_rail = state.rail = rail_shape(profiles.rail);
+    state.new_wheel = state.wheel = wheel_shape(profiles.wheel);
+    return state;
+  }
+
+
+  void
+  wear_on(const Scene                                  &scene,
+          const std::vector<MixRow>                    &rows,
+          const std::function<void(const WearState &)> &keep,
+          WearState                                    &state)
+  {
+    const WearPlan &plan = scene.wear_plan;
+    while (!state.finished)
+      {
+        const SceneProfiles profiles = profiles_of(state.rail, state.wheel, scene);
+        const MixWear       wear     = wear_of_mix(rows, profiles, state.rail, state.wheel);
+        const double        turns    = plan.worn == WornBody::both ? turns_of_a_passage(scene) : 1;
+        const auto          rail =
+          taken(wear.rail_section, state.rail, plan.worn == WornBody::wheel ? 0 : 1, plan.smoothing);
+        const auto tread =
+          taken(wear.wheel_section, state.wheel, plan.worn == WornBody::rail ? 0 : turns, plan.smoothing);
+        const double depth = std::max(deepest(rail, state.rail), deepest(tread, state.wheel));
+        const double left  = planned(scene, wear) - state.passages;
+        double       steps = depth > 0 ? std::min(left, step_bound(scene, wear, state) / depth) : left;
+        if (left - steps < 1e-9 * left) // no step of a few passages at the end
+          steps = left;
+        if (wear.at_end)
+          note("A patch lies on the end of a profile: what lies beyond was not measured, or is not modelled.",
+               state);
+        if (depth == 0)
+          note("Nothing wears: no contact slides under friction.", state);
+        state.finished = steps <= 0;
+        state.steps.push_back(measured(state, profiles, scene, wear));
+        state.steps.back().step_depth = state.finished ? 0 : steps * depth;
+        keep(state);
+        if (state.finished)
+          return;
+        const auto scaled = [&](std::vector<double> sections) {
+          for (double &section : sections)
+            section *= steps;
+          return sections;
+        };
+        take_off(scaled(rail), state.rail);
+        take_off(scaled(tread), state.wheel);
+        add_damage(wear.rail_damage, steps, state.rail);
+        add_damage(wear.wheel_damage, steps * (plan.worn == WornBody::both ? turns : 1), state.wheel);
+        state.passages += steps;
+      }
+  }
+} // namespace wheelrail

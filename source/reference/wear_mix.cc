@@ -1,0 +1,197 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/parallel.h>
+#include <wheelrail/damage/wear_profile.h>
+#include <wheelrail/input/motion_file.h>
+#include <wheelrail/reference/wear_mix.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A shape with its ways, and what it loses.
+    struct Surface
+    {
+      const WornShape     &shape;
+      std::vector<double>  arc, cells;
+      std::vector<double> &sections, &damage;
+      Placement            placement;
+
+      double
+      way_at(const Point2 &track) const
+      {
+        return arc_next_to(shape.points, arc, placement.to_section(track));
+      }
+    };
+
+    /// Adds what a patch does, `share` of all passages.
+    void
+    add_patch(const WheelRailSolution &patch,
+              const Scene             &scene,
+              const double             share,
+              Surface                  surface,
+              bool                    &at_end)
+    {
+      const WearProfile worn   = wear_profile(patch.patch, scene.velocity, scene.wear);
+      const double      damage = share * burstow_damage(patch.solution.creepage_work, scene.wear);
+      double            low = surface.arc.back(), high = 0;
+      for (std::size_t j = 0; j < worn.depth.size(); ++j)
+        {
+          bool pressed = false;
+          for (std::size_t i = 0; i < patch.patch.n_along && !pressed; ++i)
+            pressed = patch.patch.pressure[j + patch.patch.n_lateral * i] > 0;
+          if (!pressed)
+            continue;
+          const double from = surface.way_at(patch.row_edges[j]), to = surface.way_at(patch.row_edges[j + 1]);
+          low  = std::min({low, from, to});
+          high = std::max({high, from, to});
+          if (worn.depth[j] > 0)
+            spread_section(
+              surface.cells, from, to, share * worn.depth[j] * patch.solution.grid.dy, surface.sections);
+        }
+      for (std::size_t k = 0; k < surface.arc.size(); ++k)
+        if (surface.arc[k] >= low && surface.arc[k] <= high)
+          surface.damage[k] += damage;
+      at_end = at_end || low == 0 || high == surface.arc.back();
+    }
+
+    /// A wheel as it was solved.
+    struct Solved
+    {
+      std::optional<WheelRailSolution> solution;
+      ContactGeometry                  geometry;
+      Scene                            scene;
+      double                           share = 0;
+    };
+
+    std::vector<Solved>
+    solve_row(const MixRow &row, const SceneProfiles &profiles)
+    {
+      try
+        {
+          if (!row.scene.both_wheels)
+            {
+              const SceneGeometry geometry = make_geometry(row.scene, profiles);
+              return {{solve_alone({row.scene, geometry, row.scene.wheel_load}, std::nullopt),
+                       geometry.contact,
+                       row.scene,
+                       row.share}};
+            }
+          const WheelsetSolution wheelset =
+            solve_wheelset(row.scene, row.left, {profiles, profiles}, std::nullopt);
+          return {
+            {wheelset.axle.right, wheelset.right.geometry.contact, wheelset.right.scene, 0.5 * row.share},
+            {wheelset.axle.left, wheelset.left.geometry.contact, wheelset.left.scene, 0.5 * row.share}};
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(row.name + ": " + error.what());
+        }
+    }
+
+    void
+    add_wheel(const Solved                             &wheel,
+              const WornShape                          &rail,
+              const WornShape                          &tread,
+              const std::array<std::vector<double>, 4> &ways,
+              MixWear                                  &sum)
+    {
+      std::vector<const WheelRailSolution *> patches = {&*wheel.solution};
+      for (const WheelRailSolution &other : wheel.solution->others)
+        patches.push_back(&other);
+      double t_gamma = 0, peak = 0;
+      for (const WheelRailSolution *patch : patches)
+        {
+          add_patch(*patch,
+                    wheel.scene,
+                    wheel.share,
+                    {rail, ways[0], ways[1], sum.rail_section, sum.rail_damage, wheel.geometry.rail},
+                    sum.at_end);
+          add_patch(*patch,
+                    wheel.scene,
+                    wheel.share,
+                    {tread, ways[2], ways[3], sum.wheel_section, sum.wheel_damage, wheel.geometry.wheel},
+                    sum.at_end);
+          t_gamma += patch->solution.creepage_work;
+          peak = std::max(peak, patch->solution.peak_pressure);
+        }
+      sum.mean_pressure += wheel.share * peak;
+      sum.peak_pressure = std::max(sum.peak_pressure, peak);
+      sum.mean_t_gamma += wheel.share * t_gamma;
+      sum.peak_t_gamma = std::max(sum.peak_t_gamma, t_gamma);
+    }
+  } // namespace
+
+
+  std::vector<MixRow>
+  mix_rows(const Scene &scene, const double wheel_load, double &weights)
+  {
+    Scene base        = scene;
+    base.wheel_load   = wheel_load;
+    weights           = 1;
+    const Scene right = wheel_of_wheelset(base, false), left = wheel_of_wheelset(base, true);
+    if (scene.wear_plan.mix == "none")
+      return {{scene.both_wheels || !scene.left_wheel ? right : left, left, 1, "the scene"}};
+    const MotionFile  table   = read_mix_file(scene.wear_plan.mix);
+    const auto *const given   = table.find(MotionQuantity::weight);
+    const auto        free_if = [&](Scene at) {
+      if (!has_drive(table))
+        {
+          at.drive                = Drive::torque;
+          at.traction_coefficient = at.creepage = 0;
+        }
+      return at;
+    };
+    std::vector<MixRow> rows;
+    weights = 0;
+    for (std::size_t k = 0; k < table.rows(); ++k)
+      {
+        const double weight = given ? (*given)[k] : 1;
+        weights += weight;
+        if (weight == 0)
+          continue;
+        const Scene on_right = scene_at(free_if(right), of_wheel(table, false), k),
+                    on_left  = scene_at(free_if(left), of_wheel(table, true), k);
+        rows.push_back({scene.both_wheels || !scene.left_wheel ? on_right : on_left,
+                        on_left,
+                        weight,
+                        "Wear/Mix = " + scene.wear_plan.mix + ", row " + std::to_string(k + 1)});
+      }
+    for (MixRow &row : rows)
+      row.share /= weights;
+    weights = given ? weights : 1;
+    return rows;
+  }
+
+
+  MixWear
+  wear_of_mix(const std::vector<MixRow> &rows,
+              const SceneProfiles       &profiles,
+              const WornShape           &rail,
+              const WornShape           &wheel)
+  {
+    std::vector<std::vector<Solved>> solved(rows.size());
+    parallel_for(rows.size(), [&](const std::size_t k) { solved[k] = solve_row(rows[k], profiles); });
+    MixWear sum;
+    for (auto *field : {&sum.rail_section, &sum.rail_damage})
+      field->assign(rail.points.size(), 0);
+    for (auto *field : {&sum.wheel_section, &sum.wheel_damage})
+      field->assign(wheel.points.size(), 0);
+    const std::vector<double> rail_arc = arc_of(rail.points), wheel_arc = arc_of(wheel.points);
+    // in the order of the rows, on any number of threads
+    for (const std::vector<Solved> &row : solved)
+      for (const Solved &one : row)
+        {
+          sum.axle_load += 2 * one.share * one.scene.wheel_load;
+          if (one.solution)
+            add_wheel(
+              one, rail, wheel, {rail_arc, cell_lengths(rail_arc), wheel_arc, cell_lengths(wheel_arc)}, sum);
+        }
+    return sum;
+  }
+} // namespace wheelrail

@@ -1,0 +1,333 @@
+// Profiles that wear: volumes, the size of steps, the pressure that evens out, going on after a stop.
+
+#include "messages.h"
+
+#include <wheelrail/application/command_line.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/damage/wear_profile.h>
+#include <wheelrail/reference/wear_files.h>
+#include <wheelrail/reference/wheel_load.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+namespace
+{
+  /// One wheel that pulls, on elements of 1 mm; all wears over the rail.
+  Scene
+  pulling()
+  {
+    Scene scene;
+    scene.wheel_load             = 100e3;
+    scene.traction_coefficient   = 0.25;
+    scene.halfspace_element_size = 1e-3;
+    scene.wear.archard           = 5e-4;
+    scene.wear_plan.gross_load   = 300e6;
+    return scene;
+  }
+
+  WearState
+  worn(const Scene &scene)
+  {
+    double    weights = 1;
+    WearState state   = begin_wear(read_profiles(scene));
+    wear_on(
+      scene, mix_rows(scene, scene.wheel_load, weights), [](const WearState &) {}, state);
+    return state;
+  }
+
+  double
+  sum(const std::vector<double> &values)
+  {
+    return std::accumulate(values.begin(), values.end(), 0.);
+  }
+
+  void
+  test_shapes()
+  {
+    // a half circle of 10 mm, as a rail would run: over the top, x descending
+    Segment arc;
+    arc.kind                  = Segment::Kind::arc;
+    arc.name                  = "arc";
+    arc.radius                = 10e-3;
+    arc.angle_start           = 0;
+    arc.angle_end             = M_PI;
+    arc.start                 = {10e-3, 0};
+    arc.end                   = {-10e-3, 0};
+    WornShape           shape = worn_shape(Curve({arc}), -1, 0.1e-3, true);
+    const auto          way   = arc_of(shape.points);
+    const auto          cells = cell_lengths(way);
+    std::vector<double> sections(way.size(), 0);
+    check_near(way.back() / (M_PI * 10e-3), 1, 1e-4, "length of the points over that of the arc");
+    check_near(arc_next_to(shape.points, way, {0, 12e-3}) / (0.5 * M_PI * 10e-3), 1, 1e-4, "way to the top");
+    spread_section(cells, 14e-3, 17e-3, 2e-9, sections);
+    spread_section(cells, -5e-3, -1e-3, 1e-9, sections); // before the first point
+    check_near(sum(sections) / 3e-9, 1, 1e-12, "sections that are spread over their sum");
+    check_near(sections.front() / 1e-9, 1, 1e-12, "what lies before the first point");
+    sections.front()  = 0;
+    const auto smooth = smoothed_sections(way, sections, 5e-3);
+    check_near(sum(smooth) / 2e-9, 1, 1e-12, "smoothing loses nothing");
+    const std::vector<Point2> before = shape.points;
+    take_off(smooth, shape);
+    check_near(section_between(before, shape.points) / 2e-9, 1, 1e-4, "what the profile lost");
+    check(norm(shape.points[way.size() / 2]) < 10e-3, "it goes into the steel");
+    // half of a wave of the cut-off length stays
+    std::vector<double> wave(way.size());
+    for (std::size_t k = 0; k < wave.size(); ++k)
+      wave[k] = cells[k] * (1 + std::cos(2 * M_PI * way[k] / 5e-3));
+    const auto  half   = smoothed_sections(way, wave, 5e-3);
+    std::size_t middle = wave.size() / 2;
+    double      high = 0, low = 10;
+    for (std::size_t k = middle - 25; k < middle + 25; ++k)
+      {
+        high = std::max(high, half[k] / cells[k]);
+        low  = std::min(low, half[k] / cells[k]);
+      }
+    check_near(0.5 * (high - low), 0.5, 0.01, "amplitude of a wave of the cut-off length");
+  }
+
+  /// What the patch says is what the profile loses: k p s / H.
+  void
+  test_volume()
+  {
+    const Scene             scene    = pulling();
+    const SceneProfiles     profiles = read_profiles(scene);
+    const WornShape         rail = rail_shape(profiles.rail), wheel = wheel_shape(profiles.wheel);
+    const SceneGeometry     geometry = make_geometry(scene, profiles_of(rail, wheel, scene));
+    const WheelRailSolution one      = *solve_alone({scene, geometry, scene.wheel_load}, std::nullopt);
+    const WearProfile       across   = wear_profile(one.patch, scene.velocity, scene.wear);
+    double                  weights  = 1;
+    const MixWear           mix =
+      wear_of_mix(mix_rows(scene, scene.wheel_load, weights), profiles_of(rail, wheel, scene), rail, wheel);
+    const double section = over_width(across, across.depth);
+    check_near(sum(mix.rail_section) / section, 1, 1e-3, "section of the rail over that of the patch");
+    check_near(sum(mix.wheel_section) / section, 1, 1e-3, "section of the wheel over that of the patch");
+    check_near(mix.axle_load / 200e3, 1, 1e-12, "axle load");
+
+    const WearState after = worn(scene);
+    double          taken = 0;
+    for (const WearStep &step : after.steps)
+      taken = std::max(taken, step.rail_section);
+    const auto cells = cell_lengths(arc_of(after.new_rail.points));
+    double     depth = 0;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      depth += after.rail.depth[k] * cells[k];
+    check_near(taken / depth, 1, 1e-3, "section between new and worn rail over the depths that were taken");
+    check(after.steps.back().wheel_section < 1e-15 && after.steps.back().wheel_depth == 0, "the wheel stays");
+    check_near(after.steps.back().gross_load / 300e6, 1, 1e-9, "all that was planned has passed");
+    check_near(after.rail.depth[after.rail.depth.size() / 4], 0, 1e-9, "no wear far from the contact [m]");
+  }
+
+  void
+  test_steps()
+  {
+    Scene           scene      = pulling();
+    const WearState once       = worn(scene);
+    scene.wear_plan.step_depth = 0.5 * once.steps.front().step_depth;
+    const WearState twice      = worn(scene);
+    check(twice.steps.size() > 1.5 * once.steps.size(),
+          "half the depth a step takes more steps: " + std::to_string(twice.steps.size()) + " and " +
+            std::to_string(once.steps.size()));
+    double most = 0, apart = 0;
+    for (std::size_t k = 0; k < once.rail.depth.size(); ++k)
+      {
+        most  = std::max(most, once.rail.depth[k]);
+        apart = std::max(apart, std::abs(once.rail.depth[k] - twice.rail.depth[k]));
+      }
+    check_near(apart / most, 0, 0.02, "profile with half the steps, over the depth");
+    scene.wear_plan.step_depth = 1e-3;
+    const WearState large      = worn(scene);
+    check(large.steps.size() == once.steps.size() &&
+            large.note.find("Steps are smaller than Wear/Step depth") != std::string::npos,
+          "too large a step is cut, and said: " + large.note);
+  }
+
+  /// A wheel that slides on one place takes off most where the load is largest: the load evens out across the
+  /// middle half of the patch.
+  void
+  test_conforming()
+  {
+    Scene scene                = pulling();
+    scene.drive                = Drive::rate; // it slides as a whole, everywhere as fast
+    scene.creepage             = 0.05;
+    scene.wear_plan.gross_load = 30e6;
+    scene.wear_plan.smoothing  = 5e-3;
+    const auto spread          = [&](const WearState &state) {
+      const SceneGeometry     geometry = make_geometry(scene, profiles_of(state.rail, state.wheel, scene));
+      const WheelRailSolution one      = *solve_alone({scene, geometry, scene.wheel_load}, std::nullopt);
+      const auto             &grid     = one.solution.grid;
+      std::vector<double>     rows;
+      for (int j = 0; j < grid.my; ++j)
+        {
+          double load = 0;
+          for (int i = 0; i < grid.mx; ++i)
+            load += one.solution.pressure[i + grid.mx * j];
+          if (load > 0)
+            rows.push_back(load);
+        }
+      const auto begin = rows.begin() + rows.size() / 4, end = rows.end() - rows.size() / 4;
+      const auto range = std::minmax_element(begin, end);
+      return (*range.second - *range.first) / (std::accumulate(begin, end, 0.) / (end - begin));
+    };
+    const double before = spread(begin_wear(read_profiles(scene))), after = spread(worn(scene));
+    check(after < 0.5 * before,
+          "load across the middle half of the patch: from a spread of " + std::to_string(before) + " to " +
+            std::to_string(after));
+  }
+
+  /// A left wheel is a right one in the mirror.
+  void
+  test_mirror()
+  {
+    Scene           scene = pulling();
+    const WearState right = worn(scene);
+    scene.left_wheel      = true;
+    const WearState left  = worn(scene);
+    double          apart = 0;
+    for (std::size_t k = 0; k < right.rail.points.size(); ++k)
+      apart = std::max(apart, norm(right.rail.points[k] - left.rail.points[k]));
+    check_near(apart / right.steps.back().rail_depth, 0, 1e-9, "left and right rail, over the depth");
+  }
+
+  void
+  test_resume()
+  {
+    Scene scene                = pulling();
+    scene.wear_plan.worn       = WornBody::both;
+    scene.wear_plan.wheels     = 20;
+    scene.wear_plan.gross_load = 10e6;
+    const WearState whole      = worn(scene);
+    check(whole.steps.back().wheel_depth > 0 && whole.steps.back().rail_depth > 0, "both wear");
+    check_near(
+      whole.steps.back().distance / (whole.steps.back().passages * 1000. / 20), 1, 1e-9, "way of a wheel");
+    WearState  state   = begin_wear(read_profiles(scene));
+    double     weights = 1;
+    const auto rows    = mix_rows(scene, scene.wheel_load, weights);
+    struct Stop
+    {
+    };
+    try
+      {
+        wear_on(
+          scene,
+          rows,
+          [](const WearState &now) {
+            std::ofstream("wear_state.json") << wear_state_as_text(now, "one");
+            if (now.steps.size() == 3)
+              throw Stop();
+          },
+          state);
+      }
+    catch (const Stop &)
+      {
+      }
+    check(!read_wear_state("wear_state.json", "another"), "a state of another scene is none");
+    check(!read_wear_state("nothing.json", "one"), "nor is a file that is not there");
+    state = *read_wear_state("wear_state.json", "one");
+    state.steps.pop_back();
+    wear_on(
+      scene, rows, [](const WearState &) {}, state);
+    bool same = state.steps.size() == whole.steps.size();
+    for (std::size_t k = 0; k < whole.rail.points.size(); ++k)
+      same =
+        same && state.rail.points[k].y == whole.rail.points[k].y && state.wheel.depth == whole.wheel.depth;
+    check(same, "stopped and gone on to the same bits");
+    std::ofstream("wear_state.json") << "{";
+    check(!read_wear_state("wear_state.json", "one"), "half a file is no state");
+  }
+
+  /// S1002 new: flange 28 mm high, 32.5 mm thick, qR 10.8 mm (EN 13715).
+  void
+  test_dimensions()
+  {
+    const SceneProfiles  profiles = read_profiles(Scene());
+    const WornShape      rail = rail_shape(profiles.rail), wheel = wheel_shape(profiles.wheel);
+    const WornDimensions fresh = worn_dimensions(rail, rail, wheel);
+    check_near(1e3 * fresh.flange_height, 28, 0.01, "flange height Sh [mm]");
+    check_near(1e3 * fresh.flange_thickness, 32.5, 0.05, "flange thickness Sd [mm]");
+    check_near(1e3 * fresh.flange_gradient, 10.8, 0.1, "flange gradient qR [mm]");
+    check(fresh.rail_height == 0 && fresh.rail_side == 0, "a new rail has lost nothing");
+    WornShape lower = rail;
+    for (Point2 &p : lower.points)
+      {
+        p.y -= 1e-3;
+        p.x += 0.5e-3;
+      }
+    check_near(1e3 * worn_dimensions(rail, lower, wheel).rail_height, 1, 0.01, "height [mm]");
+    // with 0.1 mm of the arc of the side between 13 and 14 mm
+    check_near(1e3 * worn_dimensions(rail, lower, wheel).rail_side, 0.597, 0.01, "gauge side [mm]");
+  }
+
+  std::string
+  said(const Arguments &arguments)
+  {
+    std::ostringstream out;
+    return test::message_of([&]() { execute(arguments, {}, out); });
+  }
+
+  void
+  test_faults()
+  {
+    Scene scene                = pulling();
+    scene.friction.at_rest     = 0;
+    scene.traction_coefficient = 0;
+    const WearState none       = worn(scene);
+    check(none.steps.back().rail_depth == 0 && none.note.find("Nothing wears") != std::string::npos,
+          "without friction nothing wears: " + none.note);
+    std::ofstream("mix.csv") << "lateral shift [mm],yaw [mrad],weight\n0,0,1\n-11.9,50,1\n";
+    const std::string prm  = WHEELRAIL_SOURCE_DIR "/prm/wear.prm";
+    const auto        with = [&](const std::vector<std::string> &sets) {
+      Arguments words = {"wear", prm, "--no-pictures", "--set", "Wear/Mix = mix.csv"};
+      for (const std::string &set : sets)
+        {
+          words.emplace_back("--set");
+          words.push_back(set);
+        }
+      return said(words);
+    };
+    const std::string far = with({});
+    check(far.rfind("Wear/Mix = mix.csv, row 2: Wheel 'S1002' and rail '54E1'", 0) == 0,
+          "a row that does not touch: " + far);
+    std::ofstream("mix.csv") << "lateral shift [mm],weight\n0,0\n1,0\n";
+    test::check_text(with({}), "mix.csv: all weights are 0; write how often each row passes", "no weight");
+    std::ofstream("mix.csv") << "lateral shift [mm],weight\n0,-1\n";
+    test::check_text(
+      with({}),
+      "mix.csv:2: weight = -1 is out of range; 0 to 1e12 is accepted, in the unit of the first line",
+      "a negative weight");
+    test::check_text(
+      with({"Profiles/Rail left = 60E1"}),
+      "Profiles/Rail left = 60E1: both sides wear alike, as on a line with as many curves to the left "
+      "as to the right; write as right",
+      "two rails");
+    test::check_text(
+      with({"Half-space/Undeformed distance = hertz"}),
+      "wear takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles",
+      "a distance that is given");
+  }
+} // namespace
+
+int
+main()
+{
+  test_shapes();
+  test_dimensions();
+  test_volume();
+  test_steps();
+  test_conforming();
+  test_mirror();
+  test_resume();
+  test_faults();
+  return test::report();
+}
