@@ -5,7 +5,6 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/scene_files.h>
-
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/wear_files.h>
@@ -35,6 +34,21 @@ namespace wheelrail
     }
 
     void
+    print_traffic(const Scene               &scene,
+                  const std::vector<MixRow> &rows,
+                  const double               weights,
+                  std::ostream              &out)
+    {
+      if (rows.size() == 1)
+        print_head(rows.front().scene, rows.front().scene.wheel_load, out);
+      else
+        out << text("%zu kinds of traffic of %s, on ", rows.size(), scene.wear_plan.mix.c_str())
+            << (scene.both_wheels ? "wheelsets" : "one wheel") << '\n';
+      if (std::abs(weights - 1) > 1e-6 && std::abs(weights - 100) > 1e-4)
+        out << text("note: the weights of the mix add up to %.6g; each row has its share of that\n", weights);
+    }
+
+    void
     print_step(const WearState &state, std::ostream &out)
     {
       const WearStep &step = state.steps.back();
@@ -49,20 +63,6 @@ namespace wheelrail
           << std::endl;
     }
 
-    /// Profiles of a state, with the depth that is gone and the damage in further columns.
-    void
-    write_shape(const std::string &path, const WornShape &shape, const std::string &what)
-    {
-      std::string table = "# " + what + "; x to the field side [mm], y up [mm], worn depth [mm], damage\n";
-      for (std::size_t k = 0; k < shape.points.size(); ++k)
-        table += text("%.9f %.9f %.9f %.6g\n",
-                      1e3 * shape.points[k].x,
-                      1e3 * shape.points[k].y,
-                      1e3 * shape.depth[k],
-                      shape.damage[k]);
-      replace_file(path, table);
-    }
-
     void
     write_state(const fs::path    &folder,
                 const WearState   &state,
@@ -71,11 +71,13 @@ namespace wheelrail
     {
       const bool        first  = state.steps.size() == 1;
       const std::string number = text("%04zu", state.steps.size() - 1), at = reached(state.steps.back());
-      write_shape(
-        (folder / "profiles" / ("rail_" + number + ".txt")).string(), state.rail, "rail after " + at);
+      const auto        write = [&](const std::string &body, const WornShape &shape) {
+        replace_file((folder / "profiles" / (body + "_" + number + ".txt")).string(),
+                     shape_as_text(shape, body + " after " + at));
+      };
+      write("rail", state.rail);
       if (first || worn != WornBody::rail)
-        write_shape(
-          (folder / "profiles" / ("wheel_" + number + ".txt")).string(), state.wheel, "wheel after " + at);
+        write("wheel", state.wheel);
       wear_table(state).write_csv((folder / "wear.csv").string());
       replace_file((folder / "wear.json").string(), wear_state_as_text(state, digest));
     }
@@ -128,13 +130,7 @@ namespace wheelrail
     const double              load     = static_wheel_load(scene, profiles.wheel);
     double                    weights  = 1;
     const std::vector<MixRow> rows     = mix_rows(scene, load, weights);
-    if (rows.size() == 1)
-      print_head(rows.front().scene, rows.front().scene.wheel_load, out);
-    else
-      out << text("%zu kinds of traffic of %s, on ", rows.size(), scene.wear_plan.mix.c_str())
-          << (scene.both_wheels ? "wheelsets" : "one wheel") << '\n';
-    if (std::abs(weights - 1) > 1e-6 && std::abs(weights - 100) > 1e-4)
-      out << text("note: the weights of the mix add up to %.6g; each row has its share of that\n", weights);
+    print_traffic(scene, rows, weights, out);
     const std::string        digest = scene_digest(scene, WHEELRAIL_VERSION);
     const fs::path           place  = fs::path(scene.folder + "-wear") / "wear.json";
     std::optional<WearState> kept   = read_wear_state(place.string(), digest);

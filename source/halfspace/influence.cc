@@ -1,3 +1,4 @@
+#include <wheelrail/halfspace/corner_sweep.h>
 #include <wheelrail/halfspace/influence.h>
 
 #include <fftw3.h>
@@ -104,26 +105,19 @@ namespace wheelrail
                         const double                      ahead,
                         const std::vector<InfluencePair> &pairs)
   {
-    const int                          nx = products.columns(), ny = products.rows();
-    std::vector<std::vector<double>>   tables(pairs.size(), std::vector<double>(std::size_t(nx) * ny));
-    std::vector<std::array<double, 5>> near(nx + 1), far(nx + 1); // corners with less and with more y
-    const auto                         corners = [&](const int j, auto &row) {
-      for (int i = 0; i <= nx; ++i)
-        row[i] = primitives((i - nx / 2 - 0.5) * grid.dx + ahead, (j - ny / 2 - 0.5) * grid.dy);
-    };
-    corners(0, far);
-    for (int j = 0; j < ny; ++j)
-      {
-        std::swap(near, far);
-        corners(j + 1, far);
-        for (int i = 0; i < nx; ++i)
-          {
-            const bool itself = j == ny / 2 && std::abs((i - nx / 2) * grid.dx + ahead) < grid.dx / 2;
-            const auto c      = between(constants, far[i + 1], near[i + 1], far[i], near[i], itself);
-            for (std::size_t k = 0; k < pairs.size(); ++k)
-              tables[k][i + std::size_t(nx) * j] = c[pairs[k].a][pairs[k].b];
-          }
-      }
+    const int                        nx = products.columns(), ny = products.rows();
+    std::vector<std::vector<double>> tables(pairs.size(), std::vector<double>(std::size_t(nx) * ny));
+    sweep_corners(
+      grid,
+      products,
+      ahead,
+      primitives,
+      [&](const int i, const int j, const auto &ff, const auto &fn, const auto &nf, const auto &nn) {
+        const bool itself = j == ny / 2 && std::abs((i - nx / 2) * grid.dx + ahead) < grid.dx / 2;
+        const auto c      = between(constants, ff, fn, nf, nn, itself);
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+          tables[k][i + std::size_t(nx) * j] = c[pairs[k].a][pairs[k].b];
+      });
     return tables;
   }
 

@@ -1,3 +1,4 @@
+#include <wheelrail/halfspace/corner_sweep.h>
 #include <wheelrail/halfspace/element_stress.h>
 #include <wheelrail/halfspace/subsurface_layers.h>
 
@@ -22,7 +23,7 @@ namespace wheelrail
       std::array<std::vector<double>, components.size()> of;
     };
 
-    /// For tractions along x and y and pressure. Neighbours share their corners: each is computed once.
+    /// For tractions along x and y and pressure.
     std::array<UnitStresses, 3>
     unit_stresses(const HalfspaceGrid     &grid,
                   const InfluenceProducts &products,
@@ -34,28 +35,21 @@ namespace wheelrail
       for (UnitStresses &stresses : unit)
         for (auto &field : stresses.of)
           field.resize(std::size_t(nx) * ny);
-      std::vector<PotentialDerivatives> near(nx + 1), far(nx + 1); // corners with less and with more y
-      const auto                        corners = [&](const int j, auto &row) {
-        for (int i = 0; i <= nx; ++i)
-          row[i] = corner_derivatives((i - nx / 2 - 0.5) * grid.dx, (j - ny / 2 - 0.5) * grid.dy, depth);
-      };
-      corners(0, far);
-      for (int j = 0; j < ny; ++j)
-        {
-          std::swap(near, far);
-          corners(j + 1, far);
-          for (int i = 0; i < nx; ++i)
+      sweep_corners(
+        grid,
+        products,
+        0,
+        [&](const double x, const double y) { return corner_derivatives(x, y, depth); },
+        [&](const int i, const int j, const auto &ff, const auto &fn, const auto &nf, const auto &nn) {
+          const PotentialDerivatives d = rectangle_derivatives(ff, fn, nf, nn);
+          for (int load = 0; load < 3; ++load)
             {
-              const PotentialDerivatives d = rectangle_derivatives(far[i + 1], near[i + 1], far[i], near[i]);
-              for (int load = 0; load < 3; ++load)
-                {
-                  HalfspaceStress stress;
-                  add_stress(d, poisson_ratio, depth, load == 0, load == 1, load == 2, stress);
-                  for (std::size_t c = 0; c < components.size(); ++c)
-                    unit[load].of[c][i + std::size_t(nx) * j] = stress.*components[c];
-                }
+              HalfspaceStress stress;
+              add_stress(d, poisson_ratio, depth, load == 0, load == 1, load == 2, stress);
+              for (std::size_t c = 0; c < components.size(); ++c)
+                unit[load].of[c][i + std::size_t(nx) * j] = stress.*components[c];
             }
-        }
+        });
       return unit;
     }
 

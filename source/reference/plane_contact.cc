@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wheelrail
 {
@@ -125,22 +126,23 @@ namespace wheelrail
     problem.motion                   = HalfspaceMotion::steady;
     problem.longitudinal_force_given = !load.rate_held;
     problem.xi                       = load.rate_held ? load.creepage : 0;
-    double before = 0, missed_before = 0, missed = 0, not_driven = 0;
+    // without the forces of what was solved before, which is a first guess alone
+    const HalfspaceSolution pressed = std::exchange(solution, {});
+    double                  before = 0, missed_before = 0, missed = 0, not_driven = 0;
     for (int round = 0; round < (load.vertical || yaw != 0 ? most_rounds : 1); ++round)
       {
         const double now = problem.normal_force;
         if (load.vertical && round < 2)
-          problem.normal_force = (load.force + (round > 0 ? solution.fy : 0) * s) / c;
+          problem.normal_force = (load.force + solution.fy * s) / c;
         else if (load.vertical && std::abs(missed) >= 0.1 * enough * load.force)
           problem.normal_force = now - missed * (now - before) / (missed - missed_before);
         before        = now;
         missed_before = missed;
         // a force that no friction carries, where all of the patch is known to slide
-        problem.fx = load.slides
-                       ? -std::copysign(10 * load.force, load.longitudinal)
-                       : -(load.longitudinal - (round > 0 ? lateral() : 0) * std::sin(yaw)) / std::cos(yaw);
+        problem.fx = load.slides ? -std::copysign(10 * load.force, load.longitudinal)
+                                 : -(load.longitudinal - lateral() * std::sin(yaw)) / std::cos(yaw);
         set_slip(sections, means, motion, problem.xi, problem);
-        solution = solve_carried(problem, kernels_, &solution);
+        solution = solve_carried(problem, kernels_, round > 0 ? &solution : &pressed);
         if (solution.within_friction)
           problem.xi = solution.xi;
         missed     = vertical() - load.force;

@@ -28,12 +28,18 @@ namespace wheelrail
       return 1 / (compliance(scene.rail_material) + compliance(scene.wheel_material));
     }
 
+    double
+    circumference(const Scene &scene)
+    {
+      return 2 * M_PI * scene.track.nominal_radius;
+    }
+
     /// Turns of each wheel for one passage over the rail that they share.
     double
     turns_of_a_passage(const Scene &scene)
     {
       const WearPlan &plan = scene.wear_plan;
-      return plan.line_length / (plan.wheels * 2 * M_PI * scene.track.nominal_radius);
+      return plan.line_length / (plan.wheels * circumference(scene));
     }
 
     /// Passages of the whole plan, or turns of the wheel.
@@ -41,7 +47,7 @@ namespace wheelrail
     planned(const Scene &scene, const MixWear &wear)
     {
       const WearPlan &plan = scene.wear_plan;
-      return plan.worn == WornBody::wheel ? plan.distance / (2 * M_PI * scene.track.nominal_radius)
+      return plan.worn == WornBody::wheel ? plan.distance / circumference(scene)
                                           : plan.gross_load * scene.gravity / wear.axle_load;
     }
 
@@ -65,7 +71,7 @@ namespace wheelrail
       WearStep step;
       step.passages      = state.passages;
       step.gross_load    = alone ? none : state.passages * wear.axle_load / scene.gravity;
-      const double turn  = 2 * M_PI * scene.track.nominal_radius;
+      const double turn  = circumference(scene);
       step.distance      = alone  ? state.passages * turn
                            : both ? state.passages * turns_of_a_passage(scene) * turn
                                   : none;
@@ -185,7 +191,7 @@ namespace wheelrail
         take_off(scaled(rail), state.rail);
         take_off(scaled(tread), state.wheel);
         add_damage(wear.rail_damage, steps, state.rail);
-        add_damage(wear.wheel_damage, steps * (plan.worn == WornBody::both ? turns : 1), state.wheel);
+        add_damage(wear.wheel_damage, steps * turns, state.wheel);
         state.passages += steps;
       }
   }

@@ -5,7 +5,6 @@
 #include <wheelrail/reference/wear_mix.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -17,47 +16,52 @@ namespace wheelrail
     /// A shape with its ways, and what it loses.
     struct Surface
     {
-      const WornShape     &shape;
-      std::vector<double>  arc, cells;
-      std::vector<double> &sections, &damage;
-      Placement            placement;
-
-      double
-      way_at(const Point2 &track) const
+      Surface(const WornShape &of, std::vector<double> &sections_taken, std::vector<double> &damage_added)
+        : shape(of)
+        , arc(arc_of(of.points))
+        , cells(cell_lengths(arc))
+        , sections(sections_taken)
+        , damage(damage_added)
       {
-        return arc_next_to(shape.points, arc, placement.to_section(track));
+        sections.assign(arc.size(), 0);
+        damage.assign(arc.size(), 0);
       }
+
+      const WornShape          &shape;
+      const std::vector<double> arc, cells;
+      std::vector<double>      &sections, &damage;
     };
 
-    /// Adds what a patch does, `share` of all passages.
-    void
-    add_patch(const WheelRailSolution &patch,
-              const Scene             &scene,
-              const double             share,
-              Surface                  surface,
-              bool                    &at_end)
+    /// Adds what a patch does to a body that stands at `placement`: depths `worn` and `damage`, as much as
+    /// all passages have in the mean of it. Returns whether it lies on the end of the shape.
+    bool
+    add_patch(const WheelRailSolution   &patch,
+              const std::vector<double> &worn,
+              const double               damage,
+              const Placement           &placement,
+              Surface                   &surface)
     {
-      const WearProfile worn   = wear_profile(patch.patch, scene.velocity, scene.wear);
-      const double      damage = share * burstow_damage(patch.solution.creepage_work, scene.wear);
-      double            low = surface.arc.back(), high = 0;
-      for (std::size_t j = 0; j < worn.depth.size(); ++j)
+      const auto way_at = [&](const Point2 &track) {
+        return arc_next_to(surface.shape.points, surface.arc, placement.to_section(track));
+      };
+      double low = surface.arc.back(), high = 0;
+      for (std::size_t j = 0; j < worn.size(); ++j)
         {
           bool pressed = false;
           for (std::size_t i = 0; i < patch.patch.n_along && !pressed; ++i)
             pressed = patch.patch.pressure[j + patch.patch.n_lateral * i] > 0;
           if (!pressed)
             continue;
-          const double from = surface.way_at(patch.row_edges[j]), to = surface.way_at(patch.row_edges[j + 1]);
+          const double from = way_at(patch.row_edges[j]), to = way_at(patch.row_edges[j + 1]);
           low  = std::min({low, from, to});
           high = std::max({high, from, to});
-          if (worn.depth[j] > 0)
-            spread_section(
-              surface.cells, from, to, share * worn.depth[j] * patch.solution.grid.dy, surface.sections);
+          if (worn[j] > 0)
+            spread_section(surface.cells, from, to, worn[j] * patch.solution.grid.dy, surface.sections);
         }
       for (std::size_t k = 0; k < surface.arc.size(); ++k)
         if (surface.arc[k] >= low && surface.arc[k] <= high)
           surface.damage[k] += damage;
-      at_end = at_end || low == 0 || high == surface.arc.back();
+      return low == 0 || high == surface.arc.back();
     }
 
     /// A wheel as it was solved.
@@ -95,11 +99,7 @@ namespace wheelrail
     }
 
     void
-    add_wheel(const Solved                             &wheel,
-              const WornShape                          &rail,
-              const WornShape                          &tread,
-              const std::array<std::vector<double>, 4> &ways,
-              MixWear                                  &sum)
+    add_wheel(const Solved &wheel, Surface &rail, Surface &tread, MixWear &sum)
     {
       std::vector<const WheelRailSolution *> patches = {&*wheel.solution};
       for (const WheelRailSolution &other : wheel.solution->others)
@@ -107,17 +107,16 @@ namespace wheelrail
       double t_gamma = 0, peak = 0;
       for (const WheelRailSolution *patch : patches)
         {
-          add_patch(*patch,
-                    wheel.scene,
-                    wheel.share,
-                    {rail, ways[0], ways[1], sum.rail_section, sum.rail_damage, wheel.geometry.rail},
-                    sum.at_end);
-          add_patch(*patch,
-                    wheel.scene,
-                    wheel.share,
-                    {tread, ways[2], ways[3], sum.wheel_section, sum.wheel_damage, wheel.geometry.wheel},
-                    sum.at_end);
-          t_gamma += patch->solution.creepage_work;
+          const double        work   = patch->solution.creepage_work;
+          const double        damage = wheel.share * burstow_damage(work, wheel.scene.wear);
+          std::vector<double> depth =
+            wear_profile(patch->patch, wheel.scene.velocity, wheel.scene.wear).depth;
+          for (double &d : depth)
+            d *= wheel.share;
+          const bool on_rail  = add_patch(*patch, depth, damage, wheel.geometry.rail, rail),
+                     on_tread = add_patch(*patch, depth, damage, wheel.geometry.wheel, tread);
+          sum.at_end          = sum.at_end || on_rail || on_tread;
+          t_gamma += work;
           peak = std::max(peak, patch->solution.peak_pressure);
         }
       sum.mean_pressure += wheel.share * peak;
@@ -178,19 +177,15 @@ namespace wheelrail
     std::vector<std::vector<Solved>> solved(rows.size());
     parallel_for(rows.size(), [&](const std::size_t k) { solved[k] = solve_row(rows[k], profiles); });
     MixWear sum;
-    for (auto *field : {&sum.rail_section, &sum.rail_damage})
-      field->assign(rail.points.size(), 0);
-    for (auto *field : {&sum.wheel_section, &sum.wheel_damage})
-      field->assign(wheel.points.size(), 0);
-    const std::vector<double> rail_arc = arc_of(rail.points), wheel_arc = arc_of(wheel.points);
+    Surface on_rail(rail, sum.rail_section, sum.rail_damage),
+      on_tread(wheel, sum.wheel_section, sum.wheel_damage);
     // in the order of the rows, on any number of threads
     for (const std::vector<Solved> &row : solved)
       for (const Solved &one : row)
         {
           sum.axle_load += 2 * one.share * one.scene.wheel_load;
           if (one.solution)
-            add_wheel(
-              one, rail, wheel, {rail_arc, cell_lengths(rail_arc), wheel_arc, cell_lengths(wheel_arc)}, sum);
+            add_wheel(one, on_rail, on_tread, sum);
         }
     return sum;
   }

@@ -85,9 +85,13 @@ namespace wheelrail
   std::string
   shape_as_text(const WornShape &shape, const std::string &what)
   {
-    std::string table = "# " + what + "; x to the field side, y up [mm]\n";
-    for (const Point2 &p : shape.points)
-      table += text("%.9f %.9f\n", 1e3 * p.x, 1e3 * p.y);
+    std::string table = "# " + what + "; x to the field side [mm], y up [mm], worn depth [mm], damage\n";
+    for (std::size_t k = 0; k < shape.points.size(); ++k)
+      table += text("%.9f %.9f %.9f %.6g\n",
+                    1e3 * shape.points[k].x,
+                    1e3 * shape.points[k].y,
+                    1e3 * shape.depth[k],
+                    shape.damage[k]);
     return table;
   }
 

@@ -11,6 +11,7 @@ import html
 import io
 import json
 import os
+import sys
 
 STYLE = """
 body { font-family: sans-serif; color: #222; max-width: 76rem; margin: 2rem auto; padding: 0 1rem; line-height: 1.45; }
@@ -197,6 +198,20 @@ def scripts_html(views, script):
     return (f'<script type="application/gzip" id="plotly">{packed(script)}</script>'
             f'<script type="application/gzip" id="data">{packed(data)}</script>'
             f"<script>{draw}{UNPACK}</script>")
+
+
+def run_script(usage, make_page, arguments):
+    """The script of a page: make_page(FOLDER) gives the path of what it made; returns the exit code."""
+    if len(arguments) != 1:
+        print(usage, file=sys.stderr)
+        return 1
+    try:
+        path = make_page(arguments[0])
+    except OSError as error:
+        print(error, file=sys.stderr)
+        return 1
+    print(f"Page in {path}")
+    return 0
 
 
 def write(path, title, parts, views, script):

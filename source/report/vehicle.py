@@ -129,30 +129,20 @@ def worst_rows(table, x, label):
     return "\n".join(lines) + "</table>"
 
 
-def main(arguments):
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 1
-    folder = arguments[0]
-    try:
-        table = columns.read(os.path.join(folder, "vehicle.csv"))
-        given = "given_distance_m" if "given_distance_m" in table else "given_time_s"
-        label = "distance [m]" if given == "given_distance_m" else "time [s]"
-        os.makedirs(os.path.join(folder, "pictures"), exist_ok=True)
-        pictures = []
-        for title, rows in PICTURES:
-            path = os.path.join(folder, "pictures", title.split()[0].lower() + ".png")
-            pictures.append(draw(table, table[given], label, title, rows, path))
-        pictures.insert(1, draw_band(table, table[given], label, os.path.join(folder, "pictures", "band.png")))
-        parts = [*verdicts(table), f"<p>{len(table[given])} rows.</p>", "<h2>Worst rows</h2>", worst_rows(table, table[given], label),
-                 "<h2>Curves</h2>", page.pictures_html([picture for picture in pictures if picture], broad=("band",))]
-        path = page.write(os.path.join(folder, "vehicle.html"), "Wheelset of a vehicle", parts, [], "")
-    except OSError as error:
-        print(error, file=sys.stderr)
-        return 1
-    print(f"Page in {path}")
-    return 0
+def make_page(folder):
+    table = columns.read(os.path.join(folder, "vehicle.csv"))
+    given = "given_distance_m" if "given_distance_m" in table else "given_time_s"
+    label = "distance [m]" if given == "given_distance_m" else "time [s]"
+    os.makedirs(os.path.join(folder, "pictures"), exist_ok=True)
+    pictures = []
+    for title, rows in PICTURES:
+        path = os.path.join(folder, "pictures", title.split()[0].lower() + ".png")
+        pictures.append(draw(table, table[given], label, title, rows, path))
+    pictures.insert(1, draw_band(table, table[given], label, os.path.join(folder, "pictures", "band.png")))
+    parts = [*verdicts(table), f"<p>{len(table[given])} rows.</p>", "<h2>Worst rows</h2>", worst_rows(table, table[given], label),
+             "<h2>Curves</h2>", page.pictures_html([picture for picture in pictures if picture], broad=("band",))]
+    return page.write(os.path.join(folder, "vehicle.html"), "Wheelset of a vehicle", parts, [], "")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(page.run_script(__doc__, make_page, sys.argv[1:]))

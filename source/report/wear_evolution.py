@@ -118,30 +118,20 @@ def figures(table):
     return "\n".join(rows + ["</table>"])
 
 
-def main(arguments):
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 1
-    folder = arguments[0]
-    try:
-        table = columns.read(os.path.join(folder, "wear.csv"))
-        over, label = traffic(table)
-        pictures_folder = os.path.join(folder, "pictures")
-        os.makedirs(pictures_folder, exist_ok=True)
-        states = drawn_states(len(over))
-        pictures = [draw_profiles(folder, body, states, over, label, os.path.join(pictures_folder, body + ".png"))
-                    for body in ("rail", "wheel") if (table[body + "_depth_m"] > 0).any()]
-        pictures += [draw_history(table, over, label, title, rows, os.path.join(pictures_folder, name + ".png"))
-                     for name, title, rows in HISTORIES]
-        parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>", figures(table), "<h2>Pictures</h2>",
-                 page.pictures_html([picture for picture in pictures if picture], broad=("rail", "wheel"))]
-        path = page.write(os.path.join(folder, "wear.html"), "Wear of the profiles", parts, [], "")
-    except OSError as error:
-        print(error, file=sys.stderr)
-        return 1
-    print(f"Page in {path}")
-    return 0
+def make_page(folder):
+    table = columns.read(os.path.join(folder, "wear.csv"))
+    over, label = traffic(table)
+    pictures_folder = os.path.join(folder, "pictures")
+    os.makedirs(pictures_folder, exist_ok=True)
+    states = drawn_states(len(over))
+    pictures = [draw_profiles(folder, body, states, over, label, os.path.join(pictures_folder, body + ".png"))
+                for body in ("rail", "wheel") if (table[body + "_depth_m"] > 0).any()]
+    pictures += [draw_history(table, over, label, title, rows, os.path.join(pictures_folder, name + ".png"))
+                 for name, title, rows in HISTORIES]
+    parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>", figures(table), "<h2>Pictures</h2>",
+             page.pictures_html([picture for picture in pictures if picture], broad=("rail", "wheel"))]
+    return page.write(os.path.join(folder, "wear.html"), "Wear of the profiles", parts, [], "")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(page.run_script(__doc__, make_page, sys.argv[1:]))

@@ -107,18 +107,5 @@ def make_page(folder):
     return page.write(os.path.join(folder, "wheelset.html"), summary.get("title") or "Wheelset", parts, [], "")
 
 
-def main(arguments):
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 1
-    try:
-        path = make_page(arguments[0])
-    except OSError as error:
-        print(error, file=sys.stderr)
-        return 1
-    print(f"Page in {path}")
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(page.run_script(__doc__, make_page, sys.argv[1:]))

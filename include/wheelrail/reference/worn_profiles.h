@@ -14,8 +14,8 @@ namespace wheelrail
   WornShape
   wheel_shape(const WheelProfile &wheel);
 
-  /// Points as a table of two columns, which Profiles/Rail and Profiles/Wheel take [mm]; `what` is its
-  /// heading.
+  /// Points as a table of two columns, which Profiles/Rail and Profiles/Wheel take [mm], with the worn depth
+  /// [mm] and the damage behind them; `what` is its heading.
   std::string
   shape_as_text(const WornShape &shape, const std::string &what);
 
