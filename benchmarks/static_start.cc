@@ -37,12 +37,12 @@ namespace
     int rank, size;
     MPI_Comm_rank(communicator, &rank);
     MPI_Comm_size(communicator, &size);
-    Model              model = make_model(scene, make_geometry(scene), communicator);
-    const StaticLoads  loads = static_loads(scene, model);
-    const double       cpu   = cpu_seconds();
-    const auto         begin = std::chrono::steady_clock::now();
-    const StaticResult result =
-      static_start(*model.forest, model.solid, *model.contact, loads, [&](const std::string &line) {
+    Model              model  = make_model(scene, make_geometry(scene), communicator);
+    const StaticLoads  loads  = static_loads(scene, model);
+    const double       cpu    = cpu_seconds();
+    const auto         begin  = std::chrono::steady_clock::now();
+    const StaticResult result = static_start(
+      *model.forest, model.solid, *model.contact, model.parts, loads, [&](const std::string &line) {
         if (rank == 0)
           std::printf("%s\n", line.c_str());
       });

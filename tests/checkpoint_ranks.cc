@@ -30,7 +30,7 @@ namespace
     explicit Parts(MPI_Comm communicator)
       : model(plastic_model(communicator))
       , axle(model.axle, -1e-4, 80, communicator)
-      , rolling(model.solid, *model.contact, axle, {model.time_step, 0.06, 0}, communicator)
+      , rolling(model.solid, *model.contact, model.parts, axle, {model.time_step, 0.06, 0}, communicator)
       , recorder(model)
     {
     }
@@ -114,7 +114,7 @@ namespace
   void
   check_restored(Parts &parts, const Checkpoint &whole, MPI_Comm communicator, const std::string &what)
   {
-    restore_checkpoint(whole, parts.model, parts.axle, parts.rolling, parts.recorder, communicator);
+    restore_checkpoint(whole, parts.model, parts.rolling, parts.recorder, communicator);
     // positions are the same up to round-off, since another cell may come first at a node
     double largest = 0;
     for_each(parts.model.solid, [&](const double value, const double wanted) {
@@ -181,17 +181,16 @@ namespace
 int
 main(int argc, char **argv)
 {
-  Parallel    parallel(argc, argv);
-  Parts       parts(MPI_COMM_WORLD);
-  Axle::State axle = parts.axle.state();
-  axle.height = -2e-4, axle.pitch_rate = 81;
-  parts.axle.set_state(axle);
+  Parallel        parallel(argc, argv);
+  Parts           parts(MPI_COMM_WORLD);
   TimeLoop::State rolling                        = parts.rolling.state();
+  rolling.parts.at("axle").numbers["height"]     = -2e-4;
+  rolling.parts.at("axle").numbers["pitch_rate"] = 81;
   rolling.energy.works.at("viscous_dissipation") = 1 + parallel.rank;
   parts.rolling.set_state(rolling);
   for_each(parts.model.solid, [](double &value, const double wanted) { value = wanted; });
 
-  const Checkpoint part = take_checkpoint(parts.model, parts.axle, parts.rolling, parts.recorder);
+  const Checkpoint part = take_checkpoint(parts.model, parts.rolling, parts.recorder);
   check(is_finite(part, MPI_COMM_WORLD), "the state is finite");
   const Checkpoint whole = everywhere(gather_checkpoint(part, MPI_COMM_WORLD), parallel.rank);
   check(whole.ranks == parallel.size, "the state tells its number of ranks");
@@ -216,7 +215,7 @@ main(int argc, char **argv)
   std::string error;
   try
     {
-      restore_checkpoint(other, alone.model, alone.axle, alone.rolling, alone.recorder, MPI_COMM_SELF);
+      restore_checkpoint(other, alone.model, alone.rolling, alone.recorder, MPI_COMM_SELF);
     }
   catch (const InputError &refused)
     {

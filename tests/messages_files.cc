@@ -116,7 +116,10 @@ namespace
     StaticLoads loads    = static_loads(scene, model);
     loads.first_approach = -1e-4;
     check_message(
-      [&]() { static_start(*model.forest, model.solid, *model.contact, loads, [](const std::string &) {}); },
+      [&]() {
+        static_start(
+          *model.forest, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
+      },
       "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
       "Mesh/Solution "
       "cell size");

@@ -43,12 +43,13 @@ namespace
     Model             model = make_model(scene, make_geometry(scene), communicator);
     const StaticLoads loads = static_loads(scene, model);
     run.wheel_load          = model.wheel_load;
-    run.start = static_start(*model.forest, model.solid, *model.contact, loads, [](const std::string &) {});
+    run.start               = static_start(
+      *model.forest, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
     const double                rate = scene.velocity / loads.forward_radius * (1 + run.start.creepage);
     const AlignedVector<double> still(model.solid.displacement.size(), 0.);
-    rolling_velocities(model.solid, model.axle, rate, still, communicator);
+    rolling_velocities(model.solid, model.parts, model.axle, rate, still, communicator);
     Axle    axle(model.axle, run.start.lift, rate, communicator);
-    Rolling rolling(model.solid, *model.contact, axle, time_scheme(scene, model), communicator);
+    Rolling rolling(model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), communicator);
     run.steps  = std::lround(scene.rolling_distance / scene.velocity / model.time_step);
     double low = 1e300, high = -1e300;
     for (unsigned long n = 1; n <= run.steps; ++n)

@@ -26,12 +26,13 @@ namespace
         material->yield_stress    = 280e6;
         material->tangent_modulus = 21e9;
       }
-    scene.rolling_distance    = 5e-3;
-    Model               model = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
-    Log                 log;
-    const RunStart      start = start_from_rest(scene, model, log, MPI_COMM_WORLD);
-    Axle                axle(model.axle, start.lift, start.rate, MPI_COMM_WORLD);
-    Rolling             rolling(model.solid, *model.contact, axle, time_scheme(scene, model), MPI_COMM_WORLD);
+    scene.rolling_distance = 5e-3;
+    Model          model   = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
+    Log            log;
+    const RunStart start = start_from_rest(scene, model, log, MPI_COMM_WORLD);
+    Axle           axle(model.axle, start.lift, start.rate, MPI_COMM_WORLD);
+    Rolling        rolling(
+      model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), MPI_COMM_WORLD);
     const unsigned long steps = std::lround(scene.rolling_distance / scene.velocity / model.time_step);
     double              low = 1e300, high = -1e300, worst_energy = 0, first_plastic = 0;
     for (unsigned long n = 1; n <= steps; ++n)

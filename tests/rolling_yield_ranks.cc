@@ -30,9 +30,9 @@ namespace
     Log            log;
     const RunStart start = start_from_rest(scene, model, log, communicator);
     Axle           axle(model.axle, start.lift, start.rate, communicator);
-    Rolling        rolling(model.solid, *model.contact, axle, time_scheme(scene, model), communicator);
-    constexpr int  steps = 100;
-    Figures        figures;
+    Rolling rolling(model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), communicator);
+    constexpr int steps = 100;
+    Figures       figures;
     for (int n = 1; n <= steps; ++n)
       {
         rolling.step(n == 1 || n == steps);

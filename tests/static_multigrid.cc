@@ -258,7 +258,7 @@ namespace
   steps(Model &model, const double factor, const std::string &name)
   {
     const LocalMesh &mesh = model.solid.mesh;
-    StaticSystem     system(*model.forest, model.solid);
+    StaticSystem     system(*model.forest, model.solid, model.parts);
     const auto       springs = springs_of(model, factor);
     system.set_springs(springs);
     // all springs pull alike: forces as rough as those of a start

@@ -54,7 +54,8 @@ namespace
     Log            log;
     const RunStart start = start_from_rest(scene, model, log, MPI_COMM_WORLD);
     rolled.axle          = std::make_unique<Axle>(model.axle, start.lift, start.rate, MPI_COMM_WORLD);
-    Rolling    rolling(model.solid, *model.contact, *rolled.axle, time_scheme(scene, model), MPI_COMM_WORLD);
+    Rolling rolling(
+      model.solid, *model.contact, model.parts, *rolled.axle, time_scheme(scene, model), MPI_COMM_WORLD);
     const long steps = std::lround(distance / scene.velocity / model.time_step);
     for (long n = 1; n <= steps; ++n)
       rolling.step(false);
@@ -78,7 +79,7 @@ namespace
     Rolled       rolled = roll(false, 0.2e-3);
     Solid       &solid  = rolled.model.solid;
     const double loaded = largest_stress(solid);
-    const auto   done   = unload(*rolled.model.forest, solid, *rolled.axle);
+    const auto   done   = unload(*rolled.model.forest, solid, rolled.model.parts, *rolled.axle);
     check(largest_stress(solid) == loaded, "the bodies are left as they were");
     const WhileUnloaded without(solid, done);
     check(loaded > 300e6, "a loaded wheel");
@@ -112,7 +113,7 @@ namespace
   {
     Solid &solid = rolled.model.solid;
     check(one_sidedness(solid, 1) < -0.5, "under the wheel the rail is pressed down");
-    const WhileUnloaded without(solid, unload(*rolled.model.forest, solid, *rolled.axle));
+    const WhileUnloaded without(solid, unload(*rolled.model.forest, solid, rolled.model.parts, *rolled.axle));
     const double        left = largest_stress(solid);
     check(left > 0.05 * yield_stress, "stress is left: " + std::to_string(1e-6 * left) + " MPa");
     // hardened by the largest plastic strain
@@ -131,14 +132,12 @@ namespace
   void
   turned_wheel(Rolled &rolled, const double left)
   {
-    Solid            &solid = rolled.model.solid;
-    const AxleData   &data  = rolled.axle->data();
-    const Axle::State state = rolled.axle->state();
-    const Vector3     now   = data.centre + Vector3{0, state.height, state.travelled};
-    const Rotation    turn(data.axis, 0.3);
-    Axle::State       turned = state;
-    turned.angle += 0.3;
-    turned.travelled += 0.1;
+    Solid         &solid = rolled.model.solid;
+    const Vector3  now   = rolled.axle->centre();
+    const Rotation turn(rolled.axle->axis(), 0.3);
+    PartState      turned = rolled.axle->state();
+    turned.numbers["angle"] += 0.3;
+    turned.numbers["travelled"] += 0.1;
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       if (solid.mesh.node_body[n] == Body::wheel)
         {
@@ -147,7 +146,7 @@ namespace
             solid.displacement[4 * n + i] = x[i] - solid.mesh.reference[4 * n + i];
         }
     rolled.axle->set_state(turned);
-    const WhileUnloaded without(solid, unload(*rolled.model.forest, solid, *rolled.axle));
+    const WhileUnloaded without(solid, unload(*rolled.model.forest, solid, rolled.model.parts, *rolled.axle));
     check_near(largest_stress(solid) / left, 1, 1e-4, "stress left in a wheel that has turned on by 0.3 rad");
   }
 } // namespace

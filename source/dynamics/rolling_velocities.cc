@@ -1,6 +1,6 @@
 #include <wheelrail/dynamics/rolling_velocities.h>
-#include <wheelrail/solid/boundary_nodes.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -8,6 +8,7 @@ namespace wheelrail
 {
   void
   rolling_velocities(Solid                       &solid,
+                     const SceneParts            &parts,
                      const AxleData              &axle,
                      const double                 pitch_rate,
                      const AlignedVector<double> &still,
@@ -42,10 +43,12 @@ namespace wheelrail
           for (int i = 0; i < 3; ++i)
             v[i] = -axle.velocity * H[3 * i + 2];
       }
-    for (const Boundary mark : {Boundary::foot, Boundary::end})
-      for (const unsigned int n : boundary_nodes(solid.mesh, mark))
-        for (int i = 0; i < 3; ++i)
-          solid.velocity[4 * n + i] = 0;
+    const std::vector<unsigned char> held = held_nodes(solid, prepare_parts(parts, solid));
+    for (std::size_t n = 0; n < held.size(); ++n)
+      if (held[n])
+        std::fill_n(&solid.velocity[4 * n], 3, 0.);
     distribute(solid.mesh, solid.velocity.data());
+    for (const auto &part : parts)
+      part->start(solid);
   }
 } // namespace wheelrail

@@ -172,7 +172,11 @@ namespace wheelrail
   TimeLoop::State
   TimeLoop::state() const
   {
-    return {time_, steps_, book_.state()};
+    State state{time_, steps_, book_.state(), {}};
+    for (const Part *part : parts_)
+      if (!part->name().empty())
+        state.parts[part->name()] = part->state();
+    return state;
   }
 
 
@@ -182,5 +186,8 @@ namespace wheelrail
     time_  = state.time;
     steps_ = state.steps;
     book_.set_state(state.energy);
+    for (Part *part : parts_)
+      if (!part->name().empty())
+        part->set_state(state.parts.at(part->name()));
   }
 } // namespace wheelrail

@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/contact/make_law.h>
+#include <wheelrail/dynamics/supports.h>
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
@@ -98,6 +99,17 @@ namespace wheelrail
       add_band_mass(model.solid, model.contact->law().added_mass, communicator);
     }
 
+    /// What holds and loads the bodies beside contact and axle.
+    SceneParts
+    scene_parts(const Scene &scene, MPI_Comm communicator)
+    {
+      SceneParts parts;
+      parts.push_back(
+        std::make_unique<Supports>(std::vector<Boundary>{Boundary::foot, Boundary::end}, communicator));
+      parts.push_back(std::make_unique<Weight>(Body::wheel, scene.gravity));
+      return parts;
+    }
+
     /// Bodies and contact on the mesh of the start; the contact's law follows from it.
     void
     prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
@@ -105,6 +117,9 @@ namespace wheelrail
       const SweepPlan &plan = model.forest->plan();
       prepare(model.solid, model.forest->local_mesh(), communicator);
       lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
+      model.parts = scene_parts(scene, communicator);
+      prepare_parts(model.parts, model.solid);
+      lower_stable_step(model.solid, model.parts);
       model.contact = make_contact(scene, model, communicator);
       prepare_contact(model, plan, {plan.fine, plan.fine}, communicator);
     }

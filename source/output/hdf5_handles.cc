@@ -106,6 +106,13 @@ namespace wheelrail
       write_scalar_attribute(object, name, H5T_NATIVE_UINT, &value);
     }
 
+    bool
+    has_attribute(const hid_t object, const std::string &name)
+    {
+      return H5Aexists(object, name.c_str()) > 0;
+    }
+
+
     std::string
     read_text_attribute(const hid_t object, const std::string &name)
     {

@@ -73,12 +73,19 @@ namespace wheelrail
     const AlignedVector<double> still  = model.solid.displacement; // dents of earlier passages
     const auto                  begin  = std::chrono::steady_clock::now();
     const StaticResult          result = static_start(
-      *model.forest, model.solid, *model.contact, loads, [&](const std::string &line) { log.status(line); });
+      *model.forest, model.solid, *model.contact, model.parts, loads, [&](const std::string &line) {
+        log.status(line);
+      });
     const bool   at_radius = !loads.rate_held && without(scene, StartState::without_creepage);
     const double creepage  = at_radius ? 0 : result.creepage;
     const double rate      = scene.velocity / loads.forward_radius * (1 + creepage);
-    rolling_velocities(
-      model.solid, model.axle, rate, still, communicator, !without(scene, StartState::without_velocities));
+    rolling_velocities(model.solid,
+                       model.parts,
+                       model.axle,
+                       rate,
+                       still,
+                       communicator,
+                       !without(scene, StartState::without_velocities));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const std::string                   flow =
       result.flow_steps == 0 ? "" : text(", %d steps of plastic flow", result.flow_steps);

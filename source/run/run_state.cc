@@ -16,7 +16,7 @@ namespace wheelrail
     , model(std::move(built))
     , communicator(of_all)
     , axle(model.axle, lift, rate, communicator)
-    , rolling(model.solid, *model.contact, axle, time_scheme(scene, model), communicator)
+    , rolling(model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), communicator)
     , recorder(model)
   {
   }
@@ -57,7 +57,7 @@ namespace wheelrail
         prepare_window(model, communicator);
       }
     auto run = std::make_unique<RunState>(scene, std::move(model), 0, 0, communicator);
-    restore_checkpoint(saved, run->model, run->axle, run->rolling, run->recorder, communicator);
+    restore_checkpoint(saved, run->model, run->rolling, run->recorder, communicator);
     lengthen_way(*run);
     run->ticks          = saved.ticks;
     run->first_step     = run->rolling.steps();

@@ -245,8 +245,10 @@ namespace wheelrail
       if (finished)
         on_root(communicator_, [&]() { remove_checkpoints(scene_.folder); });
       else
-        write_way_on(
-          log_, scene_, stop, states_.any() ? &states_.kept().axle.travelled : nullptr, bytes, size_);
+        {
+          const double kept = states_.any() ? states_.kept().travelled() : 0;
+          write_way_on(log_, scene_, stop, states_.any() ? &kept : nullptr, bytes, size_);
+        }
     }
 
 

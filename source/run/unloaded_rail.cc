@@ -17,8 +17,8 @@ namespace wheelrail
     try
       {
         use_forest(run);
-        UnloadedBodies                      bodies = unload(*run.model.forest, run.model.solid, run.axle);
-        const std::chrono::duration<double> taken  = std::chrono::steady_clock::now() - begin;
+        UnloadedBodies bodies = unload(*run.model.forest, run.model.solid, run.model.parts, run.axle);
+        const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         log.value("unloading",
                   text("%u Newton steps, %u CG steps, %s",
                        bodies.steps,

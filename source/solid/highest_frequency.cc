@@ -127,4 +127,16 @@ namespace wheelrail
         solid.stable.lowered_by_edges = true;
       }
   }
+
+
+  void
+  lower_stable_step(Solid &solid, const SceneParts &parts)
+  {
+    double added = 0;
+    for (const auto &part : parts)
+      added += part->squared_frequency(solid);
+    const double bodies = 2 / solid.stable.step; // with their viscosity
+    if (added > 0)
+      solid.stable.step = 2 / std::sqrt(bodies * bodies + added);
+  }
 } // namespace wheelrail

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace wheelrail
 {
@@ -163,7 +164,7 @@ namespace wheelrail
 
 
   Checkpoint
-  take_checkpoint(const Model &model, const Axle &axle, const Rolling &rolling, const Recorder &recorder)
+  take_checkpoint(const Model &model, const Rolling &rolling, const Recorder &recorder)
   {
     const LocalMesh &mesh = model.solid.mesh;
     Checkpoint       part;
@@ -180,7 +181,6 @@ namespace wheelrail
     part.node_values["velocity"]     = owned_values(mesh, model.solid.velocity);
     part.cell_values                 = cell_histories(model.solid);
     part.contact                     = model.contact->state();
-    part.axle                        = axle.state();
     part.rolling                     = rolling.state();
     part.recorder                    = recorder.state();
     for (const auto &[name, work] : part.rolling.energy.works)
@@ -202,14 +202,14 @@ namespace wheelrail
       for (const double value :
            {node.pressure, node.elastic[0], node.elastic[1], node.elastic[2], node.foot.xi, node.foot.eta})
         see(value);
-    for (const double value : {part.axle.height,
-                               part.axle.vertical_speed,
-                               part.axle.angle,
-                               part.axle.pitch_rate,
-                               part.axle.sprung_height,
-                               part.axle.sprung_speed,
-                               part.rolling.energy.error})
-      see(value);
+    for (const auto &[name, state] : part.rolling.parts)
+      {
+        for (const auto &number : state.numbers)
+          see(number.second);
+        for (const double value : state.values)
+          see(value);
+      }
+    see(part.rolling.energy.error);
     MPI_Allreduce(MPI_IN_PLACE, &finite, 1, MPI_INT, MPI_MIN, communicator);
     return finite == 1;
   }
@@ -227,6 +227,12 @@ namespace wheelrail
     whole.cell_values = gather_values(part.cell_values, whole.cell, communicator);
     for (const auto &[name, work] : part.works)
       whole.works[name] = gather(work, MPI_DOUBLE, communicator);
+    std::map<std::string, PartState> parts = part.rolling.parts;
+    for (auto &[name, state] : parts)
+      {
+        state.nodes  = gather(state.nodes, MPI_UINT32_T, communicator);
+        state.values = gather(state.values, MPI_DOUBLE, communicator);
+      }
     if (rank > 0)
       return {};
     std::iota(whole.node.begin(), whole.node.end(), 0);
@@ -242,8 +248,8 @@ namespace wheelrail
     whole.window            = part.window;
     whole.start_block       = part.start_block;
     whole.contact           = part.contact;
-    whole.axle              = part.axle;
     whole.rolling           = part.rolling;
+    whole.rolling.parts     = std::move(parts);
     whole.recorder          = part.recorder;
     return whole;
   }
@@ -267,7 +273,6 @@ namespace wheelrail
   void
   restore_checkpoint(const Checkpoint &whole,
                      Model            &model,
-                     Axle             &axle,
                      Rolling          &rolling,
                      Recorder         &recorder,
                      MPI_Comm          communicator)
@@ -277,7 +282,6 @@ namespace wheelrail
         "--resume: the mesh is not that of the saved state, since a profile file or the program has changed: "
         "start anew without --resume");
     model.contact->set_state(whole.contact);
-    axle.set_state(whole.axle);
     TimeLoop::State state = whole.rolling;
     for (const auto &[name, of_ranks] : whole.works)
       state.energy.works[name] = share(of_ranks, communicator);

@@ -1,3 +1,4 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/state/checkpoint.h>
 
@@ -32,18 +33,6 @@ namespace wheelrail
       visit("energy_at_start", c.rolling.energy.start);
       visit("energy_error", c.rolling.energy.error);
       visit("ranks", c.ranks);
-      visit("height", c.axle.height);
-      visit("lift", c.axle.lift);
-      visit("vertical_speed", c.axle.vertical_speed);
-      visit("angle", c.axle.angle);
-      visit("pitch_rate", c.axle.pitch_rate);
-      visit("travelled", c.axle.travelled);
-      visit("sprung_height", c.axle.sprung_height);
-      visit("sprung_speed", c.axle.sprung_speed);
-      visit("damped", c.axle.work.damped);
-      visit("torque_work", c.axle.work.torque_work);
-      visit("hold_work", c.axle.work.hold_work);
-      visit("load_work", c.axle.work.load_work);
       visit("rail_column", c.window.column.rail);
       visit("wheel_column", c.window.column.wheel);
       visit("rail_start_column", c.window.start.rail);
@@ -109,6 +98,14 @@ namespace wheelrail
       return {numbers.begin(), numbers.end()};
     }
 
+    // --- parts: names and values of the numbers that all ranks know, nodes and their values ---
+
+    std::string
+    part_prefix(const std::string &name)
+    {
+      return "part_" + name;
+    }
+
     // --- tables: one array, column by column, the names and units as lines of text ---
 
     std::string
@@ -154,6 +151,82 @@ namespace wheelrail
       return table;
     }
 
+    void
+    write_parts(const hid_t file, const std::map<std::string, PartState> &parts)
+    {
+      std::vector<std::string> names;
+      const auto               write = [&](const std::string &name, const std::vector<double> &values) {
+        write_dataset(file, name, {values.size()}, values, "SI");
+      };
+      for (const auto &[name, state] : parts)
+        {
+          std::vector<std::string> entries;
+          std::vector<double>      numbers;
+          for (const auto &[entry, number] : state.numbers)
+            {
+              entries.push_back(entry);
+              numbers.push_back(number);
+            }
+          names.push_back(name);
+          write_attribute(file, part_prefix(name), join_lines(entries));
+          write(part_prefix(name) + "_numbers", numbers);
+          write(part_prefix(name) + "_nodes", {state.nodes.begin(), state.nodes.end()});
+          write(part_prefix(name) + "_values", state.values);
+        }
+      write_attribute(file, "parts", join_lines(names));
+    }
+
+    std::map<std::string, PartState>
+    read_parts(const hid_t file)
+    {
+      std::map<std::string, PartState> parts;
+      for (const std::string &name : split_lines(read_text_attribute(file, "parts")))
+        {
+          PartState &state   = parts[name];
+          const auto entries = split_lines(read_text_attribute(file, part_prefix(name)));
+          const auto numbers = read_dataset(file, part_prefix(name) + "_numbers");
+          const auto nodes   = read_dataset(file, part_prefix(name) + "_nodes");
+          for (std::size_t k = 0; k < entries.size(); ++k)
+            state.numbers[entries[k]] = numbers.at(k);
+          state.nodes.assign(nodes.begin(), nodes.end());
+          state.values = read_dataset(file, part_prefix(name) + "_values");
+        }
+      return parts;
+    }
+
+    /// Formats before 7 have the axle's numbers beside those of the run; what the oldest lack stays zero.
+    std::map<std::string, PartState>
+    read_former_axle(const hid_t file)
+    {
+      PartState axle;
+      for (const char *name : {"height",
+                               "lift",
+                               "vertical_speed",
+                               "angle",
+                               "pitch_rate",
+                               "travelled",
+                               "sprung_height",
+                               "sprung_speed",
+                               "damped",
+                               "torque_work",
+                               "hold_work",
+                               "load_work"})
+        axle.numbers[name] = has_attribute(file, name) ? read_number_attribute(file, name) : 0;
+      return {{"axle", axle}};
+    }
+
+    /// Files say their format from 7 on; throws RunError for a newer one than this program knows.
+    int
+    read_format(const hid_t file)
+    {
+      const int format = has_attribute(file, "format") ? int(read_number_attribute(file, "format")) : 6;
+      if (format > checkpoint_format)
+        throw RunError("it is of format " + std::to_string(format) +
+                       ", this version of the program reads formats up to " +
+                       std::to_string(checkpoint_format));
+      return format;
+    }
+
     // --- values by number: the rows of a dataset, in a group that names them ---
 
     void
@@ -197,6 +270,7 @@ namespace wheelrail
   {
     const Quiet  quiet;
     const Handle file(open_in_memory(), H5Fclose, "make a file in memory");
+    write_attribute(file, "format", static_cast<double>(checkpoint_format));
     write_text(file, "parameters", checkpoint.parameters);
     visit_numbers(checkpoint, [&](const char *name, const auto value) {
       write_attribute(file, name, static_cast<double>(value));
@@ -217,6 +291,7 @@ namespace wheelrail
     write_attribute(file, "works", join_lines(names));
     write("rail_kept", numbers_of(checkpoint.window.kept.rail));
     write("wheel_kept", numbers_of(checkpoint.window.kept.wheel));
+    write_parts(file, checkpoint.rolling.parts);
     write("contact", pack(checkpoint.contact.nodes));
     write_table(file, "history", checkpoint.recorder.history);
     write_table(file, "patches", checkpoint.recorder.patches);
@@ -230,9 +305,11 @@ namespace wheelrail
     const Quiet  quiet;
     const Handle file(open_in_memory(bytes), H5Fclose, "read it");
     Checkpoint   checkpoint;
+    const int    format   = read_format(file);
     checkpoint.parameters = read_text(file, "parameters");
     visit_numbers(checkpoint, [&](const char *name, auto &value) {
-      value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
+      if (format == checkpoint_format || has_attribute(file, name))
+        value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
     });
     checkpoint.node        = count_to(read_number_attribute(file, "nodes"));
     checkpoint.cell        = count_to(read_number_attribute(file, "cells"));
@@ -242,6 +319,7 @@ namespace wheelrail
       checkpoint.works[name] = read_dataset(file, work_prefix + name);
     checkpoint.window.kept.rail  = columns_of(read_dataset(file, "rail_kept"));
     checkpoint.window.kept.wheel = columns_of(read_dataset(file, "wheel_kept"));
+    checkpoint.rolling.parts     = format < checkpoint_format ? read_former_axle(file) : read_parts(file);
     checkpoint.contact.nodes     = unpack(read_dataset(file, "contact"));
     checkpoint.recorder.history  = read_table(file, "history");
     checkpoint.recorder.patches  = read_table(file, "patches");

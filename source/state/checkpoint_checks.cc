@@ -89,7 +89,7 @@ namespace wheelrail
       return "entries differ from those of the saved state, which must not change: " + differences +
              "; set them back, or start anew in another Output/Folder";
 
-    const double      rolled = saved.axle.travelled;
+    const double      rolled = saved.travelled();
     const std::string wanted = "Run/Rolling distance = " + rounded_mm(scene.rolling_distance);
     if (scene.motion != "none" && scene.rolling_distance > saved.prepared_distance * (1 + 1e-12))
       return wanted + ": fine cells and motion of the saved state were laid for " +

@@ -19,9 +19,6 @@ namespace wheelrail
   {
     using Json = nlohmann::ordered_json;
 
-    /// Counts up whenever a field of a checkpoint is added or changes its meaning.
-    constexpr int format = 6;
-
     constexpr const char *file_names[2] = {"checkpoint_0.h5", "checkpoint_1.h5"};
 
     /// FNV-1a of 64 bits (Fowler, Noll and Vo), in hexadecimal digits.
@@ -128,10 +125,10 @@ namespace wheelrail
           refuse(folder, "there is no run to go on with; start without --resume");
         }
       const Json found = marker.is_object() ? marker.value("format", Json("none")) : Json("none");
-      if (found != format)
+      if (found != checkpoint_format)
         refuse(folder,
                "checkpoint.json is of format " + found.dump() +
-                 ", this version of the program reads format " + std::to_string(format) +
+                 ", this version of the program reads format " + std::to_string(checkpoint_format) +
                  "; start anew without --resume");
       std::string faults;
       for (const Json &state : listed_states(marker))
@@ -190,7 +187,7 @@ namespace wheelrail
 
       Json state;
       state["file"]               = name;
-      state["rolled_distance_mm"] = std::stod(mm(whole.axle.travelled));
+      state["rolled_distance_mm"] = std::stod(mm(whole.travelled()));
       state["time_s"]             = whole.rolling.time;
       state["time_steps"]         = whole.rolling.steps;
       state["ranks"]              = whole.ranks;
@@ -201,7 +198,7 @@ namespace wheelrail
       marker["about"] =
         "Saved states of a run that has not finished, the newest first; \"run FILE --resume\" "
         "goes on from the first that is whole.";
-      marker["format"] = format;
+      marker["format"] = checkpoint_format;
       marker["states"] = Json::array({state});
       if (!before.empty())
         marker["states"].push_back(before.front());
@@ -262,7 +259,7 @@ namespace wheelrail
         refuse(scene.folder, obstacle);
       if (const auto obstacle = obstacle_to_resume(whole, scene, parameters); !obstacle.empty())
         refuse(scene.folder, obstacle);
-      if (const auto obstacle = obstacle_of_stop(stop_in(marker), whole.axle.travelled, scene);
+      if (const auto obstacle = obstacle_of_stop(stop_in(marker), whole.travelled(), scene);
           !obstacle.empty())
         refuse(scene.folder, obstacle);
       if (whole.ranks != size)

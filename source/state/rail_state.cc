@@ -48,7 +48,7 @@ namespace wheelrail
     turn_back(const Checkpoint &rail, Model &model, MPI_Comm communicator)
     {
       Axle axle(model.axle, 0, 0, communicator);
-      axle.set_state(rail.axle);
+      axle.set_state(rail.rolling.parts.at("axle"));
       WheelAxes(axle).to_wheel(model.solid);
     }
   } // namespace
@@ -57,7 +57,7 @@ namespace wheelrail
   void
   save_rail(const RunParts &run, const std::string &parameters)
   {
-    Checkpoint part        = take_checkpoint(run.model, run.axle, run.rolling, run.recorder);
+    Checkpoint part        = take_checkpoint(run.model, run.rolling, run.recorder);
     part.parameters        = parameters;
     part.fine_margin       = run.scene.fine_margin;
     const Checkpoint whole = gather_checkpoint(part, run.communicator);

@@ -13,7 +13,8 @@ namespace wheelrail
   DirectBottom::DirectBottom(const Forest                     &forest,
                              const LocalMesh                  &mesh,
                              const PerBody<ElementBlocks>     &blocks,
-                             const std::vector<unsigned char> &held)
+                             const std::vector<unsigned char> &held,
+                             const AlignedVector<double>      &ground)
     : mesh_(mesh)
     , communicator_(forest.communicator())
   {
@@ -25,6 +26,7 @@ namespace wheelrail
     {
       Place         place;
       unsigned char held;
+      Vector3       ground;
     };
     std::vector<Known> known;
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
@@ -33,25 +35,36 @@ namespace wheelrail
           const Body          body = mesh.node_body[n];
           const SweptGrid    &grid = forest.grid(body);
           const std::uint64_t key  = mesh.node_key[n];
-          known.push_back(
-            {{body, grid.n_corners() * grid.section_of_key(key) + grid.corner_of_key(key)}, held[n]});
+          const Vector3       springs =
+            ground.empty() ? Vector3{} : Vector3{ground[4 * n], ground[4 * n + 1], ground[4 * n + 2]};
+          known.push_back({{body, grid.n_corners() * grid.section_of_key(key) + grid.corner_of_key(key)},
+                           held[n],
+                           springs});
           own_.push_back(n);
         }
     PerBody<std::vector<unsigned char>> held_here;
+    PerBody<std::vector<Vector3>>       ground_here;
     for (const Body body : both_bodies)
-      held_here[body].resize(std::size_t(forest.grid(body).n_corners()) * forest.grid(body).n_sections());
+      {
+        held_here[body].resize(std::size_t(forest.grid(body).n_corners()) * forest.grid(body).n_sections());
+        ground_here[body].resize(held_here[body].size());
+      }
     // global numbers ascend with the ranks, and those of a rank's own nodes follow one another
     for (const Known &node : gather_all(known, communicator_))
       {
         place_.push_back(node.place);
-        held_here[node.place.body].at(node.place.slot) = node.held;
+        held_here[node.place.body].at(node.place.slot)   = node.held;
+        ground_here[node.place.body].at(node.place.slot) = node.ground;
       }
     for (const Body body : both_bodies)
       {
         x_[body].resize(3 * held_here[body].size());
         if (rank == rank_[body])
-          solver_[body] = make_swept_solver(
-            forest.grid(body), blocks[body].elasticity(), blocks[body].form, held_here[body]);
+          solver_[body] = make_swept_solver(forest.grid(body),
+                                            blocks[body].elasticity(),
+                                            blocks[body].form,
+                                            held_here[body],
+                                            ground_here[body]);
       }
   }
 

@@ -65,9 +65,11 @@ namespace wheelrail
   IterativeBottom::IterativeBottom(const LocalMesh                  &mesh,
                                    const PerBody<ElementBlocks>     &blocks,
                                    const std::vector<unsigned char> &held,
+                                   AlignedVector<double>             ground,
                                    MPI_Comm                          communicator)
     : mesh_(mesh)
     , held_(held)
+    , ground_(std::move(ground))
     , communicator_(communicator)
     , matrix_(std::make_unique<Matrix>())
   {
@@ -187,6 +189,9 @@ namespace wheelrail
       if (mesh_.owned[n] && held_[n])
         for (int i = 0; i < 3; ++i)
           m.matrix.add(dof(n, i), dof(n, i), m.typical);
+      else if (mesh_.owned[n] && !ground_.empty())
+        for (int i = 0; i < 3; ++i)
+          m.matrix.add(dof(n, i), dof(n, i), ground_[4 * n + i]);
     for (const auto &[pair, block] : m.springs)
       if (m.owned.is_element(3 * pair.first))
         for (int i = 0; i < 3; ++i)

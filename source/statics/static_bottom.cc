@@ -11,14 +11,15 @@ namespace wheelrail
   make_static_bottom(const Forest                     &forest,
                      const LocalMesh                  &mesh,
                      const PerBody<ElementBlocks>     &blocks,
-                     const std::vector<unsigned char> &held)
+                     const std::vector<unsigned char> &held,
+                     const AlignedVector<double>      &ground)
   {
     constexpr double most_memory = 1e9; // blocks of 8 mm take 0.7 of it, of 16 mm 0.05
     const double     memory =
       swept_solver_memory(forest.grid(Body::rail)) + swept_solver_memory(forest.grid(Body::wheel));
     if (memory < most_memory)
-      return std::make_unique<DirectBottom>(forest, mesh, blocks, held);
-    return std::make_unique<IterativeBottom>(mesh, blocks, held, forest.communicator());
+      return std::make_unique<DirectBottom>(forest, mesh, blocks, held, ground);
+    return std::make_unique<IterativeBottom>(mesh, blocks, held, ground, forest.communicator());
   }
 
 

@@ -101,10 +101,12 @@ namespace wheelrail
   StaticLevel::StaticLevel(const LocalMesh                  &mesh,
                            PerBody<ElementBlocks>           &blocks,
                            const std::vector<unsigned char> &held,
+                           AlignedVector<double>             ground,
                            MPI_Comm                          communicator)
     : mesh_(mesh)
     , blocks_(blocks)
     , held_(held)
+    , ground_(std::move(ground))
     , communicator_(communicator)
     , sum_(mesh, communicator)
     , tiny_(4 * mesh.n_nodes(), 0.)
@@ -157,10 +159,21 @@ namespace wheelrail
   }
 
 
+  /// y += factor x ground springs x x on the free nodes.
+  void
+  StaticLevel::add_ground(const double factor, const StaticVector &x, double *y) const
+  {
+    for (std::size_t k = 0; k < ground_.size(); ++k)
+      if (!held_[k / 4])
+        y[k] += factor * ground_[k] * x.data()[k];
+  }
+
+
   void
   StaticLevel::product(const StaticVector &x, StaticVector &y)
   {
     elastic_product(x, y);
+    add_ground(1, x, y.data());
     std::vector<double> force = springs_.stretch(x.data());
     for (std::size_t k = 0; k < force.size(); ++k)
       force[k] *= springs_.stiffness()[k];
@@ -175,6 +188,7 @@ namespace wheelrail
     double *to = residual.data();
     for (std::size_t k = 0; k < force_.size(); ++k)
       to[k] += 1 / tiny * force_[k];
+    add_ground(-1, x, to);
     std::vector<double> force = springs_.stretch(x.data());
     for (std::size_t k = 0; k < force.size(); ++k)
       force[k] *= -springs_.stiffness()[k];
@@ -228,6 +242,8 @@ namespace wheelrail
       }
     sum_(sum_a.data());
     sum_(sum_b.data());
+    for (std::size_t k = 0; k < ground_.size(); ++k)
+      sum_a[k] += ground_[k];
     inverse_.resize(mesh_.n_nodes());
     for (std::size_t n = 0; n < mesh_.n_nodes(); ++n)
       {

@@ -66,6 +66,21 @@ namespace wheelrail
       sum(to.data());
     }
 
+    /// The springs of nodes as a coarser level has them: handed on as forces are, which is the sum of the
+    /// rows of what the trial functions there make of them.
+    AlignedVector<double>
+    coarse_springs(const CoarseLevel           &coarse,
+                   const LocalMesh             &finer,
+                   const AlignedVector<double> &springs,
+                   MPI_Comm                     communicator)
+    {
+      StaticVector from(finer, communicator), to(coarse.mesh, communicator);
+      std::copy(springs.begin(), springs.end(), from.data());
+      SharedSum sum(coarse.mesh, communicator);
+      restrict_forces(coarse, finer, from, sum, to);
+      return {to.data(), to.data() + 4 * coarse.mesh.n_nodes()};
+    }
+
     void
     interpolate(const CoarseLevel &coarse, StaticVector &from, StaticVector &to)
     {
@@ -82,25 +97,32 @@ namespace wheelrail
   } // namespace
 
 
-  StaticMultigrid::StaticMultigrid(const Forest &forest, Solid &solid, const std::vector<unsigned char> &held)
+  StaticMultigrid::StaticMultigrid(const Forest                     &forest,
+                                   Solid                            &solid,
+                                   const std::vector<unsigned char> &held,
+                                   const AlignedVector<double>      &ground)
     : communicator_(forest.communicator())
     , coarse_(coarse_levels(forest, solid.mesh))
   {
     held_.push_back(held);
     blocks_.reserve(coarse_.size());
-    PerBody<ElementBlocks> *blocks = &solid.blocks;
-    const LocalMesh        *mesh   = &solid.mesh;
-    levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), communicator_));
+    PerBody<ElementBlocks> *blocks  = &solid.blocks;
+    const LocalMesh        *mesh    = &solid.mesh;
+    AlignedVector<double>   springs = ground;
+    levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), springs, communicator_));
     for (const CoarseLevel &coarse : coarse_)
       {
         if (&coarse != &coarse_.front())
-          levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), communicator_));
+          levels_.push_back(
+            std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), springs, communicator_));
+        if (!springs.empty())
+          springs = coarse_springs(coarse, *mesh, springs, communicator_);
         held_.push_back(coarse_held(coarse, held_.back(), communicator_));
         blocks_.push_back(coarse_blocks(coarse.mesh, solid.blocks));
         blocks = &blocks_.back();
         mesh   = &coarse.mesh;
       }
-    bottom_ = make_static_bottom(forest, *mesh, *blocks, held_.back());
+    bottom_ = make_static_bottom(forest, *mesh, *blocks, held_.back(), springs);
   }
 
 

@@ -17,9 +17,12 @@ namespace wheelrail
       return arm - dot(arm, axle.axis) * axle.axis;
     }
 
-    /// Weight and centrifugal load of the wheel, per node.
+    /// Centrifugal load of the wheel, per node.
     void
-    add_wheel_loads(const Solid &solid, const AxleData &axle, const double rate, AlignedVector<double> &force)
+    add_centrifugal_load(const Solid           &solid,
+                         const AxleData        &axle,
+                         const double           rate,
+                         AlignedVector<double> &force)
     {
       for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
         if (solid.mesh.node_body[n] == Body::wheel)
@@ -28,7 +31,6 @@ namespace wheelrail
             const Vector3 radial = radial_arm({X[0], X[1], X[2]}, axle);
             for (int i = 0; i < 3; ++i)
               force[4 * n + i] += solid.mass[n] * rate * rate * radial[i];
-            force[4 * n + 1] -= solid.mass[n] * axle.gravity;
           }
     }
 
@@ -50,12 +52,16 @@ namespace wheelrail
   } // namespace
 
 
-  StaticSearch::StaticSearch(const Forest &forest, Solid &solid, Contact &contact, const StaticLoads &loads)
+  StaticSearch::StaticSearch(const Forest      &forest,
+                             Solid             &solid,
+                             Contact           &contact,
+                             const SceneParts  &parts,
+                             const StaticLoads &loads)
     : solid_(solid)
     , contact_(contact)
     , loads_(loads)
     , sum_(solid.mesh, forest.communicator())
-    , system_(forest, solid)
+    , system_(forest, solid, parts)
     , flow_(solid.blocks)
   {
     const AxleData      &axle  = loads.axle;
@@ -84,7 +90,10 @@ namespace wheelrail
   {
     flow_.restore(solid_.blocks);
     AlignedVector<double> force = element_forces_at_rest(solid_, sum_);
-    add_wheel_loads(solid_, loads_.axle, rate_, force);
+    add_centrifugal_load(solid_, loads_.axle, rate_, force);
+    for (std::size_t k = 0; k < force.size(); ++k)
+      force[k] += system_.parts().loads()[k];
+    system_.parts().add_forces(force);
     contact_.gather(solid_.displacement.data(), solid_.velocity.data());
     StaticBalance balance;
     balance.sums = contact_forces(nullptr, force);

@@ -133,11 +133,12 @@ namespace wheelrail
   static_start(const Forest                           &forest,
                Solid                                  &solid,
                Contact                                &contact,
+               const SceneParts                       &parts,
                const StaticLoads                      &loads,
                const std::function<void(std::string)> &report)
   {
     report("static start: assembling the stiffness");
-    StaticSearch  search(forest, solid, contact, loads);
+    StaticSearch  search(forest, solid, contact, parts, loads);
     const bool    without_friction = contact.law().friction.frictionless();
     StaticResult  result;
     StaticBalance balance;

@@ -12,27 +12,36 @@ namespace wheelrail
 {
   namespace
   {
-    /// 1 for the nodes at such borders that do not hang.
+    /// 1 for the nodes of the bore that do not hang.
     std::vector<unsigned char>
-    marked_nodes(const LocalMesh &mesh, const std::vector<Boundary> &marks, MPI_Comm communicator)
+    bore_nodes(const LocalMesh &mesh, MPI_Comm communicator)
     {
       std::vector<unsigned char> marked(mesh.n_nodes(), 0);
-      for (const Boundary mark : marks)
-        for (const unsigned int n : held_boundary_nodes(mesh, mark, communicator))
-          marked[n] = 1;
+      for (const unsigned int n : held_boundary_nodes(mesh, Boundary::bore, communicator))
+        marked[n] = 1;
       for (const unsigned int n : mesh.hanging)
         marked[n] = 0;
+      return marked;
+    }
+
+    /// 1 where either list has one.
+    std::vector<unsigned char>
+    either(std::vector<unsigned char> marked, const std::vector<unsigned char> &others)
+    {
+      for (std::size_t n = 0; n < marked.size(); ++n)
+        marked[n] |= others[n];
       return marked;
     }
   } // namespace
 
 
-  StaticSystem::StaticSystem(const Forest &forest, Solid &solid)
+  StaticSystem::StaticSystem(const Forest &forest, Solid &solid, const SceneParts &parts)
     : mesh_(solid.mesh)
     , communicator_(forest.communicator())
-    , held_(marked_nodes(mesh_, {Boundary::foot, Boundary::end, Boundary::bore}, communicator_))
-    , bore_(marked_nodes(mesh_, {Boundary::bore}, communicator_))
-    , multigrid_(std::make_unique<StaticMultigrid>(forest, solid, held_))
+    , parts_(parts, solid, communicator_)
+    , bore_(bore_nodes(mesh_, communicator_))
+    , held_(either(bore_, parts_.held()))
+    , multigrid_(std::make_unique<StaticMultigrid>(forest, solid, held_, parts_.springs()))
     , rigid_(zero())
     , response_{zero(), 1}
   {
@@ -138,6 +147,7 @@ namespace wheelrail
   {
     StaticLevel &level = multigrid_->finest();
     level.elastic_product(x.nodes, y.nodes);
+    add_stiffness_of_parts(x.nodes, y.nodes);
     std::vector<double> force = level.springs().stretch(x.nodes.data());
     y.lift                    = 0;
     for (std::size_t k = 0; k < force.size(); ++k)
@@ -146,6 +156,18 @@ namespace wheelrail
         y.lift += rigid_stretch_[k] * force[k];
       }
     level.springs().add(force, y.nodes.data());
+  }
+
+
+  void
+  StaticSystem::add_stiffness_of_parts(const Vector &x, Vector &y) const
+  {
+    if (parts_.springs().empty())
+      return;
+    parts_.add_stiffness(x.data(), y.data());
+    for (std::size_t n = 0; n < held_.size(); ++n)
+      if (held_[n])
+        std::fill(y.data() + 4 * n, y.data() + 4 * n + 3, 0.);
   }
 
 

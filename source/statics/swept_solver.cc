@@ -106,7 +106,8 @@ namespace wheelrail
       RailSolver(const SweptGrid                  &grid,
                  const Elasticity                 &material,
                  const ElementForm                 form,
-                 const std::vector<unsigned char> &held)
+                 const std::vector<unsigned char> &held,
+                 const std::vector<Vector3>       &ground)
         : order_(grid)
         , n_sections_(grid.n_sections())
       {
@@ -126,8 +127,11 @@ namespace wheelrail
             }
         for (int section = 0; section < n_sections_; ++section)
           for (unsigned int c = 0; c < n_corners; ++c)
-            if (held[n_corners * section + c])
+            if (const std::size_t n = n_corners * section + c; held[n])
               hold(matrix_, index(c, section));
+            else if (!ground.empty())
+              for (int i = 0; i < 3; ++i)
+                matrix_(index(c, section) + i, index(c, section) + i) += ground[n][i];
         matrix_.factorise();
       }
 
@@ -313,10 +317,11 @@ namespace wheelrail
   make_swept_solver(const SweptGrid                  &grid,
                     const Elasticity                 &material,
                     const ElementForm                 form,
-                    const std::vector<unsigned char> &held)
+                    const std::vector<unsigned char> &held,
+                    const std::vector<Vector3>       &ground)
   {
     if (grid.body() == Body::rail)
-      return std::make_unique<RailSolver>(grid, material, form, held);
+      return std::make_unique<RailSolver>(grid, material, form, held, ground);
     return std::make_unique<WheelSolver>(grid, material, form, held);
   }
 

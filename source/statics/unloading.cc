@@ -15,20 +15,22 @@ namespace wheelrail
     out_of_balance(Solid &solid, const KeptFlow &flow, const StaticSystem &system, SharedSum &sum)
     {
       flow.restore(solid.blocks);
-      return system.right_hand_side(element_forces_at_rest(solid, sum));
+      AlignedVector<double> force = element_forces_at_rest(solid, sum);
+      system.parts().add_forces(force);
+      return system.right_hand_side(force);
     }
   } // namespace
 
 
   UnloadedBodies
-  unload(const Forest &forest, Solid &solid, const Axle &axle)
+  unload(const Forest &forest, Solid &solid, const SceneParts &parts, const Axle &axle)
   {
     constexpr double       enough = 1e-5, of_step = 1e-3;
     constexpr unsigned int most_steps = 40;
     const WheelAxes        axes(axle);
     const KeptState        loaded(solid);
     axes.to_wheel(solid);
-    StaticSystem system(forest, solid);
+    StaticSystem system(forest, solid, parts);
     system.set_springs({});
     SharedSum    sum(solid.mesh, forest.communicator());
     unsigned int cg_steps = 0;

@@ -217,18 +217,39 @@ namespace wheelrail
   }
 
 
+  /// Calls visit(name, number) for all that one step leaves to the next.
+  template <typename A, typename Visit>
   void
-  Axle::set_state(const State &state)
+  Axle::visit_state(A &axle, const Visit &visit)
   {
-    height_         = state.height;
-    lift_           = state.lift;
-    vertical_speed_ = state.vertical_speed;
-    angle_          = state.angle;
-    pitch_rate_     = state.pitch_rate;
-    travelled_      = state.travelled;
-    sprung_height_  = state.sprung_height;
-    sprung_speed_   = state.sprung_speed;
-    work_           = state.work;
+    visit("height", axle.height_);
+    visit("lift", axle.lift_);
+    visit("vertical_speed", axle.vertical_speed_);
+    visit("angle", axle.angle_);
+    visit("pitch_rate", axle.pitch_rate_);
+    visit("travelled", axle.travelled_);
+    visit("sprung_height", axle.sprung_height_);
+    visit("sprung_speed", axle.sprung_speed_);
+    visit("damped", axle.work_.damped);
+    visit("torque_work", axle.work_.torque_work);
+    visit("hold_work", axle.work_.hold_work);
+    visit("load_work", axle.work_.load_work);
+  }
+
+
+  PartState
+  Axle::state() const
+  {
+    PartState state;
+    visit_state(*this, [&](const char *name, const double number) { state.numbers[name] = number; });
+    return state;
+  }
+
+
+  void
+  Axle::set_state(const PartState &state)
+  {
+    visit_state(*this, [&](const char *name, double &number) { number = state.numbers.at(name); });
   }
 
 

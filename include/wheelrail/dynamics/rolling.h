@@ -1,20 +1,26 @@
 #pragma once
 
 #include <wheelrail/dynamics/rolling_contact.h>
-#include <wheelrail/dynamics/supports.h>
 #include <wheelrail/dynamics/time_loop.h>
 
 #include <functional>
 
 namespace wheelrail
 {
-  /// A wheel that rolls over a rail: the time loop with the parts of this scene. Foot and ends of the rail
-  /// are fixed, the wheel has weight, penalty contact presses and drags, the axle carries and turns.
+  /// A wheel that rolls over a rail: the time loop with the parts of this scene. First come those that a
+  /// static start knows as well, such as supports and weights; then penalty contact presses and drags, and
+  /// the axle carries and turns.
   class Rolling
   {
   public:
-    /// The state in `solid` (displacement and velocity at the same instant) is the start. Collective.
-    Rolling(Solid &solid, Contact &contact, Axle &axle, const TimeScheme &scheme, MPI_Comm communicator);
+    /// The state in `solid` (displacement and velocity at the same instant) is the start. All must outlive
+    /// the object. Collective.
+    Rolling(Solid            &solid,
+            Contact          &contact,
+            const SceneParts &parts,
+            Axle             &axle,
+            const TimeScheme &scheme,
+            MPI_Comm          communicator);
 
     /// Follows a changed mesh, or changed masses, see TimeLoop::prepare(). Collective.
     void
@@ -74,8 +80,6 @@ namespace wheelrail
     }
 
   private:
-    Supports          supports_;
-    Weight            weight_;
     RollingContact    contact_;
     AddedMassRotation added_mass_;
     TimeLoop          loop_;

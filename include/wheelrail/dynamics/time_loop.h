@@ -5,7 +5,9 @@
 #include <wheelrail/solid/part.h>
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -69,15 +71,18 @@ namespace wheelrail
       return book_;
     }
 
-    /// What one step leaves to the next beside the bodies and the parts.
+    /// What one step leaves to the next beside the bodies and the contact.
     struct State
     {
       double            time  = 0; ///< [s]
       unsigned long     steps = 0;
       EnergyBook::State energy;
+      /// Of the parts that have a name.
+      std::map<std::string, PartState> parts;
     };
     State
     state() const;
+    /// Throws std::out_of_range when the state of a part lacks something.
     void
     set_state(const State &state);
 

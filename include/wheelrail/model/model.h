@@ -24,6 +24,7 @@ namespace wheelrail
     FineWindow                 window;
     Solid                      solid;
     std::unique_ptr<Contact>   contact;
+    SceneParts                 parts; ///< beside contact and axle: supports, weights
     AxleData                   axle;
     double                     wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
     double                     duration          = 0; ///< of the run [s]

@@ -72,6 +72,9 @@ namespace wheelrail
     void
     write_attribute(hid_t object, const std::string &name, unsigned int value);
 
+    bool
+    has_attribute(hid_t object, const std::string &name);
+
     std::string
     read_text_attribute(hid_t object, const std::string &name);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/solid/solid.h>
+#include <wheelrail/solid/part.h>
 
 namespace wheelrail
 {
@@ -16,4 +16,9 @@ namespace wheelrail
   /// ratio `bulk_viscosity` taken at the half step behind. Collective.
   void
   lower_stable_step(Solid &solid, double bulk_viscosity, MPI_Comm communicator);
+
+  /// Lowers solid.stable for the stiffness of parts that are prepared for the solid: the squares of the
+  /// highest angular frequencies of bodies and parts add up at most (Rayleigh). Collective.
+  void
+  lower_stable_step(Solid &solid, const SceneParts &parts);
 } // namespace wheelrail

@@ -3,6 +3,10 @@
 #include <wheelrail/solid/energy_book.h>
 #include <wheelrail/solid/motion.h>
 
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -17,24 +21,40 @@ namespace wheelrail
     bool   with_energy = false; ///< energies are asked for
   };
 
-  /// A part of a scene: it gives forces to the nodes of the bodies, or holds or moves some of them. The time
-  /// loop asks its parts in their order, phase by phase; a part does what it has to do in a phase and leaves
-  /// out the others.
+  /// What one step leaves to the next of a part's own unknowns, as saved files hold it [SI].
+  struct PartState
+  {
+    std::map<std::string, double> numbers; ///< that all ranks know alike
+    /// Nodes with values of their own, by LocalMesh::node_number: those that this rank owns; of a whole state
+    /// those of all ranks.
+    std::vector<std::uint32_t> nodes;
+    std::vector<double>        values; ///< of these nodes, equally many each
+  };
+
+  /// A part of a scene, whole: it gives forces to the nodes of the bodies, or holds or moves some of them,
+  /// and says what its share is in the time loop, in a static solution, in saved states, in the stable step
+  /// and in the energy balance. A part does what it has to do and leaves out the others.
   ///
-  /// Forces stand in solid.force, 4 numbers a node [N]; displacement is that of the full step, velocity that
-  /// of the half step behind (of the full step itself when it is the first).
+  /// The time loop asks its parts in their order, phase by phase. Forces stand in solid.force, 4 numbers a
+  /// node [N]; displacement is that of the full step, velocity that of the half step behind (of the full step
+  /// itself when it is the first).
   class Part
   {
   public:
     virtual ~Part() = default;
 
+    // --- the mesh ---
+
     /// Fills all that follows from the mesh and the masses, and nothing else does: a start, a resumed run and
     /// a changed mesh come through here. `inertia` has the inverse masses of all nodes; a part that fixes or
-    /// moves nodes itself sets those to zero, one with steady loads sets weights. Collective.
+    /// moves nodes itself sets those to zero, one with steady loads sets weights. Static solutions hold these
+    /// nodes and bear these weights, too. Collective.
     virtual void
     prepare(const Solid &, std::vector<NodeInertia> &)
     {
     }
+
+    // --- the time loop ---
 
     /// Enters the energy terms of the part.
     virtual void
@@ -66,5 +86,83 @@ namespace wheelrail
     account(const Instant &, const Solid &, const std::vector<NodeInertia> &)
     {
     }
+
+    /// By how much the part's stiffness can raise the square of the highest angular frequency of the bodies,
+    /// its own masses included [1/s2]: the stable step is that of both together. After prepare(). Collective.
+    virtual double
+    squared_frequency(const Solid &) const
+    {
+      return 0;
+    }
+
+    // --- static solutions; they change nothing of the part ---
+
+    /// y += stiffness x in the position of the solid, x and y with 4 numbers a node: what the nodes feel when
+    /// the part's own unknowns are in equilibrium with them (static condensation). Of nodes that do not hang,
+    /// alike on all ranks that hold one. Of the wheel only nodes whose motion is relative to the axle
+    /// may have stiffness. Symmetric, not negative. Collective.
+    virtual void
+    add_stiffness(const Solid &, const double *, double *) const
+    {
+    }
+
+    /// Adds the forces on such nodes in the position of the solid, 4 numbers a node [N]; unless it is told
+    /// otherwise, the part is linear. Weights set in prepare() do not belong here. Collective.
+    virtual void
+    add_static_forces(const Solid &solid, AlignedVector<double> &force) const
+    {
+      AlignedVector<double> pull(force.size(), 0.);
+      add_stiffness(solid, solid.displacement.data(), pull.data());
+      for (std::size_t k = 0; k < force.size(); ++k)
+        force[k] -= pull[k];
+    }
+
+    /// Adds a spring along each axis of a node that is about as stiff as the part there, 4 numbers a node
+    /// [N/m], for the preconditioner: the nearer, the fewer steps. Without any, static solutions ask no part
+    /// for its stiffness.
+    virtual void
+    add_springs(double *) const
+    {
+    }
+
+    /// After a static solution: brings the part's own unknowns into equilibrium with the displacements and
+    /// the velocities of the solid, both of the same instant. Collective.
+    virtual void
+    start(const Solid &)
+    {
+    }
+
+    // --- saved states ---
+
+    /// What its state is called in saved files, unique in a scene; empty: it has none.
+    virtual std::string
+    name() const
+    {
+      return "";
+    }
+
+    virtual PartState
+    state() const
+    {
+      return {};
+    }
+
+    /// Goes on from a whole state, after prepare(). Throws std::out_of_range when it lacks something.
+    virtual void
+    set_state(const PartState &)
+    {
+    }
   };
+
+  /// The parts of a scene in the order in which the time loop asks them.
+  using SceneParts = std::vector<std::unique_ptr<Part>>;
+
+  /// Prepares parts for the mesh and the masses of a solid, and returns what they make of its nodes.
+  /// Collective.
+  std::vector<NodeInertia>
+  prepare_parts(const SceneParts &parts, const Solid &solid);
+
+  /// 1 for nodes that parts hold or move, which would move freely otherwise.
+  std::vector<unsigned char>
+  held_nodes(const Solid &solid, const std::vector<NodeInertia> &inertia);
 } // namespace wheelrail

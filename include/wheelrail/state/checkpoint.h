@@ -13,6 +13,10 @@
 
 namespace wheelrail
 {
+  /// Format of saved states: counts up whenever a field is added or changes its meaning. Rails of finished
+  /// runs are read from older formats, too, running states are not.
+  constexpr int checkpoint_format = 7;
+
   /// What a run needs to go on after a step, beyond the model, which the scene gives anew. Either the part
   /// of one rank, or the whole of all ranks. Nodes and cells go by the numbers of the mesh that do not
   /// depend on the partition.
@@ -36,17 +40,23 @@ namespace wheelrail
     int                                        ranks = 1;
 
     Contact::State  contact;
-    Axle::State     axle;
-    TimeLoop::State rolling;
+    TimeLoop::State rolling; ///< with what the parts keep, of the whole that of the nodes of all ranks
     Recorder::State recorder;
+
+    /// How far the wheel has rolled [m].
+    double
+    travelled() const
+    {
+      return rolling.parts.at("axle").numbers.at("travelled");
+    }
   };
 
   /// Copies the rank's part of the state after a step. `parameters`, `wall_time` and `ticks` are left to the
   /// caller. Nothing is sent.
   Checkpoint
-  take_checkpoint(const Model &model, const Axle &axle, const Rolling &rolling, const Recorder &recorder);
+  take_checkpoint(const Model &model, const Rolling &rolling, const Recorder &recorder);
 
-  /// Whether all numbers of nodes, elements, contact and axle of a part are finite on all ranks. Collective.
+  /// Whether all numbers of nodes, elements, contact and parts are finite on all ranks. Collective.
   bool
   is_finite(const Checkpoint &part, MPI_Comm communicator);
 
@@ -61,7 +71,6 @@ namespace wheelrail
   void
   restore_checkpoint(const Checkpoint &whole,
                      Model            &model,
-                     Axle             &axle,
                      Rolling          &rolling,
                      Recorder         &recorder,
                      MPI_Comm          communicator);
@@ -81,7 +90,7 @@ namespace wheelrail
   std::vector<char>
   checkpoint_bytes(const Checkpoint &whole);
 
-  /// Throws RunError when the bytes are no such file.
+  /// Throws RunError when the bytes are no such file, or one of a newer format.
   Checkpoint
   checkpoint_from_bytes(const std::string &bytes);
 } // namespace wheelrail

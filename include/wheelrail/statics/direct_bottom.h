@@ -23,7 +23,8 @@ namespace wheelrail
     DirectBottom(const Forest                     &forest,
                  const LocalMesh                  &mesh,
                  const PerBody<ElementBlocks>     &blocks,
-                 const std::vector<unsigned char> &held);
+                 const std::vector<unsigned char> &held,
+                 const AlignedVector<double>      &ground = {});
 
     void
     set_springs(const StaticSprings &springs) override;

@@ -22,6 +22,7 @@ namespace wheelrail
     IterativeBottom(const LocalMesh                  &mesh,
                     const PerBody<ElementBlocks>     &blocks,
                     const std::vector<unsigned char> &held,
+                    AlignedVector<double>             ground,
                     MPI_Comm                          communicator);
     ~IterativeBottom() override;
 
@@ -54,6 +55,7 @@ namespace wheelrail
 
     const LocalMesh           &mesh_;
     std::vector<unsigned char> held_;
+    AlignedVector<double>      ground_;
     MPI_Comm                   communicator_;
     std::unique_ptr<Matrix>    matrix_;
     unsigned int               failures_ = 0; ///< of incomplete factors as smoother, until Chebyshev's turn

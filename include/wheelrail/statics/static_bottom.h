@@ -30,13 +30,15 @@ namespace wheelrail
   };
 
   /// A direct solver where its factors take less than a gigabyte, an iterative one beyond. `blocks`: elements
-  /// of rail and wheel, of which material and form count. `held`: 1 for nodes of the mesh that do not move.
-  /// Forest and mesh must outlive the object. Collective.
+  /// of rail and wheel, of which material and form count. `held`: 1 for nodes of the mesh that do not move;
+  /// `ground`: springs along the axes of the nodes, 4 numbers each [N/m], or empty: the direct solver leaves
+  /// out those of the wheel. Forest and mesh must outlive the object. Collective.
   std::unique_ptr<StaticBottom>
   make_static_bottom(const Forest                     &forest,
                      const LocalMesh                  &mesh,
                      const PerBody<ElementBlocks>     &blocks,
-                     const std::vector<unsigned char> &held);
+                     const std::vector<unsigned char> &held,
+                     const AlignedVector<double>      &ground);
 
   /// Stiffness of springs between pairs of nodes (numbers over all ranks), 3 x 3, row-major [N/m].
   using SpringBlocks = std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<double, 9>>;

@@ -10,8 +10,8 @@
 
 namespace wheelrail
 {
-  /// Stiffness of both bodies at rest on one mesh, with the contact springs of the moment, as a product with
-  /// vectors, and a smoother for it.
+  /// Stiffness of both bodies at rest on one mesh, with springs to the ground and the contact springs of the
+  /// moment, as a product with vectors, and a smoother for it.
   ///
   /// The product is the element kernel's own force of a displacement so small that it is linear: no matrix is
   /// stored. The smoother is Chebyshev's polynomial of the fourth kind (Lottes 2023), which asks for the
@@ -21,10 +21,12 @@ namespace wheelrail
   {
   public:
     /// `blocks`: elements of rail and wheel on this mesh, taken as elastic. `held`: 1 for nodes that do not
-    /// move. Both and the mesh must outlive the level. Collective.
+    /// move. Both and the mesh must outlive the level. `ground`: springs along the axes of the nodes, 4
+    /// numbers each [N/m], or empty. Collective.
     StaticLevel(const LocalMesh                  &mesh,
                 PerBody<ElementBlocks>           &blocks,
                 const std::vector<unsigned char> &held,
+                AlignedVector<double>             ground,
                 MPI_Comm                          communicator);
 
     /// Takes these springs, none at first. Collective.
@@ -42,7 +44,7 @@ namespace wheelrail
     void
     product(const StaticVector &x, StaticVector &y);
 
-    /// The same without springs.
+    /// The same for the bodies alone.
     void
     elastic_product(const StaticVector &x, StaticVector &y);
 
@@ -81,6 +83,8 @@ namespace wheelrail
     find_largest_eigenvalue();
     void
     find_elastic_force(const StaticVector &x);
+    void
+    add_ground(double factor, const StaticVector &x, double *y) const;
     std::vector<double>
     spring_forces(const StaticVector &residual) const;
     void
@@ -93,6 +97,7 @@ namespace wheelrail
     const LocalMesh                   &mesh_;
     PerBody<ElementBlocks>            &blocks_;
     const std::vector<unsigned char>   held_;
+    const AlignedVector<double>        ground_;
     MPI_Comm                           communicator_;
     SharedSum                          sum_;
     AlignedVector<double>              tiny_;    ///< the displacement that the kernel sees

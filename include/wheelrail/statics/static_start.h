@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/contact/contact.h>
+#include <wheelrail/solid/part.h>
 #include <wheelrail/wheelset/axle.h>
 
 #include <functional>
@@ -36,8 +37,9 @@ namespace wheelrail
     bool    at_border  = false; ///< the patch touches the border of the fine cells
   };
 
-  /// Static equilibrium of both bodies under contact, weight, suspension preload and the centrifugal
-  /// load of the turning wheel, with the shear tractions of the exact half-space theory.
+  /// Static equilibrium of both bodies on the parts of the scene (all but contact and axle) under contact,
+  /// weight, suspension preload and the centrifugal load of the turning wheel, with the shear tractions of
+  /// the exact half-space theory.
   ///
   /// Newton's method on the explicit kernel's own forces: the kernel is the operator of the bodies at rest,
   /// to which the contact springs of the moment are added, see StaticSystem. The hub is moved; its height is
@@ -50,6 +52,7 @@ namespace wheelrail
   static_start(const Forest                           &forest,
                Solid                                  &solid,
                Contact                                &contact,
+               const SceneParts                       &parts,
                const StaticLoads                      &loads,
                const std::function<void(std::string)> &report);
 } // namespace wheelrail

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/statics/static_multigrid.h>
+#include <wheelrail/statics/static_parts.h>
 
 #include <memory>
 #include <vector>
@@ -14,8 +15,8 @@ namespace wheelrail
     double       lift = 0; ///< [m]
   };
 
-  /// The linear system of one static start: stiffness of both bodies at rest plus contact springs,
-  /// feet and ends of the rail held, the bore of the wheel moved vertically as one.
+  /// The linear system of one static start: stiffness of both bodies at rest, of the parts of the scene and
+  /// of contact springs; what parts hold is held, the bore of the wheel moved vertically as one.
   ///
   /// Solved by conjugate gradients with the element kernel as operator and geometric multigrid before it.
   class StaticSystem
@@ -23,8 +24,14 @@ namespace wheelrail
   public:
     using Vector = StaticVector;
 
-    /// The solid must outlive the system and keep its elements. Collective.
-    StaticSystem(const Forest &forest, Solid &solid);
+    /// The solid and the parts must outlive the system, the solid keep its elements. Collective.
+    StaticSystem(const Forest &forest, Solid &solid, const SceneParts &parts);
+
+    const StaticParts &
+    parts() const
+    {
+      return parts_;
+    }
 
     Vector
     zero() const
@@ -94,10 +101,13 @@ namespace wheelrail
     conjugate_gradients(Unknowns residual, Unknowns &x, double enough);
     void
     find_lift_response();
+    void
+    add_stiffness_of_parts(const Vector &x, Vector &y) const;
 
     const LocalMesh           &mesh_;
     MPI_Comm                   communicator_;
-    std::vector<unsigned char> held_, bore_; ///< 1: the node does not move freely; it moves with the bore
+    StaticParts                parts_;
+    std::vector<unsigned char> bore_, held_; ///< 1: the node moves with the bore; it does not move freely
     std::unique_ptr<StaticMultigrid> multigrid_;
     Vector                           rigid_;         ///< free nodes in a rigid lift of the wheel by 1 m
     std::vector<double>              rigid_stretch_; ///< of the springs in that [1]

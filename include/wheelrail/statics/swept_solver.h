@@ -28,14 +28,16 @@ namespace wheelrail
     solve(std::vector<double> &x) = 0;
   };
 
-  /// `held`: 1 for nodes that do not move, n_corners x n_sections; on a wheel all around or nowhere. Throws
-  /// std::logic_error when a wheel is held at parts of a circle, std::runtime_error when the body can move
-  /// rigidly.
+  /// `held`: 1 for nodes that do not move, n_corners x n_sections; on a wheel all around or nowhere.
+  /// `ground`: springs along the axes of the nodes of a rail [N/m], or empty; those of a wheel are left out.
+  /// Throws std::logic_error when a wheel is held at parts of a circle, std::runtime_error when the body can
+  /// move rigidly.
   std::unique_ptr<SweptSolver>
   make_swept_solver(const SweptGrid                  &grid,
                     const Elasticity                 &material,
                     ElementForm                       form,
-                    const std::vector<unsigned char> &held);
+                    const std::vector<unsigned char> &held,
+                    const std::vector<Vector3>       &ground = {});
 
   /// What the solver of a body stores [bytes].
   double

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <wheelrail/solid/kept_state.h>
+#include <wheelrail/solid/part.h>
 #include <wheelrail/solid/solid.h>
 #include <wheelrail/wheelset/axle.h>
 
@@ -19,8 +20,8 @@ namespace wheelrail
   };
 
   /// Takes all loads off both bodies, contact, weight and inertia, and finds the equilibrium that plastic
-  /// strains alone keep up: residual stresses, and the displacements u_res that a passage has left. Foot and
-  /// ends of the rail are held where they are, the wheel's bore where the axle is now.
+  /// strains alone keep up: residual stresses, and the displacements u_res that a passage has left. The parts
+  /// of the scene carry the rail without their loads, the wheel's bore is held where the axle is now.
   ///
   /// Every position on the way is one step from the present history of the elements, so that steel that
   /// yields the other way round when the load goes does so; else plastic strains stay. The stiffness is the
@@ -30,7 +31,7 @@ namespace wheelrail
   /// The solid is needed to compute forces in, and left as it was. Throws RunError when it does not converge.
   /// Collective.
   UnloadedBodies
-  unload(const Forest &forest, Solid &solid, const Axle &axle);
+  unload(const Forest &forest, Solid &solid, const SceneParts &parts, const Axle &axle);
 
   /// As long as it lives a solid is in the state of its unloaded bodies, but for the velocities.
   class WhileUnloaded

@@ -168,29 +168,18 @@ namespace wheelrail
     AxleEnergy
     energy() const;
 
-    /// What one step leaves to the next [SI]: positions at the full step, speeds and works at the half step.
-    struct State
+    /// What one step leaves to the next, as numbers that all ranks know [SI]: height, lift, vertical_speed,
+    /// angle, pitch_rate, travelled, sprung_height, sprung_speed, and the works damped, torque_work,
+    /// hold_work, load_work. Positions are those of the full step, speeds and works of the half step.
+    std::string
+    name() const override
     {
-      double     height = 0, lift = 0, vertical_speed = 0;
-      double     angle = 0, pitch_rate = 0, travelled = 0;
-      double     sprung_height = 0, sprung_speed = 0;
-      AxleEnergy work;
-    };
-    State
-    state() const
-    {
-      return {height_,
-              lift_,
-              vertical_speed_,
-              angle_,
-              pitch_rate_,
-              travelled_,
-              sprung_height_,
-              sprung_speed_,
-              work_};
+      return "axle";
     }
+    PartState
+    state() const override;
     void
-    set_state(const State &state);
+    set_state(const PartState &state) override;
 
     /// The bore nodes of this rank.
     const std::vector<unsigned int> &
@@ -224,6 +213,9 @@ namespace wheelrail
     write(const AxleEnergy &before);
     void
     place_bore(Solid &solid, double time_step);
+    template <typename A, typename Visit>
+    static void
+    visit_state(A &axle, const Visit &visit);
 
     AxleData                  data_;
     std::vector<unsigned int> bore_;

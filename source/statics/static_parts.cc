@@ -1,0 +1,44 @@
+#include <wheelrail/solid/exchange.h>
+#include <wheelrail/statics/static_parts.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  StaticParts::StaticParts(const SceneParts &parts, const Solid &solid, MPI_Comm communicator)
+    : parts_(parts)
+    , solid_(solid)
+    , loads_(solid.force.size(), 0.)
+    , springs_(solid.force.size(), 0.)
+  {
+    const std::vector<NodeInertia> inertia = prepare_parts(parts, solid);
+    held_                                  = held_nodes(solid, inertia);
+    for (std::size_t n = 0; n < inertia.size(); ++n)
+      loads_[4 * n + 1] = -inertia[n].weight; // of one rank
+    SharedSum(solid.mesh, communicator)(loads_.data());
+    for (const auto &part : parts)
+      part->add_springs(springs_.data());
+    int any = std::any_of(springs_.begin(), springs_.end(), [](const double k) { return k > 0; }) ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, communicator);
+    if (any == 0)
+      springs_.clear();
+  }
+
+
+  void
+  StaticParts::add_forces(AlignedVector<double> &force) const
+  {
+    if (!springs_.empty())
+      for (const auto &part : parts_)
+        part->add_static_forces(solid_, force);
+  }
+
+
+  void
+  StaticParts::add_stiffness(const double *x, double *y) const
+  {
+    if (!springs_.empty())
+      for (const auto &part : parts_)
+        part->add_stiffness(solid_, x, y);
+  }
+} // namespace wheelrail
