@@ -242,7 +242,7 @@ namespace
       if (!held[n] && std::abs(mesh.reference[4 * n + 2]) < 0.05)
         forces.data()[4 * n + 1] = mesh.node_body[n] == Body::rail ? -1 : 1;
     DirectBottom    direct(*model.forest, mesh, model.solid.blocks, held);
-    IterativeBottom iterative(mesh, model.solid.blocks, held, MPI_COMM_WORLD);
+    IterativeBottom iterative(mesh, model.solid.blocks, held, {}, MPI_COMM_WORLD);
     direct.set_springs(springs);
     iterative.set_springs(springs);
     direct.solve(forces, x);
