@@ -7,6 +7,7 @@
 
 #include "check.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
