@@ -1,0 +1,233 @@
+#include <deal.II/base/tensor.h>
+
+#include <wheelrail/base/gather_all.h>
+#include <wheelrail/track/track_support.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace wheelrail
+{
+  // What of the track's support follows from the mesh, and its share in static solutions.
+
+  namespace
+  {
+    /// Middles of the sleepers below a stretch.
+    std::vector<double>
+    sleepers_below(const FootPiece &whole, const double first, const double spacing)
+    {
+      std::vector<double> middles;
+      for (double k = std::ceil((whole[0] - first) / spacing); first + k * spacing <= whole[1]; ++k)
+        middles.push_back(first + k * spacing);
+      return middles;
+    }
+  } // namespace
+
+
+  void
+  TrackSupport::prepare(const Solid &solid, std::vector<NodeInertia> &)
+  {
+    const std::vector<Kept> kept = stretches_of_all();
+    find_bearings(solid);
+    keep_stretches(kept);
+    if (!sleepers_move())
+      return;
+    // from a first mesh on the sleepers are the same
+    place_.resize(sleepers_.size());
+    speed_.resize(sleepers_.size());
+    mean_speed_.resize(sleepers_.size());
+    std::vector<double> pads(sleepers_.size(), 0.);
+    for (const Bearing &at : bearings_)
+      pads[at.sleeper] += at.owned * at.share;
+    ordered_sum(pads, communicator_);
+    give_.clear();
+    for (const double share : pads)
+      {
+        dealii::Tensor<2, 3> holds;
+        for (int i = 0; i < 3; ++i)
+          {
+            holds[i][i] += data_.ballast[i];
+            for (int j = 0; j < 3; ++j)
+              for (int a = 0; a < 3; ++a)
+                holds[i][j] += share * data_.pad[a] * axes_[a][i] * axes_[a][j];
+          }
+        const dealii::Tensor<2, 3> inverse = dealii::invert(holds);
+        auto                      &give    = give_.emplace_back();
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            give[3 * i + j] = inverse[i][j];
+      }
+  }
+
+
+  void
+  TrackSupport::find_bearings(const Solid &solid)
+  {
+    const FootPiece        whole  = whole_foot(solid.mesh, communicator_);
+    std::vector<FootPiece> pieces = {whole};
+    if (!data_.continuous)
+      {
+        sleepers_ = sleepers_below(whole, data_.first, data_.spacing);
+        pieces.clear();
+        for (const double middle : sleepers_)
+          pieces.push_back({middle - 0.5 * data_.pad_length, middle + 0.5 * data_.pad_length});
+      }
+    const RailFoot foot = rail_foot(solid, pieces, communicator_);
+    axes_               = foot.axes;
+    const double of_one = foot.width * (data_.continuous ? data_.spacing : data_.pad_length); // area [m2]
+    bearings_.clear();
+    at_.clear();
+    for (std::size_t k = 0; k < foot.nodes.size(); ++k)
+      {
+        const unsigned int n = foot.nodes[k];
+        const double      *X = &solid.mesh.reference[4 * n];
+        Bearing            bearing{n, 0, foot.area[k] / of_one, double(solid.mesh.owned[n]), 0, 0};
+        bearing.key    = solid.mesh.node_key[n];
+        bearing.number = solid.mesh.node_number[n];
+        if (!data_.continuous) // the nearest: pads lie apart by more than a block
+          bearing.sleeper =
+            static_cast<unsigned int>(std::min_element(sleepers_.begin(),
+                                                       sleepers_.end(),
+                                                       [&](const double a, const double b) {
+                                                         return std::abs(a - X[2]) < std::abs(b - X[2]);
+                                                       }) -
+                                      sleepers_.begin());
+        bearings_.push_back(bearing);
+        at_.push_back({X[0], X[1], X[2]});
+      }
+  }
+
+
+  /// Of all ranks, each node once; nothing without branches.
+  std::vector<TrackSupport::Kept>
+  TrackSupport::stretches_of_all() const
+  {
+    std::vector<Kept> own;
+    if (!data_.pad_damping.branches.empty())
+      for (std::size_t k = 0; k < stretch_.size(); ++k)
+        if (bearings_[k].owned > 0)
+          own.push_back({bearings_[k].key, at_[k], stretch_[k]});
+    return gather_all(own, communicator_);
+  }
+
+
+  /// On a new mesh nodes keep their stretch; one that has come takes that of the nearest.
+  void
+  TrackSupport::keep_stretches(const std::vector<Kept> &kept)
+  {
+    stretch_.assign(bearings_.size(), Stretch{});
+    if (kept.empty())
+      return;
+    std::unordered_map<std::uint64_t, const Kept *> known;
+    for (const Kept &node : kept)
+      known[node.key] = &node;
+    for (std::size_t k = 0; k < bearings_.size(); ++k)
+      if (const auto same = known.find(bearings_[k].key); same != known.end())
+        stretch_[k] = same->second->stretch;
+      else
+        stretch_[k] = std::min_element(kept.begin(), kept.end(), [&](const Kept &a, const Kept &b) {
+                        return norm(a.place - at_[k]) < norm(b.place - at_[k]);
+                      })->stretch;
+  }
+
+
+  /// Where the sleepers are in equilibrium with the nodes; none when they do not move.
+  std::vector<Vector3>
+  TrackSupport::condensed(const double *x) const
+  {
+    std::vector<double> pull(3 * place_.size(), 0.);
+    if (place_.empty())
+      return {};
+    for (const Bearing &at : bearings_)
+      {
+        Vector3 force = turned({x[4 * at.node], x[4 * at.node + 1], x[4 * at.node + 2]});
+        for (int i = 0; i < 3; ++i)
+          force[i] *= at.owned * at.share * data_.pad[i];
+        force = turned_back(force);
+        for (int i = 0; i < 3; ++i)
+          pull[3 * at.sleeper + i] += force[i];
+      }
+    ordered_sum(pull, communicator_);
+    std::vector<Vector3> places(place_.size(), Vector3{});
+    for (std::size_t s = 0; s < places.size(); ++s)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          places[s][i] += give_[s][3 * i + j] * pull[3 * s + j];
+    return places;
+  }
+
+
+  void
+  TrackSupport::add_stiffness(const Solid &, const double *x, double *y) const
+  {
+    const std::vector<Vector3> sleepers = condensed(x);
+    for (const Bearing &at : bearings_)
+      {
+        Vector3 moved = {x[4 * at.node], x[4 * at.node + 1], x[4 * at.node + 2]};
+        if (!sleepers.empty())
+          moved = moved - sleepers[at.sleeper];
+        Vector3 force = turned(moved);
+        for (int i = 0; i < 3; ++i)
+          force[i] *= at.share * data_.pad[i];
+        force = turned_back(force);
+        for (int i = 0; i < 3; ++i)
+          y[4 * at.node + i] += force[i];
+      }
+  }
+
+
+  /// Pad and ballast one behind the other, so that a rail that sinks evenly is met exactly.
+  void
+  TrackSupport::add_springs(double *stiffness) const
+  {
+    Vector3 spring = data_.pad;
+    if (sleepers_move())
+      for (int i = 0; i < 3; ++i)
+        spring[i] *= data_.ballast[i] / (data_.pad[i] + data_.ballast[i]);
+    for (const Bearing &at : bearings_)
+      for (int i = 0; i < 3; ++i)
+        for (int a = 0; a < 3; ++a)
+          stiffness[4 * at.node + i] += at.share * spring[a] * axes_[a][i] * axes_[a][i];
+  }
+
+
+  void
+  TrackSupport::start(const Solid &solid)
+  {
+    if (sleepers_move())
+      {
+        place_      = condensed(solid.displacement.data());
+        speed_      = condensed(solid.velocity.data());
+        mean_speed_ = speed_;
+      }
+    // relaxed but for what the slow motion of the start leaves
+    const auto &branches = data_.pad_damping.branches;
+    for (std::size_t k = 0; k < bearings_.size(); ++k)
+      {
+        const double *v     = &solid.velocity[4 * bearings_[k].node];
+        Vector3       speed = {v[0], v[1], v[2]};
+        if (!place_.empty())
+          speed = speed - speed_[bearings_[k].sleeper];
+        speed = turned(speed);
+        for (std::size_t b = 0; b < branches.size(); ++b)
+          stretch_[k][b] = branches[b].time * speed;
+      }
+  }
+
+
+  Vector3
+  TrackSupport::force_at_rest(const Solid &solid) const
+  {
+    std::vector<double> force(solid.force.size(), 0.);
+    add_stiffness(solid, solid.displacement.data(), force.data());
+    Vector3 sum{};
+    for (const Bearing &at : bearings_)
+      for (int i = 0; i < 3; ++i)
+        sum[i] += at.owned * force[4 * at.node + i];
+    ordered_sum(sum, communicator_);
+    return sum;
+  }
+} // namespace wheelrail

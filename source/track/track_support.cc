@@ -1,0 +1,232 @@
+#include <wheelrail/base/gather_all.h>
+#include <wheelrail/track/track_support.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace wheelrail
+{
+  TrackSupport::TrackSupport(const TrackData &data, MPI_Comm communicator)
+    : data_(data)
+    , communicator_(communicator)
+  {
+    MPI_Comm_rank(communicator_, &rank_);
+  }
+
+
+  void
+  TrackSupport::enter(EnergyBook &book)
+  {
+    stored_     = &book.term("pad_energy", EnergyKind::stored);
+    dissipated_ = &book.term("pad_dissipation", EnergyKind::dissipated);
+    if (!sleepers_move())
+      return;
+    kinetic_            = &book.term("sleeper_energy", EnergyKind::stored);
+    ballast_            = &book.term("ballast_energy", EnergyKind::stored);
+    ballast_dissipated_ = &book.term("ballast_dissipation", EnergyKind::dissipated);
+  }
+
+
+  /// Along the axes of the foot.
+  Vector3
+  TrackSupport::turned(const Vector3 &track) const
+  {
+    return {dot(axes_[0], track), dot(axes_[1], track), dot(axes_[2], track)};
+  }
+
+
+  Vector3
+  TrackSupport::turned_back(const Vector3 &foot) const
+  {
+    Vector3 track{};
+    for (int i = 0; i < 3; ++i)
+      add(track, foot[i], axes_[i]);
+    return track;
+  }
+
+
+  void
+  TrackSupport::add_forces(const Instant &now, Solid &solid)
+  {
+    const auto  &branches             = data_.pad_damping.branches;
+    const double damper               = data_.pad_damping.damper;
+    double       decay[most_branches] = {}, gain[most_branches] = {};
+    for (std::size_t b = 0; b < branches.size(); ++b)
+      {
+        // over the step behind, with its even velocity: exact
+        decay[b] = now.first ? 1 : std::exp(-now.step / branches[b].time);
+        gain[b]  = now.first ? 0 : -branches[b].time * std::expm1(-now.step / branches[b].time);
+      }
+    std::vector<double> on_sleepers(3 * place_.size(), 0.);
+    double              energy = 0, power = 0;
+    for (std::size_t k = 0; k < bearings_.size(); ++k)
+      {
+        const Bearing &at = bearings_[k];
+        const double  *u = &solid.displacement[4 * at.node], *v = &solid.velocity[4 * at.node];
+        Vector3        moved = {u[0], u[1], u[2]}, speed = {v[0], v[1], v[2]};
+        if (!place_.empty())
+          {
+            moved = moved - place_[at.sleeper];
+            speed = speed - speed_[at.sleeper];
+          }
+        moved = turned(moved), speed = turned(speed);
+        Vector3 force{};
+        for (int i = 0; i < 3; ++i)
+          {
+            const double stiffness = at.share * data_.pad[i];
+            double       sum = moved[i] + damper * speed[i], square = moved[i] * moved[i], lost = 0;
+            for (std::size_t b = 0; b < branches.size(); ++b)
+              {
+                double &stretch = stretch_[k][b][i];
+                stretch         = decay[b] * stretch + gain[b] * speed[i];
+                sum += branches[b].share * stretch;
+                square += branches[b].share * stretch * stretch;
+                lost += branches[b].share * stretch * stretch / branches[b].time;
+              }
+            force[i] = stiffness * sum;
+            energy += at.owned * 0.5 * stiffness * square;
+            power += at.owned * stiffness * lost;
+          }
+        force = turned_back(force);
+        for (int i = 0; i < 3; ++i)
+          {
+            solid.force[4 * at.node + i] -= force[i];
+            if (!place_.empty())
+              on_sleepers[3 * at.sleeper + i] += at.owned * force[i];
+          }
+      }
+    stored_->here += energy;
+    dissipated_->add_work(now.kick.duration * power);
+    if (!place_.empty())
+      move_sleepers(now, on_sleepers);
+  }
+
+
+  /// Central differences of their own; `force`: of the pads on them, this rank's share.
+  void
+  TrackSupport::move_sleepers(const Instant &now, std::vector<double> &force)
+  {
+    ordered_sum(force, communicator_);
+    double kinetic = 0, potential = 0, power = 0;
+    for (std::size_t s = 0; s < place_.size(); ++s)
+      for (int i = 0; i < 3; ++i)
+        {
+          double      &place = place_[s][i], &speed = speed_[s][i];
+          const double before    = speed;
+          const double stiffness = data_.ballast[i], damper = stiffness * data_.ballast_damper;
+          potential += 0.5 * stiffness * place * place;
+          advance(place,
+                  speed,
+                  (force[3 * s + i] - stiffness * place - damper * speed) / data_.sleeper_mass,
+                  now.kick,
+                  now.step);
+          const double mean = 0.5 * (before + speed);
+          mean_speed_[s][i] = mean;
+          kinetic += 0.5 * data_.sleeper_mass * before * (now.first ? before : speed);
+          power += damper * mean * mean;
+        }
+    if (rank_ > 0) // all ranks know the sleepers
+      return;
+    kinetic_->here += kinetic;
+    ballast_->here += potential;
+    ballast_dissipated_->add_work(now.kick.duration * power);
+  }
+
+
+  void
+  TrackSupport::account(const Instant &now, const Solid &solid, const std::vector<NodeInertia> &inertia)
+  {
+    if (data_.pad_damping.damper == 0)
+      return;
+    double power = 0;
+    for (const Bearing &at : bearings_)
+      if (at.owned > 0)
+        {
+          Vector3 speed = mean_velocity(solid, inertia, at.node, now.kick);
+          if (!place_.empty())
+            speed = speed - mean_speed_[at.sleeper];
+          speed = turned(speed);
+          for (int i = 0; i < 3; ++i)
+            power += at.share * data_.pad[i] * data_.pad_damping.damper * speed[i] * speed[i];
+        }
+    dissipated_->add_work(now.kick.duration * power);
+  }
+
+
+  /// A spring k between masses m and M swings with k (1/m + 1/M) at most; a damper c at the half step behind
+  /// counts as c/m times the frequency of the whole, since (w dt/2)^2 + (c/m) dt/2 <= 1 is stable.
+  double
+  TrackSupport::squared_frequency(const Solid &solid) const
+  {
+    const double stiffest = *std::max_element(data_.pad.begin(), data_.pad.end());
+    double       node = 0, sleeper = 0, pads = 0; // [1/kg]
+    for (const Bearing &at : bearings_)
+      {
+        node = std::max(node, at.share / (solid.mass[at.node] + solid.added_mass[at.node]));
+        pads += at.owned * at.share;
+      }
+    MPI_Allreduce(MPI_IN_PLACE, &node, 1, MPI_DOUBLE, MPI_MAX, communicator_);
+    MPI_Allreduce(MPI_IN_PLACE, &pads, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    double ballast = 0;
+    if (sleepers_move())
+      {
+        sleeper = 1 / data_.sleeper_mass;
+        ballast = *std::max_element(data_.ballast.begin(), data_.ballast.end()) / data_.sleeper_mass;
+      }
+    const double spring   = stiffest * (node + sleeper);
+    const double damping  = spring * data_.pad_damping.damper + ballast * data_.ballast_damper; // [1/s]
+    const double of_solid = 2 / solid.stable.step;
+    const double highest  = 0.5 * damping + std::sqrt(0.25 * damping * damping + of_solid * of_solid);
+    return spring * data_.pad_damping.highest_stiffness() + ballast + damping * highest;
+  }
+
+
+  PartState
+  TrackSupport::state() const
+  {
+    PartState state;
+    for (std::size_t s = 0; s < place_.size(); ++s)
+      for (int i = 0; i < 3; ++i)
+        {
+          const std::string which                 = std::to_string(s) + "_" + std::string(1, "xyz"[i]);
+          state.numbers["sleeper_" + which]       = place_[s][i];
+          state.numbers["sleeper_speed_" + which] = speed_[s][i];
+        }
+    const std::size_t n_branches = data_.pad_damping.branches.size();
+    if (n_branches == 0)
+      return state;
+    for (std::size_t k = 0; k < bearings_.size(); ++k)
+      if (bearings_[k].owned > 0)
+        {
+          state.nodes.push_back(bearings_[k].number);
+          for (std::size_t b = 0; b < n_branches; ++b)
+            state.values.insert(state.values.end(), stretch_[k][b].begin(), stretch_[k][b].end());
+        }
+    return state;
+  }
+
+
+  void
+  TrackSupport::set_state(const PartState &state)
+  {
+    for (std::size_t s = 0; s < place_.size(); ++s)
+      for (int i = 0; i < 3; ++i)
+        {
+          const std::string which = std::to_string(s) + "_" + std::string(1, "xyz"[i]);
+          place_[s][i]            = state.numbers.at("sleeper_" + which);
+          speed_[s][i]            = state.numbers.at("sleeper_speed_" + which);
+        }
+    const std::size_t n_branches = data_.pad_damping.branches.size();
+    if (n_branches == 0)
+      return;
+    std::map<std::uint32_t, std::size_t> row;
+    for (std::size_t k = 0; k < state.nodes.size(); ++k)
+      row[state.nodes[k]] = k;
+    for (std::size_t k = 0; k < bearings_.size(); ++k)
+      for (std::size_t b = 0; b < n_branches; ++b)
+        for (int i = 0; i < 3; ++i)
+          stretch_[k][b][i] = state.values.at(3 * (n_branches * row.at(bearings_[k].number) + b) + i);
+  }
+} // namespace wheelrail

@@ -1,0 +1,329 @@
+// ranks: 1 2
+
+// A rail on pads and sleepers: laws of damping, static deflection against beams on elastic foundations, very
+// stiff pads against a clamped foot, energy balance, and runs that go on from a saved state.
+
+#include <wheelrail/dynamics/rolling.h>
+#include <wheelrail/run/run_start.h>
+#include <wheelrail/state/checkpoint.h>
+#include <wheelrail/statics/static_system.h>
+#include <wheelrail/track/track_support.h>
+
+#include "parallel.h"
+#include "small_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  double
+  loss_factor(const PadDamping &damping, const double frequency)
+  {
+    const auto stiffness = damping.dynamic_stiffness(2 * M_PI * frequency);
+    return stiffness.imag() / stiffness.real();
+  }
+
+  void
+  laws_of_damping()
+  {
+    const PadDamping damper = matched_damper(0.25, 449);
+    check_near(loss_factor(damper, 449), 0.25, 1e-12, "one damper: its loss factor at its frequency");
+    check_near(loss_factor(damper, 1261), 0.702, 1e-3, "and in proportion at another");
+    for (const double loss : {0.02, 0.1, 0.25, most_constant_loss})
+      {
+        const PadDamping constant = constant_loss(loss);
+        double           low = 1e300, high = 0;
+        for (double f = constant_loss_from; f <= constant_loss_to; f *= 1.02)
+          {
+            low  = std::min(low, loss_factor(constant, f));
+            high = std::max(high, loss_factor(constant, f));
+          }
+        check_near(0.5 * (low + high) / loss, 1, 0.01, "three branches: loss factor over the wanted one");
+        check(high - low < 0.08 * loss, "and it is constant to 4 %");
+        for (const PadDamping::Branch &branch : constant.branches)
+          check(branch.share > 0 && branch.time > 0, "springs and dampers that lose energy");
+      }
+    const PadDamping quarter = constant_loss(0.25);
+    const auto stiffness     = [&](const double f) { return quarter.dynamic_stiffness(2 * M_PI * f).real(); };
+    check_near(stiffness(1261) / stiffness(449), 1.175, 0.01, "a constant 0.25 stiffens by causality");
+  }
+
+  /// The rail of a model stands on this in place of the clamped foot.
+  TrackSupport &
+  put_on(Model &model, const TrackData &data)
+  {
+    model.parts[0] = std::make_unique<TrackSupport>(data, MPI_COMM_WORLD);
+    return dynamic_cast<TrackSupport &>(*model.parts[0]);
+  }
+
+  /// 60E1 upright, long enough for a load in its middle.
+  Model
+  long_rail()
+  {
+    Scene scene             = small_scene(8e-3);
+    scene.rail_profile      = "60E1";
+    scene.track.inclination = 0;
+    scene.rail_length       = 7;
+    return make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
+  }
+
+  /// Deflection of the foot [m] at places along the track, downwards, the mean over the section.
+  std::vector<double>
+  deflections(const Model &model, const std::vector<double> &places)
+  {
+    const LocalMesh    &mesh = model.solid.mesh;
+    std::vector<double> sums(2 * places.size(), 0.);
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      if (mesh.owned[n] && mesh.node_body[n] == Body::rail && mesh.reference[4 * n + 1] < -0.171)
+        for (std::size_t k = 0; k < places.size(); ++k)
+          if (std::abs(mesh.reference[4 * n + 2] - places[k]) < 1e-6)
+            {
+              sums[2 * k] -= model.solid.displacement[4 * n + 1];
+              sums[2 * k + 1] += 1;
+            }
+    MPI_Allreduce(
+      MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    std::vector<double> down;
+    for (std::size_t k = 0; k < places.size(); ++k)
+      down.push_back(sums[2 * k] / sums[2 * k + 1]);
+    return down;
+  }
+
+  /// The rail of a model under a load downwards [N] that is spread over the section at Z = 0 as its mass is:
+  /// no local indentation. Gives what the track bears.
+  Vector3
+  press(Model &model, const double load)
+  {
+    Solid                &solid = model.solid;
+    AlignedVector<double> force(solid.force.size(), 0.);
+    double                mass = 0;
+    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+      if (solid.mesh.node_body[n] == Body::rail && std::abs(solid.mesh.reference[4 * n + 2]) < 1e-6)
+        {
+          force[4 * n + 1] = -solid.mass[n];
+          mass += solid.mesh.owned[n] ? solid.mass[n] : 0;
+        }
+    MPI_Allreduce(MPI_IN_PLACE, &mass, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    for (double &f : force)
+      f *= load / mass;
+    StaticSystem system(*model.forest, solid, model.parts);
+    system.set_springs({});
+    StaticVector       moved = system.zero();
+    const unsigned int steps = system.solve_held(system.right_hand_side(force), 1e-7, moved);
+    check(steps < 60, std::to_string(steps) + " steps of conjugate gradients");
+    system.add_to_nodes(moved, 0, solid.displacement);
+    return dynamic_cast<const TrackSupport &>(*model.parts.front()).force_at_rest(solid);
+  }
+
+  /// Winkler's foundation below Timoshenko's beam: bending stiffness, shear stiffness, foundation.
+  struct Beam
+  {
+    double EI, GA, k;
+
+    /// Of an endless beam under F, at the load (Timoshenko 1921 with Winkler 1867; the real case of the
+    /// characteristic equation EI r^4 - (EI k/GA) r^2 + k = 0, with complex roots).
+    double
+    at_load() const
+    {
+      // displacement spectrum (1 + EI q^2/GA)/(EI q^4 + k (1 + EI q^2/GA)), by quadrature over the wave
+      // number q
+      double       sum  = 0;
+      const double step = 1e-3;
+      for (double q = 0.5 * step; q < 2000; q += q < 20 ? step : 0.05)
+        {
+          const double shear = 1 + EI * q * q / GA;
+          sum += (q < 20 ? step : 0.05) * shear / (EI * std::pow(q, 4) + k * shear);
+        }
+      return sum / M_PI;
+    }
+  };
+
+  void
+  static_deflection()
+  {
+    constexpr double load  = 100e3;
+    Model            model = long_rail();
+    TrackData        pads;
+    pads.continuous = true;
+    pads.pad        = {20e6, 30e6, 20e6}; // 50 MN/m2
+    put_on(model, pads);
+    const Vector3 borne = press(model, load);
+    check_near(borne[1] / load, -1, 1e-5, "the pads bear the load");
+    const Beam   beam{210e9 * 3038.3e-8, 0.4 * 80.8e9 * 76.7e-4, 50e6};
+    const double deflection = deflections(model, {0})[0];
+    check_near(beam.at_load() / 1.246e-8, 1, 2e-3, "Timoshenko's beam on 50 MN/m2 over its closed form");
+    check_near(
+      deflection / load / 1.246e-8, 1, 0.03, "deflection of 60E1 on 50 MN/m2 over Timoshenko's beam");
+
+    // pads on sleepers on ballast as stiff per length
+    TrackData on_sleepers;
+    on_sleepers.first          = 0;
+    on_sleepers.pad            = {40e6, 60e6, 40e6};
+    on_sleepers.rigid_sleepers = false;
+    on_sleepers.sleeper_mass   = 160;
+    on_sleepers.ballast        = {40e6, 60e6, 40e6};
+    std::fill(model.solid.displacement.begin(), model.solid.displacement.end(), 0.);
+    TrackSupport &track = put_on(model, on_sleepers);
+    check_near(press(model, load)[1] / load, -1, 1e-5, "pads on sleepers bear the load");
+    check_near(deflections(model, {0})[0] / load / 1.246e-8,
+               1,
+               0.06,
+               "deflection over a sleeper over that on the same stiffness per length");
+    track.start(model.solid);
+    double sum = 0;
+    for (const Vector3 &place : track.sleeper_places())
+      sum += place[1] * on_sleepers.ballast[1];
+    check_near(sum / load, -1, 1e-4, "the ballast bears it as well");
+    check(track.sleepers().size() == 11, "a sleeper every 0.6 m below 7 m of rail");
+  }
+
+  struct Track
+  {
+    Scene                     scene;
+    Model                     model;
+    std::unique_ptr<Axle>     axle;
+    std::unique_ptr<Rolling>  rolling;
+    std::unique_ptr<Recorder> recorder;
+
+    explicit Track(const Scene &of)
+      : scene(of)
+      , model(make_model(scene, make_geometry(scene), MPI_COMM_WORLD))
+    {
+    }
+
+    void
+    set_out(const double lift, const double rate)
+    {
+      axle    = std::make_unique<Axle>(model.axle, lift, rate, MPI_COMM_WORLD);
+      rolling = std::make_unique<Rolling>(
+        model.solid, *model.contact, model.parts, *axle, time_scheme(scene, model), MPI_COMM_WORLD);
+      recorder = std::make_unique<Recorder>(model);
+    }
+
+    void
+    start()
+    {
+      Log            log;
+      const RunStart start = start_from_rest(scene, model, log, MPI_COMM_WORLD);
+      set_out(start.lift, start.rate);
+    }
+  };
+
+  void
+  very_stiff_pads()
+  {
+    TrackData stiff;
+    stiff.continuous  = true;
+    stiff.pad         = {1e12, 1e12, 1e12};
+    Scene scene       = small_scene(4e-3);
+    scene.rail_length = 1.2; // the ends are clamped in one and free in the other: let them be far away
+    Track one(scene), other(scene);
+    put_on(other.model, stiff);
+    one.start(), other.start();
+    for (int n = 1; n <= 20; ++n)
+      {
+        one.rolling->step(n == 20);
+        other.rolling->step(n == 20);
+      }
+    const ContactSums &a = one.rolling->contact_sums(), &b = other.rolling->contact_sums();
+    check_near(
+      b.force[1] / a.force[1], 1, 0.01, "very stiff pads: vertical force over that on a clamped foot");
+    check_near(b.force[2] / a.force[2], 1, 0.01, "longitudinal force");
+    check_near(b.largest_pressure / a.largest_pressure, 1, 0.01, "peak pressure");
+    check_near(other.axle->height() / one.axle->height(), 1, 0.01, "height of the axle");
+  }
+
+  /// On sleepers that lie close, with pads that have a state of their own.
+  Track
+  on_sleepers()
+  {
+    Scene scene       = small_scene(4e-3);
+    scene.rail_length = 0.6;
+    Track     track(scene);
+    TrackData data;
+    data.spacing        = 0.2;
+    data.pad_length     = 0.08;
+    data.first          = 0.05;
+    data.pad            = {40e6, 200e6, 40e6};
+    data.pad_damping    = constant_loss(0.25);
+    data.rigid_sleepers = false;
+    data.sleeper_mass   = 160;
+    data.ballast        = {25e6, 50e6, 25e6};
+    data.ballast_damper = matched_damper(1, 100).damper;
+    put_on(track.model, data);
+    return track;
+  }
+
+  Checkpoint
+  saved(const Track &track, const int rank)
+  {
+    const Checkpoint whole =
+      gather_checkpoint(take_checkpoint(track.model, *track.rolling, *track.recorder), MPI_COMM_WORLD);
+    std::vector<char> bytes;
+    if (rank == 0)
+      bytes = checkpoint_bytes(whole);
+    unsigned long size = bytes.size();
+    MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
+    bytes.resize(size);
+    MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
+    return checkpoint_from_bytes({bytes.begin(), bytes.end()});
+  }
+
+  void
+  energy_and_resume(const int rank)
+  {
+    Track track = on_sleepers();
+    track.start();
+    Rolling &rolling = *track.rolling;
+    double   worst   = 0;
+    for (int n = 1; n <= 60; ++n)
+      {
+        rolling.step(n == 1 || n % 5 == 0);
+        worst = std::max(worst, rolling.energy().error());
+        if (n == 1)
+          check_near(rolling.contact_sums().force[1] / track.model.wheel_load,
+                     1,
+                     0.005,
+                     "the static start stands on pads and sleepers: first force over the weight");
+      }
+    const Checkpoint whole = saved(track, rank);
+    check(!whole.rolling.parts.at("track").values.empty(), "the pads' own state is saved");
+    for (int n = 61; n <= 120; ++n)
+      {
+        rolling.step(n % 5 == 0);
+        worst = std::max(worst, rolling.energy().error());
+      }
+    check_near(worst, 0, 2e-3, "energy error, largest");
+    const EnergyBook &energy = rolling.energy();
+    check(energy["pad_energy"] > 1 && energy["ballast_energy"] > 1 && energy["sleeper_energy"] > 0 &&
+            energy["pad_dissipation"] > 0 && energy["ballast_dissipation"] > 0,
+          "named energies");
+
+    Track again = on_sleepers();
+    again.set_out(0, 0);
+    restore_checkpoint(whole, again.model, *again.rolling, *again.recorder, MPI_COMM_WORLD);
+    for (int n = 61; n <= 120; ++n)
+      again.rolling->step(n % 5 == 0);
+    check(again.axle->height() == track.axle->height() &&
+            again.rolling->energy()["pad_energy"] == energy["pad_energy"] &&
+            again.rolling->energy()["pad_dissipation"] == energy["pad_dissipation"],
+          "a run that goes on makes the same steps, bit for bit");
+  }
+} // namespace
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  laws_of_damping();
+  static_deflection();
+  very_stiff_pads();
+  energy_and_resume(parallel.rank);
+  return parallel.report();
+}
