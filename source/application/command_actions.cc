@@ -300,7 +300,9 @@ namespace wheelrail
   act_compare(const po::variables_map &options, const RunFunction &, std::ostream &out)
   {
     require_folder(options, "compare");
-    return run_compare_command(file_of(options), sets_of(options), !options.count("no-pictures"), out);
+    const bool bodies = !options.count("bodies") || options["bodies"].as<std::string>() == "real";
+    return run_compare_command(
+      file_of(options), sets_of(options), bodies, !options.count("no-pictures"), out);
   }
 
 

@@ -17,7 +17,12 @@ namespace wheelrail
   std::vector<std::string>
   sets_of(const po::variables_map &options)
   {
-    return options.count("set") ? options["set"].as<std::vector<std::string>>() : std::vector<std::string>();
+    std::vector<std::string> sets;
+    if (options.count("set"))
+      sets = options["set"].as<std::vector<std::string>>();
+    if (options.count("bodies"))
+      sets.push_back("Half-space/Bodies = " + options["bodies"].as<std::string>());
+    return sets;
   }
 
 

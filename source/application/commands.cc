@@ -24,6 +24,16 @@ namespace wheelrail
     }
 
     void
+    add_bodies_option(po::options_description &options, const std::string &otherwise)
+    {
+      options.add_options()("bodies",
+                            po::value<std::string>(),
+                            ("half-spaces, or real: this wheel and this rail as elastic bodies (default: " +
+                             otherwise + "); as Half-space/Bodies")
+                              .c_str());
+    }
+
+    void
     add_traction_option(po::options_description &options)
     {
       options.add_options()(
@@ -87,6 +97,7 @@ namespace wheelrail
          add_set_option(options);
          add_row_option(options);
          add_no_pictures_option(options);
+         add_bodies_option(options, "as the entry says");
          options.add_options()(
            "creep-curve",
            po::value<std::string>(),
@@ -155,9 +166,10 @@ namespace wheelrail
        act_parameters},
       {"compare",
        "FOLDER",
-       "a finished run against two half-spaces under its load and in its pose, as a table and a page",
+       "a finished run against two half-spaces under its load and in its pose, and against its own bodies",
        [](po::options_description &options) {
          add_set_option(options);
+         add_bodies_option(options, "real");
          add_no_pictures_option(options);
        },
        act_compare},

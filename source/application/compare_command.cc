@@ -84,14 +84,29 @@ namespace wheelrail
       return base > 0 ? (fe - hs) / base : Summary::none;
     }
 
+    /// What a run is compared with: the head of its column, and what stands before the keys of its figures
+    /// and of the differences.
+    struct Reference
+    {
+      const char *title, *figures, *differences;
+    };
+    constexpr Reference half_spaces{"half-space", "halfspace_", "relative_difference_"},
+      true_bodies{"true bodies", "bodies_", "bodies_relative_difference_"};
+
     /// Prints the table, adds the figures to the run's summary, returns the table for compare.json.
     nlohmann::ordered_json
-    compare_figures(Summary &run, const Summary &halfspace, std::ostream &out)
+    compare_figures(Summary &run, const Summary &halfspace, const Reference &reference, std::ostream &out)
     {
       nlohmann::ordered_json table = nlohmann::ordered_json::array();
       char                   row[200];
-      std::snprintf(
-        row, sizeof(row), "  %-40s %-5s %11s %12s %12s\n", "", "", "finite el.", "half-space", "difference");
+      std::snprintf(row,
+                    sizeof(row),
+                    "  %-40s %-5s %11s %12s %12s\n",
+                    "",
+                    "",
+                    "finite el.",
+                    reference.title,
+                    "difference");
       out << row;
       std::vector<const char *> names(std::begin(compared), std::end(compared));
       if (has_yaw(run))
@@ -117,8 +132,8 @@ namespace wheelrail
                         *relative_to ? " of the " : "",
                         relative_to);
           out << row;
-          set_figure(run, "halfspace_" + figure.key(), hs);
-          set_figure(run, std::string("relative_difference_") + name, difference);
+          set_figure(run, reference.figures + figure.key(), hs);
+          set_figure(run, std::string(reference.differences) + name, difference);
           table.push_back({{"key", figure.key()},
                            {"label", label},
                            {"unit", figure.unit},
@@ -126,7 +141,7 @@ namespace wheelrail
                            {"decimals", figure.decimals},
                            {"fe", number(fe)},
                            {"fe_std", number(get_figure(run, figure.key("_std")))},
-                           {"halfspace", number(hs)},
+                           {reference.title == half_spaces.title ? "halfspace" : "bodies", number(hs)},
                            {"relative_difference", number(difference)},
                            {"relative_to", relative_to}});
         }
@@ -160,6 +175,35 @@ namespace wheelrail
       require("wheel_rim_roll_rad", -0.2, 0.2);
     }
 
+    /// The second table: the run against its own wheel and rail, with what they say of themselves; nothing
+    /// where their sections cannot be meshed, which is told.
+    nlohmann::ordered_json
+    compare_bodies(Scene                scene,
+                   const SceneGeometry &geometry,
+                   const WheelRailLoad &load,
+                   Summary             &run,
+                   std::ostream        &out)
+    {
+      scene.halfspace_bodies = ContactBodies::real;
+      try
+        {
+          const WheelRailSolution result = solve_wheel_rail(scene, geometry, load, {});
+          const Summary           bodies = halfspace_summary(scene, result);
+          out << "\nThe same against this wheel and this rail as elastic bodies, nothing fitted"
+              << (scene.rail_material.yields() || scene.wheel_material.yields() ? "; they do not yield" : "")
+              << "\n";
+          nlohmann::ordered_json figures = compare_figures(run, bodies, true_bodies, out);
+          if (!bodies.finished)
+            out << "The solution of the true bodies is not exact: " << bodies.stop_reason << std::endl;
+          return {{"converged", bodies.finished}, {"figures", std::move(figures)}};
+        }
+      catch (const RunError &error)
+        {
+          out << "note: no comparison with the true bodies: " << error.what() << '\n';
+        }
+      return {};
+    }
+
     nlohmann::ordered_json
     trust_json(const Measures &measures)
     {
@@ -183,6 +227,7 @@ namespace wheelrail
   int
   run_compare_command(const std::string              &folder,
                       const std::vector<std::string> &sets,
+                      const bool                      with_bodies,
                       const bool                      draws,
                       std::ostream                   &out)
   {
@@ -201,6 +246,7 @@ namespace wheelrail
       out << "note: Half-space/Friction memory and Interface layer are left out, since a run has neither\n";
     input.scene.halfspace_memory_length   = 0;
     input.scene.halfspace_layer_thickness = 0;
+    input.scene.halfspace_bodies          = ContactBodies::half_spaces;
     const Scene &scene                    = input.scene;
     check_figures(scene, run, (path / "summary.json").string());
     const WheelRailLoad     load      = load_of_run(run);
@@ -212,8 +258,10 @@ namespace wheelrail
         << 1e3 * result.solution.grid.dx << " mm, wheel moved by " << text("%.3f", 1e3 * offsets.lateral)
         << " mm and rail turned by " << text("%.3f", 1e3 * (offsets.wheel_roll - offsets.rail_roll))
         << " mrad to the track centre\n";
-    nlohmann::ordered_json table    = compare_figures(run, halfspace, out);
-    Measures               measures = measures_of_run(scene, run);
+    nlohmann::ordered_json table = compare_figures(run, halfspace, half_spaces, out);
+    nlohmann::ordered_json bodies =
+      with_bodies ? compare_bodies(scene, geometry, load, run, out) : nlohmann::ordered_json();
+    Measures measures = measures_of_run(scene, run);
     measure_against(halfspace_pressure(result), scene, run, measures);
     measures.pose_effect =
       result.solution.peak_pressure / halfspace_pressure(scene, geometry, result.solution.fn, {}).peak - 1;
@@ -233,6 +281,7 @@ namespace wheelrail
                                    {"wheel_roll_rad", offsets.wheel_roll},
                                    {"halfspace_converged", halfspace.finished},
                                    {"figures", std::move(table)},
+                                   {"bodies", std::move(bodies)},
                                    {"trust", trust_json(measures)},
                                    {"verdict", verdict_of(run)},
                                    {"doubts", run.doubts},

@@ -244,6 +244,41 @@ namespace wheelrail
           entry_text(scene, "Run", entry) + ": with " + entry_text(scene, "Mesh", "Window") +
           " the cells of the rail change with the start; leave it out, or set Mesh/Window = moving");
     }
+
+    /// What contact of the true bodies does not take.
+    void
+    check_bodies(const Scene &scene, std::vector<std::string> &errors)
+    {
+      if (scene.halfspace_bodies != ContactBodies::real)
+        return;
+      const std::string real = entry_text(scene, "Half-space", "Bodies");
+      const auto refuse = [&](const bool found, const char *section, const char *entry, const char *what) {
+        if (found)
+          errors.push_back(entry_text(scene, section, entry) + ": " + what + "; " + real +
+                           " does not take it: write half-spaces there, or leave this entry out");
+      };
+      refuse(scene.halfspace_distance != "profiles",
+             "Half-space",
+             "Undeformed distance",
+             "a distance without bodies");
+      refuse(scene.halfspace_spin == HalfspaceSpin::contact,
+             "Half-space",
+             "Spin",
+             "one spin for the whole contact");
+      refuse(std::isfinite(scene.halfspace_given_spin),
+             "Half-space",
+             "Given spin",
+             "one spin for the whole contact");
+      refuse(scene.halfspace_lateral != 0,
+             "Half-space",
+             "Lateral offset",
+             "a pose by hand, where the bodies find theirs");
+      refuse(scene.halfspace_inclination != 0,
+             "Half-space",
+             "Extra inclination",
+             "a pose by hand, where the bodies find theirs");
+      refuse(scene.both_wheels, "Wheelset", "Wheels", "two wheels on one axle");
+    }
   } // namespace
 
 
@@ -256,6 +291,7 @@ namespace wheelrail
     check_material(scene, "Rail material", scene.rail_material, found);
     check_material(scene, "Wheel material", scene.wheel_material, found);
     check_drive(scene, found.warnings);
+    check_bodies(scene, found.errors);
     if (!(scene.wear.damage_begins < scene.wear.damage_peak &&
           scene.wear.damage_peak < scene.wear.damage_ends))
       found.errors.push_back(entry_text(scene, "Wear", "Damage peak at") + ": must lie between " +

@@ -62,14 +62,14 @@ def difference_of(figure):
     return page.number(difference, 100, 2) + " %" + (f" of the {relative_to}" if relative_to else "")
 
 
-def table(figures):
+def table(figures, title="half-spaces", key="halfspace"):
     rows = ["<div class=wide><table><tr><th></th><th class=number>finite elements</th><th class=number>std</th>"
-            "<th class=number>half-spaces</th><th>unit</th><th class=number>difference</th></tr>"]
+            f"<th class=number>{title}</th><th>unit</th><th class=number>difference</th></tr>"]
     for figure in figures:
         def shown(value):
             return page.number(value, figure["factor"], figure["decimals"]) if page.is_number(value) else ""
         rows.append(f"<tr><td>{html.escape(figure['label'])}</td><td class=number>{shown(figure['fe'])}</td>"
-                    f"<td class=number>{shown(figure['fe_std'])}</td><td class=number>{shown(figure['halfspace'])}</td>"
+                    f"<td class=number>{shown(figure['fe_std'])}</td><td class=number>{shown(figure[key])}</td>"
                     f"<td>{page.unit_text(figure)}</td><td class=number>{difference_of(figure)}</td></tr>")
     return "\n".join(rows + ["</table></div>"])
 
@@ -85,6 +85,10 @@ def make_parts(run, comparison, pictures, shown):
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
     parts += ["<h2>Figures</h2><p>Means of the run over its averaging distance, with their standard deviation.</p>",
               table(comparison["figures"]), f"<p>{html.escape(pose)}</p>"]
+    if comparison.get("bodies"):
+        parts += ["<h2>Against this wheel and this rail as elastic bodies</h2>",
+                  table(comparison["bodies"]["figures"], "true bodies", "bodies"),
+                  "<p>Under the same forces, with nothing fitted: what is left is cells, penalty and settling.</p>"]
     if shown:
         parts += ["<h2>Views</h2>", page.views_html(shown)]
     parts += ["<h2>Pictures</h2><p>Last tick of the run. Tractions act on the rail. Maps show the right-hand rail from "

@@ -74,7 +74,8 @@ namespace wheelrail
   /// planes that differ by more than 0.1 (separate_regions()), each in its own. The undeformed
   /// distance is exact in the lateral direction and x^2 / (2 r) along the rail; materials, friction, speed,
   /// element size and spin are those of the scene (doc/manual/compare.md). Where the longitudinal force
-  /// exceeds friction the whole patch slides, see solve_carried().
+  /// exceeds friction the whole patch slides, see solve_carried(). With Half-space/Bodies = real it is the
+  /// contact of the true bodies instead, see solve_bodies(), without offsets.
   WheelRailSolution
   solve_wheel_rail(const Scene          &scene,
                    const SceneGeometry  &geometry,

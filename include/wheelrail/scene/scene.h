@@ -91,6 +91,13 @@ namespace wheelrail
   };
 
   /// Where the rigid slip of the half-space contact comes from.
+  /// What the commands for half-spaces take wheel and rail for.
+  enum class ContactBodies
+  {
+    half_spaces, ///< Kalker's theory
+    real         ///< this wheel on its bore and this rail on its foot, doc/theory/bodies.md
+  };
+
   enum class HalfspaceSpin
   {
     local_radius, ///< every slice rolls with its own radius and inclination
@@ -204,6 +211,7 @@ namespace wheelrail
 
     // Half-space
     double        halfspace_element_size = 0.4e-3; ///< [m]
+    ContactBodies halfspace_bodies       = ContactBodies::half_spaces;
     HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
     double halfspace_given_spin = std::numeric_limits<double>::infinity(); ///< [1/m]; infinite: of the wheel
     double halfspace_memory_length      = 0;     ///< slip distance of the friction's memory, 0: none [m]
