@@ -158,6 +158,8 @@ namespace
       {"Mesh/Rail element", "reduced"},
       {"Mesh/Wheel element", "full"},
       {"Run/Rolling distance", "260 mm"},
+      {"Run/Longest distance", "300 mm"},
+      {"Run/Standard error", "0.002"},
       {"Run/Averaging distance", "50 mm"},
       {"Run/Evaluate at", "130 mm"},
       {"Run/Time step factor", "0.8"},
@@ -348,6 +350,8 @@ namespace
     check_near(s.fine_depth, 0.007, 0, "field fine_depth");
     check_near(s.fine_margin, 0.006, 0, "field fine_margin");
     check_near(s.rolling_distance, 0.26, 0, "field rolling_distance");
+    check_near(s.longest_distance, 0.3, 0, "field longest_distance");
+    check_near(s.standard_error, 0.002, 0, "field standard_error");
     check_near(s.averaging_distance, 0.05, 0, "field averaging_distance");
     check_near(s.time_step_factor, 0.8, 0, "field time_step_factor");
     check_near(s.bulk_viscosity, 0.03, 0, "field bulk_viscosity");

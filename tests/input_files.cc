@@ -124,7 +124,7 @@ namespace
     check_difference("quickstart.prm",
                      {{"Title", "quick start, coarse cells"},
                       {"Mesh/Solution cell size", "2 mm"},
-                      {"Run/Rolling distance", "30 mm"},
+                      {"Run/Standard error", "0.005"},
                       {"Run/Averaging distance", "10 mm"},
                       {"Output/Folder", "output/quickstart"},
                       {"Output/Ticks", "6"}});
@@ -132,7 +132,7 @@ namespace
                      {{"Title", "S1002 on 54E1, 140 km/h, driving, elastic-plastic"},
                       {"Rail material/Yield stress", "480 MPa"},
                       {"Wheel material/Yield stress", "480 MPa"},
-                      {"Run/Rolling distance", "100 mm"},
+                      {"Run/Longest distance", "100 mm"},
                       {"Output/Folder", "output/rolling_plastic"}});
   }
 

@@ -252,6 +252,20 @@ namespace wheelrail
       return make_sweep_plan(planned_strip.profiles, wheel, sizes);
     }
 
+    /// The way over which a run until steady is brought to the balance of its torque, one and a half lengths
+    /// of the patch (see run_in()) [m]; 0 where there is none to come to: at a given rate, with more torque
+    /// than friction carries, and of starts that are to settle by themselves.
+    double
+    run_in_length(const Scene &scene, const SceneGeometry &geometry)
+    {
+      constexpr double most_of_friction = 0.95, too_long = 0.9; // of the expected patch
+      if (!scene.until_steady() || scene.drive != Drive::torque ||
+          scene.start != StartState::steady_rolling || scene.friction.kind != FrictionKind::constant ||
+          !(std::abs(scene.traction_coefficient) < most_of_friction * scene.friction.at_rest))
+        return 0;
+      return 1.5 * too_long * expected_patch(scene, geometry).length;
+    }
+
     /// Sprung mass, load and drive of the axle, once the mass of the wheel is known.
     void
     load_axle(const Scene                  &scene,
@@ -268,6 +282,7 @@ namespace wheelrail
       model.wheel_load = (model.axle.sprung_mass + unsprung) * scene.gravity;
       model.axle.torque =
         drive_torque(geometry.contact, scene.traction_coefficient * model.wheel_load, model.wheel_load);
+      model.axle.torque_ramp = run_in_length(scene, geometry);
       if (!way.empty())
         model.axle.way = std::make_shared<GuidedWay>(make_way(scene, way, model.wheel_load));
     }

@@ -26,17 +26,16 @@ namespace wheelrail
       const double needed = free_rail(scene, patch ? patch->length : 0);
       const double length = scene.mesh_distance() + 2 * (needed + scene.start_offset);
       if (length > scene.rail_length * (1 + 1e-12))
-        found.push_back((scene.prepared_distance > 0 ? entry_text(scene, "Mesh", "Prepared distance")
-                                                     : entry_text(scene, "Run", "Rolling distance")) +
-                        ": with " + rounded_mm(needed) + " of free rail at each end" +
-                        (scene.start_offset > 0 ? " and " + entry_text(scene, "Run", "Start offset") : "") +
-                        " this needs a rail of " + rounded_mm(length) + ", and Track/Rail length is " +
-                        rounded_mm(scene.rail_length) + "; " +
-                        (scene.rail_length > 2 * (needed + scene.start_offset)
-                           ? "roll at most " +
-                               rounded_mm(scene.rail_length - 2 * (needed + scene.start_offset)) +
-                               " or lengthen the rail"
-                           : "lengthen the rail"));
+        found.push_back(
+          (scene.prepared_distance > 0 ? entry_text(scene, "Mesh", "Prepared distance") : path_text(scene)) +
+          ": with " + rounded_mm(needed) + " of free rail at each end" +
+          (scene.start_offset > 0 ? " and " + entry_text(scene, "Run", "Start offset") : "") +
+          " this needs a rail of " + rounded_mm(length) + ", and Track/Rail length is " +
+          rounded_mm(scene.rail_length) + "; " +
+          (scene.rail_length > 2 * (needed + scene.start_offset)
+             ? "roll at most " + rounded_mm(scene.rail_length - 2 * (needed + scene.start_offset)) +
+                 " or lengthen the rail"
+             : "lengthen the rail"));
     }
 
     void

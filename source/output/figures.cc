@@ -189,6 +189,7 @@ namespace wheelrail
     for (const Figure &figure : figures)
       table.push_back({{"key", figure.key()},
                        {"std_key", figure.key("_std")},
+                       {"error_key", figure.key("_error")},
                        {"label", figure.label},
                        {"remark", figure.remark},
                        {"unit", figure.unit},

@@ -75,7 +75,7 @@ def label_text(figure):
 
 
 def figure_rows(summary, figures):
-    """Rows of name, value, standard deviation, unit."""
+    """Rows of name, value, standard deviation with the standard error of the mean, unit."""
     rows = []
     for figure in figures:
         value, deviation = summary.get(figure["key"]), summary.get(figure["std_key"])
@@ -84,13 +84,16 @@ def figure_rows(summary, figures):
         spread = ""
         if is_number(deviation):
             spread = "\u00b1 " + number(deviation, figure["factor"], figure["decimals"])
+        error = summary.get(figure.get("error_key"))
+        if is_number(error):
+            spread += ", mean \u00b1 " + number(error, figure["factor"], figure["decimals"] + 1)
         rows.append((label_text(figure), number(value, figure["factor"], figure["decimals"]), spread, unit_text(figure)))
     return rows
 
 
 def further_rows(summary, figures):
     """Figures that the table of figures does not know; those of compare stand in its own page."""
-    known = {figure[key] for figure in figures for key in ("key", "std_key")}
+    known = {figure.get(key) for figure in figures for key in ("key", "std_key", "error_key")}
     return [(key, f"{value:.6g}", "", "") for key, value in summary.items()
             if is_number(value) and key not in known and not key.startswith(("halfspace_", "relative_difference_"))]
 
@@ -134,8 +137,10 @@ def verdict_sentence(summary):
     text = summary.get("doubts") or ""
     if not summary.get("finished"):
         text = "It did not finish. " + str(summary.get("stopped_because") or "No reason is recorded.")
+    ended = summary.get("ended_because") if summary.get("ended") in ("steady", "not steady") else None
     return (f"<p class={VERDICT_CLASS.get(verdict, 'bad')}><b>{html.escape(verdict.capitalize())}</b>"
-            f"{': ' if text else ''}{html.escape(str(text))}</p>")
+            f"{': ' if text else ''}{html.escape(str(text))}</p>" +
+            (f"<p>{html.escape(ended[0].upper() + ended[1:])}.</p>" if ended else ""))
 
 
 def smaller(path, colors=256):

@@ -141,6 +141,7 @@ namespace wheelrail
       const PassingWheel &wheel = wheels_[(k - 1) % of_round()];
       Scene               one   = wheel.scene;
       one.passages              = 1;
+      one.rolling_distance      = wheel.scene.path();
       one.passage_list          = "none";
       one.passage_jump          = 0;
       one.staggered_starts      = 1;

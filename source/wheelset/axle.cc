@@ -158,6 +158,13 @@ namespace wheelrail
     // driven by the torque, or held
     const double rate_before = pitch_rate_, moment = reaction.about_axis;
     applied_torque_ = data_.way ? data_.way->torque.at(travelled_) : data_.torque;
+    if (travelled_ < data_.torque_ramp)
+      {
+        if (std::isnan(start_torque_))
+          start_torque_ = -moment;
+        const double left = 0.5 * (1 + std::cos(M_PI * travelled_ / data_.torque_ramp));
+        applied_torque_ += left * (start_torque_ - applied_torque_);
+      }
     if (data_.rate_held)
       {
         const double wanted =

@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -25,6 +26,10 @@ namespace wheelrail
     double  lateral_creepage = 0;     ///< velocity along X over that along Z, held
     bool    rate_held        = false; ///< the pitch rate keeps its start value
     double  torque           = 0;     ///< drive torque about `axis`, positive driving [N m]
+
+    /// Length over which the torque goes smoothly from that of the static start to `torque` [m]; 0: at once.
+    /// A step lets hub and rim swing against each other.
+    double torque_ramp = 0;
 
     /// What leads the wheelset; none: all of the above stays as it is. `load` is what is on the rail with the
     /// loads above: changes of it act on the axle.
@@ -168,6 +173,19 @@ namespace wheelrail
     AxleEnergy
     energy() const;
 
+    /// Lets it turn faster by `change` [rad/s].
+    void
+    add_rate(const double change)
+    {
+      pitch_rate_ += change;
+    }
+    /// The torque that the ramp begins with [N m]; not set, it is what holds the rate in the first step.
+    void
+    set_start_torque(const double torque)
+    {
+      start_torque_ = torque;
+    }
+
     /// What one step leaves to the next [SI]: positions at the full step, speeds and works at the half step.
     struct State
     {
@@ -235,6 +253,7 @@ namespace wheelrail
     double                    sprung_height_ = 0, sprung_speed_ = 0; ///< against the static position
     Vector3                   reaction_{};
     double                    applied_torque_ = 0;
+    double                    start_torque_   = std::numeric_limits<double>::quiet_NaN();
     AxleEnergy                work_;
     Terms                     terms_;
     MPI_Comm                  communicator_;
