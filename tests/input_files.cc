@@ -132,7 +132,7 @@ namespace
                      {{"Title", "S1002 on 54E1, 140 km/h, driving, elastic-plastic"},
                       {"Rail material/Yield stress", "480 MPa"},
                       {"Wheel material/Yield stress", "480 MPa"},
-                      {"Run/Longest distance", "100 mm"},
+                      {"Run/Rolling distance", "100 mm"},
                       {"Output/Folder", "output/rolling_plastic"}});
   }
 
