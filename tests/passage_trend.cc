@@ -57,7 +57,7 @@ namespace
           "strain that grows without forward flow");
     test::check_text(
       in_words(PassageTrend::ratcheting, {1.2e-3, 3e-4}),
-      "the rail ratchets: the largest plastic strain grew by 0.0012, the forward shear of the band "
+      "the rail ratchets: the largest plastic strain grew by 0.0012, the forward shear of the plastic zone "
       "by 0.0003 in the last round",
       "in words");
   }

@@ -216,8 +216,12 @@ namespace wheelrail
     if (!options.count("motion"))
       throw InputError("vehicle needs a motion file, such as " + own_call() + " vehicle " +
                        ready_scene("rolling.prm") + " " + ready_scene("s_curve.csv"));
-    const MotionFile motion = read_motion_file(options["motion"].as<std::string>());
-    SceneInput       input  = file_input_of(options);
+    const MotionFile motion =
+      read_vehicle_file(options["motion"].as<std::string>(),
+                        options.count("columns") ? options["columns"].as<std::string>() : "");
+    for (const std::string &note : motion.notes)
+      print_note(note, out);
+    SceneInput input = file_input_of(options);
     require_one_scene(input);
     input.scene.motion = "none"; // the rows of the command take its place
     if (options.count("both-wheels"))
@@ -312,6 +316,8 @@ namespace wheelrail
     std::vector<std::string> words = {file_of(options)};
     if (options.count("tick"))
       words.insert(words.end(), {"--tick", options["tick"].as<std::string>()});
+    if (options.count("csv"))
+      words.push_back("--csv");
     return run_script("report.py", words);
   }
 

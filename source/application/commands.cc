@@ -124,6 +124,10 @@ namespace wheelrail
            po::value<std::string>(),
            "the rows: time or distance, lateral shift, roll, yaw, load, velocity, radius, cant, torque "
            "or creepage, with units in the first line");
+         options.add_options()("columns",
+                               po::value<std::string>(),
+                               "a table of names: what a column of the rows is called here, one a line, such "
+                               "as \"y_ws;lateral shift [mm]\"");
          options.add_options()(
            "both-wheels", "compute the right and the left wheel, on one axle; as Wheelset/Wheels = both");
          add_traction_option(options);
@@ -169,6 +173,7 @@ namespace wheelrail
                                po::value<std::string>(),
                                "the tick to draw: a number, or last; several with commas between also "
                                "draw the shear traction at each");
+         options.add_options()("csv", "also write histories, maps and sections as tables into FOLDER/csv");
        },
        act_report},
       {"study",

@@ -2,6 +2,7 @@
 #include <wheelrail/application/halfspace_results.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/contact_input.h>
@@ -107,6 +108,8 @@ namespace wheelrail
 
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     write_halfspace_folder(scene, result, results, folder.string());
+    if (!given)
+      write_sections(*geometry, scene.track, (folder / "sections.json").string());
     out << "Results in " << folder.string() << std::endl;
     if (draws)
       draw_results("halfspace.py", folder.string());

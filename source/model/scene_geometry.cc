@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/profiles/measured_profiles.h>
+#include <wheelrail/profiles/note_lines.h>
 
 #include <utility>
 
@@ -21,7 +22,7 @@ namespace wheelrail
         {
           MeasuredProfile measured = read_profile_file(path, options);
           auto            profile  = make(measured, measured.notes);
-          for (const std::string &note : measured.notes)
+          for (const std::string &note : note_lines(measured.notes))
             notes.push_back(entry + " = " + path + ": " + note);
           return profile;
         }

@@ -23,6 +23,8 @@ td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 figure { margin: 0; flex: 1 1 26rem; max-width: 48rem; } figure.broad { flex-basis: 100%; max-width: none; }
 img { max-width: 100%; height: auto; }
 figcaption { color: #555; font-size: 0.9rem; }
+.top { display: flex; flex-wrap: wrap; gap: 0.4rem 3rem; align-items: flex-start; }
+.top h2 { margin: 0.6rem 0 0.3rem; }
 .good { color: #1d6b3a; } .care { color: #8a5a00; } .bad { color: #a32116; } .remark { color: #7a5500; }
 .view { margin: 0 0 1.6rem; } .view .controls { display: flex; flex-wrap: wrap; gap: 0.4rem 1.2rem; align-items: center; font-size: 0.9rem; }
 .view .plot { width: 100%; } .view input[type=range] { width: 16rem; max-width: 60vw; vertical-align: middle; }
@@ -88,6 +90,32 @@ def figure_rows(summary, figures):
     return rows
 
 
+#: the results that stand at the top of a page, as far as there are such figures
+KEY_RESULTS = ["vertical_force_N", "lateral_force_N", "lateral_over_vertical", "longitudinal_force_N", "max_pressure_Pa",
+               "contact_area_m2", "patch_lateral_m", "patch_longitudinal_m", "patch_centre_from_axis_m",
+               "patch_centre_from_gauge_face_m", "patch_centre_below_top_m", "creepage", "stick_fraction", "t_gamma_N",
+               "max_shear_traction_Pa", "max_von_mises_Pa", "von_mises_below_cell_Pa", "von_mises_below_cell_depth_m",
+               "subsurface_von_mises_Pa", "subsurface_von_mises_depth_m", "max_plastic_strain",
+               "max_residual_von_mises_Pa"]
+
+
+def key_figures(figures, keys=None):
+    """Those figures that stand at the top, in their order there."""
+    by_key = {figure["key"]: figure for figure in figures}
+    return [by_key[key] for key in keys or KEY_RESULTS if key in by_key]
+
+
+def top(summary, figures, inputs_table, keys=None):
+    """Verdict, inputs and key results, with which each page of a result begins."""
+    lines = lines_of(figure_rows(summary, key_figures(figures, keys)))
+    parts = [verdict_sentence(summary), "<div class=top>"]
+    if inputs_table:
+        parts.append("<div><h2>Inputs</h2>" + inputs_table + "</div>")
+    if lines:
+        parts.append("<div><h2>Key results</h2><table>" + "\n".join(lines) + "</table></div>")
+    return parts + ["</div>"]
+
+
 def further_rows(summary, figures):
     """Figures that the table of figures does not know; those of compare stand in its own page."""
     known = {figure[key] for figure in figures for key in ("key", "std_key")}
@@ -95,9 +123,14 @@ def further_rows(summary, figures):
             if is_number(value) and key not in known and not key.startswith(("halfspace_", "relative_difference_"))]
 
 
+def lines_of(rows):
+    return [f"<tr><td>{html.escape(label)}</td><td class=number>{value}</td><td>{spread}</td><td>{unit}</td></tr>"
+            for label, value, spread, unit in rows]
+
+
 def table(rows):
-    lines = [f"<tr><td>{html.escape(label)}</td><td class=number>{value}</td><td>{spread}</td><td>{unit}</td></tr>"
-             for label, value, spread, unit in rows]
+    """Rows of name, value, standard deviation, unit in two columns."""
+    lines = lines_of(rows)
     half = (len(lines) + 1) // 2
     return "<div class=tables>" + "".join("<table>" + "\n".join(part) + "</table>"
                                           for part in (lines[:half], lines[half:]) if part) + "</div>"

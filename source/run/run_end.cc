@@ -1,8 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/damage/wear_figures.h>
+#include <wheelrail/geometry/head_place.h>
 #include <wheelrail/geometry/made_up_part.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
 #include <wheelrail/reference/run_reference.h>
@@ -174,8 +176,9 @@ namespace wheelrail
     Measures     measures = measures_of_run(scene, summary);
     const double centre   = summary.patch_centre_lateral;
     const Point2 place    = geometry.contact.frame.to_track({centre, geometry.rail_heights.at(centre).n});
-    measures.place        = place_in_words(place.x);
-    measures.made_up      = made_up_part(geometry, place);
+    set_patch_place(head_place(geometry.contact.rail, scene.track, place), summary);
+    measures.place   = place_in_words(place.x);
+    measures.made_up = made_up_part(geometry, place);
     if (scene.motion == "none")
       compare_peak(scene, geometry, summary, measures);
     else

@@ -2,6 +2,7 @@
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/model/profile_copies.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/end_screen.h>
@@ -60,7 +61,10 @@ namespace wheelrail
         Model model = make_model(scene_, geometry_, communicator_);
         folder_->begin(options_.parameters_text, resume_point_.has_value());
         if (!resume_point_)
-          on_root(communicator_, [&]() { keep_profiles(scene_, scene_.folder); });
+          on_root(communicator_, [&]() {
+            keep_profiles(scene_, scene_.folder);
+            write_sections(geometry_, scene_.track, scene_.folder + "/sections.json");
+          });
         Stop stop;
         try
           {
@@ -279,6 +283,8 @@ namespace wheelrail
       if (left)
         output_->residual(*left);
       Summary summary = summary_of(run.parts(), tally, stress);
+      if (finished)
+        set_stress_below(output_->stress_below(stress), summary);
       if (left)
         add_residual(*left, summary);
       summary.program_version = options_.program_version;
