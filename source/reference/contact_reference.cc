@@ -50,11 +50,9 @@ namespace wheelrail
       {
         const double                 here  = std::clamp(grid.y(j), sections.s_min(), sections.s_max());
         const ContactSections::Slice slice = sections.slice(here);
-        const double                 least = sections.distance(here);
         for (int i = 0; i < grid.mx && here == grid.y(j); ++i)
           {
-            const double d       = grid.x(i) - slice.along,
-                         overlap = std::max(0., solution.approach - least - 0.5 * slice.curvature * d * d),
+            const double overlap = std::max(0., solution.approach - sections.distance(here, grid.x(i))),
                          weight  = overlap * overlap;
             sum += weight;
             s += weight * here;

@@ -173,7 +173,7 @@ namespace wheelrail
   {
     Measures     measures = measures_of_run(scene, summary);
     const double centre   = summary.patch_centre_lateral;
-    const Point2 place    = geometry.contact.frame.to_track({centre, geometry.rail_heights.at(centre).n});
+    const Point2 place    = geometry.contact.frame.to_track({centre, geometry.rail_heights().at(centre).n});
     measures.place        = place_in_words(place.x);
     measures.made_up      = made_up_part(geometry, place);
     if (scene.motion == "none")

@@ -72,7 +72,7 @@ namespace wheelrail
 
   /// Solves the contact of the profiles in steady rolling, in one plane or, where the wheel has contacts in
   /// planes that differ by more than 0.1 (separate_regions()), each in its own. The undeformed
-  /// distance is exact in the lateral direction and x^2 / (2 r) along the rail; materials, friction, speed,
+  /// distance is that of the exact surfaces; materials, friction, speed,
   /// element size and spin are those of the scene (doc/manual/compare.md). Where the longitudinal force
   /// exceeds friction the whole patch slides, see solve_carried().
   WheelRailSolution
