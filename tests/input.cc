@@ -24,7 +24,7 @@ namespace
 {
   /// A value other than the default for each entry; together a scene that passes the cross-checks.
   const std::map<std::string, std::string> &
-  other_values()
+  first_values()
   {
     static const std::map<std::string, std::string> values = {
       {"Title", "other scene, 50 % slower"},
@@ -195,6 +195,30 @@ namespace
     return values;
   }
 
+  /// These, and those of all irregularities, which are alike.
+  const std::map<std::string, std::string> &
+  other_values()
+  {
+    static const std::map<std::string, std::string> values = [] {
+      std::map<std::string, std::string> all = first_values();
+      for (int k = 1; k <= most_irregularities; ++k)
+        for (const auto &[name, value] : std::map<std::string, std::string>{{"Kind", "corrugation"},
+                                                                            {"Body", "rail"},
+                                                                            {"Place", "250 mm"},
+                                                                            {"Lateral place", "-5 mm"},
+                                                                            {"Length", "120 mm"},
+                                                                            {"Width", "30 mm"},
+                                                                            {"Depth", "0.02 mm"},
+                                                                            {"Wavelength", "40 mm"},
+                                                                            {"Angle", "5 mrad"},
+                                                                            {"Order", "7"},
+                                                                            {"File", "heights.csv"}})
+          all["Irregularity " + std::to_string(k) + "/" + name] = value;
+      return all;
+    }();
+    return values;
+  }
+
   Scene
   other_scene()
   {
@@ -209,6 +233,7 @@ namespace
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
     straight.scene.passage_jump     = 0;      // the wheel is the same again
     straight.scene.planned_strip.clear();     // nor that strip
+    straight.scene.irregularities = {};       // longer than its way
     leave_wheelset(straight.scene);
     straight.scene.start_offset     = 0; // the window is fixed
     straight.scene.staggered_starts = 1;

@@ -6,6 +6,7 @@
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/material_command.h>
+#include <wheelrail/application/places_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/scene_row.h>
 #include <wheelrail/application/study_command.h>
@@ -93,7 +94,8 @@ namespace wheelrail
                            const std::vector<std::string> &warnings,
                            std::ostream                   &out)
     {
-      for (const char *option : {"contact-input", "contact-wheel-rail-input", "creep-curve"})
+      for (const char *option :
+           {"contact-input", "contact-wheel-rail-input", "creep-curve", "places", "pitch"})
         if (options.count(option))
           throw InputError(std::string("--") + option + " takes one wheel; " +
                            entry_text(input.scene, "Wheelset", "Wheels") + " asks for two: set it to one");
@@ -102,6 +104,26 @@ namespace wheelrail
       print_note(drive_note(options, input), out);
       return run_wheelset_command(
         input.scene, read_wheelset_profiles(input.scene), !options.count("no-pictures"), out);
+    }
+
+    int
+    halfspaces_of_places(const po::variables_map &options,
+                         const Scene             &scene,
+                         const SceneGeometry     *geometry,
+                         std::ostream            &out)
+    {
+      if (options.count("places") + options.count("pitch") + options.count("creep-curve") > 1)
+        throw InputError("--places, --pitch and --creep-curve are different tables: give one of them");
+      const bool        pitch  = options.count("pitch") > 0;
+      const std::string option = pitch ? "pitch" : "places";
+      if (distance_is_given(scene))
+        throw InputError(entry_text(scene, "Half-space", "Undeformed distance") + ": --" + option +
+                         " needs wheel and rail; set it to profiles");
+      return run_places_command(scene,
+                                *geometry,
+                                parse_irregular_places(options[option].as<std::string>(), pitch),
+                                !options.count("no-pictures"),
+                                out);
     }
   } // namespace
 
@@ -181,6 +203,8 @@ namespace wheelrail
       out << "warning: " << warning << "\n";
     if (file("creep-curve").rfind("longitudinal", 0) != 0) // which runs over what drives
       print_note(drive_note(options, input), out);
+    if (!file("places").empty() || !file("pitch").empty())
+      return halfspaces_of_places(options, input.scene, geometry ? &*geometry : nullptr, out);
     if (!file("creep-curve").empty())
       return run_creep_curve_command(input.scene,
                                      geometry ? &*geometry : nullptr,

@@ -97,6 +97,12 @@ namespace wheelrail
            po::value<std::string>(),
            "with --creep-curve: a table of points, measured or of another program, to draw "
            "beside the curve");
+         options.add_options()("places",
+                               po::value<std::string>(),
+                               "the wheel at rest at places along irregular surfaces (subsections "
+                               "Irregularity) instead: \"0:100:5 mm\"");
+         options.add_options()(
+           "pitch", po::value<std::string>(), "the same at angles of the wheel: \"-7:0:1 deg\"");
          options.add_options()("contact-input",
                                po::value<std::string>(),
                                "also write the problem as input of the program CONTACT, basic module");

@@ -1,6 +1,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/irregularity_checks.h>
 #include <wheelrail/input/study_cases.h>
 #include <wheelrail/input/wheelset_checks.h>
 
@@ -256,6 +257,7 @@ namespace wheelrail
     check_material(scene, "Rail material", scene.rail_material, found);
     check_material(scene, "Wheel material", scene.wheel_material, found);
     check_drive(scene, found.warnings);
+    check_irregularities(scene, found);
     if (!(scene.wear.damage_begins < scene.wear.damage_peak &&
           scene.wear.damage_peak < scene.wear.damage_ends))
       found.errors.push_back(entry_text(scene, "Wear", "Damage peak at") + ": must lie between " +

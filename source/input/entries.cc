@@ -51,6 +51,7 @@ namespace wheelrail
                                                 run_entries(),
                                                 output_entries(),
                                                 halfspace_entries(),
+                                                irregularity_entries(),
                                                 wear_entries(),
                                                 material_test_entries(),
                                                 study_entries()})

@@ -2,10 +2,12 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/irregularity_checks.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/planned_strip.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/model/scene_irregularities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -202,15 +204,28 @@ namespace wheelrail
           errors.push_back(error.what());
           return {};
         }
+      Scene smooth          = scene;
+      smooth.irregularities = {};
+      std::optional<SceneGeometry> geometry;
       try
         {
-          return make_geometry(scene, std::move(profiles));
+          geometry = make_geometry(smooth, std::move(profiles));
         }
       catch (const InputError &error)
         {
           errors.push_back(entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
           return {};
         }
+      try
+        {
+          add_irregularities(scene, *geometry);
+        }
+      catch (const InputError &error) // it names its entry
+        {
+          errors.push_back(error.what());
+          return {};
+        }
+      return geometry;
     }
   } // namespace
 
@@ -227,6 +242,7 @@ namespace wheelrail
           patch = expected_patch(scene, *geometry);
           check_patch(scene, *patch, found);
           check_size(scene, *patch, machine, found);
+          check_irregular_run(scene, *geometry, *patch, found);
         }
       check_load(scene, found.errors);
       check_rail_length(scene, patch, found.errors);

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/measured_profiles.h>
 
 #include <utility>
@@ -83,9 +84,12 @@ namespace wheelrail
   SceneGeometry
   make_geometry(const Scene &scene, SceneProfiles profiles)
   {
-    return {touching_profiles(
-              std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
-            std::move(profiles.notes)};
+    SceneGeometry geometry{
+      touching_profiles(
+        std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
+      std::move(profiles.notes)};
+    add_irregularities(scene, geometry);
+    return geometry;
   }
 
 

@@ -7,10 +7,12 @@
 #include <wheelrail/material/friction.h>
 #include <wheelrail/mesh/wheel_section_outline.h>
 #include <wheelrail/profiles/profile_file.h>
+#include <wheelrail/scene/irregularity_data.h>
 #include <wheelrail/scene/material_test.h>
 #include <wheelrail/scene/study.h>
 #include <wheelrail/solid/element_form.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -222,6 +224,8 @@ namespace wheelrail
     double      halfspace_approach      = 0;     ///< [m], 0: found from the normal force
     double      halfspace_contact_angle = 0;     ///< of the axle to the contact plane: the spin [rad]
 
+    std::array<IrregularityData, most_irregularities> irregularities; ///< of the running surfaces
+
     WearData wear;      ///< laws of wear and cracks
     WearPlan wear_plan; ///< for the command wear
 
@@ -250,6 +254,16 @@ namespace wheelrail
     mesh_distance() const
     {
       return prepared_distance > 0 ? prepared_distance : rolling_distance;
+    }
+
+    /// Whether rail or wheel has an irregularity.
+    bool
+    irregular() const
+    {
+      for (const IrregularityData &one : irregularities)
+        if (one.kind != IrregularKind::none)
+          return true;
+      return false;
     }
 
     /// Whether more than one wheel passes, or wheels of a list.
