@@ -19,6 +19,7 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 
 import body_pictures
 import history_pictures
+import irregular_pictures
 import page
 import passages
 import patch_pictures
@@ -86,7 +87,8 @@ def make_parts(run, pictures, shown):
 def make_report(run):
     """Draws everything; returns the number of pictures and the path of the page."""
     pictures = (patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run) + body_pictures.draw_all(run) +
-                plastic_pictures.draw_all(run) + wear_pictures.draw_all(run) + history_pictures.draw_all(run))
+                plastic_pictures.draw_all(run) + wear_pictures.draw_all(run) + history_pictures.draw_all(run) +
+                irregular_pictures.draw_all(run))
     script = page.plotly_script()
     if script is None:
         run.remarks.append("Python's plotly is not installed (package python3-plotly); the page shows pictures alone.")

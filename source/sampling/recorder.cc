@@ -1,4 +1,5 @@
 #include <wheelrail/output/figures.h>
+#include <wheelrail/sampling/impact_figures.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/sampling/recorder.h>
 #include <wheelrail/sampling/settling.h>
@@ -98,6 +99,15 @@ namespace wheelrail
     row.put("pitch_rate", "rad/s", axle.pitch_rate());
     row.put("drive_torque", "N m", axle.applied_torque());
     row.put("axle_height", "m", axle.height());
+    if (irregular())
+      {
+        const RunningSurfaces &surfaces = model_.contact->surfaces();
+        const double           on_rail  = axle.contact_along(),
+                     on_wheel           = axle.contact_on_wheel(surfaces.rolling_radius);
+        row.put("axle_acceleration", "m/s2", axle.acceleration());
+        row.put("rail_irregularity", "m", surfaces.rail.at(0, on_rail).n - surfaces.rail.smooth(0).n);
+        row.put("wheel_irregularity", "m", surfaces.wheel.smooth(0).n - surfaces.wheel.at(0, on_wheel).n);
+      }
     if (way)
       {
         row.put("lateral_shift", "m", way->lateral_shift.at(rolled));
@@ -110,6 +120,14 @@ namespace wheelrail
       row.put(term.name, "J", term.value);
     row.put("energy_residual", "J", e.residual());
     row.put("energy_error", e.error());
+  }
+
+
+  bool
+  Recorder::irregular() const
+  {
+    const RunningSurfaces &surfaces = model_.contact->surfaces();
+    return !surfaces.rail.irregularities().empty() || !surfaces.wheel.irregularities().empty();
   }
 
 
@@ -179,6 +197,8 @@ namespace wheelrail
       }
 
     fill_settling(summary, stretch);
+    if (irregular())
+      add_impact_figures(history, model_.wheel_load, summary);
   }
 
 

@@ -159,11 +159,13 @@ namespace wheelrail
     }
 
     void
-    find_limits(const Measures &m, Verdict &verdict)
+    find_limits(const Scene &scene, const Measures &m, Verdict &verdict)
     {
       const auto limit = [&](const std::string &why) {
         verdict.limits += (verdict.limits.empty() ? "" : " and ") + why;
       };
+      if (scene.irregular())
+        limit("the surfaces are irregular, so that means are not those of one place");
       if (m.plastic_strain > least_plastic)
         limit("steel has flowed (plastic strain up to " + text("%.2g", 1e3 * m.plastic_strain) + "e-3)");
       if (m.turn >= most_turn)
@@ -228,9 +230,10 @@ namespace wheelrail
     Verdict verdict;
     judge_place(measures, verdict);
     judge_resolution(scene, measures, verdict);
-    judge_steadiness(measures, verdict);
+    if (!scene.irregular()) // over irregular surfaces nothing is steady
+      judge_steadiness(measures, verdict);
     judge_balances(measures, verdict);
-    find_limits(measures, verdict);
+    find_limits(scene, measures, verdict);
     judge_agreement(measures, verdict);
     return verdict;
   }

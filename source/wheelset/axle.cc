@@ -136,11 +136,8 @@ namespace wheelrail
     const double weight     = (data_.sprung_mass + data_.mass) * data_.gravity;
     const double added      = data_.way ? data_.way->load.at(0) - data_.way->load.at(travelled_) : 0;
     const double before     = vertical_speed_;
-    advance(height_,
-            vertical_speed_,
-            (reaction.force[1] - weight - suspension + added) / total_mass_,
-            kick,
-            time_step);
+    acceleration_           = (reaction.force[1] - weight - suspension + added) / total_mass_;
+    advance(height_, vertical_speed_, acceleration_, kick, time_step);
     work_.load_work += kick.duration * added * 0.5 * (before + vertical_speed_);
     if (data_.sprung_mass > 0)
       advance(sprung_height_, sprung_speed_, suspension / data_.sprung_mass, kick, time_step);

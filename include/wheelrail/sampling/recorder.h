@@ -53,6 +53,9 @@ namespace wheelrail
     averaging_stretch(const Scene &scene) const;
 
   private:
+    /// Whether rail or wheel have irregularities: the history then shows them under the wheel.
+    bool
+    irregular() const;
     void
     fill_settling(Summary &summary, const Range &stretch) const;
 

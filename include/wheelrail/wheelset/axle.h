@@ -158,6 +158,12 @@ namespace wheelrail
     {
       return reaction_;
     }
+    /// Vertical acceleration of axle and bearings in the last step [m/s2].
+    double
+    acceleration() const
+    {
+      return acceleration_;
+    }
     /// Torque applied in the last step [N m].
     double
     applied_torque() const
@@ -234,6 +240,7 @@ namespace wheelrail
     double                    travelled_     = 0;
     double                    sprung_height_ = 0, sprung_speed_ = 0; ///< against the static position
     Vector3                   reaction_{};
+    double                    acceleration_   = 0;
     double                    applied_torque_ = 0;
     AxleEnergy                work_;
     Terms                     terms_;
