@@ -55,7 +55,7 @@ namespace
   double
   exact_gap(const Model &model, const Vector3 &x, const Motion &motion)
   {
-    return -model.contact->surfaces().wheel_offset(x - Vector3{0, -motion.down, motion.along});
+    return -model.contact->surfaces().wheel.offset(x - Vector3{0, -motion.down, motion.along});
   }
 
   /// Gaps against the exact ones for all nodes that should be nearer than `limit`.

@@ -203,7 +203,7 @@ namespace
     const RunningSurfaces &surfaces = model.contact->surfaces();
     const bool             wheel    = surface.body == Body::wheel;
     const auto             offset   = [&](const Vector3 &X) {
-      return wheel ? surfaces.wheel_offset(X) : surfaces.rail_offset(X);
+      return wheel ? surfaces.wheel.offset(X) : surfaces.rail.offset(X);
     };
     const auto middle = [&](std::size_t a, std::size_t b) {
       return 0.5 * (surface.reference[a] + surface.reference[b]);
@@ -222,8 +222,8 @@ namespace
           if (wheel)
             {
               const double s     = lattice.s_begin + j * lattice.spacing_lateral;
-              const double slope = surfaces.wheel.at(s).slope, angle = surfaces.frame.angle;
-              const double radial   = std::cos(std::atan(slope) + angle - surfaces.pose.section.angle);
+              const double slope = surfaces.outline.at(s).slope, angle = surfaces.frame.angle;
+              const double radial   = std::cos(std::atan(slope) + angle - surfaces.pose().section.angle);
               const double expected = std::pow(chord(k, ahead), 2) / (8 * surfaces.local_radius(s)) * radial;
               const double found    = offset(middle(k, ahead));
               result.least          = std::min(result.least, found);
@@ -234,8 +234,8 @@ namespace
           // the rail's curvature, where it does not change between the two nodes
           const double s = lattice.s_begin + j * lattice.spacing_lateral, h = lattice.spacing_lateral;
           const auto   kappa = [&](double x) {
-            const double d = 1e-5, slope = surfaces.rail.at(x).slope;
-            return (surfaces.rail.at(x - d).slope - surfaces.rail.at(x + d).slope) / (2 * d) /
+            const double d = 1e-5, slope = surfaces.rail.smooth(x).slope;
+            return (surfaces.rail.smooth(x - d).slope - surfaces.rail.smooth(x + d).slope) / (2 * d) /
                    std::pow(1 + slope * slope, 1.5);
           };
           const double R0 = kappa(s + 0.01 * h), R1 = kappa(s + 0.5 * h), R2 = kappa(s + 0.99 * h);

@@ -237,6 +237,31 @@ namespace
                "100 000 closest points of S1002 [s]");
   }
 
+  /// A cone's radius is linear, and its root and flank join without a kink.
+  void
+  test_cones()
+  {
+    for (const unsigned int ratio : {20, 40})
+      {
+        const std::string name  = "cone 1:" + std::to_string(ratio);
+        const Curve       tread = wheel_profile(name).tread;
+        for (const double x : {0.05, 0., -0.02})
+          {
+            const double t = tread.roots([x](const Point2 &p) { return p.x - x; }, 1, 2).front();
+            check_near(tread.at(t).position.y, x / ratio, 1e-12, name + " falls to the field side [m]");
+          }
+        double jump = 0, kink = 0;
+        for (std::size_t i = 2; i < tread.segments().size(); ++i)
+          {
+            jump = std::max(jump, norm(tread.segments()[i].start - tread.segments()[i - 1].end));
+            kink =
+              std::max(kink, std::abs(degrees_between(tread.at(i - 1e-13).tangent, tread.at(i).tangent)));
+          }
+        check_near(jump, 0, 1e-9, name + ": largest jump of its joints [m]");
+        check_near(kink, 0, 1e-3, name + ": largest kink [degrees]");
+      }
+  }
+
   void
   test_errors()
   {
@@ -279,6 +304,7 @@ main()
   test_curve(rail_profile("60E1").head, "60E1 head");
   test_curve(wheel_profile("S1002").tread, "S1002");
   test_length_and_speed();
+  test_cones();
   test_errors();
   return report();
 }

@@ -24,7 +24,7 @@ namespace
 {
   /// A value other than the default for each entry; together a scene that passes the cross-checks.
   const std::map<std::string, std::string> &
-  other_values()
+  first_values()
   {
     static const std::map<std::string, std::string> values = {
       {"Title", "other scene, 50 % slower"},
@@ -158,6 +158,8 @@ namespace
       {"Mesh/Rail element", "reduced"},
       {"Mesh/Wheel element", "full"},
       {"Run/Rolling distance", "260 mm"},
+      {"Run/Longest distance", "300 mm"},
+      {"Run/Standard error", "0.002"},
       {"Run/Averaging distance", "50 mm"},
       {"Run/Evaluate at", "130 mm"},
       {"Run/Time step factor", "0.8"},
@@ -168,6 +170,7 @@ namespace
       {"Output/Ticks", "13"},
       {"Output/Volume fields", "false"},
       {"Half-space/Element size", "0.25 mm"},
+      {"Half-space/Bodies", "real"},
       {"Half-space/Spin", "contact"},
       {"Half-space/Given spin", "0.1 1/m"},
       {"Half-space/Friction memory", "3 um"},
@@ -195,6 +198,30 @@ namespace
     return values;
   }
 
+  /// These, and those of all irregularities, which are alike.
+  const std::map<std::string, std::string> &
+  other_values()
+  {
+    static const std::map<std::string, std::string> values = [] {
+      std::map<std::string, std::string> all = first_values();
+      for (int k = 1; k <= most_irregularities; ++k)
+        for (const auto &[name, value] : std::map<std::string, std::string>{{"Kind", "corrugation"},
+                                                                            {"Body", "rail"},
+                                                                            {"Place", "250 mm"},
+                                                                            {"Lateral place", "-5 mm"},
+                                                                            {"Length", "120 mm"},
+                                                                            {"Width", "30 mm"},
+                                                                            {"Depth", "0.02 mm"},
+                                                                            {"Wavelength", "40 mm"},
+                                                                            {"Angle", "5 mrad"},
+                                                                            {"Order", "7"},
+                                                                            {"File", "heights.csv"}})
+          all["Irregularity " + std::to_string(k) + "/" + name] = value;
+      return all;
+    }();
+    return values;
+  }
+
   Scene
   other_scene()
   {
@@ -209,6 +236,8 @@ namespace
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
     straight.scene.passage_jump     = 0;      // the wheel is the same again
     straight.scene.planned_strip.clear();     // nor that strip
+    straight.scene.irregularities   = {};     // longer than its way
+    straight.scene.halfspace_bodies = ContactBodies::half_spaces; // which take a pose by hand
     leave_wheelset(straight.scene);
     straight.scene.start_offset     = 0; // the window is fixed
     straight.scene.staggered_starts = 1;
@@ -340,6 +369,7 @@ namespace
     check_near(s.wheel_material.tangent_modulus, 19e9, 0, "field wheel tangent_modulus");
     check_near(s.wheel_material.kinematic_hardening, 1, 0, "field wheel kinematic_hardening");
     check_near(s.cell_size, 0.002, 0, "field cell_size");
+    check(s.halfspace_bodies == ContactBodies::real, "field halfspace_bodies");
     check_near(s.halfspace_memory_length, 3e-6, 0, "field halfspace_memory_length");
     check_near(s.halfspace_memory_speed, 2e-3, 0, "field halfspace_memory_speed");
     check_near(s.halfspace_layer_thickness, 1.25e-3, 0, "field halfspace_layer_thickness");
@@ -348,6 +378,8 @@ namespace
     check_near(s.fine_depth, 0.007, 0, "field fine_depth");
     check_near(s.fine_margin, 0.006, 0, "field fine_margin");
     check_near(s.rolling_distance, 0.26, 0, "field rolling_distance");
+    check_near(s.longest_distance, 0.3, 0, "field longest_distance");
+    check_near(s.standard_error, 0.002, 0, "field standard_error");
     check_near(s.averaging_distance, 0.05, 0, "field averaging_distance");
     check_near(s.time_step_factor, 0.8, 0, "field time_step_factor");
     check_near(s.bulk_viscosity, 0.03, 0, "field bulk_viscosity");

@@ -124,7 +124,7 @@ namespace
     check_difference("quickstart.prm",
                      {{"Title", "quick start, coarse cells"},
                       {"Mesh/Solution cell size", "2 mm"},
-                      {"Run/Rolling distance", "30 mm"},
+                      {"Run/Standard error", "0.005"},
                       {"Run/Averaging distance", "10 mm"},
                       {"Output/Folder", "output/quickstart"},
                       {"Output/Ticks", "6"}});

@@ -50,9 +50,11 @@ namespace
       "Wheelset/Roll = form contact",
       "--set: Wheelset/Roll = form contact: not known here, perhaps from contact is meant; none, from "
       "contact, or an angle from -50 mrad to 50 mrad is accepted");
+    check_set("Profiles/Rail = UIC 60",
+              "--set: Profiles/Rail = UIC 60: the former name of 60E1 (EN 13674-1); write 60E1");
     check_set(
-      "Profiles/Rail = UIC 60",
-      "--set: Profiles/Rail = UIC 60: not known here; 54E1, 60E1 or a profile file (with its ending, such as "
+      "Profiles/Rail = 49E1",
+      "--set: Profiles/Rail = 49E1: not known here; 54E1, 60E1 or a profile file (with its ending, such as "
       "worn.prr) is accepted");
     check_set(
       "Mesh/Element = fully",
@@ -109,7 +111,10 @@ namespace
     check_set(
       "Sleepers/Spacing = 600 mm",
       "--set: Sleepers/Spacing: no such subsection; there are Profiles, Track, Wheelset, Contact, Rail "
-      "material, Wheel material, Mesh, Run, Output, Half-space, Wear, Material test, Study");
+      "material, Wheel material, Mesh, Run, Output, Half-space, Irregularity 1, Irregularity 2, Irregularity "
+      "3, "
+      "Irregularity 4, Irregularity 5, Irregularity 6, Irregularity 7, Irregularity 8, Irregularity 9, Wear, "
+      "Material test, Study");
   }
 
   void

@@ -26,6 +26,14 @@ namespace
       "Run/Evaluate at = 55 mm",
       "--set: Run/Evaluate at = 55 mm: half of Run/Averaging distance = 20 mm on either side of it must "
       "lie on the way, from 0 mm to Run/Rolling distance = 60 mm");
+    check_text(message_of([&]() {
+                 require_computable(scene_from_text(
+                   "", "x.prm", {"Run/Rolling distance = until steady", "Run/Evaluate at = 30 mm"}));
+               }),
+               "--set: Run/Evaluate at = 30 mm: a run with Run/Rolling distance = until steady finds the "
+               "stretch of its "
+               "means by itself; write Evaluate at = end, or a Rolling distance in mm",
+               "a place of the means with a run until steady");
     const auto prepared = [](const std::string &window) {
       return message_of([&]() {
         require_computable(

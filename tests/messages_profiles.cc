@@ -135,7 +135,7 @@ namespace
     check_profile(
       "1 2\n3\n",
       "r.txt:2: \"3\" holds 1 number; a line of points holds two: lateral and vertical coordinate");
-    check_profile("12,5;3,7\n",
+    check_profile("12,5;3,7\n13.5;3,7\n",
                   "r.txt:1: \"12,5;3,7\" has commas and other separators; write a point as decimal mark, and "
                   "blanks, tabs, commas or semicolons between the columns");
     check_profile(

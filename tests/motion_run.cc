@@ -33,13 +33,6 @@ namespace
     return scene_at_start(scene);
   }
 
-  const std::vector<double> &
-  column(const History &history, const std::string &name)
-  {
-    const auto at = std::find(history.names.begin(), history.names.end(), name);
-    return history.columns[at - history.names.begin()];
-  }
-
   double
   largest_difference(const History &a, const History &b, const std::string &name)
   {

@@ -17,6 +17,7 @@ PROGRAM, _, SOURCE = sys.argv[1:4]
 FOLDER = os.path.abspath("run")
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "source", "report"))
 sys.dont_write_bytecode = True
+import sections  # noqa: E402
 import wheelrail  # noqa: E402
 
 
@@ -69,6 +70,10 @@ check("left out" not in output, f"nothing is left out of the report [{output.str
 run_data = wheelrail.load(FOLDER)
 check_page(os.path.join(FOLDER, "report.html"), ["view-patch", "view-cuts", "view-slices", "view-curves"],
            lambda page: (check_patch_view(page, run_data), check_cut_view(page), check_slice_view(page, run_data.slices[-1])))
+where, summary = sections.load(FOLDER), run_data.summary
+place = where.place(where.on_rail(1e3 * summary["patch_centre_lateral_m"])[0])
+for value, key in zip(place, ("patch_centre_from_axis_m", "patch_centre_from_gauge_face_m", "patch_centre_below_top_m")):
+    check(abs(value - 1e3 * summary[key]) < 0.02, f"{key} by the sections of the page: {value:.3f} mm")
 make("compare")
 check_page(os.path.join(FOLDER, "compare.html"), ["view-patch", "view-cuts", "view-slices"],
            lambda page: (check_cut_view(page), check_slice_view(page, run_data.slices[-1])))

@@ -59,6 +59,8 @@ main()
 
   for (const Entry &entry : entries())
     {
+      if (entry.repeats)
+        continue; // as the subsection with the number 1
       const std::string heading =
         "\n## " + (entry.section.empty() ? "Outside all subsections" : entry.section) + "\n";
       const std::size_t begin = expected.find(heading), end = expected.find("\n## ", begin + 1);

@@ -232,6 +232,17 @@ namespace
     check_on(mac, rail_profile("60E1").head, -35e-3, 35e-3, 1e-6, "line ends of CR alone");
   }
 
+  /// Decimal commas between blanks: the same curve as with points, and it is told.
+  void
+  test_decimal_commas()
+  {
+    std::string commas = columns(head("60E1"));
+    std::replace(commas.begin(), commas.end(), '.', ',');
+    const Read read_commas = read(ProfileKind::rail, commas);
+    check_tells(read_commas, "decimal commas read as points", "decimal commas");
+    check_on(read_commas, rail_profile("60E1").head, -35e-3, 35e-3, 1e-6, "decimal commas");
+  }
+
   void
   test_origins()
   {
@@ -393,6 +404,7 @@ main()
   test_miniprof_headers();
   test_columns();
   test_line_ends();
+  test_decimal_commas();
   test_origins();
   test_long_steps();
   test_other_bodies();

@@ -36,10 +36,17 @@ check(page.count("data:image/png;base64,") == len(names), "the page holds all pi
 check(not re.search(r"(src|href)=.?https?:", page), "the page needs no network")
 check('id="plotly"' in page and 'id="view-patch"' in page, "and interactive views with what draws them")
 check("There is no slices.h5" in out, "stresses below the contact that are not there are told")
-check("Further figures" not in page, "all figures have a label and a unit")
+check("Further values" not in page, "all results have a label and a unit")
+check(page.index("Key results") < page.index("Contact patch"), "key results stand at the top")
 check("1234.5" in page and "Peak pressure" in page, "the page shows the peak pressure")
 check("friction coefficient is neither" in out, "a missing friction coefficient is told")
 
+code, out, error = report(script, folder, "--csv")
+check(code == 0 and "tables in" in out, "tables are written when asked for")
+for name, header in (("history", "normal force [kN]"), ("patch", "along [mm],lateral s [mm]")):
+    with open(os.path.join(folder, "csv", name + ".csv"), encoding="utf-8") as file:
+        lines = file.read().splitlines()
+    check(header in lines[0] and len(lines) > 2 and len({line.count(",") for line in lines}) == 1, f"csv/{name}.csv: {lines[0]}")
 code, out, error = report(script, folder, "--tick", "0,2")
 check(code == 0 and os.path.exists(os.path.join(folder, "pictures", "shear_instants.png")), "shear at chosen ticks")
 check_sentence(report(script, folder, "--tick", "9"), "no tick 9", "from 0 to 2")

@@ -21,14 +21,14 @@ namespace
   const StartBodies steel;
 
 
-  HeightTable
+  FrameProfile
   flat_profile(const ContactFrame &frame)
   {
     Segment line;
     line.name  = "line";
     line.start = {0.03 * std::cos(frame.angle), -0.03 * std::sin(frame.angle)};
     line.end   = {-line.start.x, -line.start.y};
-    return HeightTable(FrameProfile(Curve({line}), Placement(), frame), -0.02, 0.02);
+    return FrameProfile(Curve({line}), Placement(), frame);
   }
 
   /// A cone on a plane, both inclined by `angle` (a cylinder when it is zero), with rail nodes moved so
@@ -48,9 +48,13 @@ namespace
     lattice.s_begin                                 = -0.5 * (lattice.n_lateral - 1) * spacing;
 
     RunningSurfaces surfaces;
-    surfaces.frame.angle = surfaces.tread_frame.angle = angle;
-    surfaces.rail = surfaces.wheel = surfaces.tread = flat_profile(surfaces.frame);
-    surfaces.pose.nominal_radius = surfaces.rolling_radius = surfaces.forward_radius = radius;
+    WheelPose       pose;
+    surfaces.frame.angle = angle;
+    pose.nominal_radius = surfaces.rolling_radius = surfaces.forward_radius = radius;
+    surfaces.rail    = RunningSurface(flat_profile(surfaces.frame), surfaces.frame, Placement());
+    surfaces.wheel   = RunningSurface(flat_profile(surfaces.frame), surfaces.frame, pose, radius);
+    surfaces.outline = SectionHeights(flat_profile(surfaces.frame));
+    surfaces.tabulate(-0.02, 0.02);
     const std::size_t n = std::size_t(lattice.n_along) * lattice.n_lateral;
     Surface           body[2];
     for (int b = 0; b < 2; ++b)

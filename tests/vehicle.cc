@@ -26,8 +26,9 @@ namespace
   {
   public:
     explicit File(const std::string &text)
-      : path_(
-          (std::filesystem::temp_directory_path() / ("motion_" + std::to_string(getpid()) + ".csv")).string())
+      : path_((std::filesystem::temp_directory_path() /
+               ("motion_" + std::to_string(getpid()) + "_" + std::to_string(number++) + ".csv"))
+                .string())
     {
       std::ofstream(path_) << text;
     }
@@ -42,7 +43,8 @@ namespace
     }
 
   private:
-    std::string path_;
+    static inline int number = 0;
+    std::string       path_;
   };
 
   void
@@ -98,6 +100,64 @@ namespace
     test::check_text(test::message_of([]() { read_motion_file("no_such.csv"); }),
                      "no_such.csv: no such file; a motion is a table of rows over time or distance",
                      "no file");
+  }
+
+  /// Tables as other programs write them: decimal commas, a line of units, columns and names of their own.
+  void
+  test_foreign_tables()
+  {
+    const auto value = [](const MotionFile &rows, const MotionQuantity quantity) {
+      const auto *const column = rows.find(quantity);
+      return column && column->size() == 1 ? column->front() : std::nan("");
+    };
+    using Q = MotionQuantity;
+    const File commas("time [s];yaw [mrad]\n0,5;1,25\n");
+    check_near(value(read_motion_file(commas.path()), Q::time), 0.5, 1e-15, "a decimal comma");
+    check_near(value(read_motion_file(commas.path()), Q::yaw), 1.25e-3, 1e-15, "another one");
+    const File tabs("time [s]\tyaw [mrad]\n0,5\t1,25\n");
+    check_near(value(read_motion_file(tabs.path()), Q::yaw), 1.25e-3, 1e-15, "decimal commas between tabs");
+    const File units("distance;yaw;traction\nm;[mrad];1\n10;2;0.1\n");
+    check_near(value(read_motion_file(units.path()), Q::distance), 10, 1e-15, "units in a line of their own");
+    check_near(value(read_motion_file(units.path()), Q::yaw), 2e-3, 1e-15, "with brackets, too");
+
+    const File       more("time [s];Y_11 [N];y_ws;acceleration [m/s2]\n0;3;2,5;1\n");
+    const MotionFile left = read_vehicle_file(more.path());
+    check(left.quantities.size() == 1 && left.notes.size() == 1, "columns that are not known are left out");
+    test::check_text(left.notes.at(0),
+                     more.path() +
+                       ": columns that are not used: \"Y_11 [N]\", \"y_ws\", \"acceleration [m/s2]\"; a "
+                       "table of names tells what they are called here (--columns)",
+                     "and named");
+    refused(
+      "time [s];acceleration [m/s2]\n0;1\n",
+      ":1: column \"acceleration [m/s2]\" is not known; there are time, distance, lateral shift, roll, "
+      "yaw, load, load right, load left, velocity, torque, traction, creepage, lateral creepage, radius "
+      "and cant, each with its unit in brackets, such as \"load [kN]\"");
+    const File near("time [s];jaw [mrad]\n0;1\n");
+    check(test::message_of([&]() { read_vehicle_file(near.path()); }).find("perhaps yaw is meant") !=
+            std::string::npos,
+          "a name like a known one is refused");
+
+    std::ofstream("names.csv") << "# there; here\ny_ws;-lateral shift [mm]\n";
+    check_near(value(read_vehicle_file(more.path(), "names.csv"), Q::lateral_shift),
+               -2.5e-3,
+               1e-15,
+               "a name of another program, whose sign is turned");
+    std::ofstream("names.csv") << "y_ws;shift\n";
+    test::check_text(test::message_of([&]() { read_vehicle_file(more.path(), "names.csv"); }).substr(0, 40),
+                     "names.csv:1: \"shift\" is no column; there",
+                     "a name that is not known here");
+    std::ofstream("names.csv") << "y_ws\n";
+    test::check_text(
+      test::message_of([&]() { read_vehicle_file(more.path(), "names.csv"); }),
+      "names.csv:1: a line holds two names with a comma, semicolon or tab between: that in the "
+      "rows and that here, such as \"y_ws;lateral shift [mm]\"",
+      "one name");
+    std::ofstream("names.csv") << "y_ws;yaw\ny_ws;roll\n";
+    test::check_text(test::message_of([&]() { read_vehicle_file(more.path(), "names.csv"); }),
+                     "names.csv:2: \"y_ws\" stands in a line before, too; leave one of them out",
+                     "a name twice");
+    std::filesystem::remove("names.csv");
   }
 
   /// Those of the command itself.
@@ -405,6 +465,7 @@ int
 main()
 {
   test_messages();
+  test_foreign_tables();
   test_command();
   test_scene_of_row();
   test_free_rows();

@@ -126,7 +126,8 @@ namespace
     check_text(
       difference_of_models(m, verdict),
       "the peak pressure is 12 % below that of half-spaces under the same force and in the same pose: "
-      "half-spaces are no full reference here, since steel has flowed (plastic strain up to 2.9e-3)",
+      "the half-space solution is not a reliable reference here, since steel has flowed (plastic strain up "
+      "to 2.9e-3)",
       "which is said");
     m.cells_across_peak = 1.3;
     check(judge_run(Scene(), m).grade() == Grade::not_trusted, "cells are judged where steel flows");
@@ -193,9 +194,18 @@ namespace
     m.plastic_strain = 2.9e-3;
     m.turn           = 0.5;
     has(m,
-        "The half-spaces are no full reference here, since steel has flowed (plastic strain up to 2.9e-3) "
+        "The half-space solution is not a reliable reference here, since steel has flowed (plastic strain up "
+        "to 2.9e-3) "
         "and the "
         "surfaces turn by 29 degrees");
+    m        = good();
+    m.beyond = {"creepage by +6.20 % (limit 5 % or 0.15 1e-3)", "contact area by -7.00 % (limit 5 %)"};
+    has(
+      m,
+      " Beyond their limits: creepage by +6.20 % (limit 5 % or 0.15 1e-3), contact area by -7.00 % (limit 5 "
+      "%).");
+    check(judge_run(Scene(), m).findings.empty(), "which the verdict leaves to the reader");
+    m       = good();
     m.cells = 2;
     check(agreement_sentence(Scene(), m, judge_run(Scene(), m)).find("Of the difference") ==
             std::string::npos,

@@ -189,8 +189,8 @@ namespace
               const Point2  p = tread.at(t).position;
               const Vector3 X = c.pose.position(p.x, c.pose.nominal_radius - p.y, angle);
               const Point2  q = c.frame.to_frame({X[0], X[1]});
-              if (q.x < profiles.rail_heights.s_min() || q.x > profiles.rail_heights.s_max() ||
-                  q.y - approach > profiles.rail_heights.at(q.x).n)
+              if (q.x < profiles.rail_heights().s_min() || q.x > profiles.rail_heights().s_max() ||
+                  q.y - approach > profiles.rail_heights().at(q.x).n)
                 continue;
               back  = std::min(back, X[2]);
               front = std::max(front, X[2]);

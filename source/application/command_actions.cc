@@ -6,6 +6,7 @@
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/material_command.h>
+#include <wheelrail/application/places_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/scene_row.h>
 #include <wheelrail/application/study_command.h>
@@ -93,7 +94,8 @@ namespace wheelrail
                            const std::vector<std::string> &warnings,
                            std::ostream                   &out)
     {
-      for (const char *option : {"contact-input", "contact-wheel-rail-input", "creep-curve"})
+      for (const char *option :
+           {"contact-input", "contact-wheel-rail-input", "creep-curve", "places", "pitch"})
         if (options.count(option))
           throw InputError(std::string("--") + option + " takes one wheel; " +
                            entry_text(input.scene, "Wheelset", "Wheels") + " asks for two: set it to one");
@@ -102,6 +104,26 @@ namespace wheelrail
       print_note(drive_note(options, input), out);
       return run_wheelset_command(
         input.scene, read_wheelset_profiles(input.scene), !options.count("no-pictures"), out);
+    }
+
+    int
+    halfspaces_of_places(const po::variables_map &options,
+                         const Scene             &scene,
+                         const SceneGeometry     *geometry,
+                         std::ostream            &out)
+    {
+      if (options.count("places") + options.count("pitch") + options.count("creep-curve") > 1)
+        throw InputError("--places, --pitch and --creep-curve are different tables: give one of them");
+      const bool        pitch  = options.count("pitch") > 0;
+      const std::string option = pitch ? "pitch" : "places";
+      if (distance_is_given(scene))
+        throw InputError(entry_text(scene, "Half-space", "Undeformed distance") + ": --" + option +
+                         " needs wheel and rail; set it to profiles");
+      return run_places_command(scene,
+                                *geometry,
+                                parse_irregular_places(options[option].as<std::string>(), pitch),
+                                !options.count("no-pictures"),
+                                out);
     }
   } // namespace
 
@@ -181,6 +203,8 @@ namespace wheelrail
       out << "warning: " << warning << "\n";
     if (file("creep-curve").rfind("longitudinal", 0) != 0) // which runs over what drives
       print_note(drive_note(options, input), out);
+    if (!file("places").empty() || !file("pitch").empty())
+      return halfspaces_of_places(options, input.scene, geometry ? &*geometry : nullptr, out);
     if (!file("creep-curve").empty())
       return run_creep_curve_command(input.scene,
                                      geometry ? &*geometry : nullptr,
@@ -216,8 +240,12 @@ namespace wheelrail
     if (!options.count("motion"))
       throw InputError("vehicle needs a motion file, such as " + own_call() + " vehicle " +
                        ready_scene("rolling.prm") + " " + ready_scene("s_curve.csv"));
-    const MotionFile motion = read_motion_file(options["motion"].as<std::string>());
-    SceneInput       input  = file_input_of(options);
+    const MotionFile motion =
+      read_vehicle_file(options["motion"].as<std::string>(),
+                        options.count("columns") ? options["columns"].as<std::string>() : "");
+    for (const std::string &note : motion.notes)
+      print_note(note, out);
+    SceneInput input = file_input_of(options);
     require_one_scene(input);
     input.scene.motion = "none"; // the rows of the command take its place
     if (options.count("both-wheels"))
@@ -300,7 +328,9 @@ namespace wheelrail
   act_compare(const po::variables_map &options, const RunFunction &, std::ostream &out)
   {
     require_folder(options, "compare");
-    return run_compare_command(file_of(options), sets_of(options), !options.count("no-pictures"), out);
+    const bool bodies = !options.count("bodies") || options["bodies"].as<std::string>() == "real";
+    return run_compare_command(
+      file_of(options), sets_of(options), bodies, !options.count("no-pictures"), out);
   }
 
 
@@ -312,6 +342,8 @@ namespace wheelrail
     std::vector<std::string> words = {file_of(options)};
     if (options.count("tick"))
       words.insert(words.end(), {"--tick", options["tick"].as<std::string>()});
+    if (options.count("csv"))
+      words.push_back("--csv");
     return run_script("report.py", words);
   }
 

@@ -17,7 +17,12 @@ namespace wheelrail
   std::vector<std::string>
   sets_of(const po::variables_map &options)
   {
-    return options.count("set") ? options["set"].as<std::vector<std::string>>() : std::vector<std::string>();
+    std::vector<std::string> sets;
+    if (options.count("set"))
+      sets = options["set"].as<std::vector<std::string>>();
+    if (options.count("bodies"))
+      sets.push_back("Half-space/Bodies = " + options["bodies"].as<std::string>());
+    return sets;
   }
 
 
@@ -54,7 +59,7 @@ namespace wheelrail
       throw InputError(
         "--traction says what drives a row: give --row, too, or set Wheelset/Traction coefficient");
     if (options.count("row") && (input.scene.both_wheels || options.count("wheelset")) &&
-        read_motion_file(file_of_row(options["row"].as<std::string>())).find(MotionQuantity::load_right))
+        read_vehicle_file(file_of_row(options["row"].as<std::string>())).find(MotionQuantity::load_right))
       throw InputError(
         "--row: the row has a load for each wheel, the scene one for both; write the column load in "
         "their place, and cant where the curve shares it");
@@ -70,7 +75,7 @@ namespace wheelrail
   {
     if (options.count("row"))
       return drive_of_rows(
-        input.scene, read_motion_file(file_of_row(options["row"].as<std::string>())), row_drive_of(options));
+        input.scene, read_vehicle_file(file_of_row(options["row"].as<std::string>())), row_drive_of(options));
     return former_drive_note(input);
   }
 

@@ -24,6 +24,16 @@ namespace wheelrail
     }
 
     void
+    add_bodies_option(po::options_description &options, const std::string &otherwise)
+    {
+      options.add_options()("bodies",
+                            po::value<std::string>(),
+                            ("half-spaces, or real: this wheel and this rail as elastic bodies (default: " +
+                             otherwise + "); as Half-space/Bodies")
+                              .c_str());
+    }
+
+    void
     add_traction_option(po::options_description &options)
     {
       options.add_options()(
@@ -87,6 +97,7 @@ namespace wheelrail
          add_set_option(options);
          add_row_option(options);
          add_no_pictures_option(options);
+         add_bodies_option(options, "as the entry says");
          options.add_options()(
            "creep-curve",
            po::value<std::string>(),
@@ -97,6 +108,12 @@ namespace wheelrail
            po::value<std::string>(),
            "with --creep-curve: a table of points, measured or of another program, to draw "
            "beside the curve");
+         options.add_options()("places",
+                               po::value<std::string>(),
+                               "the wheel at rest at places along irregular surfaces (subsections "
+                               "Irregularity) instead: \"0:100:5 mm\"");
+         options.add_options()(
+           "pitch", po::value<std::string>(), "the same at angles of the wheel: \"-7:0:1 deg\"");
          options.add_options()("contact-input",
                                po::value<std::string>(),
                                "also write the problem as input of the program CONTACT, basic module");
@@ -124,6 +141,10 @@ namespace wheelrail
            po::value<std::string>(),
            "the rows: time or distance, lateral shift, roll, yaw, load, velocity, radius, cant, torque "
            "or creepage, with units in the first line");
+         options.add_options()("columns",
+                               po::value<std::string>(),
+                               "a table of names: what a column of the rows is called here, one a line, such "
+                               "as \"y_ws;lateral shift [mm]\"");
          options.add_options()(
            "both-wheels", "compute the right and the left wheel, on one axle; as Wheelset/Wheels = both");
          add_traction_option(options);
@@ -155,9 +176,10 @@ namespace wheelrail
        act_parameters},
       {"compare",
        "FOLDER",
-       "a finished run against two half-spaces under its load and in its pose, as a table and a page",
+       "a finished run against two half-spaces under its load and in its pose, and against its own bodies",
        [](po::options_description &options) {
          add_set_option(options);
+         add_bodies_option(options, "real");
          add_no_pictures_option(options);
        },
        act_compare},
@@ -169,6 +191,7 @@ namespace wheelrail
                                po::value<std::string>(),
                                "the tick to draw: a number, or last; several with commas between also "
                                "draw the shear traction at each");
+         options.add_options()("csv", "also write histories, maps and sections as tables into FOLDER/csv");
        },
        act_report},
       {"study",

@@ -14,6 +14,7 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/reference/run_reference.h>
+#include <wheelrail/sampling/stress_below.h>
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
 
@@ -31,31 +32,63 @@ namespace wheelrail
 {
   namespace
   {
+    /// What the difference of a figure is held against.
+    struct Limit
+    {
+      double share  = 0; ///< of the value of the half-spaces; 0: no limit
+      double amount = 0; ///< by itself [SI]; the wider one of both counts
+    };
+
+    /// A figure of the table.
+    struct Compared
+    {
+      const char *name;
+      Limit       limit;
+    };
+
+    // differences that cells of 1 mm, the penalty and the noise of a run explain, with room of about two
+    // (doc/manual/compare.md)
+    constexpr Limit load_limit{0.01, 0}; ///< of the lateral force of a straight wheelset: of the load
+
     /// The figures of the table; the first two are given to the half-spaces.
-    const char *const compared[] = {"vertical_force",
-                                    "longitudinal_force",
-                                    "normal_force",
-                                    "lateral_force",
-                                    "max_pressure",
-                                    "max_pressure_fitted",
-                                    "contact_area",
-                                    "patch_lateral",
-                                    "patch_longitudinal",
-                                    "max_shear_traction",
-                                    "creepage",
-                                    "t_gamma",
-                                    "stick_fraction"};
+    const Compared compared[] = {{"vertical_force", {}},
+                                 {"longitudinal_force", {}},
+                                 {"normal_force", {0.01, 0}},
+                                 {"lateral_force", {0.05, 0}},
+                                 {"max_pressure", {0.05, 0}},
+                                 {"max_pressure_fitted", {}},
+                                 {"contact_area", {0.05, 0}},
+                                 {"patch_lateral", {0.05, 0}},
+                                 {"patch_longitudinal", {0.05, 0}},
+                                 {"max_shear_traction", {0.05, 0}},
+                                 {"creepage", {0.05, 0.15e-3}},
+                                 {"t_gamma", {0.08, 2}},
+                                 {"stick_fraction", {0, 0.05}},
+                                 {"surface_von_mises", {}},
+                                 {"von_mises_below_cell", {0.05, 0}},
+                                 {"von_mises_below_cell_depth", {0, 0.5e-3}}};
 
     /// Of a wheelset with yaw besides.
-    const char *const compared_with_yaw[] = {"yaw_moment",
-                                             "reference_creepage",
-                                             "reference_lateral_creepage",
-                                             "reference_spin"};
+    const Compared compared_with_yaw[] = {{"yaw_moment", {}},
+                                          {"reference_creepage", {}},
+                                          {"reference_lateral_creepage", {}},
+                                          {"reference_spin", {}}};
 
     bool
     is_given(const std::string &name)
     {
       return name == "vertical_force" || name == "longitudinal_force";
+    }
+
+    /// A limit as the table shows it, in the unit of the figure: "5 %", "5 % or 0.15".
+    std::string
+    limit_text(const Limit &limit, const Figure &figure)
+    {
+      std::string shown = limit.share > 0 ? text("%g", 100 * limit.share) + " %" : "";
+      if (limit.amount > 0)
+        shown += (shown.empty() ? "" : " or ") + text("%g", figure.factor * limit.amount) +
+                 (*figure.unit ? " " : "") + figure.unit;
+      return shown;
     }
 
     nlohmann::ordered_json
@@ -84,19 +117,56 @@ namespace wheelrail
       return base > 0 ? (fe - hs) / base : Summary::none;
     }
 
-    /// Prints the table, adds the figures to the run's summary, returns the table for compare.json.
-    nlohmann::ordered_json
-    compare_figures(Summary &run, const Summary &halfspace, std::ostream &out)
+    /// What a run is compared with: the head of its column, and what stands before the keys of its figures
+    /// and of the differences.
+    struct Reference
     {
-      nlohmann::ordered_json table = nlohmann::ordered_json::array();
-      char                   row[200];
-      std::snprintf(
-        row, sizeof(row), "  %-40s %-5s %11s %12s %12s\n", "", "", "finite el.", "half-space", "difference");
+      const char *title, *figures, *differences;
+      const char *json; ///< the key of its value in compare.json
+    };
+    constexpr Reference half_spaces{"half-space", "halfspace_", "relative_difference_", "halfspace"},
+      true_bodies{"true bodies", "bodies_", "bodies_relative_difference_", "bodies"};
+
+    /// One row on the screen.
+    void
+    print_row(const std::string &label,
+              const char        *unit,
+              const std::string &fe,
+              const std::string &hs,
+              const std::string &difference,
+              const std::string &limit,
+              std::ostream      &out)
+    {
+      char row[240];
+      std::snprintf(row,
+                    sizeof(row),
+                    "  %-40s %-5s %11s %12s %22s  %s\n",
+                    label.c_str(),
+                    unit,
+                    fe.c_str(),
+                    hs.c_str(),
+                    difference.c_str(),
+                    limit.c_str());
       out << row;
-      std::vector<const char *> names(std::begin(compared), std::end(compared));
+    }
+
+    /// What a table of figures says.
+    struct Comparison
+    {
+      nlohmann::ordered_json   table = nlohmann::ordered_json::array(); ///< for compare.json
+      std::vector<std::string> beyond; ///< the figures that differ by more than their limit, with both
+    };
+
+    /// Prints the table and adds the figures to the run's summary.
+    Comparison
+    compare_figures(Summary &run, const Summary &halfspace, const Reference &reference, std::ostream &out)
+    {
+      Comparison comparison;
+      print_row("", "", "finite el.", reference.title, "difference", "limit", out);
+      std::vector<Compared> rows(std::begin(compared), std::end(compared));
       if (has_yaw(run))
-        names.insert(names.end(), std::begin(compared_with_yaw), std::end(compared_with_yaw));
-      for (const char *name : names)
+        rows.insert(rows.end(), std::begin(compared_with_yaw), std::end(compared_with_yaw));
+      for (const auto &[name, own_limit] : rows)
         {
           const Figure     &figure = figure_named(name);
           const std::string label  = std::string(figure.label) + (is_given(name) ? " (given)" : "");
@@ -104,33 +174,39 @@ namespace wheelrail
           const bool        of_load = over_load(name, run);
           const double difference = relative_difference(fe, hs, of_load ? run.vertical_force : std::abs(hs));
           const char *const relative_to = of_load ? "load" : "";
-          const std::string percent =
-            std::isfinite(difference) ? text("%+.2f", 100 * difference) + " %" : "-";
-          std::snprintf(row,
-                        sizeof(row),
-                        "  %-40s %-5s %11s %12s %12s%s%s\n",
-                        label.c_str(),
-                        figure.unit,
-                        figure.shown(fe).c_str(),
-                        figure.shown(hs).c_str(),
-                        percent.c_str(),
-                        *relative_to ? " of the " : "",
-                        relative_to);
-          out << row;
-          set_figure(run, "halfspace_" + figure.key(), hs);
-          set_figure(run, std::string("relative_difference_") + name, difference);
-          table.push_back({{"key", figure.key()},
-                           {"label", label},
-                           {"unit", figure.unit},
-                           {"factor", figure.factor},
-                           {"decimals", figure.decimals},
-                           {"fe", number(fe)},
-                           {"fe_std", number(get_figure(run, figure.key("_std")))},
-                           {"halfspace", number(hs)},
-                           {"relative_difference", number(difference)},
-                           {"relative_to", relative_to}});
+          const Limit       limit       = of_load ? load_limit : own_limit;
+          const double      off         = of_load ? std::abs(difference) : std::abs(fe - hs);
+          const double      most = of_load ? limit.share : std::max(limit.share * std::abs(hs), limit.amount);
+          const bool        beyond  = most > 0 && off > most;
+          const std::string percent = std::isfinite(difference)
+                                        ? text("%+.2f", 100 * difference) + " %" + (of_load ? " of load" : "")
+                                        : "-",
+                            bound   = limit_text(limit, figure) + (of_load ? " of load" : "");
+          print_row(label,
+                    figure.unit,
+                    figure.shown(fe),
+                    figure.shown(hs),
+                    percent,
+                    bound + (beyond ? "  beyond" : ""),
+                    out);
+          if (beyond)
+            comparison.beyond.push_back(label + " by " + percent + " (limit " + bound + ")");
+          set_figure(run, reference.figures + figure.key(), hs);
+          set_figure(run, std::string(reference.differences) + name, difference);
+          comparison.table.push_back({{"key", figure.key()},
+                                      {"label", label},
+                                      {"unit", figure.unit},
+                                      {"factor", figure.factor},
+                                      {"decimals", figure.decimals},
+                                      {"fe", number(fe)},
+                                      {"fe_std", number(get_figure(run, figure.key("_std")))},
+                                      {reference.json, number(hs)},
+                                      {"relative_difference", number(difference)},
+                                      {"relative_to", relative_to},
+                                      {"limit", bound},
+                                      {"beyond", beyond}});
         }
-      return table;
+      return comparison;
     }
 
     /// Throws RunError for figures that no run of the scene gives: then the file was changed, and half-spaces
@@ -160,6 +236,35 @@ namespace wheelrail
       require("wheel_rim_roll_rad", -0.2, 0.2);
     }
 
+    /// The second table: the run against its own wheel and rail, with what they say of themselves; nothing
+    /// where their sections cannot be meshed, which is told.
+    nlohmann::ordered_json
+    compare_bodies(Scene                scene,
+                   const SceneGeometry &geometry,
+                   const WheelRailLoad &load,
+                   Summary             &run,
+                   std::ostream        &out)
+    {
+      scene.halfspace_bodies = ContactBodies::real;
+      try
+        {
+          const WheelRailSolution result = solve_wheel_rail(scene, geometry, load, {});
+          const Summary           bodies = halfspace_summary(scene, result);
+          out << "\nThe same against this wheel and this rail as elastic bodies, nothing fitted"
+              << (scene.rail_material.yields() || scene.wheel_material.yields() ? "; they do not yield" : "")
+              << "\n";
+          nlohmann::ordered_json figures = compare_figures(run, bodies, true_bodies, out).table;
+          if (!bodies.finished)
+            out << "The solution of the true bodies is not exact: " << bodies.stop_reason << std::endl;
+          return {{"converged", bodies.finished}, {"figures", std::move(figures)}};
+        }
+      catch (const RunError &error)
+        {
+          out << "note: no comparison with the true bodies: " << error.what() << '\n';
+        }
+      return {};
+    }
+
     nlohmann::ordered_json
     trust_json(const Measures &measures)
     {
@@ -183,6 +288,7 @@ namespace wheelrail
   int
   run_compare_command(const std::string              &folder,
                       const std::vector<std::string> &sets,
+                      const bool                      with_bodies,
                       const bool                      draws,
                       std::ostream                   &out)
   {
@@ -201,19 +307,25 @@ namespace wheelrail
       out << "note: Half-space/Friction memory and Interface layer are left out, since a run has neither\n";
     input.scene.halfspace_memory_length   = 0;
     input.scene.halfspace_layer_thickness = 0;
+    input.scene.halfspace_bodies          = ContactBodies::half_spaces;
     const Scene &scene                    = input.scene;
     check_figures(scene, run, (path / "summary.json").string());
     const WheelRailLoad     load      = load_of_run(run);
     const SectionOffsets    offsets   = offsets_of_run(run);
     const WheelRailSolution result    = solve_wheel_rail(scene, geometry, load, offsets);
-    const Summary           halfspace = halfspace_summary(scene, result);
+    const HalfspaceStresses stresses  = halfspace_stresses(result);
+    Summary                 halfspace = halfspace_summary(scene, result);
+    set_stress_below(largest_stress_below(stresses.slices, scene.cell_size), halfspace);
 
     out << run.title << "\nMeans of the run against half-spaces on elements of "
         << 1e3 * result.solution.grid.dx << " mm, wheel moved by " << text("%.3f", 1e3 * offsets.lateral)
         << " mm and rail turned by " << text("%.3f", 1e3 * (offsets.wheel_roll - offsets.rail_roll))
         << " mrad to the track centre\n";
-    nlohmann::ordered_json table    = compare_figures(run, halfspace, out);
-    Measures               measures = measures_of_run(scene, run);
+    const Comparison       comparison = compare_figures(run, halfspace, half_spaces, out);
+    nlohmann::ordered_json bodies =
+      with_bodies ? compare_bodies(scene, geometry, load, run, out) : nlohmann::ordered_json();
+    Measures measures = measures_of_run(scene, run);
+    measures.beyond   = comparison.beyond;
     measure_against(halfspace_pressure(result), scene, run, measures);
     measures.pose_effect =
       result.solution.peak_pressure / halfspace_pressure(scene, geometry, result.solution.fn, {}).peak - 1;
@@ -232,7 +344,8 @@ namespace wheelrail
                                    {"rail_roll_rad", offsets.rail_roll},
                                    {"wheel_roll_rad", offsets.wheel_roll},
                                    {"halfspace_converged", halfspace.finished},
-                                   {"figures", std::move(table)},
+                                   {"figures", comparison.table},
+                                   {"bodies", std::move(bodies)},
                                    {"trust", trust_json(measures)},
                                    {"verdict", verdict_of(run)},
                                    {"doubts", run.doubts},
@@ -241,7 +354,7 @@ namespace wheelrail
                  json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     write_halfspace_patches(result, path.string());
     TickFile slices((path / "halfspace_slices.h5").string(), false, 0);
-    append_slices(slices, result.patch.time, result.patch.rolled_distance, halfspace_stresses(result).slices);
+    append_slices(slices, result.patch.time, result.patch.rolled_distance, stresses.slices);
     write_summary(run, (path / "summary.json").string());
     if (draws)
       draw_results("compare.py", path.string());

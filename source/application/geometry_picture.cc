@@ -84,7 +84,7 @@ namespace wheelrail
           rows.add("further", 1e3 * p.frame.origin.x, 1e3 * p.frame.origin.y);
           rows.add("further gap", 1e6 * p.gap, 1e3 * c.frame.to_frame(p.frame.origin).x);
         }
-    const FrameProfile &wheel_heights = geometry.wheel_heights, &rail_heights = geometry.rail_heights;
+    const FrameProfile &wheel_heights = geometry.wheel_heights(), &rail_heights = geometry.rail_heights();
     const double        low = std::max({wheel_heights.s_min(), rail_heights.s_min(), -0.03}),
                  high       = std::min({wheel_heights.s_max(), rail_heights.s_max(), 0.03});
     for (int i = 0; i <= 1200; ++i)

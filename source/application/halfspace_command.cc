@@ -2,6 +2,7 @@
 #include <wheelrail/application/halfspace_results.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/contact_input.h>
@@ -90,7 +91,9 @@ namespace wheelrail
     char                 text[256];
     std::snprintf(text,
                   sizeof(text),
-                  "Half-space contact: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
+                  "%s: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
+                  scene.halfspace_bodies == ContactBodies::real ? "Contact of the true bodies"
+                                                                : "Half-space contact",
                   given ? "normal force" : "wheel load",
                   1e-3 * (given ? result.solution.fn : figures.vertical_force),
                   scene.drive == Drive::rate ? "creepage given" : "longitudinal force given",
@@ -107,6 +110,8 @@ namespace wheelrail
 
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     write_halfspace_folder(scene, result, results, folder.string());
+    if (!given)
+      write_sections(*geometry, scene.track, (folder / "sections.json").string());
     out << "Results in " << folder.string() << std::endl;
     if (draws)
       draw_results("halfspace.py", folder.string());

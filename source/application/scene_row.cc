@@ -86,7 +86,7 @@ namespace wheelrail
           place.data() + place.size() ||
         colon + 1 == place.size())
       refuse("write a file of rows and the number of one, such as prm/s_curve.csv:25");
-    const MotionFile motion = of_wheel(read_motion_file(file_of_row(place)), scene.left_wheel);
+    const MotionFile motion = of_wheel(read_vehicle_file(file_of_row(place)), scene.left_wheel);
     if (number < 1 || number > motion.rows())
       refuse("the file has the rows 1 to " + std::to_string(motion.rows()));
     Scene at = scene_at(scene_for_rows(scene, motion, drive), motion, number - 1);

@@ -1,7 +1,9 @@
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/vehicle_command.h>
+#include <wheelrail/base/errors.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder.h>
@@ -58,7 +60,13 @@ namespace wheelrail
                                          "t_gamma_N",
                                          "frictional_power_W"};
         list.insert(list.end(), worst_wear_keys().begin(), worst_wear_keys().end());
-        list.insert(list.end(), {"archard_section_m2", "largest_von_mises_Pa", "patches"});
+        list.insert(list.end(),
+                    {"archard_section_m2",
+                     "largest_von_mises_Pa",
+                     "patches",
+                     "patch_centre_from_axis_m",
+                     "patch_centre_from_gauge_face_m",
+                     "patch_centre_below_top_m"});
         return list;
       }();
       return keys;
@@ -83,7 +91,10 @@ namespace wheelrail
                            "reference_spin_per_m",
                            "max_pressure_Pa",
                            "contact_area_m2",
-                           "t_gamma_N"},
+                           "t_gamma_N",
+                           "patch_centre_from_axis_m",
+                           "patch_centre_from_gauge_face_m",
+                           "patch_centre_below_top_m"},
                           rows,
                           patch_prefix(k));
     }
@@ -101,6 +112,22 @@ namespace wheelrail
         for (std::size_t at; (at = key.find(from)) != std::string::npos;)
           key.replace(at, 1, to);
       table.add(key, unit, motion.columns[column]);
+    }
+
+    /// Rail and wheel of one side in the middle of the track, on which the page draws the running band.
+    void
+    write_sections_of(const Scene &scene, const SceneProfiles &profiles, const std::string &path)
+    {
+      Scene middle         = scene;
+      middle.lateral_shift = 0;
+      middle.yaw           = 0;
+      try
+        {
+          write_sections(make_geometry(middle, profiles), scene.track, path);
+        }
+      catch (const InputError &) // profiles that touch in the rows alone: the page goes without them
+        {
+        }
     }
 
     Grade
@@ -225,6 +252,10 @@ namespace wheelrail
     const FigureTable table = table_of(motion, vehicle);
     table.write_csv((folder / "vehicle.csv").string());
     table.write_hdf5((folder / "vehicle.h5").string());
+    for (const VehicleWheel &wheel : wheels)
+      write_sections_of(wheel_of_wheelset(scene, wheel.left),
+                        wheel.left ? profiles.left : profiles.right,
+                        (folder / (wheel.left ? "sections_left.json" : "sections_right.json")).string());
     char text[160];
     std::snprintf(text,
                   sizeof(text),

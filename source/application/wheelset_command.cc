@@ -6,6 +6,7 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
@@ -122,6 +123,8 @@ namespace wheelrail
           single.folder = (std::filesystem::path(scene.folder) / (left ? "left" : "right")).string();
           write_halfspace_folder(
             single, left ? *wheelset.axle.left : *wheelset.axle.right, *wheels[left], own.string());
+          const WheelOnAxle &wheel = left ? wheelset.left : wheelset.right;
+          write_sections(wheel.geometry, wheel.scene.track, (own / "sections.json").string());
           if (draws)
             draw_results("halfspace.py", own.string());
         }

@@ -77,7 +77,8 @@ namespace wheelrail
               node.slipping                            = false;
               continue;
             }
-          const ContactMotion moves  = time_step > 0 ? motion(k, facing) : ContactMotion();
+          ContactMotion moves        = time_step > 0 ? motion(k, facing) : ContactMotion();
+          moves.tilt                 = facing.tilt;
           const ContactForces forces = apply_law(law_, moves, time_step, rail().area[k], node, sums);
           add(sums.moment, 1, cross(states_.rail.x[k], forces.push + forces.drag));
           add_forces(k, facing, forces);
@@ -124,7 +125,7 @@ namespace wheelrail
         add(velocity, facing.weight[m], states_.wheel.v[facing.corners[m]]);
         add(motion.slip, facing.weight[m], states_.wheel.slip[facing.corners[m]]);
       }
-    motion.opening = dot(velocity - states_.rail.v[index], facing.normal);
+    motion.opening = dot(velocity - states_.rail.v[index], facing.normal + facing.tilt);
     motion.slip    = motion.slip - states_.rail.slip[index];
     add(motion.slip, -dot(motion.slip, facing.normal), facing.normal);
     return motion;

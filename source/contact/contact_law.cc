@@ -39,7 +39,7 @@ namespace wheelrail
     if (time_step > 0)
       add(node.slip, -1 / (law.stiffness * time_step), trial - before);
 
-    const ContactForces forces{(node.pressure * area) * n, -area * total};
+    const ContactForces forces{(node.pressure * area) * (n + motion.tilt), -area * total};
     add(sums.force, 1, forces.push + forces.drag);
     sums.normal_force += node.pressure * area;
     sums.stored_energy += area * (spring * spring + dot(trial, trial)) / (2 * law.stiffness);

@@ -20,6 +20,8 @@ namespace wheelrail
   Projection::Projection(RunningSurfaces surfaces)
     : surfaces_(std::move(surfaces))
   {
+    for (const Irregularity &one : surfaces_.wheel.irregularities())
+      wheel_offsets_ = wheel_offsets_ || one.carried == CarriedBy::offset;
   }
 
 
@@ -28,7 +30,7 @@ namespace wheelrail
   {
     rail_offset_.clear();
     for (const Vector3 &X : states.rail.reference)
-      rail_offset_.push_back(surfaces_.rail_offset(X));
+      rail_offset_.push_back(surfaces_.rail.offset(X));
     wheel_normal_.assign(states.wheel.reference.size(), Vector3{});
   }
 
@@ -71,8 +73,23 @@ namespace wheelrail
       }
     facing.normal = normalised(normal);
     facing.gap =
-      dot(foot - states.rail.x[index], facing.normal) - surfaces_.wheel_offset(X) - rail_offset_[index];
+      dot(foot - states.rail.x[index], facing.normal) - surfaces_.wheel.offset(X) - rail_offset_[index];
+    if (wheel_offsets_)
+      facing.tilt = tilt(X, facing.normal);
     return facing;
+  }
+
+
+  /// The gap shrinks by what stands out of the wheel at the foot, a place X of its surface. When the wheel
+  /// moves by t along its tangent plane, X moves by -t on it, and the gap grows by t times the slope: a force
+  /// on the wheel, pressure times slope, in addition to that along the normal. For a rail the offset of a
+  /// node stays.
+  Vector3
+  Projection::tilt(const Vector3 &X, const Vector3 &normal) const
+  {
+    const auto    slopes = surfaces_.wheel.offset_slopes(surfaces_.wheel.place(X));
+    const Vector3 along = normalised(cross(surfaces_.pose().axis(), normal)), across = cross(normal, along);
+    return slopes.along * along + slopes.across * across;
   }
 
 

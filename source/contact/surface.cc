@@ -70,7 +70,7 @@ namespace wheelrail
             {
               const double *x     = &mesh.reference[4 * node];
               const Vector3 X     = {x[0], x[1], x[2]};
-              const auto    place = body == Body::rail ? surfaces.rail_place(X) : surfaces.wheel_place(X);
+              const auto    place = surfaces[body].place(X);
               const long    i     = lattice.station(place.along) - lattice.first_station;
               const long    j     = std::lround((place.s - lattice.s_begin) / lattice.spacing_lateral);
               if (i < 0 || j < 0 || i >= long(lattice.n_along) || j >= long(lattice.n_lateral))

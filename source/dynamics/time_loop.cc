@@ -89,6 +89,24 @@ namespace wheelrail
   }
 
 
+  double
+  TimeLoop::add_spin(const Body body, const Vector3 &centre, const Vector3 &spin)
+  {
+    double gain = 0;
+    for (unsigned int n = 0; n < inertia_.size(); ++n)
+      if (solid_.mesh.node_body[n] == body)
+        {
+          double       *v      = &solid_.velocity[4 * n];
+          const Vector3 before = {v[0], v[1], v[2]}, more = cross(spin, solid_.position(n) - centre);
+          for (int i = 0; i < 3; ++i)
+            v[i] += more[i];
+          if (inertia_[n].inverse_mass > 0 && solid_.mesh.owned[n])
+            gain += (dot(before, more) + 0.5 * dot(more, more)) / inertia_[n].inverse_mass;
+        }
+    return gain;
+  }
+
+
   Instant
   TimeLoop::instant(const bool with_energy) const
   {

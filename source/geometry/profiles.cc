@@ -13,7 +13,9 @@ namespace wheelrail
   namespace
   {
     const std::map<std::string, RailProfile (*)()>  rails  = {{"54E1", &rail_54E1}, {"60E1", &rail_60E1}};
-    const std::map<std::string, WheelProfile (*)()> wheels = {{"S1002", &wheel_S1002}};
+    const std::map<std::string, WheelProfile (*)()> wheels = {{"S1002", &wheel_S1002},
+                                                              {"cone 1:20", []() { return wheel_cone(20); }},
+                                                              {"cone 1:40", []() { return wheel_cone(40); }}};
 
     template <typename Map>
     std::vector<std::string>

@@ -1,85 +1,69 @@
 #include <wheelrail/geometry/running_surfaces.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace wheelrail
 {
-  HeightTable::HeightTable(const FrameProfile &profile,
-                           const double        s0,
-                           const double        s1,
-                           const double        spacing)
-    : begin_(s0)
-  {
-    const int n = std::max(1, static_cast<int>(std::ceil((s1 - s0) / spacing)));
-    spacing_    = (s1 - s0) / n;
-    for (int k = 0; k <= n; ++k)
-      {
-        const auto value = profile.at(s0 + k * spacing_);
-        height_.push_back(value.n);
-        slope_.push_back(value.slope);
-      }
-  }
-
-
-  FrameProfile::Value
-  HeightTable::at(const double s) const
-  {
-    const double x = (s - begin_) / spacing_;
-    const int    k = std::clamp(static_cast<int>(std::floor(x)), 0, static_cast<int>(height_.size()) - 2);
-    const double t = x - k;
-    const double d = height_[k + 1] - height_[k], m0 = spacing_ * slope_[k], m1 = spacing_ * slope_[k + 1];
-    // h0 + m0 t + (3 d - 2 m0 - m1) t^2 + (m0 + m1 - 2 d) t^3
-    const double b = 3 * d - 2 * m0 - m1, c = m0 + m1 - 2 * d;
-    return {height_[k] + t * (m0 + t * (b + t * c)), (m0 + t * (2 * b + 3 * t * c)) / spacing_};
-  }
-
-
-  RunningSurfaces::Place
-  RunningSurfaces::rail_place(const Vector3 &X) const
-  {
-    const Point2 q = frame.to_frame({X[0], X[1]});
-    return {q.x, q.y, X[2]};
-  }
-
-
-  RunningSurfaces::Place
-  RunningSurfaces::wheel_place(const Vector3 &X) const
-  {
-    const Point2 q = tread_frame.to_frame(pose.on_section(X));
-    return {q.x, q.y, rolling_radius * pose.angle(X)};
-  }
-
-
-  double
-  RunningSurfaces::wheel_offset(const Vector3 &X) const
-  {
-    const Point2 q     = tread_frame.to_frame(pose.on_section(X));
-    const auto   value = tread.at(q.x);
-    return (q.y - value.n) / std::sqrt(1 + value.slope * value.slope);
-  }
-
-
-  double
-  RunningSurfaces::rail_offset(const Vector3 &X) const
-  {
-    const Point2 q     = frame.to_frame({X[0], X[1]});
-    const auto   value = rail.at(q.x);
-    return (value.n - q.y) / std::sqrt(1 + value.slope * value.slope);
-  }
-
-
   double
   half_length_bound(const double approach, const double rolling_radius)
   {
-    return std::sqrt(2 * rolling_radius * approach);
+    return std::sqrt((2 * rolling_radius - approach) * approach);
+  }
+
+
+  void
+  RunningSurfaces::tabulate(const double s0, const double s1)
+  {
+    rail.tabulate(s0, s1);
+    wheel.tabulate(s0, s1);
+    outline.tabulate(s0, s1);
+  }
+
+
+  double
+  RunningSurfaces::wheel_height(const double s, const double z) const
+  {
+    constexpr double enough = 1e-14; // [m]
+    const auto       inside = [&](const double n) {
+      const Point2                place = frame.to_track({s, n});
+      const RunningSurface::Place there = wheel.place({place.x, place.y, z});
+      return there.n - wheel.at(there.s, there.along).n;
+    };
+    // n moves a point through the wheel's surface nearly along its normal: the first secant has slope one
+    double n     = outline.at(s).n + z * z / (2 * rolling_radius);
+    double value = inside(n), rise = 1;
+    for (int k = 0; k < 20 && std::abs(value) > enough; ++k)
+      {
+        const double step = -value / rise, next = inside(n + step);
+        n += step;
+        if (std::abs(next) >= std::abs(value))
+          break; // round-off, or a kink
+        rise  = (next - value) / step;
+        value = next;
+      }
+    return n;
   }
 
 
   Vector3
   RunningSurfaces::rolling(const double s, const double z) const
   {
-    const Point2 place = frame.to_track({s, wheel.at(s).n});
-    return pose.rolling({place.x, place.y, z});
+    const Point2 place = frame.to_track({s, outline.at(s).n});
+    return pose().rolling({place.x, place.y, z});
+  }
+
+
+  RunningSurfaces
+  running_surfaces(const Curve &head, const Curve &tread, const ContactGeometry &contact)
+  {
+    return {contact.frame,
+            {FrameProfile(head, contact.rail, contact.frame), contact.frame, contact.rail},
+            {FrameProfile(tread, contact.wheel, contact.tread_frame),
+             contact.tread_frame,
+             contact.pose,
+             contact.rolling_radius},
+            SectionHeights(FrameProfile(contact.outline.curve, contact.wheel, contact.frame)),
+            contact.rolling_radius,
+            contact.forward_radius};
   }
 } // namespace wheelrail

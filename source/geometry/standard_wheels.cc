@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -60,23 +61,49 @@ namespace wheelrail
   } // namespace
 
 
+  namespace
+  {
+    // Ends of the zones of S1002, from the field side of the tread to the flange back, and the flank.
+    constexpr double x_A = 60, x_B = 32.15796, x_C = -26, x_D = -35, x_E = -38.426669071, x_F = -39.764473993,
+                     x_G = -49.662510381, x_H = -62.764705882, x_back = -70;
+    constexpr double flank = -93.576667419, flank_slope = -2.747477419;
+
+    Segment
+    chamfer_before(const Segment &tread)
+    {
+      Segment chamfer;
+      chamfer.name  = "chamfer 5 x 5";
+      chamfer.start = tread.start + Point2{5e-3, 5e-3};
+      chamfer.end   = tread.start;
+      return chamfer;
+    }
+
+    Segment
+    zone_F()
+    {
+      return arc_zone("F", x_F, x_G, -58.558326413, 8.834924130, 20, 1);
+    }
+    Segment
+    zone_G()
+    {
+      return arc_zone("G", x_G, x_H, -55, 16, 12, 1);
+    }
+    Segment
+    zone_H()
+    {
+      return arc_zone("H", x_H, x_back, -49.5, 9.519259302, 20.5, 1);
+    }
+  } // namespace
+
+
   WheelProfile
   wheel_S1002()
   {
-    // Ends of the zones, from the field side of the tread to the flange back.
-    const double x_A = 60, x_B = 32.15796, x_C = -26, x_D = -35, x_E = -38.426669071, x_F = -39.764473993,
-                 x_G = -49.662510381, x_H = -62.764705882, x_back = -70;
-
     const Segment tread_end = polynomial_zone("A", x_A, x_B, {1.364323640, -0.066666667});
-
-    Segment chamfer;
-    chamfer.name  = "chamfer 5 x 5";
-    chamfer.start = tread_end.start + Point2{5e-3, 5e-3};
-    chamfer.end   = tread_end.start;
 
     WheelProfile wheel;
     wheel.name  = "S1002";
-    wheel.tread = Curve({chamfer,
+    wheel.tread = Curve({chamfer_before(tread_end),
                          tread_end,
                          polynomial_zone("B",
                                          x_B,
@@ -102,10 +129,34 @@ namespace wheelrail
                                           -4.687195829e-5,
                                           -2.25275554e-7}),
                          arc_zone("D", x_D, x_E, -26.210665, 16.446, 13, -1),
-                         polynomial_zone("E", x_E, x_F, {-93.576667419, -2.747477419}),
-                         arc_zone("F", x_F, x_G, -58.558326413, 8.834924130, 20, 1),
-                         arc_zone("G", x_G, x_H, -55, 16, 12, 1),
-                         arc_zone("H", x_H, x_back, -49.5, 9.519259302, 20.5, 1)});
+                         polynomial_zone("E", x_E, x_F, {flank, flank_slope}),
+                         zone_F(),
+                         zone_G(),
+                         zone_H()});
+    return wheel;
+  }
+
+
+  WheelProfile
+  wheel_cone(const unsigned int ratio)
+  {
+    // The circle of the root touches the tread F = -m x and the flank F = a + b x of S1002, so that its
+    // centre lies R off both.
+    constexpr double R = 13, a = flank, b = flank_slope;
+    const double     m = 1. / ratio, tread = std::sqrt(1 + m * m), side = std::sqrt(1 + b * b);
+    const double     xc = (R * tread - a - R * side) / (m + b), zc = R * tread - m * xc;
+    const double     x_tread = xc - R * m / tread, x_flank = xc + R * b / side;
+
+    const Segment cone = polynomial_zone("tread", x_A, x_tread, {0, -m});
+    WheelProfile  wheel;
+    wheel.name  = "cone 1:" + std::to_string(ratio);
+    wheel.tread = Curve({chamfer_before(cone),
+                         cone,
+                         arc_zone("root R13", x_tread, x_flank, xc, zc, R, -1),
+                         polynomial_zone("E", x_flank, x_F, {a, b}),
+                         zone_F(),
+                         zone_G(),
+                         zone_H()});
     return wheel;
   }
 } // namespace wheelrail

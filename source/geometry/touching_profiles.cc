@@ -1,4 +1,3 @@
-#include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/geometry/touching_profiles.h>
 
 #include <algorithm>
@@ -13,27 +12,41 @@ namespace wheelrail
                     const TrackDimensions &track,
                     const WheelsetPose    &pose)
   {
-    ContactGeometry contact = find_contact(rail, wheel, track, pose);
-    FrameProfile    rail_heights(rail.head, contact.rail, contact.frame);
-    FrameProfile    wheel_heights(contact.outline.curve, contact.wheel, contact.frame);
-    FrameProfile    tread_heights(wheel.tread, contact.wheel, contact.tread_frame);
-    return {std::move(rail),
-            std::move(wheel),
-            std::move(contact),
-            std::move(rail_heights),
-            std::move(wheel_heights),
-            std::move(tread_heights)};
+    ContactGeometry contact  = find_contact(rail, wheel, track, pose);
+    RunningSurfaces surfaces = running_surfaces(rail.head, wheel.tread, contact);
+    return {std::move(rail), std::move(wheel), std::move(contact), std::move(surfaces)};
   }
 
 
+  namespace
+  {
+    /// How much farther from the lowest line of the wheel irregularities can bring the contact [m]: a slope
+    /// moves it by radius times slope, and nowhere does it come farther than where the wheel, lowered by the
+    /// depth, reaches.
+    double
+    farther_contact(const RunningSurfaces &surfaces, const double radius, const double approach)
+    {
+      double slope = 0, depth = 0;
+      for (const Body body : both_bodies)
+        for (const Irregularity &one : surfaces[body].irregularities())
+          {
+            slope += one.measures.steepest;
+            depth += one.measures.largest;
+          }
+      return std::min(radius * slope,
+                      half_length_bound(approach + depth, radius) - half_length_bound(approach, radius));
+    }
+  } // namespace
+
+
   Range
-  overlap_along(const TouchingProfiles &profiles, const double approach, const double beside)
+  smooth_overlap_along(const TouchingProfiles &profiles, const double approach, const double beside)
   {
     constexpr double       step    = 0.2e-3;
     const ContactGeometry &contact = profiles.contact;
-    const FrameProfile    &wheel   = profiles.wheel_heights;
+    const FrameProfile    &wheel   = profiles.wheel_heights();
     Range                  lowest;
-    for (const Range &part : interpenetration(wheel, profiles.rail_heights, approach))
+    for (const Range &part : interpenetration(wheel, profiles.rail_heights(), approach))
       for (double s = std::max(part.s0 - beside, wheel.s_min());
            s <= std::min(part.s1 + beside, wheel.s_max());
            s += step)
@@ -48,5 +61,14 @@ namespace wheelrail
         }
     const double half = half_length_bound(approach, contact.rolling_radius);
     return {lowest.s0 - half, lowest.s1 + half};
+  }
+
+
+  Range
+  overlap_along(const TouchingProfiles &profiles, const double approach, const double beside)
+  {
+    const Range  smooth = smooth_overlap_along(profiles, approach, beside);
+    const double more   = farther_contact(profiles.surfaces, profiles.contact.rolling_radius, approach);
+    return {smooth.s0 - more, smooth.s1 + more};
   }
 } // namespace wheelrail

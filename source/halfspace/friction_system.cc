@@ -1,3 +1,4 @@
+#include <wheelrail/halfspace/added_influence.h>
 #include <wheelrail/halfspace/friction_system.h>
 
 #include <algorithm>
@@ -48,6 +49,14 @@ namespace wheelrail
   }
 
   void
+  FrictionSystem::apply_slip()
+  {
+    apply(kernels_.xx, kernels_.xy, kernels_.yy, work_, image_);
+    if (task_.added)
+      task_.added->add_slip({{&work_[0], &work_[1], nullptr}}, {{&image_[0], &image_[1], nullptr}});
+  }
+
+  void
   FrictionSystem::hold(const double c, const std::vector<double> &before)
   {
     c_      = c;
@@ -67,7 +76,7 @@ namespace wheelrail
     for (std::size_t e = 0; e < n_; ++e)
       for (int d = 0; d < 2; ++d)
         work_[d][elements[e]] = t[2 * e + d];
-    apply(kernels_.xx, kernels_.xy, kernels_.yy, work_, image_);
+    apply_slip();
     std::array<double, 2> creepage = creepage_;
     for (std::size_t f = 0; f < forces.size(); ++f)
       creepage[forces[f]] = t[2 * n_ + f];
@@ -165,7 +174,7 @@ namespace wheelrail
     for (std::size_t e = 0; e < n_; ++e)
       for (int d = 0; d < 2; ++d)
         work_[d][elements[e]] = dt[2 * e + d];
-    apply(kernels_.xx, kernels_.xy, kernels_.yy, work_, image_);
+    apply_slip();
     std::array<double, 2> creepage{{0, 0}};
     for (std::size_t f = 0; f < forces.size(); ++f)
       creepage[forces[f]] = dt[2 * n_ + f];

@@ -58,24 +58,16 @@ namespace wheelrail
   } // namespace
 
   void
-  solve_normal(InfluenceProducts                 &products,
-               const InfluenceProducts::Spectrum &kernel,
-               const HalfspaceGrid               &grid,
-               const std::vector<double>         &distance,
-               const bool                         force_given,
-               const double                       force,
-               const double                       tolerance,
-               const int                          max_iterations,
-               NormalContact                     &contact)
+  solve_normal(const NormalProduct       &product,
+               const HalfspaceGrid       &grid,
+               const std::vector<double> &distance,
+               const bool                 force_given,
+               const double               force,
+               const double               tolerance,
+               const int                  max_iterations,
+               NormalContact             &contact)
   {
-    const std::size_t           n = grid.size();
-    InfluenceProducts::Spectrum spectrum;
-    const auto                  product = [&](const std::vector<double> &v, std::vector<double> &result) {
-      products.forward(v, spectrum);
-      for (std::size_t m = 0; m < spectrum.size(); ++m)
-        spectrum[m] *= kernel[m];
-      products.backward(spectrum, result);
-    };
+    const std::size_t n = grid.size();
     if (contact.pressure.size() != n || total(contact.pressure) <= 0)
       first_pressure(grid, distance, force_given, force, contact);
     std::vector<double> &p = contact.pressure, &u = contact.displacement;

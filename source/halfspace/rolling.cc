@@ -1,3 +1,4 @@
+#include <wheelrail/halfspace/added_influence.h>
 #include <wheelrail/halfspace/friction_field.h>
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/measures.h>
@@ -106,6 +107,9 @@ namespace wheelrail
     Solver::normal_problem()
     {
       std::vector<double> distance = problem_.undeformed_distance;
+      if (problem_.added && !tangential_.traction[0].empty())
+        problem_.added->add_displacement({{&tangential_.traction[0], &tangential_.traction[1], nullptr}},
+                                         {{nullptr, nullptr, &distance}});
       if (coupled_ && !tangential_.traction[0].empty())
         {
           Spectrum            x, y;
@@ -119,9 +123,30 @@ namespace wheelrail
           for (std::size_t e = 0; e < u.size(); ++e)
             distance[e] += u[e];
         }
+      const std::vector<double> &cosine = problem_.normal_cosine;
+      // gaps along the approach, so that conjugate gradients meet one lowering for all elements: pressures
+      // times their cosine stand for pressures
+      const auto scale = [&](std::vector<double> &field, const bool up) {
+        for (std::size_t e = 0; e < std::min(cosine.size(), field.size()); ++e)
+          field[e] *= up ? cosine[e] : 1 / cosine[e];
+      };
+      const Spectrum     &kernel  = kernels_.of(2, 2, 0);
+      const NormalProduct product = [&](const std::vector<double> &v, std::vector<double> &result) {
+        Spectrum            s;
+        std::vector<double> p = v;
+        scale(p, false);
+        products_.forward(p, s);
+        for (std::size_t m = 0; m < s.size(); ++m)
+          s[m] *= kernel[m];
+        products_.backward(s, result);
+        if (problem_.added)
+          problem_.added->add_displacement({{nullptr, nullptr, &p}}, {{nullptr, nullptr, &result}});
+        scale(result, false);
+      };
+      scale(distance, false);
+      scale(normal_.pressure, true);
       normal_.approach = problem_.approach;
-      solve_normal(products_,
-                   kernels_.of(2, 2, 0),
+      solve_normal(product,
                    grid_,
                    distance,
                    problem_.force_given,
@@ -129,6 +154,8 @@ namespace wheelrail
                    problem_.normal_tolerance,
                    problem_.max_normal_iterations,
                    normal_);
+      scale(normal_.pressure, false);
+      scale(normal_.displacement, true);
       solution_.normal_iterations += normal_.iterations;
     }
 
@@ -157,6 +184,9 @@ namespace wheelrail
               if (steady)
                 add_displacement(d, 2, offset_, normal_.pressure, -per_step, w[d]);
             }
+          if (steady && problem_.added)
+            problem_.added->add_slip({{nullptr, nullptr, &normal_.pressure}},
+                                     {{d == 0 ? &w[0] : nullptr, d == 1 ? &w[1] : nullptr, nullptr}});
           if (steady || !problem_.previous)
             continue;
           const HalfspaceSolution &old = *problem_.previous;
@@ -173,6 +203,7 @@ namespace wheelrail
     {
       TangentialTask task;
       task.kernels     = &kernels_.slip(solution_.step, problem_.motion == HalfspaceMotion::steady);
+      task.added       = problem_.added.get();
       task.grid        = grid_;
       task.rigid_slip  = rigid_slip();
       task.force_given = {{problem_.longitudinal_force_given, problem_.lateral_force_given}};
@@ -291,9 +322,16 @@ namespace wheelrail
         for (int b = 0; b < 3; ++b)
           if ((a < 2 && b < 2 && friction_) || (coupled_ && (a == 2) != (b == 2)))
             add_displacement(a, b, 0, *t[b], 1, *u[a]);
+      if (problem_.added)
+        {
+          // the normal displacement under the pressure has it already
+          problem_.added->add_displacement({{t[0], t[1], nullptr}}, {{u[0], u[1], u[2]}});
+          problem_.added->add_displacement({{nullptr, nullptr, t[2]}}, {{u[0], u[1], nullptr}});
+        }
       s.gap.assign(n, 0.);
       for (std::size_t e = 0; e < n && !pressure_given_; ++e)
-        s.gap[e] = problem_.undeformed_distance[e] + s.displacement_n[e] - s.approach;
+        s.gap[e] = problem_.undeformed_distance[e] + s.displacement_n[e] -
+                   s.approach * (problem_.normal_cosine.empty() ? 1 : problem_.normal_cosine[e]);
     }
 
     void

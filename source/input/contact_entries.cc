@@ -77,13 +77,13 @@ namespace wheelrail
                   "loss of peak pressure below 1 %, the default of many codes, 0.1, costs a third of it."},
                  B::between("0.05", "50"),
                  field(&S::penalty_scale)));
-    list.push_back(
-      choice_entry<bool>({"Contact",
-                          "Surface filter",
-                          "consistent: gaps and forces pass a filter that takes the error of second order "
-                          "in the cell size out of the surface response of the mesh; none: bare nodes."},
-                         {{"consistent", true}, {"none", false}},
-                         field(&S::surface_filter)));
+    list.push_back(choice_entry<bool>(
+      {"Contact",
+       "Surface filter",
+       "consistent: gaps and forces pass a filter that removes most of the mesh error of the pressure "
+       "in the cell size out of the surface response of the mesh; none: bare nodes."},
+      {{"consistent", true}, {"none", false}},
+      field(&S::surface_filter)));
     list.push_back(pure_entry({"Contact",
                                "Damping",
                                "Contact damping as a fraction of critical; without any, nodes that open "

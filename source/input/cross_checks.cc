@@ -1,6 +1,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/irregularity_checks.h>
 #include <wheelrail/input/study_cases.h>
 #include <wheelrail/input/wheelset_checks.h>
 
@@ -35,10 +36,9 @@ namespace wheelrail
                            std::sqrt(m.youngs_modulus * (1 - m.poissons_ratio) /
                                      ((1 + m.poissons_ratio) * (1 - 2 * m.poissons_ratio) * m.density)));
       const double step  = 0.9 * scene.time_step_factor * scene.cell_size / fastest;
-      const double steps = scene.rolling_distance / scene.velocity / step;
+      const double steps = scene.path() / scene.velocity / step;
       if (steps > 2e6)
-        warnings.push_back(entry_text(scene, "Run", "Rolling distance") + ": takes about " +
-                           about_count(steps) + " time steps at " +
+        warnings.push_back(path_text(scene) + ": takes about " + about_count(steps) + " time steps at " +
                            entry_text(scene, "Wheelset", "Velocity") + ", " +
                            entry_text(scene, "Mesh", "Solution cell size") + " and " +
                            entry_text(scene, "Run", "Time step factor") +
@@ -244,6 +244,41 @@ namespace wheelrail
           entry_text(scene, "Run", entry) + ": with " + entry_text(scene, "Mesh", "Window") +
           " the cells of the rail change with the start; leave it out, or set Mesh/Window = moving");
     }
+
+    /// What contact of the true bodies does not take.
+    void
+    check_bodies(const Scene &scene, std::vector<std::string> &errors)
+    {
+      if (scene.halfspace_bodies != ContactBodies::real)
+        return;
+      const std::string real = entry_text(scene, "Half-space", "Bodies");
+      const auto refuse = [&](const bool found, const char *section, const char *entry, const char *what) {
+        if (found)
+          errors.push_back(entry_text(scene, section, entry) + ": " + what + "; " + real +
+                           " does not take it: write half-spaces there, or leave this entry out");
+      };
+      refuse(scene.halfspace_distance != "profiles",
+             "Half-space",
+             "Undeformed distance",
+             "a distance without bodies");
+      refuse(scene.halfspace_spin == HalfspaceSpin::contact,
+             "Half-space",
+             "Spin",
+             "one spin for the whole contact");
+      refuse(std::isfinite(scene.halfspace_given_spin),
+             "Half-space",
+             "Given spin",
+             "one spin for the whole contact");
+      refuse(scene.halfspace_lateral != 0,
+             "Half-space",
+             "Lateral offset",
+             "a pose by hand, where the bodies find theirs");
+      refuse(scene.halfspace_inclination != 0,
+             "Half-space",
+             "Extra inclination",
+             "a pose by hand, where the bodies find theirs");
+      refuse(scene.both_wheels, "Wheelset", "Wheels", "two wheels on one axle");
+    }
   } // namespace
 
 
@@ -256,6 +291,8 @@ namespace wheelrail
     check_material(scene, "Rail material", scene.rail_material, found);
     check_material(scene, "Wheel material", scene.wheel_material, found);
     check_drive(scene, found.warnings);
+    check_bodies(scene, found.errors);
+    check_irregularities(scene, found);
     if (!(scene.wear.damage_begins < scene.wear.damage_peak &&
           scene.wear.damage_peak < scene.wear.damage_ends))
       found.errors.push_back(entry_text(scene, "Wear", "Damage peak at") + ": must lie between " +
@@ -305,30 +342,31 @@ namespace wheelrail
       found.errors.push_back(entry_text(scene, "Mesh", "Prepared distance") +
                              ": not needed with Mesh/Window = moving, where a resumed run may roll on as far "
                              "as the rail goes; leave it out, or set Mesh/Window = fixed");
-    else if (scene.mesh_distance() < scene.rolling_distance)
+    else if (scene.mesh_distance() < scene.path())
       found.errors.push_back(entry_text(scene, "Mesh", "Prepared distance") + ": shorter than " +
-                             entry_text(scene, "Run", "Rolling distance") +
+                             path_text(scene) +
                              "; write auto, or a longer distance for a run that is to be resumed with more");
-    if (scene.averaging_distance > scene.rolling_distance)
+    if (scene.averaging_distance > scene.path())
       found.errors.push_back(
-        entry_text(scene, "Run", "Averaging distance") +
-        ": longer than Run/Rolling distance = " + rounded_mm(scene.rolling_distance) +
+        entry_text(scene, "Run", "Averaging distance") + ": longer than " + path_text(scene) +
         "; the mean is taken over the last part of the run, so at most that is possible");
-    else if (scene.evaluate_at > 0 &&
-             (scene.evaluate_at - 0.5 * scene.averaging_distance < -1e-9 ||
-              scene.evaluate_at + 0.5 * scene.averaging_distance > scene.rolling_distance + 1e-9))
+    else if (scene.evaluate_at > 0 && scene.until_steady())
       found.errors.push_back(
         entry_text(scene, "Run", "Evaluate at") +
-        ": half of Run/Averaging distance = " + rounded_mm(scene.averaging_distance) +
-        " on either side of it must lie on the way, from 0 mm to Run/Rolling distance = " +
-        rounded_mm(scene.rolling_distance));
-    const double spacing = scene.rolling_distance / scene.ticks;
+        ": a run with Run/Rolling distance = until steady finds the stretch of its means by itself; write "
+        "Evaluate at = end, or a Rolling distance in mm");
+    else if (scene.evaluate_at > 0 &&
+             (scene.evaluate_at - 0.5 * scene.averaging_distance < -1e-9 ||
+              scene.evaluate_at + 0.5 * scene.averaging_distance > scene.path() + 1e-9))
+      found.errors.push_back(entry_text(scene, "Run", "Evaluate at") +
+                             ": half of Run/Averaging distance = " + rounded_mm(scene.averaging_distance) +
+                             " on either side of it must lie on the way, from 0 mm to " + path_text(scene));
+    const double spacing = scene.path() / scene.ticks;
     if (scene.ticks > 1 && spacing < 0.1 * scene.cell_size)
       found.errors.push_back(
         entry_text(scene, "Output", "Ticks") + ": one output every " + rounded_mm(spacing) +
         " of rolling, which is less than a tenth of a cell (" + rounded_mm(scene.cell_size) +
         "), shows nothing new; at most " +
-        std::to_string(std::max(1, static_cast<int>(10 * scene.rolling_distance / scene.cell_size))) +
-        " are accepted");
+        std::to_string(std::max(1, static_cast<int>(10 * scene.path() / scene.cell_size))) + " are accepted");
   }
 } // namespace wheelrail

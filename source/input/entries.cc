@@ -1,5 +1,6 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/section_entries.h>
 
@@ -51,6 +52,7 @@ namespace wheelrail
                                                 run_entries(),
                                                 output_entries(),
                                                 halfspace_entries(),
+                                                irregularity_entries(),
                                                 wear_entries(),
                                                 material_test_entries(),
                                                 study_entries()})
@@ -146,5 +148,19 @@ namespace wheelrail
   entry_text(const Scene &scene, const std::string &section, const std::string &name)
   {
     return section + "/" + name + " = " + find_entry(section, name)->get(scene);
+  }
+
+
+  std::string
+  path_entry(const Scene &scene)
+  {
+    return scene.rolling_distance > 0 ? "Run/Rolling distance" : "Run/Longest distance";
+  }
+
+
+  std::string
+  path_text(const Scene &scene)
+  {
+    return path_entry(scene) + " = " + rounded_mm(scene.path());
   }
 } // namespace wheelrail

@@ -154,6 +154,13 @@ namespace wheelrail
       "mm",
       B::between("0.05 mm", "5 mm"),
       field(&S::halfspace_element_size)));
+    list.push_back(choice_entry<ContactBodies>(
+      {"Half-space",
+       "Bodies",
+       "half-spaces: Kalker's theory, as the program CONTACT has it; real: this wheel, held at its bore, on "
+       "this rail, held at its foot, as elastic bodies. For halfspace, vehicle, wear and studies of these."},
+      {{"half-spaces", ContactBodies::half_spaces}, {"real", ContactBodies::real}},
+      field(&S::halfspace_bodies)));
     list.push_back(choice_entry<HalfspaceSpin>(
       {"Half-space",
        "Spin",

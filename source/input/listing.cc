@@ -41,6 +41,16 @@ namespace wheelrail
              (value.empty() ? "" : " " + value) + "\n";
     }
 
+    /// Whether a subsection of many alike is left as it is by default: it is not listed.
+    bool
+    stays_out(const std::string &section, const Scene &scene)
+    {
+      for (const Entry &entry : entries())
+        if (entry.section == section && (!entry.repeats || entry.get(scene) != entry.default_text))
+          return false;
+      return true;
+    }
+
     std::string
     print_prm(const Scene &scene)
     {
@@ -50,6 +60,8 @@ namespace wheelrail
       std::string open;
       for (const Entry &entry : entries())
         {
+          if (entry.repeats && stays_out(entry.section, scene))
+            continue;
           if (entry.section != open)
             {
               text += (open.empty() ? "" : "end\n") + std::string("\nsubsection ") + entry.section + "\n";

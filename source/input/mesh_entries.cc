@@ -87,13 +87,13 @@ namespace wheelrail
       B::between("-60 mm", "60 mm"),
       2,
       field(&S::planned_strip)));
-    list.push_back(
-      length_or_auto({"Mesh",
-                      "Prepared distance",
-                      "With Window = fixed: the mesh is made for rolling that far, so that a run can be "
-                      "resumed with a longer Run/Rolling distance; auto: Run/Rolling distance."},
-                     B::above("0 mm", "10 m"),
-                     field(&S::prepared_distance)));
+    list.push_back(length_or_auto(
+      {"Mesh",
+       "Prepared distance",
+       "With Window = fixed: the mesh is made for rolling that far, so that a run can be "
+       "resumed with a longer one; auto: Run/Rolling distance, until steady Run/Longest distance."},
+      B::above("0 mm", "10 m"),
+      field(&S::prepared_distance)));
     list.push_back(choice_entry<MeshWindow>(
       {"Mesh",
        "Window",

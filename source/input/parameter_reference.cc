@@ -20,6 +20,9 @@ namespace wheelrail
     void
     write_entries(const std::string &section, std::ostream &out)
     {
+      for (const Entry &entry : entries())
+        if (entry.section == section && entry.repeats)
+          return;
       out << "\n## " << (section.empty() ? "Outside all subsections" : section)
           << "\n\n| entry | default | accepted | meaning |\n| --- | --- | --- | --- |\n";
       for (const Entry &entry : entries())
@@ -27,6 +30,9 @@ namespace wheelrail
           out << "| " << cell(entry.name) << " | "
               << (entry.default_text.empty() ? "" : "`" + cell(entry.default_text) + "`") << " | "
               << cell(entry.accepted) << " | " << cell(entry.meaning) << " |\n";
+      if (section == "Irregularity 1")
+        out << "\nThe subsections Irregularity 2 to Irregularity " << most_irregularities
+            << " have the same entries.\n";
     }
 
     void

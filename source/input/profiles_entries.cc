@@ -1,7 +1,10 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/geometry/profiles.h>
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,6 +70,22 @@ namespace wheelrail
       };
       return entry;
     }
+    /// Rails by the names that they had before EN 13674-1 are answered by those of today.
+    Entry
+    with_other_rails(Entry entry)
+    {
+      entry.set = [set = entry.set](Scene &scene, const std::string &text) {
+        static const std::map<std::string, std::string> former = {{"UIC60", "60E1"}, {"UIC54", "54E1"}};
+        std::string                                     name   = text;
+        name.erase(std::remove_if(name.begin(), name.end(), [](const char c) { return c == ' '; }),
+                   name.end());
+        if (const auto found = former.find(name); found != former.end())
+          throw InputError("the former name of " + found->second + " (EN 13674-1); write " + found->second);
+        set(scene, text);
+      };
+      return entry;
+    }
+
     /// Of the other wheel of a whole wheelset.
     Entry
     left_entry(const std::string              &name,
@@ -95,7 +114,8 @@ namespace wheelrail
     return {
       name_or_file_entry({"Profiles",
                           "Wheel",
-                          "Wheel profile (S1002: EN 13715); a relative path of a file counts from where the "
+                          "Wheel profile (S1002: EN 13715; cone: straight tread with the flange of S1002); a "
+                          "relative path of a file counts from where the "
                           "command is given."},
                          standard_wheels(),
                          wheel_file,
@@ -116,15 +136,15 @@ namespace wheelrail
          {"running circle", WheelOrigin::running_circle},
          {"flange back", WheelOrigin::flange_back}},
         field(&Scene::wheel_origin)),
-      name_or_file_entry(
+      with_other_rails(name_or_file_entry(
         {"Profiles",
          "Rail",
          "Rail profile (54E1, 60E1: EN 13674-1); a relative path of a file counts from where the "
          "command is given."},
         standard_rails(),
         rail_file,
-        field(&Scene::rail_profile)),
-      left_entry("Rail", standard_rails(), rail_file, field(&Scene::left_rail_profile)),
+        field(&Scene::rail_profile))),
+      with_other_rails(left_entry("Rail", standard_rails(), rail_file, field(&Scene::left_rail_profile))),
       mirror_entry(
         "Rail mirror",
         "Whether the lateral coordinate of the rail file is turned to the other side; auto: MiniProf "

@@ -10,6 +10,40 @@ namespace wheelrail
     using B = Bounds;
     using S = Scene;
 
+    /// How far the wheel rolls, and when that is enough.
+    void
+    add_distance(std::vector<Entry> &list)
+    {
+      list.push_back(with_word(
+        length_entry({"Run",
+                      "Rolling distance",
+                      "How far the wheel rolls. until steady: the run ends by itself as soon as all results "
+                      "are steady and their standard errors are small enough, at Longest distance at the "
+                      "latest. Passages and runs that follow a motion then roll the Longest distance."},
+                     "mm",
+                     B::above("0 mm", "10 m"),
+                     field(&S::rolling_distance)),
+        "until steady",
+        0,
+        field(&S::rolling_distance)));
+      list.push_back(length_entry(
+        {"Run",
+         "Longest distance",
+         "How far a run rolls that should end when it is steady and does not become so. The mesh "
+         "is laid for it, and outputs lie at equal parts of it."},
+        "mm",
+        B::above("0 mm", "10 m"),
+        field(&S::longest_distance)));
+      list.push_back(pure_entry(
+        {"Run",
+         "Standard error",
+         "Standard error that every result may have for a run until steady to end, over a scale of "
+         "its own: of forces friction times load, of the creepage its value at half saturation, of "
+         "the others themselves."},
+        B::between("0.0001", "0.1"),
+        field(&S::standard_error)));
+    }
+
     /// How many wheels pass over the rail, and when they are enough.
     void
     add_passages(std::vector<Entry> &list)
@@ -110,10 +144,7 @@ namespace wheelrail
   run_entries()
   {
     std::vector<Entry> list;
-    list.push_back(length_entry({"Run", "Rolling distance", "How far the wheel rolls."},
-                                "mm",
-                                B::above("0 mm", "10 m"),
-                                field(&S::rolling_distance)));
+    add_distance(list);
     add_passages(list);
     add_jumps(list);
     list.push_back(
@@ -131,14 +162,17 @@ namespace wheelrail
       B::between("0 mm", "5 m"),
       field(&S::start_offset)));
     list.push_back(length_entry(
-      {"Run", "Averaging distance", "The figures of the summary are means over a stretch of this length."},
+      {"Run",
+       "Averaging distance",
+       "The results of the summary are means over a stretch of this length; of a run that ends when it is "
+       "steady, over the stretch that it has found."},
       "mm",
       B::above("0 mm", "10 m"),
       field(&S::averaging_distance)));
     list.push_back(with_word(length_entry({"Run",
                                            "Evaluate at",
                                            "Middle of that stretch, as rolled distance; end: it is the last "
-                                           "one of the run."},
+                                           "one of the run. A place needs a Rolling distance that is given."},
                                           "mm",
                                           B::above("0 mm", "10 m"),
                                           field(&S::evaluate_at)),

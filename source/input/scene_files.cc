@@ -7,6 +7,7 @@
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/profiles/profile_file.h>
+#include <wheelrail/profiles/slices_file.h>
 
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid_io.hpp>
@@ -58,25 +59,41 @@ namespace wheelrail
   files_of(const Scene &scene)
   {
     std::vector<SceneFile> files;
-    const auto             add = [&](const char        *entry,
+    const auto             add = [&](const std::string &entry,
                          const std::string &path,
-                         const char        *what,
-                         std::string Scene::*value,
-                         bool                in_run) {
+                         const std::string &what,
+                         const PathPlace   &value,
+                         bool               in_run) {
       if (is_file_name(path))
         files.push_back({entry, path, what, value, in_run});
     };
-    add("Profiles/Wheel", scene.wheel_profile, "wheel", &Scene::wheel_profile, true);
-    add("Profiles/Rail", scene.rail_profile, "rail", &Scene::rail_profile, true);
-    add("Profiles/Wheel left", scene.left_wheel_profile, "wheel_left", &Scene::left_wheel_profile, false);
-    add("Profiles/Rail left", scene.left_rail_profile, "rail_left", &Scene::left_rail_profile, false);
+    const auto member = [](std::string Scene::*value) {
+      return [value](Scene &to) -> std::string & { return to.*value; };
+    };
+    add("Profiles/Wheel", scene.wheel_profile, "wheel", member(&Scene::wheel_profile), true);
+    add("Profiles/Rail", scene.rail_profile, "rail", member(&Scene::rail_profile), true);
+    add("Profiles/Wheel left",
+        scene.left_wheel_profile,
+        "wheel_left",
+        member(&Scene::left_wheel_profile),
+        false);
+    add("Profiles/Rail left", scene.left_rail_profile, "rail_left", member(&Scene::left_rail_profile), false);
     add("Wear/Mix", scene.wear_plan.mix, "mix", nullptr, false);
-    add("Wheelset/Motion", scene.motion, "motion", &Scene::motion, true);
+    add("Wheelset/Motion", scene.motion, "motion", member(&Scene::motion), true);
     add("Half-space/Undeformed distance",
         scene.halfspace_distance,
         "distance",
-        &Scene::halfspace_distance,
+        member(&Scene::halfspace_distance),
         false);
+    // slices name further files beside them, so that a copy of theirs alone is of no use
+    for (int k = 0; k < most_irregularities; ++k)
+      if (const IrregularityData &one = scene.irregularities[k]; one.kind == IrregularKind::file)
+        add(
+          "Irregularity " + std::to_string(k + 1) + "/File",
+          one.file,
+          "irregularity_" + std::to_string(k + 1),
+          [k](Scene &to) -> std::string & { return to.irregularities[k].file; },
+          !is_slices_file(one.file));
     add("Material test/File", scene.material_test.file, "material_test", nullptr, false);
     add_listed(scene, files);
     if (scene.rail_from != "new")

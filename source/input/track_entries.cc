@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -16,12 +17,18 @@ namespace wheelrail
     Entry
     inclination_entry()
     {
-      Entry entry =
-        number_entry({"Track", "Rail inclination", "Slope of the rail's axis towards the track centre."},
-                     Dimension::none,
-                     "",
-                     Bounds::between("0", "1/10"),
-                     field(&Scene::track, &TrackDimensions::inclination));
+      Entry entry = number_entry(
+        {"Track", "Rail inclination", "Slope of the rail's axis towards the track centre; 1/40 or 1:40."},
+        Dimension::none,
+        "",
+        Bounds::between("0", "1/10"),
+        field(&Scene::track, &TrackDimensions::inclination));
+      entry.set = [set = entry.set](Scene &scene, std::string text) {
+        // a slope is written 1:40 on drawings
+        if (const std::size_t colon = text.find(':'); colon != std::string::npos)
+          text[colon] = '/';
+        set(scene, text);
+      };
       entry.get = [](const Scene &scene) {
         const double slope = scene.track.inclination, inverse = std::round(1 / slope);
         return slope > 0 && 1 / inverse == slope ? "1/" + format_number(inverse) : format_number(slope);

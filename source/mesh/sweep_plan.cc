@@ -103,19 +103,12 @@ namespace wheelrail
     RunningSurfaces
     surfaces_of_strip(const TouchingProfiles &profiles, const FineStrip &strip, const double cell)
     {
-      const FrameProfile &rail = profiles.rail_heights, &wheel = profiles.wheel_heights,
-                         &tread = profiles.tread_heights;
+      const FrameProfile &rail = profiles.rail_heights(), &wheel = profiles.wheel_heights(),
+                         &tread = profiles.surfaces.wheel.profile();
       const double    s0 = std::max({strip.s.front() - cell, rail.s_min(), wheel.s_min(), tread.s_min()});
       const double    s1 = std::min({strip.s.back() + cell, rail.s_max(), wheel.s_max(), tread.s_max()});
-      RunningSurfaces surfaces;
-      surfaces.frame          = profiles.contact.frame;
-      surfaces.rail           = HeightTable(rail, s0, s1);
-      surfaces.wheel          = HeightTable(wheel, s0, s1);
-      surfaces.pose           = profiles.contact.pose;
-      surfaces.tread_frame    = profiles.contact.tread_frame;
-      surfaces.tread          = HeightTable(tread, s0, s1);
-      surfaces.rolling_radius = profiles.contact.rolling_radius;
-      surfaces.forward_radius = profiles.contact.forward_radius;
+      RunningSurfaces surfaces = profiles.surfaces;
+      surfaces.tabulate(s0, s1);
       return surfaces;
     }
   } // namespace
@@ -135,7 +128,7 @@ namespace wheelrail
     SweepPlan              plan;
     plan.levels                       = std::max(0L, std::lround(std::log2(sizes.coarse / sizes.cell)));
     const double        block         = sizes.cell * std::pow(2., plan.levels);
-    const FrameProfile &wheel_heights = profiles.wheel_heights, &rail_heights = profiles.rail_heights;
+    const FrameProfile &wheel_heights = profiles.wheel_heights(), &rail_heights = profiles.rail_heights();
     plan.strip =
       sizes.strip.s1 > sizes.strip.s0
         ? fine_strip_over(contact.frame, wheel_heights, rail_heights, sizes.strip, block)

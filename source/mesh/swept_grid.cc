@@ -53,6 +53,7 @@ namespace wheelrail
     , n_columns_(body == Body::rail ? static_cast<int>(plan.rail_stations.size()) - 1
                                     : static_cast<int>(plan.sectors))
     , parts_(1 << plan.levels)
+    , moved_(plan.surfaces[body].moves_mesh())
     , at_corner_(section().corners.size())
     , measures_(plan.levels + 1)
   {
@@ -132,14 +133,16 @@ namespace wheelrail
       }
     const double angle = 2 * M_PI * (double(station % (n_columns_ * parts_)) / parts_) / plan_->sectors;
     // the section's lateral coordinate points to the track centre, the wheel's own x to the field side
-    return plan_->surfaces.pose.position(-p.x, p.y, -angle);
+    return plan_->surfaces.pose().position(-p.x, p.y, -angle);
   }
 
 
   Vector3
   SweptGrid::position(const int block, const int i, const int j, const int station) const
   {
-    return at_station(place(block, i, j), station);
+    const Vector3         X       = at_station(place(block, i, j), station);
+    const RunningSurface &surface = plan_->surfaces[body_];
+    return moved_ ? surface.moved(X) : X;
   }
 
 
@@ -194,10 +197,10 @@ namespace wheelrail
             X[v]     = foot;
             X[v + 4] = {p.x, p.y, length};
           }
-        const auto   where = body_ == Body::rail ? surfaces.rail_place(foot) : surfaces.wheel_place(foot);
-        const double s     = std::clamp(where.s, plan_->strip.s.front(), plan_->strip.s.back());
-        const double depth =
-          body_ == Body::rail ? surfaces.rail.at(s).n - where.n : where.n - surfaces.tread.at(s).n;
+        const auto   where    = surfaces[body_].place(foot);
+        const double s        = std::clamp(where.s, plan_->strip.s.front(), plan_->strip.s.back());
+        const double above    = surfaces[body_].smooth(s).n - where.n,
+                     depth    = body_ == Body::rail ? above : -above;
         const double value[2] = {where.s, depth};
         for (unsigned int k = 0; k < 2; ++k)
           {

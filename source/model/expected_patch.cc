@@ -70,10 +70,10 @@ namespace wheelrail
     ExpectedPatch    patch;
     patch.approach                = expected_approach(scene, radius);
     const double virtual_approach = kik_piotrowski * patch.approach;
-    const Range  along            = overlap_along(geometry, virtual_approach, 0);
+    const Range  along            = smooth_overlap_along(geometry, virtual_approach, 0);
     patch.length                  = along.s1 - along.s0;
     for (const Range &range :
-         interpenetration(geometry.wheel_heights, geometry.rail_heights, virtual_approach))
+         interpenetration(geometry.wheel_heights(), geometry.rail_heights(), virtual_approach))
       patch.width += range.s1 - range.s0;
     return patch;
   }

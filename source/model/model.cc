@@ -110,6 +110,23 @@ namespace wheelrail
       return parts;
     }
 
+    /// How much thinner, relatively, nodes that irregularities move make the cells anywhere on the way:
+    /// heights are blended over a depth, slopes shear cells.
+    double
+    thinnest_cells(const RunningSurfaces &surfaces)
+    {
+      double least = 1;
+      for (const Body body : both_bodies)
+        {
+          double strain = 0;
+          for (const Irregularity &one : surfaces[body].irregularities())
+            if (one.carried == CarriedBy::mesh)
+              strain += one.measures.largest / RunningSurface::blend_depth + one.measures.steepest;
+          least = std::min(least, 1 - std::min(strain, 0.8));
+        }
+      return least;
+    }
+
     /// Bodies and contact on the mesh of the start; the contact's law follows from it.
     void
     prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
@@ -120,6 +137,8 @@ namespace wheelrail
       model.parts = scene_parts(scene, communicator);
       prepare_parts(model.parts, model.solid);
       lower_stable_step(model.solid, model.parts);
+      // the start lies on the smooth surfaces: what comes later counts now
+      model.solid.stable.step *= thinnest_cells(plan.surfaces);
       model.contact = make_contact(scene, model, communicator);
       prepare_contact(model, plan, {plan.fine, plan.fine}, communicator);
     }
@@ -267,6 +286,20 @@ namespace wheelrail
       return make_sweep_plan(planned_strip.profiles, wheel, sizes);
     }
 
+    /// The way over which a run until steady is brought to the balance of its torque, one and a half lengths
+    /// of the patch (see run_in()) [m]; 0 where there is none to come to: at a given rate, with more torque
+    /// than friction carries, and of starts that are to settle by themselves.
+    double
+    run_in_length(const Scene &scene, const SceneGeometry &geometry)
+    {
+      constexpr double most_of_friction = 0.95, too_long = 0.9; // of the expected patch
+      if (!scene.until_steady() || scene.drive != Drive::torque ||
+          scene.start != StartState::steady_rolling || scene.friction.kind != FrictionKind::constant ||
+          !(std::abs(scene.traction_coefficient) < most_of_friction * scene.friction.at_rest))
+        return 0;
+      return 1.5 * too_long * expected_patch(scene, geometry).length;
+    }
+
     /// Sprung mass, load and drive of the axle, once the mass of the wheel is known.
     void
     load_axle(const Scene                  &scene,
@@ -275,7 +308,7 @@ namespace wheelrail
               Model                        &model,
               MPI_Comm                      communicator)
     {
-      model.axle = make_axle(scene, model.contact->surfaces().pose);
+      model.axle = make_axle(scene, model.contact->surfaces().pose());
       const double unsprung =
         scene.axle_mass + mass_properties(model.solid, Body::wheel, model.axle.centre, communicator).mass;
       if (scene.wheel_load > 0)
@@ -283,6 +316,7 @@ namespace wheelrail
       model.wheel_load = (model.axle.sprung_mass + unsprung) * scene.gravity;
       model.axle.torque =
         drive_torque(geometry.contact, scene.traction_coefficient * model.wheel_load, model.wheel_load);
+      model.axle.torque_ramp = run_in_length(scene, geometry);
       if (!way.empty())
         model.axle.way = std::make_shared<GuidedWay>(make_way(scene, way, model.wheel_load));
     }

@@ -51,15 +51,15 @@ namespace wheelrail
                        ": cant; a run has one wheel, whose load the column load gives: leave the column out "
                        "(half-spaces of \"vehicle\" take it)");
     check_times(motion);
-    const double end = start + scene_.rolling_distance, round_off = 1e-9;
+    const double end = start + scene_.path(), round_off = 1e-9;
     if (start < along.front() - round_off || start > along.back())
       throw InputError(entry_text(scene_, "Wheelset", "Motion start") + ": not on the way of " +
                        scene_.motion + ", which goes from " + in_m(along.front()) + " to " +
                        in_m(along.back()));
     if (end > along.back() + round_off)
-      throw InputError(entry_text(scene_, "Run", "Rolling distance") + ": leaves " + scene_.motion +
-                       ", whose rows go from " + in_m(along.front()) + " to " + in_m(along.back()) +
-                       ", since the run starts at " + in_m(start) + "; roll less, or start earlier");
+      throw InputError(path_text(scene_) + ": leaves " + scene_.motion + ", whose rows go from " +
+                       in_m(along.front()) + " to " + in_m(along.back()) + ", since the run starts at " +
+                       in_m(start) + "; roll less, or start earlier");
   }
 
 
@@ -126,8 +126,7 @@ namespace wheelrail
     for (std::size_t row = 1; row < rolled.size(); ++row)
       for (const Led &one : led)
         {
-          const double low  = std::max(rolled[row - 1], 0.),
-                       high = std::min(rolled[row], scene_.rolling_distance);
+          const double low = std::max(rolled[row - 1], 0.), high = std::min(rolled[row], scene_.path());
           if (!(high > low))
             continue;
           // cubics between rows: the second derivative is largest at one of the ends, the first, which is

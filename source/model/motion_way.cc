@@ -24,8 +24,8 @@ namespace wheelrail
     widen_across(const SceneGeometry &start, const SceneGeometry &there, const double s, Range &across)
     {
       const ContactGeometry    &now   = there.contact;
-      const FrameProfile::Value wheel = there.wheel_heights.at(s);
-      const Point2              rail  = now.frame.to_track({s, there.rail_heights.at(s).n});
+      const FrameProfile::Value wheel = there.wheel_heights().at(s);
+      const Point2              rail  = now.frame.to_track({s, there.rail_heights().at(s).n});
       widen(across, start.contact.frame.to_frame(rail).x);
 
       const Point2 outline = now.frame.to_track({s, wheel.n});
@@ -79,7 +79,8 @@ namespace wheelrail
     for (const WaySample &sample : samples)
       {
         const SceneGeometry &there = sample.geometry;
-        for (const Range &part : interpenetration(there.wheel_heights, there.rail_heights, sizes.approach))
+        for (const Range &part :
+             interpenetration(there.wheel_heights(), there.rail_heights(), sizes.approach))
           for (const double s : {part.s0, part.s1})
             widen_across(start, there, s, sizes.across);
         const Range overlap = overlap_along(there, sizes.approach, sizes.fine_margin);

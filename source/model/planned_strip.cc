@@ -43,9 +43,9 @@ namespace wheelrail
     contact.frame              = frame;
     contact.tread_frame        = frame;
     contact.rolling_radius     = scene.track.nominal_radius;
-    profiles.rail_heights      = FrameProfile(profiles.rail.head, contact.rail, frame);
-    profiles.wheel_heights     = FrameProfile(contact.outline.curve, contact.wheel, frame);
-    profiles.tread_heights     = FrameProfile(profiles.wheel.tread, contact.wheel, frame);
+    profiles.surfaces          = running_surfaces(profiles.rail.head, profiles.wheel.tread, contact);
+    profiles.surfaces.rail.take_irregularities(geometry.surfaces.rail);
+    profiles.surfaces.wheel.take_irregularities(geometry.surfaces.wheel);
     return planned;
   }
 
@@ -58,12 +58,13 @@ namespace wheelrail
     const ContactGeometry &contact  = geometry.contact;
     const double           approach = expected_approach(loaded, contact.rolling_radius);
     double                 low = contact.rail_x, high = contact.rail_x;
-    for (const Range &part : interpenetration(geometry.wheel_heights, geometry.rail_heights, approach))
+    for (const Range &part : interpenetration(geometry.wheel_heights(), geometry.rail_heights(), approach))
       for (const double s : {part.s0 - scene.fine_margin, part.s1 + scene.fine_margin})
         {
-          const double inside = std::clamp(s, geometry.rail_heights.s_min(), geometry.rail_heights.s_max());
+          const double inside =
+            std::clamp(s, geometry.rail_heights().s_min(), geometry.rail_heights().s_max());
           const Point2 place =
-            contact.rail.to_section(contact.frame.to_track({inside, geometry.rail_heights.at(inside).n}));
+            contact.rail.to_section(contact.frame.to_track({inside, geometry.rail_heights().at(inside).n}));
           low  = std::min(low, place.x);
           high = std::max(high, place.x);
         }

@@ -41,7 +41,7 @@ namespace wheelrail
   {
     for (const SceneFile &file : files_of(scene))
       if (const fs::path copy = copy_of(file, folder); file.in_run && fs::exists(copy))
-        scene.*file.value = copy.string();
+        file.value(scene) = copy.string();
   }
 
 

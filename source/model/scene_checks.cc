@@ -2,10 +2,12 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/irregularity_checks.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/planned_strip.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/model/scene_irregularities.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,17 +28,16 @@ namespace wheelrail
       const double needed = free_rail(scene, patch ? patch->length : 0);
       const double length = scene.mesh_distance() + 2 * (needed + scene.start_offset);
       if (length > scene.rail_length * (1 + 1e-12))
-        found.push_back((scene.prepared_distance > 0 ? entry_text(scene, "Mesh", "Prepared distance")
-                                                     : entry_text(scene, "Run", "Rolling distance")) +
-                        ": with " + rounded_mm(needed) + " of free rail at each end" +
-                        (scene.start_offset > 0 ? " and " + entry_text(scene, "Run", "Start offset") : "") +
-                        " this needs a rail of " + rounded_mm(length) + ", and Track/Rail length is " +
-                        rounded_mm(scene.rail_length) + "; " +
-                        (scene.rail_length > 2 * (needed + scene.start_offset)
-                           ? "roll at most " +
-                               rounded_mm(scene.rail_length - 2 * (needed + scene.start_offset)) +
-                               " or lengthen the rail"
-                           : "lengthen the rail"));
+        found.push_back(
+          (scene.prepared_distance > 0 ? entry_text(scene, "Mesh", "Prepared distance") : path_text(scene)) +
+          ": with " + rounded_mm(needed) + " of free rail at each end" +
+          (scene.start_offset > 0 ? " and " + entry_text(scene, "Run", "Start offset") : "") +
+          " this needs a rail of " + rounded_mm(length) + ", and Track/Rail length is " +
+          rounded_mm(scene.rail_length) + "; " +
+          (scene.rail_length > 2 * (needed + scene.start_offset)
+             ? "roll at most " + rounded_mm(scene.rail_length - 2 * (needed + scene.start_offset)) +
+                 " or lengthen the rail"
+             : "lengthen the rail"));
     }
 
     void
@@ -202,15 +203,28 @@ namespace wheelrail
           errors.push_back(error.what());
           return {};
         }
+      Scene smooth          = scene;
+      smooth.irregularities = {};
+      std::optional<SceneGeometry> geometry;
       try
         {
-          return make_geometry(scene, std::move(profiles));
+          geometry = make_geometry(smooth, std::move(profiles));
         }
       catch (const InputError &error)
         {
           errors.push_back(entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what());
           return {};
         }
+      try
+        {
+          add_irregularities(scene, *geometry);
+        }
+      catch (const InputError &error) // it names its entry
+        {
+          errors.push_back(error.what());
+          return {};
+        }
+      return geometry;
     }
   } // namespace
 
@@ -227,6 +241,7 @@ namespace wheelrail
           patch = expected_patch(scene, *geometry);
           check_patch(scene, *patch, found);
           check_size(scene, *patch, machine, found);
+          check_irregular_run(scene, *geometry, *patch, found);
         }
       check_load(scene, found.errors);
       check_rail_length(scene, patch, found.errors);

@@ -1,6 +1,8 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/measured_profiles.h>
+#include <wheelrail/profiles/note_lines.h>
 
 #include <utility>
 
@@ -21,7 +23,7 @@ namespace wheelrail
         {
           MeasuredProfile measured = read_profile_file(path, options);
           auto            profile  = make(measured, measured.notes);
-          for (const std::string &note : measured.notes)
+          for (const std::string &note : note_lines(measured.notes))
             notes.push_back(entry + " = " + path + ": " + note);
           return profile;
         }
@@ -83,9 +85,12 @@ namespace wheelrail
   SceneGeometry
   make_geometry(const Scene &scene, SceneProfiles profiles)
   {
-    return {touching_profiles(
-              std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
-            std::move(profiles.notes)};
+    SceneGeometry geometry{
+      touching_profiles(
+        std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
+      std::move(profiles.notes)};
+    add_irregularities(scene, geometry);
+    return geometry;
   }
 
 

@@ -123,8 +123,7 @@ namespace wheelrail
   double
   run_duration(const Scene &scene)
   {
-    return scene.motion == "none" ? scene.rolling_distance / scene.velocity
-                                  : SceneMotion(scene).duration(scene.rolling_distance);
+    return scene.motion == "none" ? scene.path() / scene.velocity : SceneMotion(scene).duration(scene.path());
   }
 
 

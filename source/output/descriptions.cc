@@ -44,6 +44,9 @@ namespace wheelrail
       {"pitch_rate", "angular velocity of the wheel, positive when it rolls forward"},
       {"drive_torque", "torque on the axle, positive when driving"},
       {"axle_height", "height of the axle against the unloaded position, positive up"},
+      {"axle_acceleration", "vertical acceleration of the axle box, positive up"},
+      {"rail_irregularity", "height of the rail's irregularities under the wheel, along the normal"},
+      {"wheel_irregularity", "height of the wheel's irregularities on the rail, along the normal"},
       {"velocity", "of the wheelset along the track"},
       {"energy_residual", "what the balance of all energies and works misses"}};
 

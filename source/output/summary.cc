@@ -44,6 +44,8 @@ namespace wheelrail
         {"title", &summary.title},
         {"program_version", &summary.program_version},
         {"stopped_because", &summary.stop_reason},
+        {"ended", &summary.ended},
+        {"ended_because", &summary.ended_because},
         {"note", &summary.note},
         {"verdict", &summary.verdict},
         {"doubts", &summary.doubts},
@@ -124,6 +126,8 @@ namespace wheelrail
       }
     json["finished"]         = summary.finished;
     json["stopped_because"]  = summary.stop_reason;
+    json["ended"]            = summary.ended;
+    json["ended_because"]    = summary.ended_because;
     json["note"]             = summary.note;
     json["verdict"]          = verdict_of(summary);
     json["trusted"]          = verdict_of(summary) == "trusted";

@@ -137,13 +137,15 @@ namespace wheelrail
     if (text.find('\0') != std::string::npos)
       throw InputError(file +
                        ": not a text file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
-    const std::vector<Line> lines = lines_of(text);
-
+    std::vector<Line> lines   = lines_of(text);
     const std::size_t begin   = begin_of_points(lines);
+    const bool        commas  = take_decimal_commas(lines, begin);
     const Format      format  = format_of(lines, begin);
     FileContent       content = format == Format::simpack    ? parse_simpack(lines, file)
                                 : format == Format::miniprof ? parse_miniprof(lines, begin, file)
                                                              : parse_columns(lines, begin, file);
+    if (commas)
+      content.notes.push_back("decimal commas read as points");
     if (format != Format::simpack && begin < lines.size())
       tell_headings(content, lines, begin);
     const auto off =

@@ -142,6 +142,31 @@ namespace wheelrail
     }
   } // namespace
 
+  bool
+  take_decimal_commas(std::vector<Line> &lines, const std::size_t begin)
+  {
+    const auto digit                 = [](const char c) { return c >= '0' && c <= '9'; };
+    const auto stands_between_digits = [&](const std::string &text, const std::size_t k) {
+      return k > 0 && k + 1 < text.size() && digit(text[k - 1]) && digit(text[k + 1]);
+    };
+    bool commas = false;
+    for (std::size_t i = begin; i < lines.size(); ++i)
+      {
+        const std::string text = without_comment(lines[i].text, "!#%");
+        if (!starts_with_number(text))
+          continue;
+        for (std::size_t k = 0; k < text.size(); ++k)
+          if (text[k] == '.' && stands_between_digits(text, k))
+            return false;
+        commas = commas || has_decimal_commas(text);
+      }
+    for (std::size_t i = begin; commas && i < lines.size(); ++i)
+      for (std::size_t k = 0; k < lines[i].text.size(); ++k)
+        if (lines[i].text[k] == ',' && stands_between_digits(lines[i].text, k))
+          lines[i].text[k] = '.';
+    return commas;
+  }
+
   void
   LeftOut::tell(std::vector<std::string> &notes) const
   {

@@ -19,10 +19,57 @@ namespace wheelrail
       return {{centre.x + c * d.x - s * d.y + lateral, centre.y + s * d.x + c * d.y}, placement.angle + roll};
     }
 
-    double
-    squared(const double x)
+    /// Where the wheel stands, turned by its roll and moved by the lateral offset, with Z from the point of
+    /// the region.
+    WheelPose
+    moved_wheel(const ContactGeometry &contact, const SectionOffsets &offsets, const ContactRegion &region)
     {
-      return x * x;
+      const Point2 &o = contact.frame.origin;
+      const double  c = std::cos(offsets.wheel_roll), s = std::sin(offsets.wheel_roll);
+      RigidMotion   roll;
+      roll.rows = {{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
+      roll.move = {
+        o.x - c * o.x + s * o.y + offsets.lateral, o.y - s * o.x - c * o.y, contact.along - region.along};
+      WheelPose pose = contact.pose;
+      pose.motion    = then(contact.pose.motion, roll);
+      return pose;
+    }
+
+    /// The frame of the wheel's own section at a place of its tread, before the wheel is turned and moved.
+    ContactFrame
+    frame_on_tread(const ContactGeometry &contact, const CurvePoint &point)
+    {
+      const Point2 origin = contact.wheel.to_track(point.position),
+                   along  = contact.wheel.to_track(point.position + point.tangent) - origin;
+      return {origin, std::atan2(along.y, along.x)};
+    }
+
+    RunningSurfaces
+    moved_surfaces(const TouchingProfiles &profiles,
+                   const SectionOffsets   &offsets,
+                   const ContactRegion    &region)
+    {
+      const ContactGeometry &contact = profiles.contact;
+      const Point2          &point   = contact.frame.origin;
+      const Placement        rail    = moved(contact.rail, point, offsets.rail_roll, 0);
+      const FrameProfile     outline(contact.outline.curve,
+                                 moved(contact.wheel, point, offsets.wheel_roll, offsets.lateral),
+                                 region.frame);
+      const CurvePoint   on_tread = profiles.wheel.tread.at(contact.outline.on_tread(outline.parameter(0)));
+      const ContactFrame tread    = frame_on_tread(contact, on_tread);
+      RunningSurfaces    surfaces{region.frame,
+                               {FrameProfile(profiles.rail.head, rail, region.frame), region.frame, rail},
+                               {FrameProfile(profiles.wheel.tread, contact.wheel, tread),
+                                   tread,
+                                   moved_wheel(contact, offsets, region),
+                                   contact.rolling_radius},
+                               SectionHeights(outline),
+                               contact.rolling_radius,
+                               contact.forward_radius};
+      // places along count from the first contact point, arcs from the lowest line of the straight wheel
+      surfaces.rail.take_irregularities(profiles.surfaces.rail, region.along - contact.along);
+      surfaces.wheel.take_irregularities(profiles.surfaces.wheel);
+      return surfaces;
     }
   } // namespace
 
@@ -40,53 +87,112 @@ namespace wheelrail
     : profiles_(profiles)
     , region_(region)
     , axle_(profiles.contact.axis)
-    , rail_(profiles.rail.head,
-            moved(profiles.contact.rail, profiles.contact.frame.origin, offsets.rail_roll, 0),
-            region.frame)
-    , wheel_(
-        profiles.contact.outline.curve,
-        moved(profiles.contact.wheel, profiles.contact.frame.origin, offsets.wheel_roll, offsets.lateral),
-        region.frame)
+    , surfaces_(moved_surfaces(profiles, offsets, region))
   {
     axle_.middle.x += offsets.lateral;
-    lowest_ = undeformed_distance(wheel_, rail_, 0);
+    lowest_ = undeformed_distance(outline(), rail(), 0);
     for (double s = s_min(); s <= s_max(); s += sample_step)
       {
-        samples_.push_back(undeformed_distance(wheel_, rail_, s));
+        samples_.push_back(undeformed_distance(outline(), rail(), s));
         if (samples_.back() < lowest_)
           {
             lowest_   = samples_.back();
             lowest_s_ = s;
           }
       }
+    if (!surfaces_.rail.irregularities().empty() || !surfaces_.wheel.irregularities().empty())
+      sample_irregular();
+  }
+
+
+  /// The least distance of irregular surfaces may lie anywhere ahead of the smooth contact or behind it: they
+  /// are sampled as far as wheel and rail come near each other.
+  void
+  ContactSections::sample_irregular()
+  {
+    constexpr double step = 0.25e-3, room = 0.5e-3; // along and across; beyond any approach [m]
+    double           up = 0, down = 0;
+    // heights alone tell how far to look: once coarsely over all that could matter
+    const double    widest = half_length_bound(8e-3, geometry().rolling_radius);
+    RunningSurfaces smooth = surfaces_;
+    smooth.rail.set_irregularities(nullptr);
+    smooth.wheel.set_irregularities(nullptr);
+    for (double s = s_min(); s <= s_max(); s += 4 * step)
+      for (double x = -widest; x <= widest; x += 4 * step)
+        {
+          const double h = smooth.distance(s, x) - surfaces_.distance(s, x);
+          up             = std::max(up, h);
+          down           = std::min(down, h);
+        }
+    const double reach = up - down + room, half = half_length_bound(reach, geometry().rolling_radius);
+    for (double s = s_min(); s <= s_max(); s += step)
+      if (undeformed_distance(outline(), rail(), s) - lowest_ < reach)
+        {
+          const double middle = slice(s).along;
+          for (double x = middle - half; x <= middle + half; x += step)
+            irregular_.push_back({x, s, surfaces_.distance(s, x)});
+        }
+    lowest_ = irregular_.front().distance;
+    for (const Sample &sample : irregular_)
+      if (sample.distance < lowest_)
+        {
+          lowest_   = sample.distance;
+          lowest_s_ = sample.s;
+        }
+  }
+
+
+  HalfspaceGrid
+  ContactSections::irregular_grid(const double approach, const double element) const
+  {
+    double x0 = HUGE_VAL, x1 = -HUGE_VAL, s0 = HUGE_VAL, s1 = -HUGE_VAL;
+    for (const Sample &sample : irregular_)
+      if (sample.distance - lowest_ < approach)
+        {
+          x0 = std::min(x0, sample.x);
+          x1 = std::max(x1, sample.x);
+          s0 = std::min(s0, sample.s);
+          s1 = std::max(s1, sample.s);
+        }
+    const auto down = [element](const double value) { return int(std::floor(value / element)) - 2; };
+    const auto up   = [element](const double value) { return int(std::ceil(value / element)) + 2; };
+    const int  i0 = down(x0), i1 = up(x1), j0 = down(s0), j1 = up(s1);
+    return {i1 - i0 + 1, j1 - j0 + 1, element, element, i0 * element, j0 * element};
   }
 
 
   double
   ContactSections::s_min() const
   {
-    return std::max({rail_.s_min(), wheel_.s_min(), region_.s_min});
+    return std::max({rail().s_min(), outline().s_min(), region_.s_min});
   }
 
 
   double
   ContactSections::s_max() const
   {
-    return std::min({rail_.s_max(), wheel_.s_max(), region_.s_max});
+    return std::min({rail().s_max(), outline().s_max(), region_.s_max});
   }
 
 
   double
   ContactSections::distance(const double s) const
   {
-    return undeformed_distance(wheel_, rail_, s) - lowest_;
+    return undeformed_distance(outline(), rail(), s) - lowest_;
+  }
+
+
+  double
+  ContactSections::distance(const double s, const double x) const
+  {
+    return surfaces_.distance(s, x) - lowest_;
   }
 
 
   Point2
   ContactSections::rail_place(const double s) const
   {
-    return region_.frame.to_track({s, rail_.at(s).n});
+    return region_.frame.to_track({s, rail().at(s).n});
   }
 
 
@@ -94,29 +200,18 @@ namespace wheelrail
   ContactSections::slice(const double s) const
   {
     const ContactFrame       &frame = region_.frame;
-    const FrameProfile::Value wheel = wheel_.at(s);
-    const double              slope = std::atan(wheel.slope);
+    const FrameProfile::Value wheel = outline().at(s);
     const Point2              place = frame.to_track({s, wheel.n});
 
     Slice slice;
-    slice.wheel_tangent                 = frame.angle + slope;
+    slice.wheel_tangent                 = frame.angle + std::atan(wheel.slope);
     const AxleLine::SurfacePoint lowest = axle_.surface_point(place, slice.wheel_tangent);
     slice.along                         = lowest.along - region_.along;
     slice.radius                        = lowest.radius;
     slice.wheel_angle                   = lowest.slope;
-    slice.rail_angle                    = frame.angle + std::atan(rail_.at(s).slope);
+    slice.rail_angle                    = frame.angle + std::atan(rail().at(s).slope);
     slice.from_middle                   = {place.x - axle_.middle.x, place.y - axle_.middle.y, lowest.along};
     slice.rolling                       = cross(axle_.direction, slice.from_middle);
-    // curvature of the surface in the direction of the track, from those around the axle and along the tread
-    // (Euler 1760); the distance along n at fixed s follows from the slope
-    const double c = std::cos(slice.wheel_angle), share = squared(axle_.direction[2] / c);
-    double       curvature = c / slice.radius;
-    if (share > 0)
-      {
-        const double t = geometry().outline.on_tread(wheel_.parameter(s));
-        curvature      = (1 - share) * curvature - share * profiles_.wheel.tread.at(t).curvature;
-      }
-    slice.curvature = curvature / std::cos(slope);
     return slice;
   }
 
@@ -124,6 +219,8 @@ namespace wheelrail
   HalfspaceGrid
   ContactSections::grid(const double approach, const double element) const
   {
+    if (!irregular_.empty())
+      return irregular_grid(approach, element);
     double low = lowest_s_, high = lowest_s_;
     double s = s_min();
     for (const double sample : samples_)
@@ -143,7 +240,7 @@ namespace wheelrail
         back               = std::min(back, along);
         front              = std::max(front, along);
       }
-    const double half = std::sqrt(2 * geometry().rolling_radius * approach);
+    const double half = half_length_bound(approach, geometry().rolling_radius);
     const int    n0   = int(std::ceil((half - back) / element)) + 2,
               n1 = int(std::ceil((half + front) / element)) + 2, y0 = int(std::floor(low / element)) - 2,
               y1 = int(std::ceil(high / element)) + 2;
@@ -161,11 +258,8 @@ namespace wheelrail
         const double s = problem.grid.y(j);
         if (s < s_min() || s > s_max())
           continue;
-        const Slice  here = slice(s);
-        const double d    = distance(s);
         for (int i = 0; i < problem.grid.mx; ++i)
-          problem.undeformed_distance[i + problem.grid.mx * j] =
-            d + 0.5 * here.curvature * squared(problem.grid.x(i) - here.along);
+          problem.undeformed_distance[i + problem.grid.mx * j] = distance(s, problem.grid.x(i));
       }
   }
 

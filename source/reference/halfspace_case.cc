@@ -1,4 +1,6 @@
+#include <wheelrail/bodies/kept_tables.h>
 #include <wheelrail/geometry/made_up_part.h>
+#include <wheelrail/reference/body_contact.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/plane_contact.h>
@@ -8,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace wheelrail
 {
@@ -37,16 +40,22 @@ namespace wheelrail
                    const WheelRailLoad  &load,
                    const SectionOffsets &offsets)
   {
-    const auto   begin = std::chrono::steady_clock::now();
+    const auto begin = std::chrono::steady_clock::now();
+    const auto timed = [&](WheelRailSolution result) {
+      name_made_up(geometry, result);
+      result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      return result;
+    };
+    if (scene.halfspace_bodies == ContactBodies::real)
+      return timed(
+        solve_bodies(scene, geometry, load, make_body_tables(scene, geometry, kept_tables_folder())));
     PlaneContact one(scene, geometry, offsets, whole_region(geometry.contact));
     one.press(load.force);
     one.carry(load);
     WheelRailSolution result = one.result();
     if (const auto regions = separate_regions(geometry, offsets, one); regions.size() > 1)
       result = solve_together(scene, geometry, load, offsets, regions, one);
-    name_made_up(geometry, result);
-    result.time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return result;
+    return timed(std::move(result));
   }
 
 

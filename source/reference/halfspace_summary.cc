@@ -1,4 +1,6 @@
 #include <wheelrail/damage/wear_figures.h>
+#include <wheelrail/geometry/head_place.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
@@ -95,6 +97,8 @@ namespace wheelrail
                                       {"grid_spacing_m", s.grid.dx},
                                       {"grid_elements_along", double(s.grid.mx)},
                                       {"grid_elements_lateral", double(s.grid.my)}};
+      if (result.centre)
+        set_patch_place(head_place(result.rail, scene.track, *result.centre), summary);
       add_reference(scene, result, determined, summary);
       // a wheel that spins up slides as fast as it likes
       const bool   at_rest = result.problem.friction.frictionless();
@@ -139,7 +143,10 @@ namespace wheelrail
                               "max_pressure_Pa",
                               "contact_area_m2",
                               "stick_fraction",
-                              "t_gamma_N"})
+                              "t_gamma_N",
+                              "patch_centre_from_axis_m",
+                              "patch_centre_from_gauge_face_m",
+                              "patch_centre_below_top_m"})
         set_figure(summary, before + key, get_figure(patch, key));
     }
 

@@ -239,6 +239,8 @@ namespace wheelrail
     for (int j = 0; j <= problem.grid.my; ++j)
       result.row_edges.push_back(sections.rail_place(problem.grid.y(j) - 0.5 * problem.grid.dy));
     result.measures = measure_patch(result.patch);
+    result.centre   = sections.rail_place(result.measures.centre_lateral);
+    result.rail     = sections.geometry().rail;
     result.turn     = turn_across(result.measures);
     return result;
   }

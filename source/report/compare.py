@@ -15,6 +15,7 @@ import sys
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
 
 import cuts
+import inputs
 import maps
 import page
 import patch_pictures
@@ -41,14 +42,14 @@ def read_pair(run):
 def draw_all(run, pair):
     fields_of = {name: Fields(tick, margin=4) for name, tick in pair.items()}
     pictures = [("Pressure, shear traction, stick and slip: finite elements above, half-spaces below, one scale each",
-                 style.save(run, maps.draw_panels(fields_of), "compare_maps"))]
+                 style.save(run, maps.draw_panels(fields_of, run.sections), "compare_maps"))]
     pictures += patch_pictures.draw_others(run, "compare_")
     pictures += [cuts.draw(run, fields_of, plane, f"compare_cut_{plane.lower()}") for plane in ("AA", "BB")]
     return pictures + subsurface_pictures.draw_all(run, "compare_")
 
 
 def make_views(run, pair):
-    sources = [views.patch_source(name, [tick], [""]) for name, tick in pair.items()]
+    sources = [views.patch_source(name, [tick], [""], run.sections) for name, tick in pair.items()]
     stresses = subsurface_pictures.ticks_of(run)
     return views.patch_views(sources, run.friction, 0) + (views.slice_views(stresses) if len(stresses) > 1 else [])
 
@@ -62,15 +63,18 @@ def difference_of(figure):
     return page.number(difference, 100, 2) + " %" + (f" of the {relative_to}" if relative_to else "")
 
 
-def table(figures):
+def table(figures, title="half-spaces", key="halfspace"):
     rows = ["<div class=wide><table><tr><th></th><th class=number>finite elements</th><th class=number>std</th>"
-            "<th class=number>half-spaces</th><th>unit</th><th class=number>difference</th></tr>"]
+            f"<th class=number>{title}</th><th>unit</th><th class=number>difference</th><th>limit</th></tr>"]
     for figure in figures:
         def shown(value):
             return page.number(value, figure["factor"], figure["decimals"]) if page.is_number(value) else ""
+        limit = figure.get("limit", "")
+        kind = "" if not limit or not difference_of(figure) else " bad" if figure["beyond"] else " good"
         rows.append(f"<tr><td>{html.escape(figure['label'])}</td><td class=number>{shown(figure['fe'])}</td>"
-                    f"<td class=number>{shown(figure['fe_std'])}</td><td class=number>{shown(figure['halfspace'])}</td>"
-                    f"<td>{page.unit_text(figure)}</td><td class=number>{difference_of(figure)}</td></tr>")
+                    f"<td class=number>{shown(figure['fe_std'])}</td><td class=number>{shown(figure[key])}</td>"
+                    f'<td>{page.unit_text(figure)}</td><td class="number{kind}">{difference_of(figure)}</td>'
+                    f"<td>{html.escape(limit)}</td></tr>")
     return "\n".join(rows + ["</table></div>"])
 
 
@@ -79,15 +83,20 @@ def make_parts(run, comparison, pictures, shown):
             f"{1e3 * comparison['rail_roll_rad']:.3f} mrad, wheel rim by {1e3 * comparison['wheel_roll_rad']:.3f} mrad "
             "(from X to Y), as fitted to the end of the run. "
             f"Half-space elements of {1e3 * comparison['element_size_m']:g} mm.")
-    parts = [page.verdict_sentence(run.summary),
-             "<p>Finite elements against two elastic half-spaces under the same load.</p>",
-             f"<p class=remark>{html.escape(comparison['sentence'])}</p>"]
+    rows = inputs.rows(inputs.read(run.folder), run.summary)
+    parts = [page.verdict_sentence(run.summary), f"<p class=remark>{html.escape(comparison['sentence'])}</p>",
+             "<p>Finite elements against two elastic half-spaces under the same load and in the same pose.</p>",
+             "<div class=top><div><h2>Inputs</h2>", inputs.table(rows), "</div><div>"]
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
-    parts += ["<h2>Figures</h2><p>Means of the run over its averaging distance, with their standard deviation.</p>",
-              table(comparison["figures"]), f"<p>{html.escape(pose)}</p>"]
+    parts += ["<h2>Key results</h2>", table(comparison["figures"]),
+              f"<p>Means of the run over its averaging distance, with their standard deviation. {html.escape(pose)}</p></div></div>"]
+    if comparison.get("bodies"):
+        parts += ["<h2>Against this wheel and this rail as elastic bodies</h2>",
+                  table(comparison["bodies"]["figures"], "true bodies", "bodies"),
+                  "<p>Under the same forces, with nothing fitted: what is left is cells, penalty and settling.</p>"]
     if shown:
         parts += ["<h2>Views</h2>", page.views_html(shown)]
-    parts += ["<h2>Pictures</h2><p>Last tick of the run. Tractions act on the rail. Maps show the right-hand rail from "
+    parts += ["<h2>Pictures</h2><p>Last output step of the run. Tractions act on the rail. Maps show the right-hand rail from "
               "above, rolling direction up. G.C.: side of the gauge corner (track centre), F.S.: field side. AA and BB: "
               "the planes along and across the rail through the first contact point of the rigid profiles.</p>",
               page.pictures_html(pictures, COVERED if shown else (), BROAD)]

@@ -9,6 +9,7 @@ import numpy as np
 
 import cuts
 import maps
+import sections
 import style
 import subsurface_pictures
 import wheelrail
@@ -31,6 +32,8 @@ class Case:
         self.patches = {FINITE: self.last(self.run, "patch.h5", "patch"),
                         HALF: self.last(self.halfspace, "halfspace.h5", "halfspace")}
         name = "halfspace_slices.h5" if compared else "slices.h5"
+        folders = [data.folder for data in (self.run, alone) if data is not None]
+        self.sections = next((where for where in map(sections.load, folders) if where is not None), None)
         self.slices = {FINITE: self.last(self.run, "slices.h5", "slices"),
                        HALF: self.last(self.halfspace, name, "halfspace_slices")}
         summary = (self.run or alone).summary if (self.run or alone).has("summary.json") else {}
@@ -53,6 +56,32 @@ class Case:
 def kinds_of(cases, there):
     """Finite elements and half-spaces, those of which some case has something."""
     return [kind for kind in (FINITE, HALF) if any(there(case, kind) is not None for case in cases)]
+
+
+def draw_head(run, cases):
+    """All patches on the head of the rail, one above the other so that they can be told apart."""
+    shown = [(case, fields) for case in cases if case.sections is not None
+             for fields in [next((f for f in map(case.fields, (FINITE, HALF)) if f is not None), None)] if fields is not None]
+    if not shown:
+        return []
+    figure, axes = plt.subplots(figsize=(11, 4.6 + 0.16 * len(shown)), constrained_layout=True)
+    sections.draw_head(axes, shown[0][0].sections, with_wheel=False)
+    step, top = 1.1, 0.0
+    norm = plt.Normalize(min(fields.pressure.max() for _, fields in shown) * 0.95, max(fields.pressure.max() for _, fields in shown))
+    for k, (case, fields) in enumerate(shown):
+        points = case.sections.on_rail(np.linspace(*sections.patch_span(fields), 60))
+        middle = points[30]
+        points = points + (0.8 + step * k) * sections.outward(points)
+        axes.plot(*points.T, color=plt.cm.viridis_r(norm(fields.pressure.max())), linewidth=5, solid_capstyle="butt", zorder=3)
+        axes.plot([middle[0], points[30, 0]], [middle[1], points[30, 1]], color=style.GREY, linewidth=0.5, zorder=2)
+        end = points[np.argmin(points[:, 0])]
+        axes.annotate(case.label, end, (5, 0), textcoords="offset points", fontsize=8, va="center")
+        top = max(top, points[:, 1].max())
+    axes.set_ylim(axes.get_ylim()[0], max(top + 4, 8))
+    axes.set_title("Where the patches lie on the rail head", pad=22)
+    figure.colorbar(plt.cm.ScalarMappable(norm, "viridis_r"), ax=axes, label="pressure, highest node [MPa]", shrink=0.8)
+    return [("The patches of all cases on the rail head, each above the one before; coloured by their highest pressure",
+             style.save(run, figure, "family_head"))]
 
 
 def draw_forces(run, cases):
@@ -182,7 +211,7 @@ def draw_stresses(run, cases, plane, kind):
 
 def draw_all(run, cases):
     """All pictures of the family."""
-    pictures = draw_forces(run, cases)
+    pictures = draw_head(run, cases) + draw_forces(run, cases)
     for panel, name in zip(maps.PANELS, ("family_pressure", "family_shear", "family_states")):
         pictures += draw_maps(run, cases, panel, name)
     for plane in ("AA", "BB"):

@@ -42,6 +42,18 @@ class Fields:
         scale = np.mean(square[rim_in]) / np.mean(opening[rim_out])
         return np.where(self.loaded, -square, np.minimum(scale * opening, 1))
 
+    def nearest(self, values):
+        """Of nodes beside the loaded ones the value of the nearest loaded one, elsewhere 0."""
+        found = np.where(self.loaded, values, 0)
+        known = self.loaded.copy()
+        for _ in range(2):
+            for axis in (0, 1):
+                for step in (1, -1):
+                    there, other = np.roll(known, step, axis), np.roll(found, step, axis)
+                    take = ~known & there
+                    found, known = np.where(take, other, found), known | take
+        return found
+
     @property
     def spacing(self):
         return abs(self.along[1, 0] - self.along[0, 0])

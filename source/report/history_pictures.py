@@ -36,6 +36,24 @@ def shown_as(run, name, values):
     return title, f"{plain(name)} [{unit}]" if unit else plain(name), factor
 
 
+def mean_of(run, name, factor):
+    """Mean of a column over the averaging distance in shown units and the distance from which on it is taken [mm];
+    None where the summary does not have both."""
+    summary = run.summary or {}
+    known = next((figure for figure in run.figures if figure["std_key"].split("_std")[0] == name), None)
+    value, begin = summary.get(known["key"]) if known else None, summary.get("means_from_m")
+    return (factor * value, 1e3 * begin) if page.is_number(value) and page.is_number(begin) else None
+
+
+def draw_mean(axes, mean, x, color):
+    """A dashed line over the averaging distance, with its value."""
+    if mean is None:
+        return
+    axes.plot([mean[1], x[-1]], [mean[0], mean[0]], color=color, linewidth=1.6, linestyle=(0, (4, 2)))
+    axes.annotate(f"mean {mean[0]:.2f}", (x[-1], mean[0]), (-4, 4), textcoords="offset points", ha="right", va="bottom",
+                  fontsize=8, color=color)
+
+
 def draw_forces(run, x, label):
     groups = force_groups(run.history)
     if not groups:
@@ -44,6 +62,7 @@ def draw_forces(run, x, label):
     for axes, group in zip(rows[:, 0], groups):
         for name, color in zip(group, style.COLORS):
             axes.plot(x, 1e-3 * run.history[name], color=color, linewidth=1.2, label=plain(name))
+            draw_mean(axes, mean_of(run, name, 1e-3), x, color)
         axes.set_ylabel("force [kN]")
         axes.grid(True)
         axes.margins(x=0)
@@ -80,6 +99,7 @@ def draw_single(run, x, label, name):
     title, axis_label, factor = shown_as(run, name, run.history[name])
     figure, axes = plt.subplots(figsize=(7.6, 2.9))
     axes.plot(x, factor * run.history[name], color=style.BLUE, linewidth=1.2)
+    draw_mean(axes, mean_of(run, name, factor), x, style.RED)
     axes.axhline(0, color=style.GREY, linewidth=0.7)
     axes.grid(True)
     axes.margins(x=0)
@@ -90,13 +110,13 @@ def draw_single(run, x, label, name):
 
 
 def groups(run):
-    """The curves of the interactive view: title -> (label of the axis, [(name, distance in mm, values)])."""
+    """The curves of the interactive view: title -> (label of the axis, [(name, distance in mm, values, mean)])."""
     if "rolled_distance" not in run.history or len(run.history["rolled_distance"]) < 2:
         return {}
     x = 1e3 * run.history["rolled_distance"]
     shown = {}
     for title, group in zip(("Large forces on the wheel", "Small forces on the wheel"), force_groups(run.history)):
-        shown[title] = ("force [kN]", [(plain(name), x, 1e-3 * run.history[name]) for name in group])
+        shown[title] = ("force [kN]", [(plain(name), x, 1e-3 * run.history[name], mean_of(run, name, 1e-3)) for name in group])
     columns = [(name, x, run.history[name]) for name in ("creepage", "energy_error") if name in run.history]
     if run.data.has("patch_history.h5"):
         table = run.data.patch_history
@@ -105,7 +125,7 @@ def groups(run):
     for name, distance, values in columns:
         if np.isfinite(values).any():
             title, label, factor = shown_as(run, name, values)
-            shown[title] = (label, [(plain(name), distance, factor * values)])
+            shown[title] = (label, [(plain(name), distance, factor * values, mean_of(run, name, factor))])
     return shown
 
 

@@ -11,6 +11,7 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path
 
+import sections
 import style
 
 FAINT = 0.03  # arrows shorter than this part of the longest would be dots
@@ -78,7 +79,7 @@ def pressure(axes, fields, scale, title):
     draw_edge(axes, fields)
     peak = fields.peak_place()
     axes.plot(fields.lateral[peak], fields.along[peak], "+", color=style.RED, markersize=11, markeredgewidth=1.8)
-    dress(axes, fields, scale, f"{title}, peak {top:.0f} MPa (+)")
+    dress(axes, fields, scale, f"{title}, highest node {top:.0f} MPa (+)")
     filled.labels = squares, [f"{level:g}" for level in levels]
     return filled
 
@@ -112,7 +113,7 @@ def shear(axes, fields, scale, title):
     for area in filled.collections:
         area.set_clip_path(inside)
     arrows(axes, fields, scale)
-    dress(axes, fields, scale, f"{title}, nodes up to {fields.shear.max():.0f} MPa")
+    dress(axes, fields, scale, f"{title}, highest node {fields.shear.max():.0f} MPa")
     return filled
 
 
@@ -121,10 +122,12 @@ def shear_bar(figure, axes, filled):
 
 
 def states(axes, fields, scale, title):
-    axes.pcolormesh(fields.lateral, fields.along, np.where(fields.loaded, fields.state, 0), shading="nearest",
-                    cmap=ListedColormap([style.OPEN, style.STICK, style.SLIP]), vmin=-0.5, vmax=2.5,
-                    edgecolors="white", linewidth=0.2)
-    draw_edge(axes, fields)
+    image = axes.pcolormesh(fields.lateral, fields.along, np.where(fields.loaded, fields.state, fields.nearest(fields.state)),
+                            shading="nearest", cmap=ListedColormap([style.OPEN, style.STICK, style.SLIP]), vmin=-0.5,
+                            vmax=2.5, edgecolors="white", linewidth=0.2)
+    inside = PathPatch(draw_edge(axes, fields), transform=axes.transData, facecolor="none", edgecolor="none")
+    axes.add_patch(inside)
+    image.set_clip_path(inside)  # half a cell of the outermost nodes lies beyond the edge
     dress(axes, fields, scale, f"{title}, {100 * fields.stick_share:.0f} % of the area sticks")
 
 
@@ -139,13 +142,26 @@ PANELS = ((pressure, pressure_bar, "Pressure"), (shear, shear_bar, "Shear tracti
           (states, states_legend, "Stick and slip"))
 
 
-def draw_panels(fields_of):
-    """A figure of one row for each patch (name -> Fields) and a column for each panel, one scale a column."""
+def draw_place(figure, grid, fields, where):
+    """The rail head with the patch on it, below the maps and with the gauge side on the same side."""
+    axes = figure.add_subplot(grid)
+    sections.draw_head(axes, where)
+    middle = sections.draw_patch(axes, where, sections.patch_span(fields))
+    axes.set_title("Patch " + where.words(middle).replace(", ", ",\n", 1), fontsize=9, pad=22)
+
+
+def draw_panels(fields_of, where=None):
+    """A figure of one row for each patch (name -> Fields) and a column for each panel, one scale a column; below them
+    the rail head with the first patch where `where` (Sections) is known."""
     scale = Scale(*fields_of.values())
     height = min(max(6.0 * scale.ratio, 3.0), 8.0) + 0.9
-    figure, axes = plt.subplots(len(fields_of), 3, figsize=(20, height * len(fields_of)), squeeze=False,
-                                gridspec_kw={"wspace": 0.36, "hspace": 0.42})
-    for row, (name, fields) in zip(axes, fields_of.items()):
-        for place, (draw, bar, title) in zip(row, PANELS):
+    heights = [height] * len(fields_of) + ([4.2] if where is not None else [])
+    figure = plt.figure(figsize=(20, sum(heights)))
+    grid = figure.add_gridspec(len(heights), 3, height_ratios=heights, wspace=0.36, hspace=0.42)
+    for k, (name, fields) in enumerate(fields_of.items()):
+        for column, (draw, bar, title) in enumerate(PANELS):
+            place = figure.add_subplot(grid[k, column])
             bar(figure, place, draw(place, fields, scale, f"{name}: {title.lower()}" if name else title))
+    if where is not None:
+        draw_place(figure, grid[-1, :2], next(iter(fields_of.values())), where)
     return figure

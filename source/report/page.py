@@ -23,6 +23,8 @@ td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
 figure { margin: 0; flex: 1 1 26rem; max-width: 48rem; } figure.broad { flex-basis: 100%; max-width: none; }
 img { max-width: 100%; height: auto; }
 figcaption { color: #555; font-size: 0.9rem; }
+.top { display: flex; flex-wrap: wrap; gap: 0.4rem 3rem; align-items: flex-start; }
+.top h2 { margin: 0.6rem 0 0.3rem; }
 .good { color: #1d6b3a; } .care { color: #8a5a00; } .bad { color: #a32116; } .remark { color: #7a5500; }
 .view { margin: 0 0 1.6rem; } .view .controls { display: flex; flex-wrap: wrap; gap: 0.4rem 1.2rem; align-items: center; font-size: 0.9rem; }
 .view .plot { width: 100%; } .view input[type=range] { width: 16rem; max-width: 60vw; vertical-align: middle; }
@@ -75,7 +77,7 @@ def label_text(figure):
 
 
 def figure_rows(summary, figures):
-    """Rows of name, value, standard deviation, unit."""
+    """Rows of name, value, standard deviation with the standard error of the mean, unit."""
     rows = []
     for figure in figures:
         value, deviation = summary.get(figure["key"]), summary.get(figure["std_key"])
@@ -84,20 +86,54 @@ def figure_rows(summary, figures):
         spread = ""
         if is_number(deviation):
             spread = "\u00b1 " + number(deviation, figure["factor"], figure["decimals"])
+        error = summary.get(figure.get("error_key"))
+        if is_number(error):
+            spread += ", mean \u00b1 " + number(error, figure["factor"], figure["decimals"] + 1)
         rows.append((label_text(figure), number(value, figure["factor"], figure["decimals"]), spread, unit_text(figure)))
     return rows
 
 
+#: the results that stand at the top of a page, as far as there are such figures
+KEY_RESULTS = ["vertical_force_N", "lateral_force_N", "lateral_over_vertical", "longitudinal_force_N", "max_pressure_Pa",
+               "contact_area_m2", "patch_lateral_m", "patch_longitudinal_m", "patch_centre_from_axis_m",
+               "patch_centre_from_gauge_face_m", "patch_centre_below_top_m", "creepage", "stick_fraction", "t_gamma_N",
+               "max_shear_traction_Pa", "max_von_mises_Pa", "von_mises_below_cell_Pa", "von_mises_below_cell_depth_m",
+               "subsurface_von_mises_Pa", "subsurface_von_mises_depth_m", "max_plastic_strain",
+               "max_residual_von_mises_Pa"]
+
+
+def key_figures(figures, keys=None):
+    """Those figures that stand at the top, in their order there."""
+    by_key = {figure["key"]: figure for figure in figures}
+    return [by_key[key] for key in keys or KEY_RESULTS if key in by_key]
+
+
+def top(summary, figures, inputs_table, keys=None):
+    """Verdict, inputs and key results, with which each page of a result begins."""
+    lines = lines_of(figure_rows(summary, key_figures(figures, keys)))
+    parts = [verdict_sentence(summary), "<div class=top>"]
+    if inputs_table:
+        parts.append("<div><h2>Inputs</h2>" + inputs_table + "</div>")
+    if lines:
+        parts.append("<div><h2>Key results</h2><table>" + "\n".join(lines) + "</table></div>")
+    return parts + ["</div>"]
+
+
 def further_rows(summary, figures):
     """Figures that the table of figures does not know; those of compare stand in its own page."""
-    known = {figure[key] for figure in figures for key in ("key", "std_key")}
+    known = {figure.get(key) for figure in figures for key in ("key", "std_key", "error_key")}
     return [(key, f"{value:.6g}", "", "") for key, value in summary.items()
             if is_number(value) and key not in known and not key.startswith(("halfspace_", "relative_difference_"))]
 
 
+def lines_of(rows):
+    return [f"<tr><td>{html.escape(label)}</td><td class=number>{value}</td><td>{spread}</td><td>{unit}</td></tr>"
+            for label, value, spread, unit in rows]
+
+
 def table(rows):
-    lines = [f"<tr><td>{html.escape(label)}</td><td class=number>{value}</td><td>{spread}</td><td>{unit}</td></tr>"
-             for label, value, spread, unit in rows]
+    """Rows of name, value, standard deviation, unit in two columns."""
+    lines = lines_of(rows)
     half = (len(lines) + 1) // 2
     return "<div class=tables>" + "".join("<table>" + "\n".join(part) + "</table>"
                                           for part in (lines[:half], lines[half:]) if part) + "</div>"
@@ -134,8 +170,10 @@ def verdict_sentence(summary):
     text = summary.get("doubts") or ""
     if not summary.get("finished"):
         text = "It did not finish. " + str(summary.get("stopped_because") or "No reason is recorded.")
+    ended = summary.get("ended_because") if summary.get("ended") in ("steady", "not steady") else None
     return (f"<p class={VERDICT_CLASS.get(verdict, 'bad')}><b>{html.escape(verdict.capitalize())}</b>"
-            f"{': ' if text else ''}{html.escape(str(text))}</p>")
+            f"{': ' if text else ''}{html.escape(str(text))}</p>" +
+            (f"<p>{html.escape(ended[0].upper() + ended[1:])}.</p>" if ended else ""))
 
 
 def smaller(path, colors=256):

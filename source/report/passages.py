@@ -13,6 +13,7 @@ import numpy as np
 from matplotlib.colors import LogNorm, SymLogNorm
 
 import columns
+import inputs
 import page
 import shakedown
 import style
@@ -191,50 +192,118 @@ def draw_residual(family):
              f"{fields['lateral']:.1f} mm", style.save(family, figure, "residual_depth"))]
 
 
-def yield_stress(folder):
-    """Of the rail, from parameters.prm [Pa]; None when it is not there."""
-    path = os.path.join(folder, "parameters.prm")
-    if not os.path.exists(path):
+def pressure_of(text):
+    """A stress as parameters.prm writes it, "480 MPa" [Pa]; None for a word."""
+    found = re.fullmatch(r"([0-9.eE+-]+)\s*(GPa|MPa|kPa|Pa|)", text.strip())
+    return float(found.group(1)) * {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3}.get(found.group(2), 1) if found else None
+
+
+def hardened(entries, strain):
+    """The yield stress [Pa] that isotropic hardening has given the steel at these plastic strains; None where the law is
+    not known. Kinematic hardening moves the yield surface and leaves its size."""
+    def entry(name):
+        return entries.get("Rail material/" + name, "")
+
+    first = pressure_of(entry("Yield stress"))
+    if first is None:
         return None
-    with open(path, encoding="utf-8", errors="replace") as file:
-        found = re.search(r"subsection Rail material\b.*?set\s+Yield stress\s*=\s*([0-9.eE+-]+)\s*(\w*)",
-                          file.read(), re.DOTALL)
-    factor = {"MPa": 1e6, "GPa": 1e9, "kPa": 1e3, "Pa": 1, "": 1}
-    return float(found.group(1)) * factor[found.group(2)] if found and found.group(2) in factor else None
+    if entry("Law") == "Chaboche":
+        more, rate = pressure_of(entry("Isotropic hardening")), pressure_of(entry("Isotropic rate"))
+        return None if more is None or rate is None else first + more * (1 - np.exp(-rate * strain))
+    young, tangent = pressure_of(entry("Young's modulus")), pressure_of(entry("Tangent modulus"))
+    kinematic = pressure_of(entry("Kinematic hardening fraction"))
+    if None in (young, tangent, kinematic) or not tangent < young:
+        return None
+    return first + (1 - kinematic) * tangent * young / (young - tangent) * strain
 
 
 def draw_map(family):
-    """The shakedown map with the passages on it."""
-    stress = yield_stress(family.folder)
+    """The shakedown map with the passages on it, by the shear yield stress of the new and of the hardened steel."""
+    entries = inputs.read(family.folder)
+    stress = pressure_of(entries.get("Rail material/Yield stress", ""))
     if stress is None or not family.has("max_pressure_Pa"):
         family.remarks.append("The yield stress of the rail is not in parameters.prm; the shakedown map is left out.")
         return []
-    shear_yield = stress / np.sqrt(3)
+    strain = family.table["rail_plastic_strain"] if family.has("rail_plastic_strain") else np.zeros(len(family.passages))
+    later = hardened(entries, np.nan_to_num(strain))
     traction = np.abs(family.table["longitudinal_force_N"] / family.table["vertical_force_N"])
-    figure, axes = plt.subplots(figsize=(7.5, 5))
+    figure, axes = plt.subplots(figsize=(8.5, 5.4))
     shakedown.draw(axes)
-    load = family.table["max_pressure_Pa"] / shear_yield
-    axes.plot(traction, load, "-", color=style.GREY, linewidth=0.8)
-    axes.plot(traction[:1], load[:1], "o", color=style.RED, label=f"passage {family.passages[0]:.0f}")
-    if len(load) > 1:
-        axes.plot(traction[-1:], load[-1:], "s", color=style.BLUE, label=f"passage {family.passages[-1]:.0f}")
+    sets = [("first k", np.full(len(strain), stress), "white")]
+    if later is not None and np.nanmax(later) > 1.005 * stress:
+        sets.append(("hardened k", later, None))
+    top = 0
+    for name, yields, face in sets:
+        load = family.table["max_pressure_Pa"] / (yields / np.sqrt(3))
+        top = max(top, np.nanmax(load))
+        axes.plot(traction, load, "-", color=style.GREY, linewidth=0.8)
+        for row, mark, color in ((0, "o", style.RED), (-1, "s", style.BLUE)):
+            if row == 0 or len(load) > 1:
+                axes.plot(traction[row], load[row], mark, color=color, markerfacecolor=face or color, markersize=7,
+                          label=f"passage {family.passages[row]:.0f}, {name} = {1e-6 * yields[row] / np.sqrt(3):.0f} MPa")
     axes.set_xlim(0, max(0.6, 1.1 * np.nanmax(traction)))
-    axes.set_ylim(0, max(6, 1.1 * np.nanmax(load)))
+    axes.set_ylim(0, max(6, 1.1 * top))
     style.legend_beside(axes)
-    return [("Shakedown map: peak pressure over the shear yield stress k at the start, over traction coefficient. The "
-             "limits are those of line contact with full slip in perfectly plastic steel (Melan's theorem; Johnson, "
-             "Contact Mechanics, 1985, section 9.2); a patch that is short across the track, or that sticks in part, "
-             "bears more",
+    return [("Shakedown map: peak pressure over the shear yield stress k, over the traction coefficient. First k: yield "
+             "stress of the new rail over the root of 3. Hardened k: with the isotropic hardening at the largest plastic "
+             "strain so far; a steel that hardens moves down in the map. Below the green line nothing yields, below the orange "
+             "line the rail shakes down, above it every wheel yields it anew. The lines hold for line contact with full "
+             "slip in perfectly plastic steel (Melan's theorem; Johnson, Contact Mechanics, 1985, section 9.2); a patch that "
+             "is short across the track, or that sticks in part, bears more",
              style.save(family, figure, "shakedown_map"))]
 
 
-def outcome(family):
-    """What the run itself said about its end; a list of one sentence, or of none."""
+def summary_of(family):
     try:
-        summary = wheelrail.load(family.folder).summary
+        return wheelrail.load(family.folder).summary
     except wheelrail.DataError:
-        return []
-    return [f"<p>{html.escape(summary['note'])}</p>"] if summary.get("note") else []
+        return {}
+
+
+def outcome(family, summary):
+    """Where the passages lead to, as the run says it; of a run of an earlier version, what the last passage added."""
+    text = summary.get("note")
+    if not text and family.has("plastic_strain_increment"):
+        growth = family.table["plastic_strain_increment"][-1]
+        text = (f"After {family.passages[-1]:.0f} passages: the largest plastic strain grew by {growth:.2g} in the last one."
+                if np.isfinite(growth) else "")
+    return [f"<p><b>{html.escape(text)}</b></p>"] if text else []
+
+
+def key_results(family):
+    """The last passage beside the first."""
+    rows = [("max_pressure_Pa", 1e-6, "peak pressure", "MPa", 0), ("contact_area_m2", 1e6, "contact area", "mm\u00b2", 1),
+            ("plastic_band_width_m", 1e3, "width of the plastic zone", "mm", 1),
+            ("plastic_band_depth_m", 1e3, "depth of the plastic zone", "mm", 1),
+            ("rail_plastic_strain", 1e3, "largest plastic strain", "10\u207b\u00b3", 2),
+            ("plastic_strain_increment", 1e3, "added by the passage", "10\u207b\u00b3", 3),
+            ("residual_longitudinal_stress_Pa", 1e-6, "largest residual stress along the rail", "MPa", 0),
+            ("residual_lateral_stress_Pa", 1e-6, "and across it", "MPa", 0)]
+    first, last = family.passages[0], family.passages[-1]
+    lines = [f"<tr><th></th><th class=number>passage {first:.0f}</th><th class=number>passage {last:.0f}</th><th></th></tr>"]
+    for key, factor, label, unit, decimals in rows:
+        if family.has(key):
+            cells = "".join(f"<td class=number>{page.number(value, factor, decimals) if np.isfinite(value) else ''}</td>"
+                            for value in (family.table[key][0], family.table[key][-1]))
+            lines.append(f"<tr><td>{label}</td>{cells}<td>{unit}</td></tr>")
+    return "<table>" + "\n".join(lines) + "</table>"
+
+
+def folders(folder):
+    """The folders of the passages that there are, by their numbers."""
+    found = {}
+    for name in sorted(os.listdir(folder)):
+        match = re.fullmatch(r"passage_(\d+)", name)
+        if match and os.path.exists(os.path.join(folder, name, "summary.json")):
+            found[int(match.group(1))] = os.path.join(folder, name)
+    return found
+
+
+def links(family):
+    """The pages of the passages."""
+    words = [f'<a href="{os.path.basename(path)}/report.html">{number}</a>' for number, path in folders(family.folder).items()
+             if os.path.exists(os.path.join(path, "report.html"))]
+    return "<p>Page of each passage: " + " ".join(words) + "</p>" if words else ""
 
 
 def make_report(folder):
@@ -242,8 +311,11 @@ def make_report(folder):
     family = Family(folder)
     pictures = (draw_growth(family) + draw_maps(family) + draw_residual(family) + draw_curves(family) +
                 draw_map(family))
-    parts = page.verdict_counts(family.table.get("verdict"), "passages") + outcome(family)
-    parts += [f"<p>{len(family.passages)} passages; each has a report of its own.</p>"]
+    summary = summary_of(family)
+    parts = outcome(family, summary) + page.verdict_counts(family.table.get("verdict"), "passages")
+    parts += ["<div class=top><div><h2>Inputs</h2>",
+              inputs.table(inputs.rows(inputs.read(folder), summary) + [("passages", f"{len(family.passages)}")]),
+              "</div><div><h2>Key results</h2>", key_results(family), "</div></div>", links(family)]
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in family.remarks]
     parts += ["<h2>Pictures</h2>", page.pictures_html(pictures, (), {"passages", "residual_depth"})]
     title = os.path.basename(os.path.abspath(folder)) + ": passages"

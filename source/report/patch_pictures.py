@@ -94,7 +94,7 @@ def draw_all(run):
     if run.patch is None:
         return []
     if not run.patch["pressure"].max() > 0:
-        run.remarks.append(f"Tick {run.tick} has no pressure anywhere; its pictures are left out.")
+        run.remarks.append(f"Output step {run.tick} has no pressure anywhere; its pictures are left out.")
         return []
     if min(run.patch["pressure"].shape) < 2:
         run.remarks.append("The contact patch is a single row of nodes; its pictures are left out.")
@@ -104,7 +104,7 @@ def draw_all(run):
         run.remarks.append("The friction coefficient is neither in summary.json nor in parameters.prm; "
                            "the traction bound is left out.")
     pictures = [("Pressure, shear traction, stick and slip",
-                 style.save(run, maps.draw_panels({"": fields}), "sheet"))]
+                 style.save(run, maps.draw_panels({"": fields}, run.sections), "sheet"))]
     near = Fields(run.patch)
     pictures.append(("Normal pressure, surface", draw_surface(run, near, near.pressure, "pressure [MPa]",
                                                               "Normal pressure", "pressure_surface")))

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws the pictures of one run and writes its page.
 
-Usage: report.py FOLDER [--tick last|NUMBER[,NUMBER...]]
+Usage: report.py FOLDER [--tick last|NUMBER[,NUMBER...]] [--csv]
 
 FOLDER is the output folder of a run, of passages or of the command halfspace. The pictures go to FOLDER/pictures, the page to
 FOLDER/report.html; the page holds its pictures, the numbers of its interactive views and what draws them, and needs
@@ -11,6 +11,7 @@ Exit code 0 when there was something to report, 1 otherwise.
 """
 
 import argparse
+import concurrent.futures
 import html
 import os
 import sys
@@ -19,12 +20,15 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 
 import body_pictures
 import history_pictures
+import inputs
+import irregular_pictures
 import page
 import passages
 import patch_pictures
 import plastic_pictures
 import run_data
 import subsurface_pictures
+import tables
 import views
 import wear_pictures
 import wheelset
@@ -40,6 +44,7 @@ def parse_arguments(arguments):
     parser.add_argument("folder", help="output folder of the run")
     parser.add_argument("--tick", default="last",
                         help="tick to draw: a number, or last; several with commas also draw the shear at each")
+    parser.add_argument("--csv", action="store_true", help="also write histories, maps and sections as tables into FOLDER/csv")
     return parser.parse_args(arguments)
 
 
@@ -50,7 +55,7 @@ def make_views(run):
         ticks, names = list(run.patches), run.patches.names
         labels = views.tick_labels(ticks, names)
         start = names.index(f"tick_{run.tick:04d}")
-        shown += views.patch_views([views.patch_source("", ticks, labels)], run.friction, start)
+        shown += views.patch_views([views.patch_source("", ticks, labels, run.sections)], run.friction, start)
         stresses = subsurface_pictures.ticks_of(run)
         if stresses:
             shown += views.slice_views(stresses)
@@ -61,32 +66,39 @@ def make_views(run):
 
 def make_parts(run, pictures, shown):
     """What stands in the page, piece by piece."""
-    parts = [page.verdict_sentence(run.summary)] if run.summary is not None else []
+    entries = inputs.rows(inputs.read(run.folder), run.summary, inputs.HALF if run.is_halfspace else inputs.FINITE)
+    parts = []
+    if run.summary is not None:
+        parts += page.top(run.summary, run.figures, inputs.table(entries))
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
     if run.patch is not None:
         attributes = run.patch.attributes
-        place = "" if run.is_halfspace else (f" Tick {run.tick}: {1e3 * attributes['time_s']:.3f} ms, "
+        place = "" if run.is_halfspace else (f" Output step {run.tick}: {1e3 * attributes['time_s']:.3f} ms, "
                                              f"{1e3 * attributes['rolled_distance_m']:.2f} mm rolled.")
         parts.append("<p>Tractions act on the rail. Maps show the right-hand rail from above, rolling direction up. "
                      "G.C.: side of the gauge corner (track centre), F.S.: field side. AA and BB: the planes along and "
-                     f"across the rail through the first contact point of the rigid profiles.{place}</p>")
+                     f"across the rail through the first contact point of the rigid profiles.{place} Maps and cuts show "
+                     "nodes at that instant; the results above are "
+                     f"{'those of the solution' if run.is_halfspace else 'means over the averaging distance'}.</p>")
     if shown:
         parts += [page.views_html(shown)]
     if pictures:
         parts += ["<h2>Pictures</h2>", page.pictures_html(pictures, COVERED if shown else (), BROAD)]
     if run.summary is not None:
-        if run.figures:
-            parts += ["<h2>Figures</h2>", page.table(page.figure_rows(run.summary, run.figures))]
+        others = [figure for figure in run.figures if figure["key"] not in page.KEY_RESULTS]
+        if others:
+            parts += ["<h2>Further results</h2>", page.table(page.figure_rows(run.summary, others))]
         further = page.further_rows(run.summary, run.figures)
         if further:
-            parts += ["<h2>Further figures (SI)</h2>", page.table(further)]
+            parts += ["<h2>Further values of summary.json, in SI units</h2>", page.table(further)]
     return parts
 
 
 def make_report(run):
     """Draws everything; returns the number of pictures and the path of the page."""
     pictures = (patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run) + body_pictures.draw_all(run) +
-                plastic_pictures.draw_all(run) + wear_pictures.draw_all(run) + history_pictures.draw_all(run))
+                plastic_pictures.draw_all(run) + wear_pictures.draw_all(run) + history_pictures.draw_all(run) +
+                irregular_pictures.draw_all(run))
     script = page.plotly_script()
     if script is None:
         run.remarks.append("Python's plotly is not installed (package python3-plotly); the page shows pictures alone.")
@@ -95,26 +107,52 @@ def make_report(run):
                                      script)
 
 
-def report_wheelset(folder):
+def report_wheelset(folder, csv):
     """The pages of both wheels, and that of the wheelset."""
     for side in ("left", "right"):
         if os.path.isdir(os.path.join(folder, side)):
-            count, path = make_report(run_data.load(os.path.join(folder, side)))
+            run = run_data.load(os.path.join(folder, side))
+            count, path = make_report(run)
+            if csv:
+                print(f"{len(tables.write_all(run))} tables in {os.path.join(run.folder, 'csv')}")
             print(f"{count} pictures, the page of the {side}-hand wheel is {path}")
     print(f"The page of the wheelset is {wheelset.make_page(folder)}")
     return 0
+
+
+def make_passage(folder):
+    """The page of one passage, in a process of its own."""
+    count, path = make_report(run_data.load(folder))
+    return f"{count} pictures, the page of the passage is {path}"
+
+
+def report_passages(folder):
+    """The pages of all passages that have none newer than their results, then that of the family with links to them."""
+    due = [path for path in passages.folders(folder).values() if not is_newer(path, "report.html", "summary.json")]
+    with concurrent.futures.ProcessPoolExecutor(max_workers=min(4, os.cpu_count() or 1)) as pool:
+        for said in pool.map(make_passage, due):
+            print(said, flush=True)
+    return passages.make_report(folder)
+
+
+def is_newer(folder, made, source):
+    """Whether a file is there and was written after another one."""
+    paths = [os.path.join(folder, name) for name in (made, source)]
+    return os.path.exists(paths[0]) and os.path.getmtime(paths[0]) >= os.path.getmtime(paths[1])
 
 
 def main(arguments):
     options = parse_arguments(arguments)
     try:
         if os.path.exists(os.path.join(options.folder, "wheelset.csv")):
-            return report_wheelset(options.folder)
+            return report_wheelset(options.folder, options.csv)
         if os.path.exists(os.path.join(options.folder, "passages.csv")):
-            run, count, path = passages.make_report(options.folder)
+            run, count, path = report_passages(options.folder)
         else:
             run = run_data.load(options.folder, options.tick)
             count, path = make_report(run)
+            if options.csv:
+                print(f"{len(tables.write_all(run))} tables in {os.path.join(run.folder, 'csv')}")
     except (run_data.ReportError, OSError) as error:
         print(error, file=sys.stderr)
         return 1

@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 
+import sections
 import wheelrail
 from wheelrail import DataError as ReportError
 
@@ -25,6 +26,7 @@ class Run:
         self.instants = []    # numbers of several chosen ticks
         self.history = None   # name -> array over the recorded steps
         self.friction = None  # friction coefficient
+        self.sections = None  # rail head and wheel; None of an earlier version, or where only a distance is given
 
     @property
     def title(self):
@@ -114,5 +116,6 @@ def load(folder, tick="last"):
         raise ReportError(f"The folder {folder} holds no results (none of summary.json, patch.h5 and "
                           "history.h5); give the output folder of a run.")
     run.friction = find_friction(run)
+    run.sections = sections.load(run.folder)
     os.makedirs(run.pictures_folder, exist_ok=True)
     return run

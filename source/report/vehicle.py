@@ -17,8 +17,11 @@ import numpy as np
 from matplotlib.collections import LineCollection
 
 import columns
+import inputs
 import page
+import sections
 import style
+import views
 
 #: figures of a picture: title, (key, factor), unit
 PICTURES = [
@@ -35,9 +38,11 @@ PICTURES = [
                             ("reference_spin_per_m", 1, "spin [1/m]")]),
     ("Patch", [("max_pressure_Pa", 1e-6, "peak pressure [MPa]"), ("contact_area_m2", 1e6, "area [mm2]"),
                ("reference_lateral_m", 1e3, "place on the rail [mm]")]),
-    ("Wear", [("t_gamma_N", 1, "T-gamma [N]"), ("stick_fraction", 100, "stick [%]")]),
+    ("Wear", [("t_gamma_N", 1, "wear number T-gamma [N]"), ("stick_fraction", 100, "stick [%]")]),
 ]
-WORST = [("max_pressure_Pa", 1e-6, "peak pressure", "MPa"), ("t_gamma_N", 1, "T-gamma", "N"),
+#: how the wheels are drawn: colour, whether dashed, name
+SIDES = {"right_": (style.BLUE, False, "right wheel"), "left_": (style.RED, True, "left wheel"), "": (style.BLUE, False, "")}
+WORST = [("max_pressure_Pa", 1e-6, "peak pressure", "MPa"), ("t_gamma_N", 1, "wear number T-gamma", "N"),
          ("largest_von_mises_Pa", 1e-6, "von Mises stress", "MPa")]
 
 
@@ -48,9 +53,11 @@ def draw(table, x, label, title, rows, path):
         return None
     figure, all_axes = plt.subplots(len(rows), 1, figsize=(8, 1 + 1.7 * len(rows)), sharex=True, squeeze=False)
     for axes, (key, factor, text) in zip(all_axes[:, 0], rows):
-        for side, color in zip(sides, (style.BLUE, style.RED)):
+        for side in sides:
             if side + key in table:
-                axes.plot(x, factor * table[side + key], color=color, linewidth=1, label=side.strip("_"))
+                color, dash, name = SIDES[side]
+                axes.plot(x, factor * table[side + key], color=color, linewidth=1.1, label=name,
+                          linestyle=(0, (5, 2)) if dash else "-")
         axes.set_ylabel(text)
         axes.grid(True)
         axes.margins(x=0)
@@ -65,7 +72,70 @@ def draw(table, x, label, title, rows, path):
 
 
 #: what colours the running band: key, factor, text
-BAND = [("max_pressure_Pa", 1e-6, "peak pressure [MPa]"), ("t_gamma_N", 1, "T-gamma [N]")]
+BAND = [("max_pressure_Pa", 1e-6, "peak pressure [MPa]"), ("t_gamma_N", 1, "wear number T-gamma [N]")]
+
+
+def on_heads(table, side, key, where):
+    """Largest value of a figure over all rows at each place of the outline of a head; nan where no patch lies."""
+    place, half = 1e3 * table[side + "reference_lateral_m"], 0.5e3 * table[side + "patch_lateral_m"]
+    angle = table[side + "reference_angle_rad"] if side + "reference_angle_rad" in table else np.zeros_like(place)
+    values, x = table[side + key], where[:, 0]
+    largest = np.full(len(x), np.nan)
+    for p, h, a, value in zip(place, half, angle, values):
+        if np.isfinite(p) and np.isfinite(h) and np.isfinite(value):
+            reach = max(h * np.cos(a if np.isfinite(a) else 0), 0.1)
+            inside = np.abs(x - p) <= reach
+            largest[inside] = np.fmax(largest[inside], value)
+    return largest
+
+
+def draw_heads(table, folder, path):
+    """The running band on the heads of both rails, the gauge side on the left: coloured by what its places bear."""
+    heads = {side: sections.load(folder, f"sections_{side.strip('_')}.json") for side in ("right_", "left_")}
+    heads = {side: head for side, head in heads.items() if head is not None and side + "patch_lateral_m" in table}
+    if not heads:
+        return None
+    figure, all_axes = plt.subplots(len(BAND), len(heads), figsize=(7 * len(heads), 7.4), squeeze=False,
+                                    constrained_layout=True)
+    for row, (key, factor, text) in zip(all_axes, BAND):
+        bands = {}
+        for side, head in heads.items():
+            fine = head.at_x(np.linspace(head.rail[:, 0].min() + 0.05, head.rail[:, 0].max() - 0.05, 600))
+            bands[side] = fine, factor * on_heads(table, side, key, fine)
+        known = np.concatenate([values[np.isfinite(values)] for _, values in bands.values()])
+        if not len(known):
+            plt.close(figure)
+            return None
+        for axes, (side, head) in zip(row, heads.items()):
+            sections.draw_head(axes, head, with_wheel=False)
+            fine, values = bands[side]
+            pieces = np.stack([fine[:-1], fine[1:]], axis=1)[np.isfinite(values[:-1])]
+            lines = LineCollection(pieces, array=values[:-1][np.isfinite(values[:-1])], cmap="viridis", linewidths=7,
+                                   capstyle="butt", zorder=3)
+            lines.set_clim(known.min(), known.max())
+            axes.add_collection(lines)
+            axes.set_title(f"{side.strip('_')}-hand rail, largest {text.split(' [')[0]}", pad=22)
+        figure.colorbar(lines, ax=row, label=text)
+    figure.savefig(path)
+    plt.close(figure)
+    return ("Running band on the heads: the places that patches touch, coloured by the largest value there", path)
+
+
+def make_views(table, x, label):
+    """The curves one below the other over one axis, right and left told apart."""
+    rows = []
+    for _, of_picture in PICTURES:
+        for key, factor, text in of_picture:
+            curves = []
+            for side, (_, dash, name) in SIDES.items():
+                if side + key in table and np.isfinite(table[side + key]).any():
+                    curves.append({"name": name, "y": views.plain(factor * table[side + key], 5), "color": 1 if dash else 0 if name else 5,
+                                   **({"dash": "dash"} if dash else {})})
+            if curves:
+                rows.append({"label": text.replace(" [", "<br>["), "curves": curves})
+    if not rows or len(x) < 2:
+        return []
+    return [{"id": "view-rows", "type": "stack", "title": "Over the rows", "x": views.plain(x), "abscissa": label, "rows": rows}]
 
 
 def draw_band(table, x, label, path):
@@ -113,7 +183,7 @@ def verdicts(table):
             for sentence in page.verdict_counts(table.get(side + "_verdict"), f"rows of the {side} wheel")]
 
 
-def worst_rows(table, x, label):
+def worst_rows(table, x, label, most):
     lines = ["<table><tr><th>wheel</th><th>by</th><th class=number>row</th>"
              f"<th class=number>{html.escape(label)}</th><th class=number>value</th><th></th></tr>"]
     for side in ("right_", "left_"):
@@ -121,7 +191,7 @@ def worst_rows(table, x, label):
             values = table.get(side + key)
             if values is None or not np.isfinite(values).any():
                 continue
-            for row in np.argsort(-np.nan_to_num(values, nan=-np.inf))[:5]:
+            for row in np.argsort(-np.nan_to_num(values, nan=-np.inf))[:most]:
                 if np.isfinite(values[row]):
                     lines.append(f"<tr><td>{side.strip('_')}</td><td>{text}</td><td class=number>{row + 1}</td>"
                                  f"<td class=number>{x[row]:g}</td><td class=number>{factor * values[row]:.1f}</td>"
@@ -133,15 +203,26 @@ def make_page(folder):
     table = columns.read(os.path.join(folder, "vehicle.csv"))
     given = "given_distance_m" if "given_distance_m" in table else "given_time_s"
     label = "distance [m]" if given == "given_distance_m" else "time [s]"
-    os.makedirs(os.path.join(folder, "pictures"), exist_ok=True)
-    pictures = []
-    for title, rows in PICTURES:
-        path = os.path.join(folder, "pictures", title.split()[0].lower() + ".png")
-        pictures.append(draw(table, table[given], label, title, rows, path))
-    pictures.insert(1, draw_band(table, table[given], label, os.path.join(folder, "pictures", "band.png")))
-    parts = [*verdicts(table), f"<p>{len(table[given])} rows.</p>", "<h2>Worst rows</h2>", worst_rows(table, table[given], label),
-             "<h2>Curves</h2>", page.pictures_html([picture for picture in pictures if picture], broad=("band",))]
-    return page.write(os.path.join(folder, "vehicle.html"), "Wheelset of a vehicle", parts, [], "")
+    drawn = os.path.join(folder, "pictures")
+    os.makedirs(drawn, exist_ok=True)
+    curves = [draw(table, table[given], label, title, rows, os.path.join(drawn, title.split()[0].lower() + ".png"))
+              for title, rows in PICTURES]
+    bands = [draw_heads(table, folder, os.path.join(drawn, "heads.png")),
+             draw_band(table, table[given], label, os.path.join(drawn, "band.png"))]
+    script = page.plotly_script()
+    shown = make_views(table, table[given], label) if script else []
+    entries = [row for row in inputs.rows(inputs.read(folder), of=inputs.HALF) if row[0] not in ("wheelset", "wheel load")]
+    entries.append(("rows", f"{len(table[given])}, {label.split(' [')[0]} {table[given][0]:g} to {table[given][-1]:g}"))
+    parts = [*verdicts(table), "<div class=top><div><h2>Inputs</h2>", inputs.table(entries), "</div><div><h2>Key results: worst rows</h2>",
+             worst_rows(table, table[given], label, 1), "</div></div>"]
+    for title, pictures in (("Where on the rails", bands), ("Curves", curves)):
+        pictures = [picture for picture in pictures if picture]
+        covered = [os.path.basename(path)[:-4] for _, path in pictures] if shown and pictures and title == "Curves" else ()
+        if pictures:
+            parts += [f"<h2>{title}</h2>", page.views_html(shown) if covered else "",
+                      page.pictures_html(pictures, covered, broad=("band", "heads"))]
+    parts += ["<h2>Worst rows</h2>", worst_rows(table, table[given], label, 5)]
+    return page.write(os.path.join(folder, "vehicle.html"), "Wheelset of a vehicle", parts, shown, script)
 
 
 if __name__ == "__main__":

@@ -82,6 +82,46 @@ function sides(k, n) {
   return [{...common, x: from, xanchor: "left", text: "<b>G.C.</b>"}, {...common, x: to, xanchor: "right", text: "<b>F.S.</b>"}];
 }
 
+// all around the patch, to be laid over the blocks of the outermost nodes, half of which lie beyond its edge
+function around(edge, range) {
+  const [s0, s1] = range.s, [z0, z1] = range.along, ds = s0 - s1, dz = z1 - z0;
+  let path = `M${s0 + ds},${z0 - dz}L${s1 - ds},${z0 - dz}L${s1 - ds},${z1 + dz}L${s0 + ds},${z1 + dz}Z`, open = true;
+  edge[0].forEach((s, k) => {
+    if (s === null) { path += "Z"; open = true; return; }
+    path += `${open ? "M" : "L"}${s},${edge[1][k]}`;
+    open = false;
+  });
+  return path;
+}
+
+// values of the loaded nodes, with those of their neighbours in the ring around them
+function widened(rows) {
+  const at = (i, j) => rows[i] === undefined || rows[i][j] === undefined ? null : rows[i][j];
+  return rows.map((row, i) => row.map((value, j) => {
+    if (value !== null && value !== 0) return value;
+    for (const [a, b] of [[1, 0], [-1, 0], [0, 1], [0, -1], [1, 1], [-1, 1], [1, -1], [-1, -1]]) {
+      const near = at(i + a, j + b);
+      if (near !== null && near !== 0) return near;
+    }
+    return value;
+  }));
+}
+
+// the rail head with the patch, the gauge side on the left as in the maps; returns the height that it takes
+function railHead(head, traces, layout, id, from, to) {
+  const axes = {xaxis: "x" + id, yaxis: "y" + id, hoverinfo: "skip", showlegend: false}, [x, y] = head.rail;
+  const right = Math.max(...x) + 4, left = Math.min(...x) - 4;
+  traces.push({x, y, mode: "lines", fill: "toself", fillcolor: "#e9edf2", line: {color: "#6b6b6b", width: 1.5}, ...axes});
+  traces.push({x: head.patch[0], y: head.patch[1], mode: "lines", line: {color: "#c0392b", width: 6}, ...axes});
+  traces.push({x: [head.face[0]], y: [head.face[1]], mode: "markers", marker: {color: "#6b6b6b", symbol: "line-ns-open", size: 12}, ...axes});
+  layout["xaxis" + id] = {domain: [0, 0.42], range: [right, left], title: "X from the running circle [mm]", zeroline: false, anchor: "y" + id};
+  layout["yaxis" + id] = {domain: [from, to], range: [-30, 6], zeroline: false, scaleanchor: "x" + id, anchor: "x" + id, constrain: "domain", showticklabels: false};
+  const words = head.words.replaceAll(", ", ",<br>");
+  layout.annotations.push({xref: "paper", yref: "paper", x: 0.46, y: (from + to) / 2, xanchor: "left", yanchor: "middle", showarrow: false, align: "left", text: `<b>Patch on the rail head</b><br>${words}`},
+    {xref: "x" + id, yref: "y" + id, x: right, y: 5, xanchor: "left", yanchor: "top", showarrow: false, text: "gauge side", font: {color: "#6b6b6b", size: 11}},
+    {xref: "x" + id, yref: "y" + id, x: left, y: 5, xanchor: "right", yanchor: "top", showarrow: false, text: "field side", font: {color: "#6b6b6b", size: 11}});
+}
+
 function patchMaps(view, field, number, withArrows) {
   const n = view.sources.length, ticks = view.sources.map(source => tickOf(source, number)), range = limits(ticks);
   const traces = [], layout = {font: FONT, margin: {l: 55, r: 20, t: 60, b: 50}, annotations: [], shapes: [], showlegend: false};
@@ -89,13 +129,14 @@ function patchMaps(view, field, number, withArrows) {
   ticks.forEach((tick, k) => {
     const id = k ? String(k + 1) : "", axes = {xaxis: "x" + id, yaxis: "y" + id};
     const scale = scaleOf(field), bar = {title: {text: field.unit ? `${field.label} [${field.unit}]` : field.label, side: "right"}, thickness: 14, ...scale.colorbar};
-    traces.push({type: "heatmap", x: tick.s, y: tick.along, z: tick.fields[field.key], ...scale, ...axes, colorbar: bar, showscale: k === n - 1, hoverongaps: false,
-      hovertemplate: `s %{x} mm, along %{y} mm<br>${field.kind === "states" ? "%{text}" : `%{z} ${field.unit}`}<extra></extra>`,
-      text: field.kind === "states" ? tick.fields.state.map(row => row.map(v => ["open", "stick", "slip"][v])) : undefined});
+    traces.push({type: "heatmap", x: tick.s, y: tick.along, z: widened(tick.fields[field.key]), ...scale, ...axes, colorbar: bar, showscale: k === n - 1, hoverongaps: false,
+      hovertemplate: "s %{x} mm, along %{y} mm<br>%{text}<extra></extra>",
+      text: tick.fields[field.key].map(row => row.map(v => field.kind === "states" ? ["open", "stick", "slip"][v] : v === null ? "open" : `${v} ${field.unit}`))});
     traces.push({x: tick.edge[0], y: tick.edge[1], mode: "lines", line: {color: "black", width: 1.5}, hoverinfo: "skip", ...axes});
     if (withArrows) traces.push({...arrows(tick, shear.top), ...axes});
     layout["xaxis" + id] = {domain: domain(k, n), range: range.s, title: "lateral s [mm]", zeroline: false, anchor: "y" + id};
     layout["yaxis" + id] = {range: range.along, title: k ? "" : "along the rail, rolling direction \u2191 [mm]", zeroline: false, scaleanchor: "x" + id, anchor: "x" + id};
+    layout.shapes.push({type: "path", path: around(tick.edge, range), fillrule: "evenodd", fillcolor: "white", line: {width: 0}, xref: "x" + id, yref: "y" + id});
     const dash = {type: "line", line: {color: "#1a3fbf", width: 1, dash: "dash"}};
     layout.shapes.push({...dash, xref: "x" + id, yref: "y" + id, x0: tick.places.AA, x1: tick.places.AA, y0: range.along[0], y1: range.along[1]});
     layout.shapes.push({...dash, xref: "x" + id, yref: "y" + id, x0: range.s[0], x1: range.s[1], y0: tick.places.BB, y1: tick.places.BB});
@@ -108,6 +149,13 @@ function patchMaps(view, field, number, withArrows) {
   });
   const width = plotOf(view).clientWidth, ratio = (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]);
   layout.height = Math.round(Math.min(640, Math.max(300, 120 + ratio * (width - 160) / n)));
+  const head = ticks[0].head;
+  if (head) {
+    const room = 230, part = room / (layout.height + room);  // the part of the height that the head takes
+    ticks.forEach((_, k) => { layout["yaxis" + (k ? String(k + 1) : "")].domain = [part + 0.06, 1]; });
+    layout.height += room;
+    railHead(head, traces, layout, "9", 0, part - 0.08);
+  }
   return [traces, layout];
 }
 
@@ -121,7 +169,7 @@ function patchSurfaces(view, field, number) {
       hovertemplate: `s %{x} mm, along %{y} mm<br>%{z} ${field.unit}<extra></extra>`});
     layout["scene" + id] = {domain: {x: domain(k, n)}, aspectmode: "manual",
       aspectratio: {x: 1.4, y: 1.4 * (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]), z: 0.8}, camera: {eye: {x: 1.1, y: -1.7, z: 1.1}},
-      xaxis: {title: "s [mm] (G.C. at large s)", range: range.s}, yaxis: {title: "rolling direction [mm]", range: range.along},
+      xaxis: {title: "s [mm]", range: range.s}, yaxis: {title: "along [mm]", range: range.along},
       zaxis: {title: field.unit, range: [scale.zmin, scale.zmax]}};
     if (source.name) layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1, xanchor: "center", yanchor: "bottom", showarrow: false, text: `<b>${source.name}</b>`});
   });
@@ -224,6 +272,11 @@ async function drawCurves(view) {
     const traces = group.curves.map((curve, k) => ({x: curve.x, y: curve.y, name: curve.name, mode: view.marks ? "lines+markers" : "lines",
       marker: {size: 7, symbol: curve.symbol ?? "circle"}, line: {color: COLORS[(curve.color ?? k) % COLORS.length], width: 1.4, dash: curve.dash ?? "solid"},
       hovertemplate: `%{x}${unit}: %{y}<extra>%{fullData.name}</extra>`}));
+    group.curves.forEach((curve, k) => {
+      if (!curve.mean) return;
+      traces.push({x: [curve.mean[1], curve.x[curve.x.length - 1]], y: [curve.mean[0], curve.mean[0]], name: `mean of ${curve.name}`, mode: "lines",
+        line: {color: COLORS[(curve.color ?? k) % COLORS.length], width: 2.5, dash: "dash"}, hovertemplate: "mean %{y}<extra>%{fullData.name}</extra>"});
+    });
     return Plotly.react(plotOf(view), traces, {font: FONT, height: 380, margin: {l: 70, r: 20, t: 20, b: 50}, legend: {orientation: "h", y: -0.2}, showlegend: true,
       xaxis: {title: view.abscissa ?? "rolled distance [mm]"}, yaxis: {title: group.label, exponentformat: "power"}}, CONFIG);
   };
@@ -231,6 +284,24 @@ async function drawCurves(view) {
   return redraw();
 }
 
+// curves one below the other over one axis, with a line under the cursor through all of them
+async function drawStack(view) {
+  const n = view.rows.length, gap = 0.25 / Math.max(n, 1), traces = [];
+  const layout = {font: FONT, height: 60 + 150 * n, margin: {l: 80, r: 20, t: 30, b: 50}, hovermode: "x", legend: {orientation: "h", y: 1.02, yanchor: "bottom"},
+    xaxis: {title: view.abscissa, anchor: n > 1 ? "y" + n : "y", showspikes: true, spikemode: "across", spikesnap: "cursor", spikethickness: 1, spikecolor: "#555", spikedash: "solid"}};
+  const height = (1 - gap * (n - 1)) / n, named = new Set();
+  view.rows.forEach((row, k) => {
+    const id = k ? String(k + 1) : "", top = 1 - k * (height + gap);
+    layout["yaxis" + id] = {title: row.label, domain: [Math.max(0, top - height), top], anchor: "x", zeroline: true, zerolinecolor: "#bbb"};
+    for (const curve of row.curves) {
+      traces.push({x: view.x, y: curve.y, name: curve.name, legendgroup: curve.name, showlegend: Boolean(curve.name) && !named.has(curve.name), xaxis: "x", yaxis: "y" + id, mode: "lines",
+        line: {color: COLORS[curve.color], width: 1.4, dash: curve.dash ?? "solid"}, hovertemplate: `%{y:.5g}<extra>${curve.name}</extra>`});
+      named.add(curve.name);
+    }
+  });
+  return Plotly.react(plotOf(view), traces, layout, CONFIG);
+}
+
 function drawView(view) {
-  return {patch: drawPatch, cuts: drawCuts, slices: drawSlices, curves: drawCurves}[view.type](view);
+  return {patch: drawPatch, cuts: drawCuts, slices: drawSlices, curves: drawCurves, stack: drawStack}[view.type](view);
 }

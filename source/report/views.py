@@ -38,8 +38,18 @@ def edge_lines(fields):
     return [s, along]
 
 
-def patch_tick(tick, label, digits=6):
-    """One tick of a patch for a view; None where nothing is loaded."""
+def head_of(fields, where):
+    """The rail head of a patch for a view, in mm: outline, the part that the patch covers, and where that is."""
+    import sections as rails
+
+    first, last = rails.patch_span(fields)
+    patch = where.on_rail(np.linspace(first, last, 24))
+    return {"rail": [plain(line, 5) for line in where.rail.T], "patch": [plain(line, 5) for line in patch.T],
+            "face": plain(where.face, 5), "words": where.words(patch[12])}
+
+
+def patch_tick(tick, label, digits=6, where=None):
+    """One tick of a patch for a view; None where nothing is loaded. `where`: the Sections of its rail."""
     if not tick["pressure"].max() > 0 or min(tick["pressure"].shape) < 2:
         return None
     fields = Fields(tick, margin=3)
@@ -49,17 +59,18 @@ def patch_tick(tick, label, digits=6):
         if array is not None:
             inside = np.where(fields.loaded, factor * array, 0 if key == "state" else np.nan)
             values[key] = plain(inside, digits)
-    return {"label": label, "s": plain(fields.lateral[0]), "along": plain(fields.along[:, 0]), "fields": values,
+    head = {} if where is None else {"head": head_of(fields, where)}
+    return {**head, "label": label, "s": plain(fields.lateral[0]), "along": plain(fields.along[:, 0]), "fields": values,
             "edge": edge_lines(fields), "places": {name: round(float(v), 4) for name, v in fields.places().items()}}
 
 
-def patch_source(name, ticks, labels):
-    shown = [patch_tick(tick, label) for tick, label in zip(ticks, labels)]
+def patch_source(name, ticks, labels, where=None):
+    shown = [patch_tick(tick, label, where=where) for tick, label in zip(ticks, labels)]
     return {"name": name, "ticks": [tick for tick in shown if tick is not None]}
 
 
 def tick_labels(ticks, names):
-    return [f"tick {int(name[5:])}: {1e3 * tick.attributes['rolled_distance_m']:.2f} mm rolled"
+    return [f"output step {int(name[5:])}: {1e3 * tick.attributes['rolled_distance_m']:.2f} mm rolled"
             for tick, name in zip(ticks, names)]
 
 
@@ -110,8 +121,10 @@ def slice_views(ticks, names=("AA", "BB", "AA_peak", "BB_peak"), digits=6, most_
 
 
 def curve_views(run, groups):
-    """Histories; `groups`: title -> (label of the axis, [(name, distance in mm, values)])."""
+    """Histories; `groups`: title -> (label of the axis, [(name, distance in mm, values, mean)]); the mean is that of
+    the summary with the distance from which it is taken, or None."""
     shown = [{"title": title, "label": label,
-              "curves": [{"name": name, "x": plain(x), "y": plain(y)} for name, x, y in curves]}
+              "curves": [{"name": name, "x": plain(x), "y": plain(y), **({} if mean is None else {"mean": plain(mean)})}
+                         for name, x, y, mean in curves]}
              for title, (label, curves) in groups.items() if curves]
     return [{"id": "view-curves", "type": "curves", "title": "Over the rolled distance", "groups": shown}] if shown else []

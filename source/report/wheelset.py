@@ -18,6 +18,7 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 import matplotlib.pyplot as plt
 import numpy as np
 
+import inputs
 import page
 import style
 
@@ -86,7 +87,8 @@ def table_of_wheels(summary, figures):
 
 
 def table_of_axle(summary, figures):
-    return page.table(page.figure_rows(summary, [figure for key, figure in figures.items() if key.startswith("axle_")]))
+    rows = page.figure_rows(summary, [figure for key, figure in figures.items() if key.startswith("axle_")])
+    return "<table>" + "\n".join(page.lines_of(rows)) + "</table>"
 
 
 def make_page(folder):
@@ -98,8 +100,10 @@ def make_page(folder):
     os.makedirs(os.path.join(folder, "pictures"), exist_ok=True)
     picture = os.path.join(folder, "pictures", "wheelset.png")
     draw(read_lines(os.path.join(folder, "wheelset.csv")), picture)
-    parts = [page.verdict_sentence(summary), page.pictures_html([("Wheels on their rails", picture)], broad=("wheelset",)),
-             "<h2>Wheels</h2>", table_of_wheels(summary, figures), "<h2>Axle</h2>", table_of_axle(summary, figures)]
+    rows = [row for row in inputs.rows(inputs.read(folder), of=inputs.HALF) if row[0] != "wheel load"]
+    parts = [page.verdict_sentence(summary), "<div class=top><div><h2>Inputs</h2>", inputs.table(rows),
+             "</div><div><h2>Key results: axle</h2>", table_of_axle(summary, figures), "</div></div>", page.pictures_html([("Wheels on their rails", picture)], broad=("wheelset",)),
+             "<h2>Wheels</h2>", table_of_wheels(summary, figures)]
     links = [f'<a href="{side}/report.html">{side}-hand wheel</a>' for side in ("left", "right")
              if os.path.exists(os.path.join(folder, side, "report.html"))]
     if links:

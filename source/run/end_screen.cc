@@ -100,6 +100,18 @@ namespace wheelrail
       forces.figure("longitudinal_force");
     }
 
+    /// Where the patch lies, as an engineer on the track would measure it; empty where it is not known.
+    std::string
+    place_on_head(const Summary &summary)
+    {
+      const double axis = get_figure(summary, "patch_centre_from_axis_m"),
+                   face = get_figure(summary, "patch_centre_from_gauge_face_m");
+      if (!std::isfinite(axis) || !std::isfinite(face))
+        return "";
+      return text("%.1f", 1e3 * std::abs(axis)) + " mm to the " + (axis < 0 ? "field" : "gauge") +
+             " side of its axis, " + text("%.1f", 1e3 * face) + " mm from the gauge face";
+    }
+
     void
     add_contact(const Summary &summary, Lines &lines)
     {
@@ -113,12 +125,15 @@ namespace wheelrail
                      figure_named("patch_lateral").shown(summary.patch_lateral) + " x " +
                        figure_named("patch_longitudinal").shown(summary.patch_longitudinal),
                      "mm");
+      if (const std::string place = place_on_head(summary); !place.empty())
+        contact.line("patch centre on the rail head", place, "");
       contact.figure("creepage");
       contact.figure("stick_fraction");
-      contact.figure("t_gamma", "T-gamma (wear number)");
+      contact.figure("t_gamma");
       Group stresses("stresses", summary, lines);
       stresses.figure("max_shear_traction");
       stresses.figure("max_von_mises");
+      stresses.figure("von_mises_below_cell");
       if (summary.max_plastic_strain > 0)
         {
           stresses.figure("max_plastic_strain");

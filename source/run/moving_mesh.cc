@@ -41,7 +41,7 @@ namespace wheelrail
   void
   lengthen_way(RunState &run)
   {
-    if (run.model.swept && lengthen_path(run.model, run.scene.rolling_distance))
+    if (run.model.swept && lengthen_path(run.model, run.scene.path()))
       change_mesh(run, prepare_window);
   }
 

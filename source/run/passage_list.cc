@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/base/split_list.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/motion_file.h>
@@ -27,23 +28,27 @@ namespace wheelrail
       const auto        begins = [&](const char *with) { return path.rfind(with, 0) == 0; };
       return begins("Rail material/") || begins("Track/") ||
              (begins("Profiles/") && !begins("Profiles/Wheel")) ||
-             (begins("Mesh/") && path != "Mesh/Wheel element") || path == "Run/Rolling distance" ||
-             path == "Wheelset/Nominal rolling radius" || path == "Wheelset/Flange back distance" ||
-             path == "Wheelset/Side";
+             (begins("Mesh/") && path != "Mesh/Wheel element") || path == "Wheelset/Nominal rolling radius" ||
+             path == "Wheelset/Flange back distance" || path == "Wheelset/Side";
     }
 
     /// A scene file of the list over the rail of `family`, whose passages and outputs are its own.
     Scene
     scene_over_rail(const std::string &path, const Scene &family)
     {
-      Scene one = read_scene(path, {}).scene;
+      Scene      one        = read_scene(path, {}).scene;
+      const auto other_rail = [&](const std::string &entry, const std::string &value) {
+        return InputError(path + ": " + entry +
+                          ": that is another rail than that of the scene whose Run/Passage list has this "
+                          "file, where it is " +
+                          value + "; wheels, loads, shifts and friction may differ");
+      };
+      if (one.path() != family.path())
+        throw other_rail(path_text(one), rounded_mm(family.path()));
       for (const Entry &entry : entries())
         {
           if (of_rail(entry) && entry.get(one) != entry.get(family))
-            throw InputError(path + ": " + entry_text(one, entry.section, entry.name) +
-                             ": that is another rail than that of the scene whose Run/Passage list has this "
-                             "file, where it is " +
-                             entry.get(family) + "; wheels, loads, shifts and friction may differ");
+            throw other_rail(entry_text(one, entry.section, entry.name), entry.get(family));
           if (entry.path() == "Run/Passage list" && entry.get(one) != "none")
             throw InputError(path + ": " + entry_text(one, entry.section, entry.name) +
                              ": a scene of a list cannot have one of its own; write none");

@@ -45,13 +45,15 @@ namespace wheelrail
     char strain[40], shear[40];
     std::snprintf(strain, sizeof(strain), "%.2g", last.strain);
     std::snprintf(shear, sizeof(shear), "%.2g", last.shear);
-    const std::string forward = !std::isnan(last.shear) ? std::string(", the forward shear of the band by ") +
-                                                            shear + " in the last round"
-                                : trend == PassageTrend::shakedown
-                                  ? " in the last round"
-                                  : " in the last round; the way is too short to tell the forward flow";
-    const std::string verdict = trend == PassageTrend::shakedown    ? "the rail has shaken down"
-                                : trend == PassageTrend::to_and_fro ? "the rail yields to and fro"
+    const std::string forward =
+      !std::isnan(last.shear)
+        ? std::string(", the forward shear of the plastic zone by ") + shear + " in the last round"
+      : trend == PassageTrend::shakedown
+        ? " in the last round"
+        : " in the last round; the run is too short to tell the forward flow";
+    const std::string verdict = trend == PassageTrend::shakedown ? "the rail has shaken down"
+                                : trend == PassageTrend::to_and_fro
+                                  ? "the rail is in alternating plasticity (closed plastic loop)"
                                 : trend == PassageTrend::ratcheting ? "the rail ratchets"
                                                                     : "the passages are not steady yet";
     return verdict + ": the largest plastic strain grew by " + strain + forward;

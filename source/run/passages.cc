@@ -95,7 +95,7 @@ namespace wheelrail
       unsigned int              most_;
       PassageJumps              jumps_;
       std::vector<unsigned int> computed_; ///< passages so far, those jumped over left out
-      std::string               verdict_;  ///< of passages until steady
+      std::string               verdict_;  ///< where the passages lead to
     };
 
 
@@ -141,6 +141,7 @@ namespace wheelrail
       const PassingWheel &wheel = wheels_[(k - 1) % of_round()];
       Scene               one   = wheel.scene;
       one.passages              = 1;
+      one.rolling_distance      = wheel.scene.path();
       one.passage_list          = "none";
       one.passage_jump          = 0;
       one.staggered_starts      = 1;
@@ -187,7 +188,7 @@ namespace wheelrail
     {
       const unsigned int k    = jumps_.stand(computed_);
       int                done = k >= most_ ? 1 : 0;
-      if (scene_.passages == 0 && k == computed_.back() && k % of_round() == 0)
+      if (k == computed_.back() && k % of_round() == 0 && (scene_.passages == 0 || done != 0))
         {
           on_root(communicator_, [&]() {
             const auto         growths = round_growths(scene_.folder, computed_, of_round());
@@ -195,6 +196,8 @@ namespace wheelrail
             verdict_                   = "After " + std::to_string(k) + " passages " +
                        in_words(trend, growths.empty() ? RoundGrowth() : growths.back());
             done = done || trend != PassageTrend::open;
+            if (growths.empty()) // a single round tells no trend
+              verdict_.clear();
           });
           MPI_Bcast(&done, 1, MPI_INT, 0, communicator_);
         }
@@ -247,9 +250,9 @@ namespace wheelrail
           summary.note = verdict_ + ".";
         write_summary(summary, scene_.folder + "/summary.json");
         print(STDOUT_FILENO,
-              passage_verdicts(passage_table(scene_.folder, computed_)) +
-                (verdict_.empty() ? "" : verdict_ + ".\n") + "Figures of all passages in " + scene_.folder +
-                "/passages.csv\n");
+              (verdict_.empty() ? "" : verdict_ + ".\n") +
+                passage_verdicts(passage_table(scene_.folder, computed_)) + "Results of all passages in " +
+                scene_.folder + "/passages.csv\n");
       });
       return 0;
     }

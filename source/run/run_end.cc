@@ -1,8 +1,11 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/damage/wear_figures.h>
+#include <wheelrail/geometry/head_place.h>
 #include <wheelrail/geometry/made_up_part.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
 #include <wheelrail/reference/run_reference.h>
@@ -68,6 +71,26 @@ namespace wheelrail
 
   namespace
   {
+    /// Whether the run is steady, where it was to roll until it is, and what is not.
+    void
+    add_end(Summary &summary, const RunParts &run)
+    {
+      const double rolled = run.axle.travelled();
+      if (!run.scene.until_steady())
+        {
+          summary.ended         = "distance";
+          summary.ended_because = "Run/Rolling distance is rolled";
+          return;
+        }
+      const Steadiness known = run.recorder.steadiness(run.scene);
+      summary.ended          = known.steady() ? "steady" : "not steady";
+      summary.ended_because =
+        known.steady()
+          ? "all results are steady and known after " + in_mm(std::round(1e4 * rolled) / 1e4) +
+              ", over the last " + in_mm(std::round(1e4 * (known.stretch.s1 - known.stretch.s0)) / 1e4)
+          : "the run is not steady after " + in_mm(std::round(1e4 * rolled) / 1e4) + ": " + known.open;
+    }
+
     /// What friction carries of what it could, positive when driving: kappa of Ma et al. (2017), equation 7,
     /// as it came out; how far the force is from the one that balances the torque at the radius of the patch;
     /// and a patch that slides.
@@ -173,9 +196,10 @@ namespace wheelrail
   {
     Measures     measures = measures_of_run(scene, summary);
     const double centre   = summary.patch_centre_lateral;
-    const Point2 place    = geometry.contact.frame.to_track({centre, geometry.rail_heights.at(centre).n});
-    measures.place        = place_in_words(place.x);
-    measures.made_up      = made_up_part(geometry, place);
+    const Point2 place    = geometry.contact.frame.to_track({centre, geometry.rail_heights().at(centre).n});
+    set_patch_place(head_place(geometry.contact.rail, scene.track, place), summary);
+    measures.place   = place_in_words(place.x);
+    measures.made_up = made_up_part(geometry, place);
     if (scene.motion == "none")
       compare_peak(scene, geometry, summary, measures);
     else
@@ -222,7 +246,8 @@ namespace wheelrail
     const Model &model = run.model;
     Summary      summary;
     summary.title = run.scene.title;
-    run.recorder.fill(summary, run.recorder.averaging_stretch(run.scene));
+    run.recorder.fill(summary, run.scene);
+    add_end(summary, run);
     summary.friction_coefficient = run.scene.friction.at_rest;
     summary.max_von_mises        = largest_von_mises(model.solid, run.communicator);
     const PlasticFigures plastic = plastic_figures(model.solid, model.contact->surfaces(), run.communicator);
@@ -286,7 +311,7 @@ namespace wheelrail
         summary.program_version = program_version;
         if (run)
           {
-            run->recorder.fill(summary, run->recorder.averaging_stretch(scene));
+            run->recorder.fill(summary, scene);
             summary.rolled_distance = run->axle.travelled();
           }
         summary.stop_reason = error;

@@ -35,6 +35,8 @@ namespace wheelrail
     const double time = parts_.rolling.time(), travelled = parts_.axle.travelled();
     const auto   stress = nodal_stress(parts_.model.solid, parts_.communicator);
     const auto   slices = make_slices(parts_.model, stress, travelled, parts_.communicator);
+    stress_below_       = largest_stress_below(slices, parts_.scene.cell_size);
+    stress_below_at_    = travelled;
     on_root(parts_.communicator, [&]() {
       append_patch(*patch_file_, patch_fields(*parts_.model.contact, parts_.axle, time));
       append_slices(*slice_file_, time, travelled, slices);
@@ -45,6 +47,17 @@ namespace wheelrail
     std::snprintf(number, sizeof number, "_%04u", tick);
     write_mesh(std::string("surface") + number, Selection::surface, stress, surface_series_.get());
     write_mesh(std::string("window") + number, Selection::window, stress, window_series_.get());
+  }
+
+
+  StressBelow
+  RunOutput::stress_below(const NodalStress &stress) const
+  {
+    const double travelled = parts_.axle.travelled();
+    if (travelled == stress_below_at_)
+      return stress_below_;
+    return largest_stress_below(make_slices(parts_.model, stress, travelled, parts_.communicator),
+                                parts_.scene.cell_size);
   }
 
 

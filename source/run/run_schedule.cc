@@ -6,9 +6,32 @@
 
 namespace wheelrail
 {
+  namespace
+  {
+    /// Rows of the history over the whole way: a thousand, or sixteen a cell where means over cells are to
+    /// tell whether the run is steady.
+    unsigned long
+    rows(const Scene &scene)
+    {
+      constexpr double usual = 1000, of_cell = 16;
+      return static_cast<unsigned long>(
+        scene.until_steady() ? std::max(usual, std::ceil(of_cell * scene.path() / scene.cell_size)) : usual);
+    }
+
+    /// How many of these rows lie on the length of a cell, about.
+    unsigned long
+    rows_of_cell(const Scene &scene, const unsigned long steps, const unsigned long record_every)
+    {
+      return std::max(1L,
+                      std::lround(double(steps) * scene.cell_size / (scene.path() * double(record_every))));
+    }
+  } // namespace
+
+
   RunSchedule::RunSchedule(const Scene &scene, const Model &model, const unsigned long stop_after_steps)
     : steps_(std::lround(model.duration / model.time_step))
-    , record_every_(std::max<unsigned long>(1, steps_ / 1000))
+    , record_every_(std::max<unsigned long>(1, steps_ / rows(scene)))
+    , judge_every_(scene.until_steady() ? rows_of_cell(scene, steps_, record_every_) * record_every_ : 0)
     , ticks_(scene.ticks)
     , stop_after_(stop_after_steps)
     , evaluate_at_(scene.evaluate_at)
@@ -20,6 +43,13 @@ namespace wheelrail
   RunSchedule::record(const unsigned long step) const
   {
     return step % record_every_ == 0 || step == 1 || step == steps_;
+  }
+
+
+  bool
+  RunSchedule::judge(const unsigned long step) const
+  {
+    return judge_every_ > 0 && step % judge_every_ == 0;
   }
 
 

@@ -58,6 +58,8 @@ namespace wheelrail
       }
     auto run = std::make_unique<RunState>(scene, std::move(model), 0, 0, communicator);
     restore_checkpoint(saved, run->model, run->rolling, run->recorder, communicator);
+    if (const History &rows = run->recorder.state().history; !rows.columns.empty())
+      run->axle.set_start_torque(column(rows, "drive_torque").front()); // of the first step
     lengthen_way(*run);
     run->ticks          = saved.ticks;
     run->first_step     = run->rolling.steps();

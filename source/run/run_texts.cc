@@ -94,8 +94,7 @@ namespace wheelrail
     line.lateral_force      = force[0];
     line.energy_error       = run.rolling.energy().error();
     line.updates_per_second = updates / elapsed;
-    line.seconds_left =
-      elapsed * std::max(0., run.scene.rolling_distance - travelled) / (travelled - first_distance);
+    line.seconds_left = elapsed * std::max(0., run.scene.path() - travelled) / (travelled - first_distance);
     return line;
   }
 

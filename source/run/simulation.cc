@@ -2,11 +2,13 @@
 #include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/log.h>
 #include <wheelrail/model/profile_copies.h>
+#include <wheelrail/model/section_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/end_screen.h>
 #include <wheelrail/run/moving_mesh.h>
 #include <wheelrail/run/run_end.h>
+#include <wheelrail/run/run_in.h>
 #include <wheelrail/run/run_output.h>
 #include <wheelrail/run/run_schedule.h>
 #include <wheelrail/run/run_start.h>
@@ -60,7 +62,10 @@ namespace wheelrail
         Model model = make_model(scene_, geometry_, communicator_);
         folder_->begin(options_.parameters_text, resume_point_.has_value());
         if (!resume_point_)
-          on_root(communicator_, [&]() { keep_profiles(scene_, scene_.folder); });
+          on_root(communicator_, [&]() {
+            keep_profiles(scene_, scene_.folder);
+            write_sections(geometry_, scene_.track, scene_.folder + "/sections.json");
+          });
         Stop stop;
         try
           {
@@ -92,6 +97,8 @@ namespace wheelrail
       keep_state();
       bool
       must_stop() const;
+      bool
+      is_steady() const;
       void
       finish(const std::string &stop_reason);
       std::optional<Residual>
@@ -186,6 +193,18 @@ namespace wheelrail
     }
 
 
+    /// Whether the rows so far are enough; all ranks have the same ones, and rank 0 decides.
+    bool
+    Simulation::is_steady() const
+    {
+      int steady = 0;
+      if (rank_ == 0)
+        steady = run_->recorder.steadiness(scene_).steady() ? 1 : 0;
+      MPI_Bcast(&steady, 1, MPI_INT, 0, communicator_);
+      return steady != 0;
+    }
+
+
     /// Steps to the end; gives why it stopped before, if it did.
     Stop
     Simulation::roll()
@@ -194,7 +213,8 @@ namespace wheelrail
       const RunSchedule schedule(scene_, run.model, options_.stop_after_steps);
       Stop              stop;
       loop_start_ = seconds();
-      for (unsigned long n = run.first_step + 1; n <= schedule.steps() && stop.reason.empty(); ++n)
+      bool ended  = false; // by itself
+      for (unsigned long n = run.first_step + 1; n <= schedule.steps() && stop.reason.empty() && !ended; ++n)
         {
           run.mesh_changes += follow_wheel(run);
           const bool   record = schedule.record(n), regular = schedule.tick(n);
@@ -207,10 +227,12 @@ namespace wheelrail
               run.record();
               stop = reason_to_stop(run.parts());
             }
+          run_in(run, before);
           const bool good = stop.reason.empty();
-          if (good && (schedule.break_off(n) || (schedule.listen(n) && must_stop())))
+          ended           = good && schedule.judge(n) && is_steady();
+          if (good && !ended && (schedule.break_off(n) || (schedule.listen(n) && must_stop())))
             stop.reason = interrupted;
-          if (regular || n == schedule.steps() || !stop.reason.empty())
+          if (regular || ended || n == schedule.steps() || !stop.reason.empty())
             {
               log_.tick(tick_line(run.parts(), run.first_step, run.first_distance, seconds() - loop_start_));
               output_->tick(run.ticks);
@@ -218,7 +240,7 @@ namespace wheelrail
           run.ticks += regular; // a resumed run writes the tick of an interruption over
           if (good && (regular || stop.reason == interrupted))
             keep_state();
-          if (record && stop.reason.empty() && n < schedule.steps() && states_.due())
+          if (record && stop.reason.empty() && !ended && n < schedule.steps() && states_.due())
             {
               keep_state();
               states_.save();
@@ -281,11 +303,17 @@ namespace wheelrail
       if (left)
         output_->residual(*left);
       Summary summary = summary_of(run.parts(), tally, stress);
+      if (finished)
+        set_stress_below(output_->stress_below(stress), summary);
       if (left)
         add_residual(*left, summary);
       summary.program_version = options_.program_version;
       summary.finished        = finished;
       summary.stop_reason     = stop_reason;
+      if (finished)
+        log_.value("ended", summary.ended_because);
+      else
+        summary.ended = summary.ended_because = "";
       write_timing(log_, run.parts(), summary, run.mesh_changes);
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
       if (finished)

@@ -20,7 +20,7 @@ namespace wheelrail
     const double block  = sweep_plan(scene, geometry).block_length();
     const double step   = std::ceil(length / block) * block;
     // to the place where passages are compared, one patch behind the end of the first wheel's way
-    const double way  = scene.rolling_distance - length - scene.start_offset;
+    const double way  = scene.path() - length - scene.start_offset;
     const double rail = 0.5 * (scene.rail_length - scene.mesh_distance()) - free_rail(scene, length);
     const auto   fits = [&](const unsigned int n, const double settle) {
       return (n - 1) * step <= way - settle && scene.start_offset + (n - 1) * step <= rail;
@@ -29,10 +29,11 @@ namespace wheelrail
     if (n == 0)
       n = fits(2, 2 * length) ? 2 : 1;
     else if (!fits(n, length))
-      throw InputError(
-        entry_text(scene, "Run", "Staggered starts") + ": each start lies " + rounded_mm(step) +
-        " farther along than the one before, and the last one leaves no way that all wheels "
-        "have rolled over; take fewer, or a longer Run/Rolling distance and Track/Rail length");
+      throw InputError(entry_text(scene, "Run", "Staggered starts") + ": each start lies " +
+                       rounded_mm(step) +
+                       " farther along than the one before, and the last one leaves no way that all wheels "
+                       "have rolled over; take fewer, or a longer " +
+                       path_entry(scene) + " and Track/Rail length");
     for (unsigned int k = 1; k < n; ++k)
       places_.push_back(scene.start_offset + k * step);
   }

@@ -1,11 +1,11 @@
 #include <wheelrail/output/figures.h>
+#include <wheelrail/sampling/impact_figures.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/sampling/recorder.h>
 #include <wheelrail/sampling/settling.h>
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -55,15 +55,6 @@ namespace wheelrail
         geometry.axis.middle.x + axle.aside(), geometry.axis.middle.y, axle.travelled() - geometry.along};
       return sums.moment[1] - cross(middle, sums.force)[1];
     }
-
-    const std::vector<double> &
-    column(const History &table, const std::string &name)
-    {
-      for (std::size_t c = 0; c < table.names.size(); ++c)
-        if (table.names[c] == name)
-          return table.columns[c];
-      throw std::logic_error("no history column " + name);
-    }
   } // namespace
 
 
@@ -98,6 +89,15 @@ namespace wheelrail
     row.put("pitch_rate", "rad/s", axle.pitch_rate());
     row.put("drive_torque", "N m", axle.applied_torque());
     row.put("axle_height", "m", axle.height());
+    if (irregular())
+      {
+        const RunningSurfaces &surfaces = model_.contact->surfaces();
+        const double           on_rail  = axle.contact_along(),
+                     on_wheel           = axle.contact_on_wheel(surfaces.rolling_radius);
+        row.put("axle_acceleration", "m/s2", axle.acceleration());
+        row.put("rail_irregularity", "m", surfaces.rail.at(0, on_rail).n - surfaces.rail.smooth(0).n);
+        row.put("wheel_irregularity", "m", surfaces.wheel.smooth(0).n - surfaces.wheel.at(0, on_wheel).n);
+      }
     if (way)
       {
         row.put("lateral_shift", "m", way->lateral_shift.at(rolled));
@@ -110,6 +110,14 @@ namespace wheelrail
       row.put(term.name, "J", term.value);
     row.put("energy_residual", "J", e.residual());
     row.put("energy_error", e.error());
+  }
+
+
+  bool
+  Recorder::irregular() const
+  {
+    const RunningSurfaces &surfaces = model_.contact->surfaces();
+    return !surfaces.rail.irregularities().empty() || !surfaces.wheel.irregularities().empty();
   }
 
 
@@ -134,12 +142,42 @@ namespace wheelrail
   }
 
 
+  SteadyBasis
+  Recorder::basis(const Scene &scene) const
+  {
+    SteadyBasis basis;
+    basis.cell           = model_.contact->lattice().spacing_along;
+    basis.friction       = scene.friction.at_rest;
+    basis.shear_modulus  = elasticity(scene.rail_material).shear_modulus();
+    basis.radius         = model_.geometry.rolling_radius;
+    basis.slowest        = slow_length(scene.velocity);
+    basis.standard_error = scene.standard_error;
+    basis.earliest       = model_.axle.torque_ramp;
+    if (scene.motion == "none")
+      basis.load = model_.wheel_load;
+    if (!model_.axle.rate_held && scene.motion == "none" && !state_.patches.columns.empty())
+      basis.torque_force = model_.axle.torque / model_.contact->surfaces().local_radius(
+                                                  column(state_.patches, "patch_centre_lateral").back());
+    return basis;
+  }
+
+
+  Steadiness
+  Recorder::steadiness(const Scene &scene) const
+  {
+    return judge_steadiness(state_.history, state_.patches, basis(scene));
+  }
+
+
   Range
   Recorder::averaging_stretch(const Scene &scene) const
   {
     const double rolled =
                    state_.history.columns.empty() ? 0 : column(state_.history, "rolled_distance").back(),
                  length = scene.averaging_distance, end = scene.evaluate_at + 0.5 * length;
+    if (scene.until_steady())
+      if (const Steadiness known = steadiness(scene); known.steady())
+        return known.stretch;
     if (scene.evaluate_at > 0 && rolled >= end * (1 - 1e-9))
       return {end - length, end};
     return {rolled - length, rolled};
@@ -147,82 +185,65 @@ namespace wheelrail
 
 
   void
-  Recorder::fill(Summary &summary, const Range &stretch) const
+  Recorder::fill(Summary &summary, const Scene &scene) const
   {
-    const History &history = state_.history, &patches = state_.patches;
-    if (history.columns.empty())
+    if (state_.history.columns.empty())
       return;
-    const auto &rolled   = column(history, "rolled_distance");
-    const auto  put_mean = [&](const std::string &name, const Mean &mean) {
-      const Figure &figure = figure_named(name);
-      set_figure(summary, figure.key(), mean.mean);
-      set_figure(summary, figure.key("_std"), mean.deviation);
-    };
-    for (const char *name : {"normal_force",
-                             "vertical_force",
-                             "longitudinal_force",
-                             "lateral_force",
-                             "creepage",
-                             "yaw_moment",
-                             "drive_torque"})
-      put_mean(name, mean_over(rolled, column(history, name), stretch));
-    set_figure(summary, "energy_error", column(history, "energy_error").back());
-    const auto &patch_rolled = column(patches, "rolled_distance");
-    for (std::size_t c = 1; c < patches.names.size(); ++c)
-      put_mean(patches.names[c], mean_over(patch_rolled, patches.columns[c], stretch));
-
-    set_figure(summary, "means_from_m", std::max(0., stretch.s0));
+    const Steadiness known =
+      known_results(state_.history, state_.patches, basis(scene), averaging_stretch(scene));
+    for (const KnownResult &result : known.results)
+      {
+        const Figure &figure = figure_named(result.figure);
+        set_figure(summary, figure.key(), result.mean.mean);
+        set_figure(summary, figure.key("_std"), result.mean.deviation);
+        set_figure(summary, figure.key("_error"), result.error());
+      }
+    set_figure(summary, "energy_error", column(state_.history, "energy_error").back());
+    set_figure(summary, "means_from_m", std::max(0., known.stretch.s0));
     if (n_patches_ > 0)
       {
         set_figure(summary, "patches", n_patches_);
         set_figure(summary, "cells_across_peak", cells_across_);
       }
 
-    fill_settling(summary, stretch);
+    fill_settling(summary, known);
+    if (irregular())
+      add_impact_figures(state_.history, model_.wheel_load, summary);
   }
 
 
   void
-  Recorder::fill_settling(Summary &summary, const Range &stretch) const
+  Recorder::fill_settling(Summary &summary, const Steadiness &known) const
   {
-    // the figures that are reported; where a force, traction or creepage is hardly there, 5 % of what presses
-    // or a creepage of 1e-3 counts in place of its mean
-    const History &history = state_.history, &patches = state_.patches;
-    const double   force =
-      mean_over(column(history, "rolled_distance"), column(history, "normal_force"), stretch).mean;
-    const double pressure = get_figure(summary, figure_named("max_pressure").key());
-    struct Judged
-    {
-      const History *table;
-      const char    *name;
-      double         least;
+    // where a force, traction or creepage is hardly there, 5 % of what presses or a creepage of 1e-3 counts
+    // in place of its mean
+    const auto least = [&](const std::string &figure) {
+      return figure == "longitudinal_force"   ? 0.05 * summary.normal_force
+             : figure == "max_shear_traction" ? 0.05 * summary.max_pressure
+             : figure == "creepage"           ? 1e-3
+                                              : 1e-300;
     };
-    const Judged judged[] = {{&history, "normal_force", 0},
-                             {&history, "longitudinal_force", 0.05 * force},
-                             {&history, "creepage", 1e-3},
-                             {&patches, "max_pressure_fitted", 0},
-                             {&patches, "contact_area", 0},
-                             {&patches, "max_shear_traction", 0.05 * pressure}};
     // two cells take out what repeats from cell to cell
     const double window = std::max(2e-3, 2 * model_.contact->lattice().spacing_along);
     Settling     worst;
-    for (const Judged &figure : judged)
+    for (const KnownResult &result : known.results)
       {
-        const auto &along  = column(*figure.table, "rolled_distance"),
-                   &values = column(*figure.table, figure.name);
-        const double scale =
-          std::max({std::abs(mean_over(along, values, stretch).mean), figure.least, 1e-300});
-        const Settling found = settling(along, values, stretch, scale, window);
-        worst.after          = std::max(worst.after, found.after);
+        if (!result.settles)
+          continue;
+        const History &table = result.of_patch ? state_.patches : state_.history;
+        const double   scale = std::max(std::abs(result.mean.mean), least(result.figure));
+        const Settling found = settling(
+          column(table, "rolled_distance"), column(table, result.figure), known.stretch, scale, window);
+        worst.after = std::max(worst.after, found.after);
         if (!(found.swing <= worst.swing))
           {
             worst.swing              = found.swing;
-            summary.largest_swing_of = figure_named(figure.name).label;
+            summary.largest_swing_of = figure_named(result.figure).label;
           }
         if (found.drift > worst.drift)
           {
             worst.drift              = found.drift;
-            summary.largest_drift_of = figure_named(figure.name).label;
+            summary.largest_drift_of = figure_named(result.figure).label;
           }
       }
     set_figure(summary, "settled_after_m", worst.after);

@@ -1,4 +1,5 @@
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/input/entries.h>
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/state/checkpoint_checks.h>
 
@@ -28,6 +29,8 @@ namespace wheelrail
                                                    "Run/Averaging distance",
                                                    "Run/Evaluate at",
                                                    "Run/Rolling distance",
+                                                   "Run/Longest distance",
+                                                   "Run/Standard error",
                                                    "Run/Passages",
                                                    "Run/Passage list",
                                                    "Run/Most passages",
@@ -90,11 +93,11 @@ namespace wheelrail
              "; set them back, or start anew in another Output/Folder";
 
     const double      rolled = saved.travelled();
-    const std::string wanted = "Run/Rolling distance = " + rounded_mm(scene.rolling_distance);
-    if (scene.motion != "none" && scene.rolling_distance > saved.prepared_distance * (1 + 1e-12))
+    const std::string wanted = path_text(scene);
+    if (scene.motion != "none" && scene.path() > saved.prepared_distance * (1 + 1e-12))
       return wanted + ": fine cells and motion of the saved state were laid for " +
              rounded_mm(saved.prepared_distance) + "; give at most that, or start anew";
-    if (scene.rolling_distance > saved.longest_distance * (1 + 1e-12))
+    if (scene.path() > saved.longest_distance * (1 + 1e-12))
       return scene.window == MeshWindow::moving
                ? wanted + ": on the rail of the saved state the wheel can roll " +
                    rounded_mm(std::floor(1e3 * saved.longest_distance) / 1e3) +
@@ -102,8 +105,8 @@ namespace wheelrail
                : wanted + ": the mesh of the saved state was made for " +
                    rounded_mm(saved.prepared_distance) +
                    " of rolling; give at most that, or start anew with Mesh/Prepared distance = " +
-                   rounded_mm(scene.rolling_distance) + " or Mesh/Window = moving";
-    if (scene.rolling_distance <= rolled)
+                   rounded_mm(scene.path()) + " or Mesh/Window = moving";
+    if (scene.path() <= rolled)
       return wanted + ": the saved state has rolled " + rounded_mm(rolled) +
              "; give more than that, and at most " +
              rounded_mm(std::floor(1e3 * saved.longest_distance) / 1e3);

@@ -15,7 +15,7 @@ namespace wheelrail
   std::string
   obstacle_of_stop(const Stop &stop, const double saved_distance, const Scene &scene)
   {
-    if (stop.cure.empty() || scene.rolling_distance < stop.rolled_distance)
+    if (stop.cure.empty() || scene.path() < stop.rolled_distance)
       return "";
     if (stop.energy_error > 0 && scene.energy_limit > stop.energy_error)
       return "";

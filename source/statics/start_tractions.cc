@@ -104,7 +104,7 @@ namespace wheelrail
     double
     inclination(const RunningSurfaces &surfaces, const double s)
     {
-      return surfaces.frame.angle + std::atan(surfaces.wheel.at(s).slope);
+      return surfaces.frame.angle + std::atan(surfaces.outline.at(s).slope);
     }
 
     /// Velocity of the rail's surface against the wheel's over V when the wheel turns without creepage:

@@ -9,6 +9,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "report"))
 
 import family_pictures
+import inputs
 import page
 import style
 import study_table
@@ -165,6 +166,24 @@ def members_of(study):
     return members
 
 
+def verdicts(study):
+    """How many cases have which verdict."""
+    numbers = {"trusted": 2, "with care": 1, "not trusted": 0}
+    words = [study_table.verdict(study.summaries(case))[0] for case in study.cases]
+    return page.verdict_counts([numbers[word] for word in words if word in numbers], "cases")
+
+
+def inputs_of(study, members):
+    """What all cases have in common, from the first that is there; what varies is named."""
+    for member in members:
+        data, of = (member.run, inputs.FINITE) if member.run else (member.halfspace, inputs.HALF)
+        rows = inputs.rows(inputs.read(data.folder), data.summary if data.has("summary.json") else None, of)
+        if rows:
+            varied = ", ".join(axis["name"].lower() for axis in study.axes)
+            return inputs.table(rows + [("varied", varied + f" (the values above are those of {member.label})")])
+    return ""
+
+
 def write(study, failures):
     """Draws the pictures and writes study.html; returns its path."""
     os.makedirs(study.path("pictures"), exist_ok=True)
@@ -178,7 +197,7 @@ def write(study, failures):
     script = page.plotly_script()
     shown = study_views.make(columns, CURVES, x, curves, members) if script else []
     varied = ", ".join(axis["entry"] for axis in study.axes)
-    parts = [f"<p>{len(study.cases)} cases over {html.escape(varied)}; from {html.escape(study.plan['file'])}, "
+    parts = verdicts(study) + [f"<p>{len(study.cases)} cases over {html.escape(varied)}; from {html.escape(study.plan['file'])}, "
              f"version {html.escape(study.version)}.</p>"]
     if script is None:
         parts.append("<p class=remark>Python's plotly is not installed (package python3-plotly); the page shows pictures alone.</p>")
@@ -187,7 +206,10 @@ def write(study, failures):
     parts += [f"<p class={page.VERDICT_CLASS.get(word, 'bad')}>{html.escape(study.label(case))}: {html.escape(word)}: "
               f"{html.escape(doubts)}</p>"
               for case in study.cases for word, doubts in [study_table.verdict(study.summaries(case))] if doubts]
-    parts += ["<h2>Figures</h2><div class=wide>", table(study, columns, states), "</div>"]
+    parts += ["<div class=top><div><h2>Inputs</h2>", inputs_of(study, members), "</div></div>", "<h2>Key results</h2><div class=wide>",
+              table(study, columns, states), "</div>"]
+    if family and os.path.basename(family[0][1]) == "family_head.png":
+        parts += ["<div class=pictures>", page.picture(*family.pop(0), "broad", COLORS), "</div>"]
     if shown:
         parts += ["<h2>Views</h2>", page.views_html(shown)]
     covered = "print" if any(view["id"] == "view-figures" for view in shown) else ""
@@ -196,7 +218,7 @@ def write(study, failures):
             parts += [f'<div class="{kind}"><h2>{head}</h2>', "<div class=pictures>", *[page.picture(*item) for item in list_of],
                       "</div></div>"]
     if family:
-        parts += ["<h2>Cases side by side</h2><p>Last tick of each run. Tractions act on the rail; maps show the right-hand rail "
+        parts += ["<h2>Cases side by side</h2><p>Last output step of each run. Tractions act on the rail; maps show the right-hand rail "
                   "from above, rolling direction up. G.C.: side of the gauge corner (track centre), F.S.: field side.</p>",
                   "<div class=pictures>", *[page.picture(*item, "broad", COLORS) for item in family], "</div>"]
     return page.write(study.path("study.html"), study.title, parts, shown, script)

@@ -36,10 +36,10 @@ SHOWN = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "creepag
 class Column:
     """Values of all cases, NaN where there is none; shown in `unit` times `factor`."""
 
-    def __init__(self, key, header, si, factor, values, std=None):
+    def __init__(self, key, header, si, factor, values, std=None, error=None):
         self.key, self.header, self.si, self.factor = key, header, si, factor
         self.values = np.array(values, dtype=float)
-        self.std = std
+        self.std, self.error = std, error
 
     def text(self, row):
         value = self.values[row] * self.factor
@@ -96,10 +96,11 @@ def columns_of(study):
             values = [number((pair[index] or {}).get(figure["key"])) for pair in pairs]
             if not np.isfinite(values).any() or (index == 1 and figure["key"] in COSTS):
                 continue
-            std = [number((pair[index] or {}).get(figure["std_key"])) for pair in pairs]
+            std, error = ([number((pair[index] or {}).get(figure.get(name))) for pair in pairs] for name in ("std_key", "error_key"))
             of_wheelset = figure["key"].startswith(("axle_", "right_", "left_"))
             columns.append(Column(prefix + figure["key"], header(figure["label"] + (not of_wheelset) * tail, figure["unit"]),
-                                  si_unit(figure), figure["factor"], values, std if np.isfinite(std).any() else None))
+                                  si_unit(figure), figure["factor"], values, std if np.isfinite(std).any() else None,
+                                  error if np.isfinite(error).any() else None))
     return columns
 
 
@@ -113,6 +114,11 @@ def verdict(pair):
     """The verdict of a case and why, "" where there are no figures: that of its run, or of its half-spaces."""
     summary = pair[0] or pair[1] or {}
     return page.verdict_of(summary), summary.get("doubts") or ""
+
+
+def ended(pair):
+    """How the run of a case ended: steady, not steady, distance; "" where there is none, or an older one."""
+    return (pair[0] or {}).get("ended") or ""
 
 
 def trusted(pair):
@@ -130,14 +136,14 @@ def write(study, failures):
     for name, chosen in (("table.csv", [c for c in columns if c.key not in COSTS]),
                          ("costs.csv", [c for c in columns if c.key in COSTS])):
         is_table = name == "table.csv"
-        lines = [[head for head, _ in axes] + ["state"] + (["verdict", "trusted"] if is_table else []) +
+        lines = [[head for head, _ in axes] + ["state"] + (["ended", "verdict", "trusted"] if is_table else []) +
                  [column.header for column in chosen] + (["remark", "doubts"] if is_table else []) + ["folder"]]
         for row in rows:
             case = study.cases[row]
             pair = study.summaries(case)
             word, doubts = verdict(pair)
             lines.append([cells[row] for _, cells in axes] + [states[row].word] +
-                         ([word, trusted(pair)] if is_table else []) +
+                         ([ended(pair), word, trusted(pair)] if is_table else []) +
                          [column.text(row) for column in chosen] +
                          ([states[row].sentence, doubts] if is_table else []) + [case["name"]])
         replace(study.path(name), as_csv(lines))
@@ -160,11 +166,13 @@ def write_hdf5(study, columns, states):
             file[group].attrs["entry"], file[group].attrs["unit"] = axis["entry"], unit_of(axis)
         for name, values in (("case", [case["name"] for case in study.cases]),
                              ("state", [state.word for state in states]),
+                             ("ended", [ended(study.summaries(case)) for case in study.cases]),
                              ("verdict", [verdict(study.summaries(case))[0] for case in study.cases]),
                              ("remark", [state.sentence for state in states])):
             file[name] = np.array(values, dtype=h5py.string_dtype())
         for column in columns:
-            for key, values in ((column.key, column.values), (column.key + "_std", column.std)):
+            for key, values in ((column.key, column.values), (column.key + "_std", column.std),
+                                (column.key + "_error", column.error)):
                 if values is not None:
                     file[key] = values
                     file[key].attrs["unit"] = column.si

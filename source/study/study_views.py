@@ -39,7 +39,7 @@ def case_views(members):
     """Patches, cuts and stresses of the cases that have all that is shown."""
     shown = []
     kinds = family_pictures.kinds_of(members, lambda case, kind: case.patches[kind])
-    ticks = {case: [views.patch_tick(case.patches[kind], case.label, PATCH_DIGITS) if case.patches[kind] is not None else None
+    ticks = {case: [views.patch_tick(case.patches[kind], case.label, PATCH_DIGITS, case.sections) if case.patches[kind] is not None else None
                     for kind in kinds] for case in members}
     there = [case for case in members if kinds and all(tick is not None for tick in ticks[case])]
     for case in there:

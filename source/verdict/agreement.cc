@@ -18,7 +18,7 @@ namespace wheelrail
         return "The run has no peak pressure that could be compared";
       const std::string by = text("%.1f", std::max(0.1, 100 * difference)) + " % in peak pressure";
       if (!verdict.limits.empty())
-        return "The half-spaces are no full reference here, since " + verdict.limits +
+        return "The half-space solution is not a reliable reference here, since " + verdict.limits +
                "; run and half-spaces differ by " + by;
       if (difference > 0.02)
         return "The run differs from the half-spaces by " + by;
@@ -39,8 +39,7 @@ namespace wheelrail
       return " Of the difference of " + percent(m.peak_difference) +
              " in peak pressure the penalty contact makes about " + percent(m.penalty_part()) +
              ", the cells " + percent(m.mesh_part()) + ", " +
-             (verdict.limits.empty() ? "the rest " : "what half-spaces are no reference for ") +
-             percent(rest) + ".";
+             (verdict.limits.empty() ? "the rest " : "what half-spaces do not have ") + percent(rest) + ".";
     }
   } // namespace
 
@@ -60,7 +59,10 @@ namespace wheelrail
       add("the forces vary by " + text("%.2f", 100 * m.unsteadiness) + " % of the load");
     if (std::isfinite(m.turn))
       add("the surfaces turn by " + text("%.0f", m.turn * 180 / M_PI) + " degrees across the patch");
-    return sentence + facts + "." + parts(m, verdict);
+    std::string beyond;
+    for (const std::string &result : m.beyond)
+      beyond += (beyond.empty() ? " Beyond their limits: " : ", ") + result;
+    return sentence + facts + "." + parts(m, verdict) + beyond + (beyond.empty() ? "" : ".");
   }
 
 
@@ -72,8 +74,8 @@ namespace wheelrail
       return "";
     return "the peak pressure is " + text("%.0f", 100 * std::abs(m.peak_difference)) + " % " +
            (m.peak_difference < 0 ? "below" : "above") +
-           " that of half-spaces under the same force and in the same pose: half-spaces are no full "
-           "reference here, since " +
+           " that of half-spaces under the same force and in the same pose: the half-space "
+           "solution is not a reliable reference here, since " +
            verdict.limits;
   }
 } // namespace wheelrail

@@ -44,9 +44,10 @@ namespace wheelrail
     if (std::isnan(m.settled_after) && std::isfinite(m.means_from))
       m.settled_after = std::numeric_limits<double>::infinity();
     m.energy_error = run.energy_error;
-    if (scene.motion == "none")
+    if (scene.motion == "none" && !scene.irregular())
       m.load_miss = run.vertical_force / figure("wheel_load_N") - 1;
-    m.torque_miss   = figure("torque_miss");
+    if (!scene.irregular())
+      m.torque_miss = figure("torque_miss");
     m.peak_pressure = run.max_pressure;
     if (run.max_plastic_strain > 0)
       m.plastic_strain = run.max_plastic_strain;

@@ -87,9 +87,20 @@ namespace wheelrail
               " from the peak pressure; raise Contact/Penalty scale.");
     }
 
+    /// What a run does that has not rolled far enough.
+    std::string
+    roll_on(const Scene &scene)
+    {
+      if (scene.until_steady())
+        return "roll farther (Run/Longest distance)";
+      if (scene.motion != "none" || scene.several_passages())
+        return "roll farther (Run/Rolling distance)";
+      return "roll until steady (Run/Rolling distance = until steady)";
+    }
+
     /// Noise and trend over the stretch of the means, each by itself.
     void
-    judge_steadiness(const Measures &m, Verdict &verdict)
+    judge_steadiness(const Scene &scene, const Measures &m, Verdict &verdict)
     {
       add(verdict,
           graded(m.unsteadiness, unsteadiness_bounds),
@@ -107,18 +118,18 @@ namespace wheelrail
         add(verdict,
             graded(m.drift, drift_bounds),
             m.drift_of + " still changes, by " + percent(m.drift) +
-              " from the first to the last millimetre of the means; roll farther (Run/Rolling distance).");
+              " from the first to the last millimetre of the means; " + roll_on(scene) + ".");
       else if (!(m.swing > swing_bounds.good) && m.means_from > 0 && m.settled_after > m.means_from)
         add(verdict,
             Grade::with_care,
             "not all figures have come within 1 % of their means before " +
-              text("%.1f mm", 1e3 * m.means_from) +
-              " rolled, where the means begin; roll farther (Run/Rolling distance).");
+              text("%.1f mm", 1e3 * m.means_from) + " rolled, where the means begin; " + roll_on(scene) +
+              ".");
     }
 
     /// What is known exactly: energy, weight, torque.
     void
-    judge_balances(const Measures &m, Verdict &verdict)
+    judge_balances(const Scene &scene, const Measures &m, Verdict &verdict)
     {
       add(verdict,
           graded(m.energy_error, energy_bounds),
@@ -128,15 +139,14 @@ namespace wheelrail
         add(verdict,
             graded(std::abs(m.load_miss), load_bounds),
             "the mean vertical force is " + percent(m.load_miss) + (m.load_miss < 0 ? " below" : " above") +
-              " the wheel load: the wheel has not come to rest on its contact; roll farther (Run/Rolling "
-              "distance).");
+              " the wheel load: the wheel has not come to rest on its contact; " + roll_on(scene) + ".");
       if (!std::isnan(m.torque_miss))
         add(verdict,
             graded(std::abs(m.torque_miss), torque_bounds),
             "the longitudinal force is off by " + percent(m.torque_miss) +
               " from what the torque of the wheel asks: the wheel still turns faster or slower with every "
-              "millimetre, and creepage and T-gamma are those of the moment; roll farther (Run/Rolling "
-              "distance), where friction can carry the torque.");
+              "millimetre, and creepage and T-gamma are those of the moment; " +
+              roll_on(scene) + ", where friction can carry the torque.");
     }
 
     /// What no steel bears, and what nobody has measured.
@@ -159,11 +169,13 @@ namespace wheelrail
     }
 
     void
-    find_limits(const Measures &m, Verdict &verdict)
+    find_limits(const Scene &scene, const Measures &m, Verdict &verdict)
     {
       const auto limit = [&](const std::string &why) {
         verdict.limits += (verdict.limits.empty() ? "" : " and ") + why;
       };
+      if (scene.irregular())
+        limit("the surfaces are irregular, so that means are not those of one place");
       if (m.plastic_strain > least_plastic)
         limit("steel has flowed (plastic strain up to " + text("%.2g", 1e3 * m.plastic_strain) + "e-3)");
       if (m.turn >= most_turn)
@@ -228,9 +240,10 @@ namespace wheelrail
     Verdict verdict;
     judge_place(measures, verdict);
     judge_resolution(scene, measures, verdict);
-    judge_steadiness(measures, verdict);
-    judge_balances(measures, verdict);
-    find_limits(measures, verdict);
+    if (!scene.irregular()) // over irregular surfaces nothing is steady
+      judge_steadiness(scene, measures, verdict);
+    judge_balances(scene, measures, verdict);
+    find_limits(scene, measures, verdict);
     judge_agreement(measures, verdict);
     return verdict;
   }

@@ -136,11 +136,8 @@ namespace wheelrail
     const double weight     = (data_.sprung_mass + data_.mass) * data_.gravity;
     const double added      = data_.way ? data_.way->load.at(0) - data_.way->load.at(travelled_) : 0;
     const double before     = vertical_speed_;
-    advance(height_,
-            vertical_speed_,
-            (reaction.force[1] - weight - suspension + added) / total_mass_,
-            kick,
-            time_step);
+    acceleration_           = (reaction.force[1] - weight - suspension + added) / total_mass_;
+    advance(height_, vertical_speed_, acceleration_, kick, time_step);
     work_.load_work += kick.duration * added * 0.5 * (before + vertical_speed_);
     if (data_.sprung_mass > 0)
       advance(sprung_height_, sprung_speed_, suspension / data_.sprung_mass, kick, time_step);
@@ -158,6 +155,13 @@ namespace wheelrail
     // driven by the torque, or held
     const double rate_before = pitch_rate_, moment = reaction.about_axis;
     applied_torque_ = data_.way ? data_.way->torque.at(travelled_) : data_.torque;
+    if (travelled_ < data_.torque_ramp)
+      {
+        if (std::isnan(start_torque_))
+          start_torque_ = -moment;
+        const double left = 0.5 * (1 + std::cos(M_PI * travelled_ / data_.torque_ramp));
+        applied_torque_ += left * (start_torque_ - applied_torque_);
+      }
     if (data_.rate_held)
       {
         const double wanted =

@@ -17,7 +17,7 @@ namespace scenes
   wheel_on_plane(const double radius, const double crown, const double half_width)
   {
     // profiles run towards negative x, as those of the sections do in the track plane
-    const auto table = [&](const double arc) {
+    const auto profile = [&](const double arc) {
       const double x = 1.01 * half_width;
       Segment      segment;
       segment.name = "profile";
@@ -37,13 +37,15 @@ namespace scenes
           segment.start = {x, 0};
           segment.end   = {-x, 0};
         }
-      return HeightTable(
-        FrameProfile(Curve({segment}), Placement(), ContactFrame()), -half_width, half_width);
+      return FrameProfile(Curve({segment}), Placement(), ContactFrame());
     };
     RunningSurfaces surfaces;
-    surfaces.rail  = table(0);
-    surfaces.wheel = surfaces.tread = table(crown);
-    surfaces.pose.nominal_radius = surfaces.rolling_radius = surfaces.forward_radius = radius;
+    WheelPose       pose;
+    pose.nominal_radius = surfaces.rolling_radius = surfaces.forward_radius = radius;
+    surfaces.rail    = RunningSurface(profile(0), ContactFrame(), Placement());
+    surfaces.wheel   = RunningSurface(profile(crown), ContactFrame(), pose, radius);
+    surfaces.outline = SectionHeights(profile(crown));
+    surfaces.tabulate(-half_width, half_width);
     return surfaces;
   }
 
@@ -145,7 +147,7 @@ namespace scenes
     });
     const double first = depth[1];
     mark_faces(mesh, Boundary::running, [&surfaces, first](const Vector3 &X) {
-      return std::abs(surfaces.wheel_offset(X)) < 0.1 * first;
+      return std::abs(surfaces.wheel.offset(X)) < 0.1 * first;
     });
     return mesh;
   }
@@ -170,7 +172,7 @@ namespace scenes
             (lattice.first_station + int(i)) * lattice.spacing_along / surfaces.rolling_radius;
           const double r = surfaces.local_radius(s);
           surface.reference.push_back(
-            {s, surfaces.pose.nominal_radius - r * std::cos(angle), r * std::sin(angle)});
+            {s, surfaces.pose().nominal_radius - r * std::cos(angle), r * std::sin(angle)});
         }
     return surface;
   }
@@ -237,7 +239,7 @@ namespace scenes
   ContactPair::add_forces(const double time, const Solid &solid, double *force)
   {
     velocity_before_     = velocity_;
-    const Vector3 centre = {0, contact.surfaces().pose.nominal_radius, 0};
+    const Vector3 centre = {0, contact.surfaces().pose().nominal_radius, 0};
     for (std::size_t k = 0; k < sources_.size(); ++k)
       if (const NodeSource &from = sources_[k]; from.node >= 0)
         for (int i = 0; i < 3; ++i)

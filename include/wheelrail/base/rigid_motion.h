@@ -33,4 +33,19 @@ namespace wheelrail
       return d[0] * rows[0] + d[1] * rows[1] + d[2] * rows[2];
     }
   };
+
+  /// The motion `first`, then `second`.
+  inline RigidMotion
+  then(const RigidMotion &first, const RigidMotion &second)
+  {
+    RigidMotion both;
+    for (int k = 0; k < 3; ++k)
+      {
+        const Vector3 column = second.turned({first.rows[0][k], first.rows[1][k], first.rows[2][k]});
+        for (int i = 0; i < 3; ++i)
+          both.rows[i][k] = column[i];
+      }
+    both.move = second(first.move);
+    return both;
+  }
 } // namespace wheelrail

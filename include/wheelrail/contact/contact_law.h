@@ -53,6 +53,7 @@ namespace wheelrail
   {
     double  opening = 0; ///< velocity along the normal [m/s]
     Vector3 slip{};      ///< velocity in the tangent plane, with what the spring takes [m/s]
+    Vector3 tilt{};      ///< of the true normal against that of the wheel's facets, see Facing
   };
 
   /// Forces of one node on the wheel [N]; the opposite acts on the rail.

@@ -23,6 +23,7 @@ namespace wheelrail
     std::array<double, 4>      weight;  ///< of the corners at the closest point
     Vector3                    normal;  ///< out of the rail
     double                     gap;     ///< along the normal, of the true profiles [m]
+    Vector3 tilt{}; ///< gradient of what stands out of the wheel: normal + tilt is the true normal
   };
 
   /// Closest point of the rail's nodes on the facets of the wheel, and the gap between the true profiles
@@ -54,9 +55,13 @@ namespace wheelrail
     }
 
   private:
+    Vector3
+    tilt(const Vector3 &X, const Vector3 &normal) const;
+
     RunningSurfaces      surfaces_;
-    std::vector<double>  rail_offset_;  ///< of the rail's profile beyond the filtered nodes [m]
-    std::vector<Vector3> wheel_normal_; ///< out of the rail
+    bool                 wheel_offsets_ = false; ///< the wheel has irregularities that are offsets of the gap
+    std::vector<double>  rail_offset_;           ///< of the rail's profile beyond the filtered nodes [m]
+    std::vector<Vector3> wheel_normal_;          ///< out of the rail
   };
 
   /// Closest point of `place` on the facets between the nodes `x` of a lattice at `stations` [m]; starts from

@@ -36,6 +36,11 @@ namespace wheelrail
       loop_.change_mesh(remake, middle);
     }
 
+    /// Lets the wheel with its axle turn faster by `change` [rad/s], as a rigid body; what that brings in is
+    /// the supplied energy `rate_change_work`. Only where the axle's torque has a ramp. Collective.
+    void
+    turn_faster(double change);
+
     /// One time step. `with_energy` updates energy() too. Collective.
     void
     step(const bool with_energy)
@@ -80,8 +85,11 @@ namespace wheelrail
     }
 
   private:
+    Axle             &axle_;
+    MPI_Comm          communicator_;
     RollingContact    contact_;
     AddedMassRotation added_mass_;
     TimeLoop          loop_;
+    EnergyTerm       *rate_change_ = nullptr;
   };
 } // namespace wheelrail

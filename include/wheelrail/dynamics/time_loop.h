@@ -48,6 +48,11 @@ namespace wheelrail
     void
     change_mesh(const std::function<void()> &remake, double middle);
 
+    /// Lets a body turn faster about `centre`, by a rigid rotation with the rate `spin` [rad/s]. Returns the
+    /// kinetic energy that the free nodes gain, of those that this rank owns [J].
+    double
+    add_spin(Body body, const Vector3 &centre, const Vector3 &spin);
+
     /// One time step. `with_energy` brings the energies up to date, too. Collective.
     void
     step(bool with_energy);
@@ -67,6 +72,12 @@ namespace wheelrail
     }
     const EnergyBook &
     energy() const
+    {
+      return book_;
+    }
+    /// For works that no part does.
+    EnergyBook &
+    energy()
     {
       return book_;
     }

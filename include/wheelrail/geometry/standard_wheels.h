@@ -10,4 +10,10 @@ namespace wheelrail
   /// and C; it is kept.
   WheelProfile
   wheel_S1002();
+
+  /// A cone 1:`ratio` through the running circle with the flank, the tip and the back of the flange of S1002,
+  /// which a root of 13 mm radius joins: no profile of a standard, but the wheel of textbooks, whose rolling
+  /// radius is known in closed form.
+  WheelProfile
+  wheel_cone(unsigned int ratio);
 } // namespace wheelrail

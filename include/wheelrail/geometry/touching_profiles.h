@@ -1,8 +1,8 @@
 #pragma once
 
 #include <wheelrail/geometry/contact_geometry.h>
-#include <wheelrail/geometry/frame_profile.h>
 #include <wheelrail/geometry/profiles.h>
+#include <wheelrail/geometry/running_surfaces.h>
 #include <wheelrail/geometry/track.h>
 
 namespace wheelrail
@@ -14,19 +14,34 @@ namespace wheelrail
     RailProfile     rail;
     WheelProfile    wheel;
     ContactGeometry contact;
-    FrameProfile rail_heights, wheel_heights; ///< of the head and of the wheel seen along the track, over s
-    FrameProfile tread_heights;               ///< of the tread in its own frame; without yaw wheel_heights
+    RunningSurfaces surfaces; ///< in the frame of the contact point
+
+    /// Smooth heights of the head, and of the wheel seen along the track, over s.
+    const FrameProfile &
+    rail_heights() const
+    {
+      return surfaces.rail.profile();
+    }
+    const FrameProfile &
+    wheel_heights() const
+    {
+      return surfaces.outline.profile();
+    }
   };
 
-  /// How far along the track wheel and rail can overlap when the undeformed wheel is lowered by `approach`
-  /// [m]: a parabola z^2 / (2 r) around the lowest place of each slice [m], around the first contact point.
-  /// With yaw these places lie one behind the other, those of slices within `beside` [m] of the overlap too,
-  /// where the bodies may move the contact to. On the tread no patch is longer.
+  /// How far along the track wheel and rail can overlap when the undeformed smooth wheel is lowered by
+  /// `approach` [m]: half a chord of the rolling circle around the lowest place of each slice [m], around the
+  /// first contact point. With yaw these places lie one behind the other, those of slices within `beside` [m]
+  /// of the overlap too, where the bodies may move the contact to. On the tread no patch is longer.
+  Range
+  smooth_overlap_along(const TouchingProfiles &profiles, double approach, double beside);
+
+  /// The same with what irregularities add to it: a slope moves the contact by radius times slope.
   Range
   overlap_along(const TouchingProfiles &profiles, double approach, double beside);
 
-  /// Finds the contact (find_contact()) and the heights of both profiles in its frame (FrameProfile). Throws
-  /// InputError as these do.
+  /// Finds the contact (find_contact()) and the surfaces there (running_surfaces()). Throws InputError as
+  /// these do.
   TouchingProfiles
   touching_profiles(RailProfile            rail,
                     WheelProfile           wheel,

@@ -57,6 +57,9 @@ namespace wheelrail
 
     void
     apply(const Spectrum &xx, const Spectrum &xy, const Spectrum &yy, VectorField &in, VectorField &out);
+    /// The slip of the tractions in work_, to image_.
+    void
+    apply_slip();
     /// Force asked for less that of tractions t, over the element area [Pa].
     double
     missing_force(const std::vector<double> &t, std::size_t f) const;

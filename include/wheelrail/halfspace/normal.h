@@ -1,7 +1,8 @@
 #pragma once
 
-#include <wheelrail/halfspace/influence.h>
+#include <wheelrail/halfspace/problem.h>
 
+#include <functional>
 #include <vector>
 
 namespace wheelrail
@@ -17,17 +18,20 @@ namespace wheelrail
     bool                converged  = false;
   };
 
-  /// Finds p >= 0 with gap e = distance - approach + A p >= 0 and e p = 0, where A p is the product with the
-  /// spectrum `kernel`; with force_given also sum(p) dx dy = force, and the approach is found.
-  /// Conjugate gradients with projection on p >= 0 (Polonsky and Keer 1999).
+  /// The displacement of a pressure [m]: a symmetric, positive product.
+  using NormalProduct =
+    std::function<void(const std::vector<double> &pressure, std::vector<double> &displacement)>;
+
+  /// Finds p >= 0 with gap e = distance - approach + A p >= 0 and e p = 0, where A p is `product`; with
+  /// force_given also sum(p) dx dy = force, and the approach is found. Conjugate gradients with projection on
+  /// p >= 0 (Polonsky and Keer 1999).
   void
-  solve_normal(InfluenceProducts                 &products,
-               const InfluenceProducts::Spectrum &kernel,
-               const HalfspaceGrid               &grid,
-               const std::vector<double>         &distance,
-               bool                               force_given,
-               double                             force,
-               double                             tolerance,
-               int                                max_iterations,
-               NormalContact                     &contact);
+  solve_normal(const NormalProduct       &product,
+               const HalfspaceGrid       &grid,
+               const std::vector<double> &distance,
+               bool                       force_given,
+               double                     force,
+               double                     tolerance,
+               int                        max_iterations,
+               NormalContact             &contact);
 } // namespace wheelrail

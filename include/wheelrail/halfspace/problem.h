@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,7 @@ namespace wheelrail
   };
 
   struct HalfspaceSolution;
+  class AddedInfluence;
 
   struct HalfspaceProblem
   {
@@ -79,6 +81,14 @@ namespace wheelrail
     /// to the solution with a given force, the zero of the approach lies where it is 0.
     std::vector<double> undeformed_distance;
     HalfspaceBody       body1, body2;
+    /// What the bodies give way beyond half-spaces, on this grid (added_influence.h); null: nothing. How
+    /// tractions move the surfaces along the normal through it is taken from the guess that solve_rolling()
+    /// is given: the caller repeats until pressure and tractions have settled to each other.
+    std::shared_ptr<const AddedInfluence> added;
+    /// Of conformal contact, where the normal turns from row to row: the cosine of its angle to the direction
+    /// of the approach, per element, positive. The normal force is then that along the approach, the sum of
+    /// pressure times cosine. Empty: 1.
+    std::vector<double> normal_cosine;
 
     bool   force_given  = true; ///< normal_force is given and the approach is found, or the reverse
     double normal_force = 0;    ///< [N]

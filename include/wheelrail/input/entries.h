@@ -40,4 +40,12 @@ namespace wheelrail
   /// "Section/Name = value" with the value of `scene` as in the listing; the entry must exist.
   std::string
   entry_text(const Scene &scene, const std::string &section, const std::string &name);
+
+  /// The entry that says how far the wheel rolls at most, Run/Rolling distance or Run/Longest distance:
+  /// "Run/Longest distance".
+  std::string
+  path_entry(const Scene &scene);
+  /// The same with the distance: "Run/Longest distance = 60 mm".
+  std::string
+  path_text(const Scene &scene);
 } // namespace wheelrail

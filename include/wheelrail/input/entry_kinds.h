@@ -30,6 +30,8 @@ namespace wheelrail
     /// The text that `set` turns back into the value of the scene.
     std::function<std::string(const Scene &)> get;
 
+    bool repeats = false; ///< the same as in the first one of numbered subsections
+
     /// "Section/Name", as messages and --set write it.
     std::string
     path() const

@@ -37,6 +37,7 @@ namespace wheelrail
   {
     std::vector<MotionQuantity>      quantities;
     std::vector<std::vector<double>> columns; ///< [SI], one value a row
+    std::vector<std::string>         notes;   ///< what of the file was left out, sentences
 
     std::size_t
     rows() const
@@ -66,6 +67,12 @@ namespace wheelrail
   /// InputError, with file, line and column, for everything else.
   MotionFile
   read_motion_file(const std::string &path);
+
+  /// Reads the results of a vehicle simulation in the same form. Columns that are not known are left out with
+  /// a note. `columns`: a file that tells what columns are called here (read_column_names()); empty: none.
+  /// Throws InputError as read_motion_file().
+  MotionFile
+  read_vehicle_file(const std::string &path, const std::string &columns = "");
 
   /// Reads a table of the same form whose rows are wheels that pass one after the other: "load [kN],
   /// lateral shift [mm], traction, velocity [km/h], creepage [%]", any of them. Throws InputError as

@@ -2,19 +2,23 @@
 
 #include <wheelrail/scene/scene.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace wheelrail
 {
+  /// Where a scene names a file.
+  using PathPlace = std::function<std::string &(Scene &)>;
+
   /// A file that a scene names.
   struct SceneFile
   {
     std::string entry; ///< "Wheelset/Motion"
     std::string path;
-    std::string what;           ///< "motion": what its copy beside the results is called by
-    std::string Scene::*value;  ///< where the scene names it; null where that is not by this path alone
-    bool                in_run; ///< every step of a run depends on it
+    std::string what;   ///< "motion": what its copy beside the results is called by
+    PathPlace   value;  ///< where the scene names it; null where that is not by this path alone
+    bool        in_run; ///< every step of a run depends on it
   };
 
   /// All files that a scene depends on by its entries, in the order of the entries: profiles, motion,

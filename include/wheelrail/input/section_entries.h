@@ -38,6 +38,10 @@ namespace wheelrail
   std::vector<Entry>
   halfspace_entries();
 
+  /// Of all subsections Irregularity 1, 2, ...
+  std::vector<Entry>
+  irregularity_entries();
+
   std::vector<Entry>
   wear_entries();
 

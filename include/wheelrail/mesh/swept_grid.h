@@ -159,6 +159,7 @@ namespace wheelrail
     const SweepPlan                          *plan_;
     Body                                      body_;
     int                                       n_columns_, parts_;
+    bool                                      moved_; ///< by irregularities of the surface
     std::uint32_t                             first_edge_point_, first_inner_point_;
     std::vector<std::array<std::uint32_t, 4>> edges_; ///< of each block
     std::vector<std::array<Boundary, 4>>      marks_;

@@ -28,8 +28,8 @@ namespace wheelrail
   SceneProfiles
   read_profiles(const Scene &scene);
 
-  /// Puts the profiles in touch at the scene's lateral shift, see touching_profiles(). Throws InputError when
-  /// they do not touch there.
+  /// Puts the profiles in touch at the scene's lateral shift, see touching_profiles(), and the irregularities
+  /// of the scene on them. Throws InputError when they do not touch there, or a file cannot be read.
   SceneGeometry
   make_geometry(const Scene &scene, SceneProfiles profiles);
 

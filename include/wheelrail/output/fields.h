@@ -53,4 +53,8 @@ namespace wheelrail
     std::vector<std::string>         units; ///< "s", "N", ...
     std::vector<std::vector<double>> columns;
   };
+
+  /// The column of that name; throws std::logic_error when there is none.
+  const std::vector<double> &
+  column(const History &table, const std::string &name);
 } // namespace wheelrail

@@ -52,6 +52,8 @@ namespace wheelrail
 
     bool        finished = false; ///< the run reached its end
     std::string stop_reason;      ///< why it did not, a sentence; empty when finished
+    std::string ended;            ///< how it ended: "steady", "not steady", "distance"; empty when it did not
+    std::string ended_because;    ///< the same in words
     std::string note;             ///< what is to be known beside the figures, a sentence; mostly empty
     std::string largest_swing_of; ///< label of the figure with the largest swing
     std::string largest_drift_of; ///< and of that with the largest drift

@@ -77,6 +77,11 @@ namespace wheelrail
   std::size_t
   begin_of_points(const std::vector<Line> &lines);
 
+  /// Writes points for decimal commas from the line of index `begin` on: where commas stand between digits of
+  /// numbers that blanks, tabs or semicolons part, and no number has a point. Returns whether it did.
+  bool
+  take_decimal_commas(std::vector<Line> &lines, std::size_t begin);
+
   /// Adds a point; throws InputError when there are too many or a coordinate is beyond 1e9.
   void
   add_point(FileContent &content, const Point2 &p, unsigned int line, const std::string &file);

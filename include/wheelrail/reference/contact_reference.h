@@ -3,6 +3,8 @@
 #include <wheelrail/halfspace/problem.h>
 #include <wheelrail/reference/contact_sections.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// Place, creepages and spin of a contact at its reference point, and what the contact does to the
@@ -40,6 +42,37 @@ namespace wheelrail
   wheelset_forces(const ContactSections   &sections,
                   const PressureMeans     &means,
                   const HalfspaceSolution &solution);
+
+  /// A row of elements: where it lies on the rail, in the track plane [m], and the angle of the contact there
+  /// against X [rad].
+  struct RowOfElements
+  {
+    Point2 place;
+    double angle = 0;
+  };
+
+  /// The same of elements whose planes differ from row to row.
+  WheelsetForces
+  wheelset_forces(const ContactSections            &sections,
+                  const std::vector<RowOfElements> &rows,
+                  const HalfspaceSolution          &solution);
+
+  /// A reference point as it was found, in the coordinates of the solution.
+  struct ReferencePoint
+  {
+    double                 x = 0, y = 0; ///< [m]
+    Point2                 place;        ///< on the rail, in the track plane [m]
+    double                 angle = 0;    ///< of the rail's surface against X [rad]
+    ContactSections::Slice slice;        ///< of the wheel there
+  };
+
+  /// What follows from a reference point and the forces.
+  ContactReference
+  reference_at(const ContactSections   &sections,
+               const ReferencePoint    &point,
+               const WheelsetForces    &forces,
+               const WheelMotion       &motion,
+               const HalfspaceSolution &solution);
 
   /// Computes them. The tractions act in one plane at the mean angle of the rail, as they were solved.
   ContactReference

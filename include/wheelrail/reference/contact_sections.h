@@ -1,6 +1,5 @@
 #pragma once
 
-#include <wheelrail/geometry/frame_profile.h>
 #include <wheelrail/geometry/touching_profiles.h>
 #include <wheelrail/halfspace/problem.h>
 
@@ -49,7 +48,6 @@ namespace wheelrail
       double  radius        = 0;           ///< distance from the axle there [m]
       double  rail_angle    = 0;           ///< of the rail's surface against X [rad]
       double  wheel_angle   = 0;           ///< of the wheel's surface against the axle [rad]
-      double  curvature     = 0;           ///< of its distance from the rail over x [1/m]
       Vector3 from_middle   = {{0, 0, 0}}; ///< that place from the middle of the axle, in the track frame [m]
       Vector3 rolling       = {{0, 0, 0}}; ///< velocity there over the pitch rate, in the track frame [m]
       double  wheel_tangent = 0;           ///< angle of the wheel's surface against X [rad]
@@ -60,6 +58,10 @@ namespace wheelrail
     /// Distance of the surfaces at the lowest place of the slice at s, counted from the least one [m].
     double
     distance(double s) const;
+
+    /// The same over the place s, x of the rail.
+    double
+    distance(double s, double x) const;
 
     /// That least distance where 2D-Geo and the offsets put wheel and rail; negative where they overlap [m].
     double
@@ -86,29 +88,54 @@ namespace wheelrail
     const FrameProfile &
     rail() const
     {
-      return rail_;
+      return surfaces_.rail.profile();
+    }
+
+    /// Slope along the track of the rail's surface over the place s, x; 0 where it is smooth.
+    double
+    rail_slope_along(double s, double x) const
+    {
+      return surfaces_.rail.at(s, x).slope_along;
     }
 
     /// The rail's surface at s, in the track plane [m].
     Point2
     rail_place(double s) const;
 
-    /// A grid of square elements [m] that covers the interpenetration at the approach [m].
+    /// A grid of square elements [m] that covers the interpenetration at the approach [m], of irregular
+    /// surfaces all places of it.
     HalfspaceGrid
     grid(double approach, double element) const;
 
-    /// Sets the undeformed distance on the problem's grid: exact at the lowest place of each slice, a
-    /// parabola along the rail.
+    /// Sets the undeformed distance on the problem's grid, of the exact surfaces.
     void
     set_distance(HalfspaceProblem &problem) const;
 
   private:
+    /// Distance of the surfaces at a place [m].
+    struct Sample
+    {
+      double x, s, distance;
+    };
+
+    void
+    sample_irregular();
+    HalfspaceGrid
+    irregular_grid(double approach, double element) const;
+
+    const FrameProfile &
+    outline() const
+    {
+      return surfaces_.outline.profile();
+    }
+
     const TouchingProfiles &profiles_;
     ContactRegion           region_;
-    AxleLine                axle_; ///< of the wheel that turns
-    FrameProfile            rail_, wheel_;
-    double                  lowest_ = 0, lowest_s_ = 0; ///< smallest distance of the profiles, and its place
-    std::vector<double>     samples_;                   ///< distances of the profiles from s_min() on [m]
+    AxleLine                axle_;     ///< of the wheel that turns
+    RunningSurfaces         surfaces_; ///< with their offsets, in the frame of the region; Z from its point
+    double                  lowest_ = 0, lowest_s_ = 0; ///< smallest distance of the surfaces, and its place
+    std::vector<double>     samples_;   ///< distances of the smooth profiles from s_min() on [m]
+    std::vector<Sample>     irregular_; ///< of irregular surfaces; empty: they are smooth
   };
 
   /// Means over the pressure of a solution.

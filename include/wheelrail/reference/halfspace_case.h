@@ -34,15 +34,17 @@ namespace wheelrail
     HalfspaceSolution solution;
     PatchFields       patch; ///< in the form and with the signs of a run's patch
     std::vector<Point2>
-                  row_edges; ///< of its rows across the rail: on the rail's surface, in the track plane [m]
-    PatchMeasures measures;  ///< of `patch`: area and extents from the edge line
-    double        angle    = 0; ///< of the surfaces against X, mean over the pressure [rad]
-    double        spin     = 0; ///< d w_y / dx at the centre of pressure [1/m]
-    double        turn     = 0; ///< of the surfaces across the patch, edge to edge [rad]
-    double        lateral  = 0; ///< force on the wheel along X [N]
-    double        vertical = 0; ///< force on the wheel upwards [N]
-    double        roll     = 0; ///< of the wheelset, from X to Y [rad]
-    double        ahead =
+      row_edges; ///< of its rows across the rail: on the rail's surface, in the track plane [m]
+    std::optional<Point2> centre;       ///< middle of the patch on the rail's surface, in the track plane [m]
+    Placement             rail;         ///< of its section in that plane
+    PatchMeasures         measures;     ///< of `patch`: area and extents from the edge line
+    double                angle    = 0; ///< of the surfaces against X, mean over the pressure [rad]
+    double                spin     = 0; ///< d w_y / dx at the centre of pressure [1/m]
+    double                turn     = 0; ///< of the surfaces across the patch, edge to edge [rad]
+    double                lateral  = 0; ///< force on the wheel along X [N]
+    double                vertical = 0; ///< force on the wheel upwards [N]
+    double                roll     = 0; ///< of the wheelset, from X to Y [rad]
+    double                ahead =
       0; ///< of the first contact point, from which places along the rail count, ahead of the axle [m]
     std::optional<ContactReference> reference; ///< of wheel and rail; none where the distance is given
     std::string made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
@@ -72,9 +74,10 @@ namespace wheelrail
 
   /// Solves the contact of the profiles in steady rolling, in one plane or, where the wheel has contacts in
   /// planes that differ by more than 0.1 (separate_regions()), each in its own. The undeformed
-  /// distance is exact in the lateral direction and x^2 / (2 r) along the rail; materials, friction, speed,
+  /// distance is that of the exact surfaces; materials, friction, speed,
   /// element size and spin are those of the scene (doc/manual/compare.md). Where the longitudinal force
-  /// exceeds friction the whole patch slides, see solve_carried().
+  /// exceeds friction the whole patch slides, see solve_carried(). With Half-space/Bodies = real it is the
+  /// contact of the true bodies instead, see solve_bodies(), without offsets.
   WheelRailSolution
   solve_wheel_rail(const Scene          &scene,
                    const SceneGeometry  &geometry,

@@ -5,6 +5,7 @@
 #include <wheelrail/sampling/fields.h>
 #include <wheelrail/sampling/residual.h>
 #include <wheelrail/sampling/run_parts.h>
+#include <wheelrail/sampling/stress_below.h>
 
 #include <memory>
 #include <string>
@@ -34,6 +35,11 @@ namespace wheelrail
     void
     residual(const Residual &residual);
 
+    /// Largest stresses of the cuts at the moment, below the depth of one cell: those of the tick where one
+    /// was written now, else from `stress`. Collective.
+    StressBelow
+    stress_below(const NodalStress &stress) const;
+
   private:
     /// Writes a part of the mesh into `name`.vtu and adds it to a series, if there is one.
     void
@@ -44,6 +50,8 @@ namespace wheelrail
                const NodalStress *residual = nullptr);
 
     RunParts                   parts_;
+    StressBelow                stress_below_;            ///< of the last tick
+    double                     stress_below_at_ = -1;    ///< distance rolled then [m]; none: -1
     std::unique_ptr<TickFile>  patch_file_, slice_file_; ///< on rank 0 only, as the series
     std::unique_ptr<PvdSeries> surface_series_, window_series_, volume_series_; ///< for ParaView
   };

@@ -20,9 +20,15 @@ namespace wheelrail
       return steps_;
     }
 
-    /// A row of the history: every thousandth of the way, the first step and the last one.
+    /// A row of the history: every thousandth of the way, until steady every sixteenth of a cell where that
+    /// is less; the first step and the last one.
     bool
     record(unsigned long step) const;
+
+    /// Whether to ask if the run is steady: after every cell that is rolled, at a row of the history; never
+    /// where the run does not end by itself.
+    bool
+    judge(unsigned long step) const;
 
     /// An output tick of Output/Ticks, at equal steps.
     bool
@@ -42,7 +48,7 @@ namespace wheelrail
     evaluate(double before, double now) const;
 
   private:
-    unsigned long steps_, record_every_, ticks_, stop_after_;
-    double        evaluate_at_; ///< [m]
+    unsigned long steps_, record_every_, judge_every_, ticks_, stop_after_; ///< judge_every_ 0: never
+    double        evaluate_at_;                                             ///< [m]
   };
 } // namespace wheelrail

@@ -4,6 +4,7 @@
 #include <wheelrail/model/model.h>
 #include <wheelrail/output/fields.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/sampling/steadiness.h>
 
 #include <utility>
 
@@ -40,21 +41,32 @@ namespace wheelrail
       state_ = std::move(state);
     }
 
-    /// Means and standard deviations over the rows of a stretch of the way, the number of separate patches
-    /// in the last one added ("patches"), the rolled distance from which all reported figures are steady
-    /// ("settled_after_m", null when one is not), and the largest swing of one of them in that stretch
-    /// ("largest_swing", see settling()).
+    /// Means, standard deviations and standard errors (KnownResult) over the stretch that the scene takes its
+    /// means over, the number of separate patches in the last one added ("patches"), the rolled distance from
+    /// which all reported figures are steady ("settled_after_m", null when one is not), and the largest swing
+    /// of one of them in that stretch ("largest_swing", see settling()); and whether a run until steady has
+    /// become so.
     void
-    fill(Summary &summary, const Range &stretch) const;
+    fill(Summary &summary, const Scene &scene) const;
 
-    /// The stretch that a scene takes its means over, of the rows so far [m]: around Run/Evaluate at as soon
-    /// as the wheel has come so far, else the last one.
+    /// The stretch that a scene takes its means over, of the rows so far [m]: the steady one of a run that
+    /// ends by itself, if it has come to that; around Run/Evaluate at as soon as the wheel has come so far,
+    /// else the last one.
     Range
     averaging_stretch(const Scene &scene) const;
 
+    /// Whether the rows so far are enough for a run that ends by itself, see judge_steadiness().
+    Steadiness
+    steadiness(const Scene &scene) const;
+
   private:
+    SteadyBasis
+    basis(const Scene &scene) const;
+    /// Whether rail or wheel have irregularities: the history then shows them under the wheel.
+    bool
+    irregular() const;
     void
-    fill_settling(Summary &summary, const Range &stretch) const;
+    fill_settling(Summary &summary, const Steadiness &known) const;
 
     const Model &model_;
     State        state_;

@@ -7,10 +7,12 @@
 #include <wheelrail/material/friction.h>
 #include <wheelrail/mesh/wheel_section_outline.h>
 #include <wheelrail/profiles/profile_file.h>
+#include <wheelrail/scene/irregularity_data.h>
 #include <wheelrail/scene/material_test.h>
 #include <wheelrail/scene/study.h>
 #include <wheelrail/solid/element_form.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -91,6 +93,13 @@ namespace wheelrail
   };
 
   /// Where the rigid slip of the half-space contact comes from.
+  /// What the commands for half-spaces take wheel and rail for.
+  enum class ContactBodies
+  {
+    half_spaces, ///< Kalker's theory
+    real         ///< this wheel on its bore and this rail on its foot, doc/theory/bodies.md
+  };
+
   enum class HalfspaceSpin
   {
     local_radius, ///< every slice rolls with its own radius and inclination
@@ -177,15 +186,17 @@ namespace wheelrail
 
     // Run
     StartState   start              = StartState::steady_rolling;
-    double       rolling_distance   = 0.06;   ///< [m]
-    double       averaging_distance = 0.02;   ///< stretch over which the figures are means [m]
-    double       evaluate_at        = 0;      ///< its middle [m]; 0: it is the last one
-    double       time_step_factor   = 0.95;   ///< fraction of the stable step
-    double       bulk_viscosity     = 0.06;   ///< linear bulk viscosity coefficient
-    unsigned int passages           = 1;      ///< how often the wheels go over the same rail; 0: until steady
-    unsigned int most_passages      = 50;     ///< of wheels, until steady
-    double       settled_growth     = 1e-5;   ///< of strain in a round, below which nothing grows any more
-    double       settled_change     = 0.03;   ///< of the growth from round to round, below which it is steady
+    double       rolling_distance   = 0.06; ///< [m], 0: until steady
+    double       longest_distance   = 0.06; ///< of a run until steady [m]
+    double       standard_error     = 1e-3; ///< that its results may have, over their scales (see Steadiness)
+    double       averaging_distance = 0.02; ///< stretch over which the figures are means [m]
+    double       evaluate_at        = 0;    ///< its middle [m]; 0: it is the last one
+    double       time_step_factor   = 0.95; ///< fraction of the stable step
+    double       bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
+    unsigned int passages           = 1;    ///< how often the wheels go over the same rail; 0: until steady
+    unsigned int most_passages      = 50;   ///< of wheels, until steady
+    double       settled_growth     = 1e-5; ///< of strain in a round, below which nothing grows any more
+    double       settled_change     = 0.03; ///< of the growth from round to round, below which it is steady
     std::string  passage_list       = "none"; ///< file of the wheels of a round, or none: one as the scene
     unsigned int passage_jump       = 0;      ///< most rounds that are extrapolated at a time, 0: none
     double       jump_error         = 0.05; ///< of an extrapolated growth, over the strain, that is accepted
@@ -204,6 +215,7 @@ namespace wheelrail
 
     // Half-space
     double        halfspace_element_size = 0.4e-3; ///< [m]
+    ContactBodies halfspace_bodies       = ContactBodies::half_spaces;
     HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
     double halfspace_given_spin = std::numeric_limits<double>::infinity(); ///< [1/m]; infinite: of the wheel
     double halfspace_memory_length      = 0;     ///< slip distance of the friction's memory, 0: none [m]
@@ -221,6 +233,8 @@ namespace wheelrail
     double      halfspace_normal_force  = 0;     ///< [N], 0: the static wheel load
     double      halfspace_approach      = 0;     ///< [m], 0: found from the normal force
     double      halfspace_contact_angle = 0;     ///< of the axle to the contact plane: the spin [rad]
+
+    std::array<IrregularityData, most_irregularities> irregularities; ///< of the running surfaces
 
     WearData wear;      ///< laws of wear and cracks
     WearPlan wear_plan; ///< for the command wear
@@ -245,11 +259,36 @@ namespace wheelrail
       return dimensions;
     }
 
+    /// How far the wheel rolls, at most where the run ends by itself [m].
+    double
+    path() const
+    {
+      return rolling_distance > 0 ? rolling_distance : longest_distance;
+    }
+
+    /// Whether the run ends as soon as its results are steady and known. Passages are compared at one place
+    /// that all of them roll over, and a motion that is followed is never steady: these roll their path.
+    bool
+    until_steady() const
+    {
+      return rolling_distance == 0 && motion == "none" && !several_passages();
+    }
+
     /// How far the mesh lets the wheel roll [m].
     double
     mesh_distance() const
     {
-      return prepared_distance > 0 ? prepared_distance : rolling_distance;
+      return prepared_distance > 0 ? prepared_distance : path();
+    }
+
+    /// Whether rail or wheel has an irregularity.
+    bool
+    irregular() const
+    {
+      for (const IrregularityData &one : irregularities)
+        if (one.kind != IrregularKind::none)
+          return true;
+      return false;
     }
 
     /// Whether more than one wheel passes, or wheels of a list.

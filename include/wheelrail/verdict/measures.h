@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace wheelrail
 {
@@ -38,12 +39,13 @@ namespace wheelrail
     std::string made_up; ///< part of a profile that was not measured and is touched; empty: none
 
     // against half-spaces
-    double      peak_difference = none; ///< (run - half-space) / half-space
-    double      turn            = none; ///< of the surfaces across the patch [rad]
-    double      pose_effect     = none; ///< peak with the pose over peak without it, less 1
-    double      plastic_strain  = 0;    ///< largest one of the run, 0 where nothing has flowed
-    double      patches         = 1;    ///< separate ones of the run, where the half-spaces have not as many
-    std::string no_reference;           ///< why there are no half-spaces to compare with; empty: there are
+    double peak_difference = none;   ///< (run - half-space) / half-space
+    double turn            = none;   ///< of the surfaces across the patch [rad]
+    double pose_effect     = none;   ///< peak with the pose over peak without it, less 1
+    double plastic_strain  = 0;      ///< largest one of the run, 0 where nothing has flowed
+    double patches         = 1;      ///< separate ones of the run, where the half-spaces have not as many
+    std::vector<std::string> beyond; ///< other figures that differ by more than their limit, in words
+    std::string              no_reference; ///< why there are no half-spaces to compare with; empty: there are
 
     /// What the penalty contact takes from the peak, about: a layer of springs between the bodies. 0.85 p/(1
     /// + p) of the penetration p fits the runs of doc/theory/accuracy.md (f = 10: 0.7 %, f = 0.1: a third).

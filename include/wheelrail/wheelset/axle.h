@@ -5,6 +5,7 @@
 
 #include <mpi.h>
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ namespace wheelrail
     double  lateral_creepage = 0;     ///< velocity along X over that along Z, held
     bool    rate_held        = false; ///< the pitch rate keeps its start value
     double  torque           = 0;     ///< drive torque about `axis`, positive driving [N m]
+
+    /// Length over which the torque goes smoothly from that of the static start to `torque` [m]; 0: at once.
+    /// A step lets hub and rim swing against each other.
+    double torque_ramp = 0;
 
     /// What leads the wheelset; none: all of the above stays as it is. `load` is what is on the rail with the
     /// loads above: changes of it act on the axle.
@@ -159,6 +164,12 @@ namespace wheelrail
     {
       return reaction_;
     }
+    /// Vertical acceleration of axle and bearings in the last step [m/s2].
+    double
+    acceleration() const
+    {
+      return acceleration_;
+    }
     /// Torque applied in the last step [N m].
     double
     applied_torque() const
@@ -168,6 +179,19 @@ namespace wheelrail
     /// Energies with the velocities of the half step behind.
     AxleEnergy
     energy() const;
+
+    /// Lets it turn faster by `change` [rad/s].
+    void
+    add_rate(const double change)
+    {
+      pitch_rate_ += change;
+    }
+    /// The torque that the ramp begins with [N m]; not set, it is what holds the rate in the first step.
+    void
+    set_start_torque(const double torque)
+    {
+      start_torque_ = torque;
+    }
 
     /// What one step leaves to the next, as numbers that all ranks know [SI]: height, lift, vertical_speed,
     /// angle, pitch_rate, travelled, sprung_height, sprung_speed, and the works damped, torque_work,
@@ -227,7 +251,9 @@ namespace wheelrail
     double                    travelled_     = 0;
     double                    sprung_height_ = 0, sprung_speed_ = 0; ///< against the static position
     Vector3                   reaction_{};
+    double                    acceleration_   = 0;
     double                    applied_torque_ = 0;
+    double                    start_torque_   = std::numeric_limits<double>::quiet_NaN();
     AxleEnergy                work_;
     Terms                     terms_;
     MPI_Comm                  communicator_;

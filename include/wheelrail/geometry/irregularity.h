@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Height of an irregularity over the smooth surface, along the outward normal of its section [m], and how
+  /// it grows across and along.
+  struct IrregularHeight
+  {
+    double height = 0, across = 0, along = 0;
+  };
+
+  /// How large and steep an irregularity is.
+  struct IrregularMeasures
+  {
+    double largest  = 0; ///< height or depth [m]
+    double steepest = 0; ///< slope along or across
+  };
+
+  /// What carries an irregularity in a run: each is carried as a whole by one of them.
+  enum class CarriedBy
+  {
+    offset, ///< the contact, as an offset of the gap between nodes and true surface
+    mesh    ///< the nodes of the mesh, which are moved
+  };
+
+  /// A shape that stands on a running surface or lacks in it.
+  ///
+  /// Places: `across` is x in the section of the body at the smooth surface, positive to the field side [m];
+  /// `along` is the place along the track, Z of the start [m]. On a wheel it is the arc on the rolling circle
+  /// ahead of the contact of the start, so that both meet in rolling.
+  struct Irregularity
+  {
+    std::string                                    name;               ///< of its section in the input
+    double                                         begin = 0, end = 0; ///< along [m]
+    std::function<IrregularHeight(double, double)> at;                 ///< of places across and along within
+    std::vector<double>                            kinks; ///< places along where the slope jumps [m]
+    bool              endless = false; ///< before and behind the heights of its ends hold, else there is none
+    CarriedBy         carried = CarriedBy::offset;
+    IrregularMeasures measures;
+    double shortest = 0; ///< length over which it rises and falls [m]: what cells and patch have to follow
+  };
+
+  /// All irregularities of a body.
+  using Irregularities = std::vector<Irregularity>;
+
+  /// Their sum at a place. A wheel is closed: `circumference` [m] on the rolling circle; 0 for a rail.
+  IrregularHeight
+  height_at(const Irregularities &irregularities, double circumference, double across, double along);
+
+  /// The same of those alone that are carried by one way.
+  IrregularHeight
+  height_at(const Irregularities &irregularities,
+            CarriedBy             carried,
+            double                circumference,
+            double                across,
+            double                along);
+} // namespace wheelrail

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <wheelrail/base/body.h>
+#include <wheelrail/geometry/irregularity.h>
+#include <wheelrail/geometry/touching_profiles.h>
+#include <wheelrail/scene/scene.h>
+
+#include <memory>
+#include <string>
+
+namespace wheelrail
+{
+  /// Heights up to this one are taken by the contact as offsets of the gap, larger ones move the mesh [m].
+  constexpr double deepest_offset = 0.05e-3;
+
+  /// The irregularities of a scene on both bodies, whose profiles are in touch. Reads their files. Throws
+  /// InputError that names the entry.
+  PerBody<std::shared_ptr<const Irregularities>>
+  make_irregularities(const Scene &scene, const TouchingProfiles &profiles);
+
+  /// Puts them on the surfaces of the profiles.
+  void
+  add_irregularities(const Scene &scene, TouchingProfiles &profiles);
+
+  /// Its name in the input: "Irregularity 3".
+  std::string
+  irregularity_name(int number);
+} // namespace wheelrail

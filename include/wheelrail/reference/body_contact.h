@@ -1,0 +1,102 @@
+#pragma once
+
+#include <wheelrail/bodies/body_influence.h>
+#include <wheelrail/halfspace/kernels.h>
+#include <wheelrail/reference/body_tables.h>
+#include <wheelrail/reference/contact_sections.h>
+#include <wheelrail/reference/halfspace_case.h>
+
+#include <memory>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Steady rolling of this wheel on this rail, as elastic bodies: half-spaces unfolded along the rail's
+  /// profile, and what the bodies give way beyond them. Conformal: at each place across the rail pressure
+  /// acts along the rail's own normal there. Where head and rim turn and move to under the load follows;
+  /// nothing is fitted.
+  class BodyContact
+  {
+  public:
+    /// Scene, geometry and tables must outlive it.
+    BodyContact(const Scene &scene, const SceneGeometry &geometry, const BodyTables &tables);
+
+    /// Finds pressure and tractions under a load that presses vertically (of one that presses along the
+    /// normal, its vertical component at the first contact point): both in turns, with the vertical part of
+    /// the tractions and the stretch of the tread taken from the round before.
+    void
+    carry(const WheelRailLoad &load);
+
+    /// In the form of half-spaces; lateral coordinates are the arc along the rail's profile from the first
+    /// contact point [m].
+    WheelRailSolution
+    result() const;
+
+  private:
+    /// A row of elements along the track.
+    struct Row
+    {
+      bool                   touches = false;             ///< both surfaces are there
+      Point2                 place;                       ///< on the rail, in the track plane [m]
+      double                 angle    = 0;                ///< of the rail's tangent against X [rad]
+      double                 rail_arc = 0, wheel_arc = 0; ///< along the profiles [m]
+      double                 distance     = 0; ///< of the wheel along the rail's normal, undeformed [m]
+      double                 along_normal = 1; ///< that over one along the normal of the first contact point
+      double                 s            = 0; ///< of the wheel in the frame of that point [m]
+      ContactSections::Slice slice;            ///< of the wheel there
+    };
+
+    Row
+    row_at(double y) const;
+
+    /// A grid over the places where the undeformed surfaces are closer than `reached` [m].
+    void
+    lay_grid(double reached);
+
+    void
+    set_bodies();
+
+    void
+    set_slip();
+
+    /// One solution with what the last one adds to slip, load and gap; the largest change of rigid slip and
+    /// pressure over what counts as settled.
+    double
+    solve_round(const WheelRailLoad &load);
+
+    /// How much the wheel's surface is moved upwards, by the tractions of the solution and by turning [m].
+    std::vector<double>
+    wheel_rise() const;
+
+    /// Forces on the wheel [N].
+    double
+    vertical() const;
+    double
+    lateral() const;
+
+    const SceneGeometry &geometry_;
+    const BodyTables    &tables_;
+    ContactSections      sections_;
+    double first_ = 0, first_arc_ = 0; ///< of the rail's profile at the first contact: parameter, arc [m]
+    WheelMotion         motion_;
+    double              element_ = 0, rate_ = 0; ///< [m], of turning [rad/s]
+    double              reached_ = 0;            ///< distance up to which the grid reaches [m]
+    std::vector<Row>    rows_;
+    HalfspaceProblem    problem_;
+    HalfspaceSolution   solution_;
+    std::vector<double> own_slip_; ///< rigid slip along the track without the tread's stretch
+    std::vector<Point2> growth_;   ///< of each row [m]
+    std::vector<double> rise_;     ///< of the last round [m]
+
+    std::shared_ptr<AddedInfluence>   added_;
+    std::shared_ptr<HalfspaceKernels> kernels_, wheel_kernels_;
+    int                               enlargements_ = 0, rounds_ = 0;
+  };
+
+  /// solve_wheel_rail() with the true bodies.
+  WheelRailSolution
+  solve_bodies(const Scene         &scene,
+               const SceneGeometry &geometry,
+               const WheelRailLoad &load,
+               const BodyTables    &tables);
+} // namespace wheelrail

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <wheelrail/output/fields.h>
+#include <wheelrail/output/summary.h>
+
+namespace wheelrail
+{
+  /// Adds what a run over irregular surfaces is asked for, from its history: largest and least vertical force
+  /// of the wheel with their places, the largest over the static `load` [N] (impact factor), the length
+  /// rolled without contact (a vertical force below a thousandth of the load), and the largest accelerations
+  /// of the axle box upwards and downwards where the history has them.
+  void
+  add_impact_figures(const History &history, double load, Summary &summary);
+} // namespace wheelrail

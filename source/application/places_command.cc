@@ -1,0 +1,136 @@
+#include <wheelrail/application/halfspace_results.h>
+#include <wheelrail/application/places_command.h>
+#include <wheelrail/application/report_script.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/folder.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/output/tick_file.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    void
+    print_table(const IrregularPlaces &places, const std::vector<PlaceContact> &contacts, std::ostream &out)
+    {
+      char line[200];
+      out << "Wheel at rest " << (places.pitch ? "at pitch angles" : "at places along the track")
+          << "; its drop counts from where it stands on the smooth rail\n\n";
+      std::snprintf(line,
+                    sizeof line,
+                    "%10s %12s %11s %8s %8s %8s %10s %10s %10s\n",
+                    places.pitch ? "pitch" : "place",
+                    "peak",
+                    "area",
+                    "patches",
+                    "width",
+                    "length",
+                    "ahead",
+                    "drop",
+                    "slope force");
+      out << line;
+      std::snprintf(line,
+                    sizeof line,
+                    "%10s %12s %11s %8s %8s %8s %10s %10s %10s\n",
+                    places.pitch ? "deg" : "mm",
+                    "MPa",
+                    "mm2",
+                    "",
+                    "mm",
+                    "mm",
+                    "mm",
+                    "um",
+                    "N");
+      out << line;
+      for (std::size_t k = 0; k < contacts.size(); ++k)
+        {
+          const PlaceContact &c = contacts[k];
+          std::snprintf(line,
+                        sizeof line,
+                        "%10.3f %12.1f %11.2f %8d %8.2f %8.2f %10.2f %10.2f %10.1f\n",
+                        places.pitch ? c.pitch * 180 / M_PI : 1e3 * c.place,
+                        1e-6 * c.peak_pressure,
+                        1e6 * c.area,
+                        c.patches,
+                        1e3 * c.width,
+                        1e3 * c.length,
+                        1e3 * c.centre_along,
+                        1e6 * c.drop,
+                        c.slope_force);
+          out << line;
+        }
+    }
+
+    FigureTable
+    table_of(const std::vector<PlaceContact> &contacts)
+    {
+      FigureTable table;
+      const auto  column = [&](const char *key, const char *unit, const auto &value) {
+        std::vector<double> values;
+        for (const PlaceContact &c : contacts)
+          values.push_back(value(c));
+        table.add(key, unit, values);
+      };
+      using C = const PlaceContact &;
+      column("place_m", "m", [](C c) { return c.place; });
+      column("pitch_rad", "rad", [](C c) { return c.pitch; });
+      column("max_pressure_Pa", "Pa", [](C c) { return c.peak_pressure; });
+      column("area_of_whole_elements_m2", "m2", [](C c) { return c.area; });
+      column("separate_patches", "1", [](C c) { return c.patches; });
+      column("patch_width_m", "m", [](C c) { return c.width; });
+      column("patch_length_m", "m", [](C c) { return c.length; });
+      column("centre_of_pressure_ahead_m", "m", [](C c) { return c.centre_along; });
+      column("centre_of_pressure_lateral_m", "m", [](C c) { return c.centre_lateral; });
+      column("approach_m", "m", [](C c) { return c.approach; });
+      column("wheel_drop_m", "m", [](C c) { return c.drop; });
+      column("normal_force_N", "N", [](C c) { return c.normal_force; });
+      column("slope_force_N", "N", [](C c) { return c.slope_force; });
+      return table;
+    }
+
+    void
+    write_patches(const std::vector<PlaceContact> &contacts, const std::string &path)
+    {
+      TickFile file(path, false, 0);
+      for (const PlaceContact &c : contacts)
+        append_patch(file, c.patch);
+    }
+  } // namespace
+
+
+  int
+  run_places_command(const Scene           &scene,
+                     const SceneGeometry   &geometry,
+                     const IrregularPlaces &places,
+                     const bool             draws,
+                     std::ostream          &out)
+  {
+    const double load = scene_load(scene, geometry).force;
+    print_head(scene, load, out);
+    const std::vector<PlaceContact> contacts = solve_places(scene, geometry, load, places);
+    print_table(places, contacts, out);
+    int failed = 0;
+    for (const PlaceContact &c : contacts)
+      if (!c.fault.empty() && ++failed == 1)
+        out << "warning: at " << (places.pitch ? "pitch " : "place ")
+            << (places.pitch ? c.pitch * 180 / M_PI : 1e3 * c.place) << (places.pitch ? " deg: " : " mm: ")
+            << c.fault << '\n';
+
+    const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
+    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+    const FigureTable table = table_of(contacts);
+    table.write_csv((folder / "places.csv").string());
+    write_patches(contacts, (folder / "places.h5").string());
+    out << "Table in " << (folder / "places.csv").string() << std::endl;
+    if (draws)
+      draw_results("places.py", folder.string());
+    return failed == 0 ? 0 : 2;
+  }
+} // namespace wheelrail

@@ -1,0 +1,383 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/bodies/body_influence.h>
+#include <wheelrail/bodies/line_loads.h>
+
+#include <gsl/gsl_interp.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A wave of the inverse transform: wavenumber [1/m] and weight [1/m].
+    struct Wave
+    {
+      double k = 0, weight = 0;
+    };
+
+    // Gauss points of four on [0, 1]
+    constexpr std::array<double, 4> gauss_place{
+      {0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263}};
+    constexpr std::array<double, 4> gauss_weight{
+      {0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269}};
+
+
+    /// Points of (1/pi) times an integral over k from `low` to `high`: panels that grow by half from
+    /// `first` on and turn by at most three radians over the longest lag.
+    std::vector<Wave>
+    integral(const double low, const double high, const double first, const double longest)
+    {
+      std::vector<Wave> waves;
+      const double      widest = 3 / longest;
+      for (double k = low, width = first; k < high; width = std::min(1.5 * width, widest))
+        {
+          const double end = k + 1.2 * width > high ? high : k + width;
+          for (int g = 0; g < 4; ++g)
+            waves.push_back({k + gauss_place[g] * (end - k), gauss_weight[g] * (end - k) / M_PI});
+          k = end;
+        }
+      return waves;
+    }
+
+
+    /// Adds the remainder of a table at a wave, between rows, to `sum`: cubic in log k, linear below the
+    /// first wavenumber of a rail.
+    std::vector<double>
+    remainder_at(const BodyTable &table, const ContactRows &rows, const double wave)
+    {
+      const unsigned int    first = table.wheel ? table.harmonics : 0, last = table.waves.size() - 1;
+      std::array<double, 4> weights{};
+      unsigned int          from = first;
+      if (wave <= table.waves[first])
+        {
+          const double step = std::log(table.waves[first + 1] / table.waves[first]);
+          weights[1]        = std::log(wave / table.waves[first]) / step;
+          weights[0]        = 1 - weights[1];
+        }
+      else
+        {
+          while (from + 4 <= last && table.waves[from + 2] < wave)
+            ++from;
+          for (int i = 0; i < 4; ++i)
+            {
+              weights[i] = 1;
+              for (int j = 0; j < 4; ++j)
+                if (j != i)
+                  weights[i] *= std::log(wave / table.waves[from + j]) /
+                                std::log(table.waves[from + i] / table.waves[from + j]);
+            }
+        }
+      const std::size_t   n = 3 * rows.count, all = 3 * table.rows.size();
+      std::vector<double> D(n * n, 0.);
+      for (int w = 0; w < 4; ++w)
+        if (weights[w] != 0)
+          for (std::size_t i = 0; i < n; ++i)
+            {
+              const double *row = &table.remainder[from + w][all * (3 * rows.first + i) + 3 * rows.first];
+              for (std::size_t j = 0; j < n; ++j)
+                D[n * i + j] += weights[w] * row[j];
+            }
+      return D;
+    }
+
+
+    /// The part of the table between rows at one of its own waves.
+    std::vector<double>
+    harmonic(const BodyTable &table, const ContactRows &rows, const unsigned int number)
+    {
+      const std::size_t   n = 3 * rows.count, all = 3 * table.rows.size();
+      std::vector<double> D(n * n);
+      for (std::size_t i = 0; i < n; ++i)
+        std::copy_n(&table.remainder[number][all * (3 * rows.first + i) + 3 * rows.first], n, &D[n * i]);
+      return D;
+    }
+
+
+    /// Turns (x, y) of rows and columns by an angle.
+    void
+    turn(std::vector<double> &D, const double angle)
+    {
+      const std::size_t n = std::size_t(std::sqrt(double(D.size())) + 0.5);
+      const double      c = std::cos(angle), s = std::sin(angle);
+      for (std::size_t i = 0; i < n; i += 3)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            double      &x = D[n * i + j], &y = D[n * (i + 1) + j];
+            const double turned = c * x - s * y;
+            y                   = s * x + c * y;
+            x                   = turned;
+          }
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; j += 3)
+          {
+            double      &x = D[n * i + j], &y = D[n * i + j + 1];
+            const double turned = c * x - s * y;
+            y                   = s * x + c * y;
+            x                   = turned;
+          }
+    }
+
+
+    /// A half-space between two places of a surface with these angles against X, in fixed axes; at distance 0
+    /// the mean of both sides at `least`.
+    LineResponse
+    surface_response(const BodyTable &table,
+                     const double     k,
+                     const double     s,
+                     const double     receiver,
+                     const double     source,
+                     const double     least)
+    {
+      LineResponse local{};
+      const bool   close = std::abs(s) < least;
+      for (const double side : {1., -1.})
+        {
+          const LineResponse one = halfspace_line(
+            table.shear_modulus, table.poissons_ratio, !table.wheel, k, close ? side * least : s);
+          for (int c = 0; c < 9; ++c)
+            local[c] += 0.5 * one[c];
+        }
+      return in_fixed_axes(local, receiver, source);
+    }
+
+
+    /// Where the rows of the table lie in the contact.
+    struct RowPlace
+    {
+      double arc = 0, angle = 0;       ///< on the body, against X of the track
+      double lateral = 0, contact = 0; ///< coordinate of the contact and angle of its lateral direction
+      double stretch = 1;              ///< d arc / d lateral
+    };
+    std::vector<RowPlace>
+    row_places(const BodyTable &table, const BodyPlacement &placement, const ContactRows &rows)
+    {
+      std::vector<RowPlace>      places;
+      const std::vector<double> &arcs = placement.arcs;
+      for (int r = rows.first; r < rows.first + rows.count; ++r)
+        {
+          const BodyTable::Row &row = table.rows[r];
+          // between the rows of elements; beyond them it goes on as at the end
+          const auto   above  = std::upper_bound(arcs.begin(), arcs.end(), row.arc) - arcs.begin();
+          const int    i      = std::clamp<int>(above - 1, 0, int(arcs.size()) - 2);
+          const double step   = arcs[i + 1] - arcs[i];
+          const double f      = std::clamp((row.arc - arcs[i]) / step, 0., 1.),
+                       beyond = row.arc - arcs[i] - f * step;
+          RowPlace place;
+          place.arc     = row.arc;
+          place.angle   = row.angle + placement.turn;
+          place.stretch = step / (placement.lateral[i + 1] - placement.lateral[i]);
+          place.lateral =
+            placement.lateral[i] + f * (placement.lateral[i + 1] - placement.lateral[i]) + beyond;
+          place.contact = placement.angles[i] + f * (placement.angles[i + 1] - placement.angles[i]);
+          if (beyond != 0)
+            place.contact = place.angle;
+          places.push_back(place);
+        }
+      return places;
+    }
+
+
+    /// Adds to D what a half-space along the body's own profile has more than one along the contact.
+    void
+    add_unfolding(const BodyTable             &table,
+                  const std::vector<RowPlace> &places,
+                  const double                 k,
+                  std::vector<double>         &D)
+    {
+      const std::size_t n = 3 * places.size();
+      const double      f = 1 / (M_PI * table.shear_modulus), nu = table.poissons_ratio;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = 0; j < places.size(); ++j)
+          {
+            const RowPlace &a = places[i], &b = places[j];
+            if (i == j)
+              {
+                // the limit: log of the stretch, alike in all directions but for Poisson's ratio
+                const double log_stretch = std::log(a.stretch);
+                for (int c = 0; c < 3; ++c)
+                  D[n * (3 * i + c) + 3 * j + c] -= f * (c == 2 ? 1 : 1 - nu) * log_stretch;
+                continue;
+              }
+            const LineResponse own = in_fixed_axes(
+                                 halfspace_line(table.shear_modulus, nu, !table.wheel, k, a.arc - b.arc),
+                                 a.angle,
+                                 b.angle),
+                               flat = in_fixed_axes(
+                                 halfspace_line(
+                                   table.shear_modulus, nu, !table.wheel, k, a.lateral - b.lateral),
+                                 a.contact,
+                                 b.contact);
+            for (int c = 0; c < 9; ++c)
+              D[n * (3 * i + c / 3) + 3 * j + c % 3] += own[c] - flat[c];
+          }
+    }
+
+
+    /// Adds a wave to the influences: cos where displacement and force both lie along or across the track,
+    /// sin where one does and the other does not.
+    void
+    add_wave(const Wave                &wave,
+             const std::vector<double> &D,
+             const std::vector<double> &lags,
+             std::vector<double>       &by_lag)
+    {
+      const std::size_t   n    = std::size_t(std::sqrt(double(D.size())) + 0.5);
+      std::vector<double> even = D, odd = D;
+      for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = 0; j < n; ++j)
+          {
+            const bool rows = i % 3 == 2, columns = j % 3 == 2;
+            (rows == columns ? odd : even)[n * i + j] = 0;
+            odd[n * i + j] *= rows ? -wave.weight : wave.weight;
+            even[n * i + j] *= wave.weight;
+          }
+      for (std::size_t l = 0; l < lags.size(); ++l)
+        {
+          const double c = std::cos(wave.k * lags[l]), s = std::sin(wave.k * lags[l]);
+          double      *sum = &by_lag[l * n * n];
+          for (std::size_t e = 0; e < n * n; ++e)
+            sum[e] += c * even[e] + s * odd[e];
+        }
+    }
+
+
+    /// What a sum over the harmonics of half-spaces differs from the integral that it stands for.
+    void
+    add_half_space_waves(const BodyTable             &table,
+                         const std::vector<RowPlace> &places,
+                         const double                 radius,
+                         const double                 longest,
+                         const std::vector<double>   &lags,
+                         std::vector<double>         &by_lag)
+    {
+      std::vector<Wave> waves;
+      for (unsigned int n = 0; n < table.harmonics; ++n)
+        waves.push_back(
+          {std::max<double>(n, BodyTable::least_wave) / radius, (n > 0 ? 1. : 0.5) / (M_PI * radius)});
+      for (Wave wave : integral(0, (table.harmonics - 0.5) / radius, 0.02 / radius, longest))
+        {
+          wave.weight *= -1;
+          waves.push_back(wave);
+        }
+      const std::size_t n = 3 * places.size();
+      for (std::size_t w = 0; w < waves.size(); ++w)
+        {
+          std::vector<double> H(n * n);
+          for (std::size_t i = 0; i < places.size(); ++i)
+            for (std::size_t j = 0; j < places.size(); ++j)
+              {
+                const LineResponse one = surface_response(table,
+                                                          waves[w].k,
+                                                          places[i].lateral - places[j].lateral,
+                                                          places[i].contact,
+                                                          places[j].contact,
+                                                          0.5e-3);
+                for (int c = 0; c < 9; ++c)
+                  H[n * (3 * i + c / 3) + 3 * j + c % 3] = one[c];
+              }
+          // the harmonic 0 goes alike all around
+          const Wave wave{w == 0 ? 0 : waves[w].k, waves[w].weight};
+          add_wave(wave, H, lags, by_lag);
+        }
+    }
+  } // namespace
+
+
+  ContactRows
+  contact_rows(const BodyTable &table, const BodyPlacement &placement)
+  {
+    constexpr int beside = 3;
+    const auto    before = [&](const double arc) {
+      int r = 0;
+      while (r + 1 < int(table.rows.size()) && table.rows[r + 1].arc < arc)
+        ++r;
+      return r;
+    };
+    ContactRows rows;
+    rows.first     = std::max(0, before(placement.arcs.front()) - beside);
+    const int last = std::min<int>(table.rows.size() - 1, before(placement.arcs.back()) + 1 + beside);
+    rows.count     = last - rows.first + 1;
+    if (rows.count < 4)
+      throw RunError("The contact lies beside the running surface of the " +
+                     std::string(table.wheel ? "wheel" : "rail") + " that has a table of its elasticity.");
+    std::vector<double> arcs;
+    for (int r = rows.first; r <= last; ++r)
+      arcs.push_back(table.rows[r].arc);
+    gsl_interp       *spline = gsl_interp_alloc(gsl_interp_cspline, rows.count);
+    gsl_interp_accel *place  = gsl_interp_accel_alloc();
+    rows.weights.resize(placement.arcs.size() * rows.count);
+    for (int r = 0; r < rows.count; ++r)
+      {
+        std::vector<double> unit(rows.count, 0.);
+        unit[r] = 1;
+        gsl_interp_init(spline, arcs.data(), unit.data(), rows.count);
+        for (std::size_t j = 0; j < placement.arcs.size(); ++j)
+          rows.weights[j * rows.count + r] =
+            gsl_interp_eval(spline,
+                            arcs.data(),
+                            unit.data(),
+                            std::clamp(placement.arcs[j], arcs.front(), arcs.back()),
+                            place);
+      }
+    gsl_interp_accel_free(place);
+    gsl_interp_free(spline);
+    return rows;
+  }
+
+
+  RowInfluence
+  body_influence(const BodyTable           &table,
+                 const BodyPlacement       &placement,
+                 const ContactRows         &rows,
+                 const std::vector<double> &lags)
+  {
+    const std::size_t n = 3 * rows.count;
+    RowInfluence      influence{rows.count, rows.weights, std::vector<double>(lags.size() * n * n, 0.)};
+    double            longest = 0;
+    for (const double lag : lags)
+      longest = std::max(longest, std::abs(lag));
+    const std::vector<RowPlace> places = row_places(table, placement, rows);
+    const double                radius = placement.radius;
+    // n / radius for a wheel
+    const double per_wave = table.wheel ? 1 / radius : 1;
+    const double first    = table.wheel ? (table.harmonics - 0.5) * per_wave : 0,
+                 last     = table.waves.back() * per_wave;
+    for (unsigned int h = 0; h < table.harmonics; ++h)
+      {
+        std::vector<double> D = harmonic(table, rows, h);
+        turn(D, placement.turn);
+        add_unfolding(table, places, std::max<double>(h, BodyTable::least_wave) / radius, D);
+        add_wave({h / radius, (h > 0 ? 1. : 0.5) / (M_PI * radius)}, D, lags, influence.by_lag);
+      }
+    for (const Wave &wave : integral(first, last, table.wheel ? 3 / radius : 0.05, longest))
+      {
+        std::vector<double> D = remainder_at(table, rows, wave.k / per_wave);
+        turn(D, placement.turn);
+        add_unfolding(table, places, wave.k, D);
+        add_wave(wave, D, lags, influence.by_lag);
+      }
+    if (table.wheel)
+      add_half_space_waves(table, places, radius, longest, lags, influence.by_lag);
+    return influence;
+  }
+
+
+  std::vector<Point2>
+  growth(const BodyTable &table, const BodyPlacement &placement, const ContactRows &rows, const double rate)
+  {
+    const double        c = std::cos(placement.turn), s = std::sin(placement.turn);
+    std::vector<Point2> growth;
+    for (std::size_t j = 0; j < placement.arcs.size(); ++j)
+      {
+        Point2 sum;
+        for (int r = 0; r < rows.count; ++r)
+          sum = sum + rows.weights[j * rows.count + r] * rate * rate * table.rows[rows.first + r].growth;
+        growth.push_back({c * sum.x - s * sum.y, s * sum.x + c * sum.y});
+      }
+    return growth;
+  }
+} // namespace wheelrail

@@ -1,0 +1,180 @@
+#include <wheelrail/geometry/running_surface.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace wheelrail
+{
+  RunningSurface::RunningSurface(FrameProfile head, const ContactFrame &frame, const Placement &section)
+    : frame_(frame)
+    , section_(std::move(head))
+  {
+    pose_.section = section;
+  }
+
+
+  RunningSurface::RunningSurface(FrameProfile        tread,
+                                 const ContactFrame &frame,
+                                 const WheelPose    &pose,
+                                 const double        radius)
+    : body_(Body::wheel)
+    , frame_(frame)
+    , pose_(pose)
+    , radius_(radius)
+    , section_(std::move(tread))
+  {
+  }
+
+
+  void
+  RunningSurface::set_irregularities(std::shared_ptr<const Irregularities> irregularities,
+                                     const double                          origin)
+  {
+    irregular_ = irregularities && !irregularities->empty() ? std::move(irregularities) : nullptr;
+    origin_    = origin;
+  }
+
+
+  const Irregularities &
+  RunningSurface::irregularities() const
+  {
+    static const Irregularities none;
+    return irregular_ ? *irregular_ : none;
+  }
+
+
+  RunningSurface::Place
+  RunningSurface::place(const Vector3 &X) const
+  {
+    if (body_ == Body::rail)
+      {
+        const Point2 q = frame_.to_frame({X[0], X[1]});
+        return {q.x, q.y, X[2]};
+      }
+    const Point2 q = frame_.to_frame(pose_.on_section(X));
+    return {q.x, q.y, radius_ * pose_.angle(X)};
+  }
+
+
+  IrregularHeight
+  RunningSurface::raised(const double s, const FrameProfile::Value &smooth, const double along) const
+  {
+    const double across = pose_.section.to_section(frame_.to_track({s, smooth.n})).x;
+    return height_at(*irregular_, 2 * M_PI * radius_, across, origin_ + along);
+  }
+
+
+  SurfaceHeight
+  RunningSurface::at(const double s, const double along) const
+  {
+    FrameProfile::Value smooth = section_.at(s);
+    if (!irregular_)
+      return {smooth.n, smooth.slope, 0};
+    const double    outwards = body_ == Body::rail ? 1 : -1;
+    IrregularHeight h        = raised(s, smooth, along);
+    if (h.height == 0 && h.across == 0 && h.along == 0)
+      return {smooth.n, smooth.slope, 0};
+    // the place of the smooth section whose normal leads to s; heights are small against its radii
+    double from = s;
+    for (int k = 0; k < 3; ++k)
+      {
+        from   = s + outwards * h.height * smooth.slope / std::sqrt(1 + smooth.slope * smooth.slope);
+        smooth = section_.at(from);
+        h      = raised(from, smooth, along);
+      }
+    const double secant = std::sqrt(1 + smooth.slope * smooth.slope), angle = std::atan(smooth.slope);
+    // x of the section over the length of the profile in the direction of s
+    const double across = -std::cos(frame_.angle + angle - pose_.section.angle);
+    return {smooth.n + outwards * h.height / secant,
+            std::tan(angle + std::atan(outwards * h.across * across)),
+            outwards * h.along * secant};
+  }
+
+
+  RunningSurface::Curvature
+  RunningSurface::curvature(const double s, const double along, const double span) const
+  {
+    const double outwards = body_ == Body::rail ? 1 : -1;
+    const auto   before = at(s - 0.5 * span, along), after = at(s + 0.5 * span, along), here = at(s, along);
+    const double secant = std::sqrt(1 + here.slope * here.slope);
+    return {outwards * (before.slope - after.slope) / (span * secant * secant * secant),
+            (radius_ > 0 ? 1 / radius_ : 0) +
+              outwards * (at(s, along - 0.5 * span).slope_along - at(s, along + 0.5 * span).slope_along) /
+                (span * secant)};
+  }
+
+
+  std::vector<double>
+  RunningSurface::kinks() const
+  {
+    std::vector<double> places;
+    for (const Irregularity &one : irregularities())
+      for (const double kink : one.kinks)
+        places.push_back(kink - origin_);
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+
+  double
+  RunningSurface::offset(const Vector3 &X) const
+  {
+    const double outwards = body_ == Body::rail ? 1 : -1;
+    if (!irregular_)
+      {
+        const Point2 q     = frame_.to_frame(body_ == Body::rail ? Point2{X[0], X[1]} : pose_.on_section(X));
+        const auto   value = section_.at(q.x);
+        return outwards * (value.n - q.y) / std::sqrt(1 + value.slope * value.slope);
+      }
+    const Place         p     = place(X);
+    const SurfaceHeight value = at(p.s, p.along);
+    return outwards * (value.n - p.n) / std::sqrt(1 + value.slope * value.slope);
+  }
+
+
+  RunningSurface::OffsetSlopes
+  RunningSurface::offset_slopes(const Place &place) const
+  {
+    if (!irregular_)
+      return {};
+    const FrameProfile::Value smooth = section_.at(place.s);
+    const double              across = pose_.section.to_section(frame_.to_track({place.s, smooth.n})).x;
+    const IrregularHeight     h =
+      height_at(*irregular_, CarriedBy::offset, 2 * M_PI * radius_, across, origin_ + place.along);
+    return {-h.across * std::cos(frame_.angle + std::atan(smooth.slope) - pose_.section.angle), h.along};
+  }
+
+
+  bool
+  RunningSurface::moves_mesh() const
+  {
+    return std::any_of(irregularities().begin(), irregularities().end(), [](const Irregularity &one) {
+      return one.carried == CarriedBy::mesh;
+    });
+  }
+
+
+  Vector3
+  RunningSurface::moved(const Vector3 &X) const
+  {
+    const double              outwards = body_ == Body::rail ? 1 : -1;
+    const Place               p        = place(X);
+    const double              s        = section_.within(p.s);
+    const FrameProfile::Value smooth   = section_.at(s);
+    const double              share    = 1 - std::max(0., outwards * (smooth.n - p.n)) / blend_depth;
+    if (share <= 0)
+      return X;
+    const double          across = pose_.section.to_section(frame_.to_track({s, smooth.n})).x;
+    const IrregularHeight h =
+      height_at(*irregular_, CarriedBy::mesh, 2 * M_PI * radius_, across, origin_ + p.along);
+    if (h.height == 0)
+      return X;
+    const double secant = std::sqrt(1 + smooth.slope * smooth.slope), way = outwards * share * h.height;
+    const Point2 to = frame_.to_track({p.s - way * smooth.slope / secant, p.n + way / secant});
+    if (body_ == Body::rail)
+      return {to.x, to.y, X[2]};
+    const Point2 section = pose_.section.to_section(to);
+    return pose_.position(section.x, pose_.nominal_radius - section.y, pose_.angle(X));
+  }
+} // namespace wheelrail

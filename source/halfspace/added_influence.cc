@@ -1,0 +1,247 @@
+#include <wheelrail/halfspace/added_influence.h>
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Complex = std::complex<double>;
+
+    /// The next length from n on that FFTW is fast at, even.
+    int
+    fast_length(int n)
+    {
+      for (n += n % 2;; n += 2)
+        {
+          int rest = n;
+          for (const int p : {2, 3, 5})
+            while (rest % p == 0)
+              rest /= p;
+          if (rest == 1)
+            return n;
+        }
+    }
+  } // namespace
+
+
+  struct AddedInfluence::Body
+  {
+    int                  rows = 0;
+    double               step = 0;
+    std::vector<double>  weights;
+    std::vector<Complex> here, slip; ///< spectra of the influences: mode, row, column
+  };
+
+
+  /// FFT of one row along x.
+  struct AddedInfluence::Plans
+  {
+    explicit Plans(const int length)
+      : real(length)
+      , spectrum(length / 2 + 1)
+      , forward(fftw_plan_dft_r2c_1d(length,
+                                     real.data(),
+                                     reinterpret_cast<fftw_complex *>(spectrum.data()),
+                                     FFTW_ESTIMATE))
+      , backward(fftw_plan_dft_c2r_1d(length,
+                                      reinterpret_cast<fftw_complex *>(spectrum.data()),
+                                      real.data(),
+                                      FFTW_ESTIMATE))
+    {
+    }
+    ~Plans()
+    {
+      fftw_destroy_plan(forward);
+      fftw_destroy_plan(backward);
+    }
+
+    std::vector<double>  real;
+    std::vector<Complex> spectrum;
+    fftw_plan            forward, backward;
+  };
+
+
+  std::vector<double>
+  AddedInfluence::lags(const HalfspaceGrid &grid, const double ahead)
+  {
+    std::vector<double> lags;
+    for (int i = -grid.mx; i <= grid.mx; ++i)
+      lags.push_back(i * grid.dx + ahead);
+    return lags;
+  }
+
+
+  AddedInfluence::AddedInfluence(const HalfspaceGrid &grid, std::vector<Basis> bases)
+    : grid_(grid)
+    , bases_(std::move(bases))
+    , length_(fast_length(2 * grid.mx + 2))
+    , modes_(length_ / 2 + 1)
+    , plans_(std::make_unique<Plans>(length_))
+  {
+  }
+
+
+  AddedInfluence::~AddedInfluence() = default;
+
+
+  void
+  AddedInfluence::add_body(const RowInfluence &here, const RowInfluence &ahead, const double step)
+  {
+    const int n = 3 * here.rows;
+    Body      body{here.rows, step, here.weights, {}, {}};
+    body.here.resize(std::size_t(modes_) * n * n);
+    body.slip.resize(body.here.size());
+    for (int entry = 0; entry < n * n; ++entry)
+      for (const bool slip : {false, true})
+        {
+          std::fill(plans_->real.begin(), plans_->real.end(), 0.);
+          for (int i = -grid_.mx; i <= grid_.mx; ++i)
+            {
+              const std::size_t at    = std::size_t(i + grid_.mx) * n * n + entry;
+              const double      value = here.by_lag[at];
+              plans_->real[(i + length_) % length_] =
+                (slip ? (value - ahead.by_lag[at]) / step : value) / length_;
+            }
+          fftw_execute(plans_->forward);
+          for (int m = 0; m < modes_; ++m)
+            (slip ? body.slip : body.here)[std::size_t(m) * n * n + entry] = plans_->spectrum[m];
+        }
+    bodies_.push_back(std::move(body));
+  }
+
+
+  std::vector<Complex>
+  AddedInfluence::row_forces(const Body &body, const Given &traction) const
+  {
+    const int            n = 3 * body.rows, mx = grid_.mx;
+    std::vector<Complex> spectra(std::size_t(modes_) * n);
+    std::vector<double>  forces(std::size_t(n) * mx, 0.), fixed(3 * mx);
+    for (int j = 0; j < grid_.my; ++j)
+      {
+        std::fill(fixed.begin(), fixed.end(), 0.);
+        bool any = false;
+        for (int c = 0; c < 3; ++c)
+          if (traction[c])
+            for (int i = 0; i < mx; ++i)
+              if (const double t = (*traction[c])[i + mx * j]; t != 0)
+                {
+                  any = true;
+                  for (int axis = 0; axis < 3; ++axis)
+                    fixed[axis * mx + i] += bases_[j][3 * axis + c] * t;
+                }
+        if (!any)
+          continue;
+        for (int r = 0; r < body.rows; ++r)
+          if (const double weight = body.weights[std::size_t(j) * body.rows + r] * grid_.element_area();
+              weight != 0)
+            for (int axis = 0; axis < 3; ++axis)
+              for (int i = 0; i < mx; ++i)
+                forces[std::size_t(3 * r + axis) * mx + i] += weight * fixed[axis * mx + i];
+      }
+    for (int row = 0; row < n; ++row)
+      {
+        std::fill(plans_->real.begin(), plans_->real.end(), 0.);
+        std::copy_n(forces.begin() + std::size_t(row) * mx, mx, plans_->real.begin());
+        fftw_execute(plans_->forward);
+        for (int m = 0; m < modes_; ++m)
+          spectra[std::size_t(m) * n + row] = plans_->spectrum[m];
+      }
+    return spectra;
+  }
+
+
+  std::vector<double>
+  AddedInfluence::row_displacements(const Body                 &body,
+                                    const std::vector<Complex> &kernel,
+                                    const std::vector<Complex> &forces) const
+  {
+    const int            n = 3 * body.rows;
+    std::vector<Complex> image(std::size_t(modes_) * n);
+    for (int m = 0; m < modes_; ++m)
+      {
+        const Complex *k = &kernel[std::size_t(m) * n * n], *f = &forces[std::size_t(m) * n];
+        for (int i = 0; i < n; ++i, k += n)
+          {
+            double re = 0, im = 0;
+            for (int j = 0; j < n; ++j)
+              {
+                re += k[j].real() * f[j].real() - k[j].imag() * f[j].imag();
+                im += k[j].real() * f[j].imag() + k[j].imag() * f[j].real();
+              }
+            image[std::size_t(m) * n + i] = {re, im};
+          }
+      }
+    std::vector<double> displacement(std::size_t(n) * grid_.mx);
+    for (int row = 0; row < n; ++row)
+      {
+        for (int m = 0; m < modes_; ++m)
+          plans_->spectrum[m] = image[std::size_t(m) * n + row];
+        fftw_execute(plans_->backward);
+        std::copy_n(plans_->real.begin(), grid_.mx, displacement.begin() + std::size_t(row) * grid_.mx);
+      }
+    return displacement;
+  }
+
+
+  std::array<std::vector<double>, 3>
+  AddedInfluence::fixed_displacement(const unsigned int body_number, const Given &traction) const
+  {
+    const Body                        &body = bodies_[body_number];
+    const int                          mx   = grid_.mx;
+    const std::vector<double>          u    = row_displacements(body, body.here, row_forces(body, traction));
+    std::array<std::vector<double>, 3> fixed;
+    for (int axis = 0; axis < 3; ++axis)
+      {
+        fixed[axis].assign(grid_.size(), 0.);
+        for (int j = 0; j < grid_.my; ++j)
+          for (int r = 0; r < body.rows; ++r)
+            if (const double weight = body.weights[std::size_t(j) * body.rows + r]; weight != 0)
+              for (int i = 0; i < mx; ++i)
+                fixed[axis][i + mx * j] += weight * u[std::size_t(3 * r + axis) * mx + i];
+      }
+    return fixed;
+  }
+
+
+  void
+  AddedInfluence::add(const bool slip, const Given &traction, const Fields &result) const
+  {
+    const int mx = grid_.mx;
+    for (const Body &body : bodies_)
+      {
+        const std::vector<double> u =
+          row_displacements(body, slip ? body.slip : body.here, row_forces(body, traction));
+        for (int j = 0; j < grid_.my; ++j)
+          for (int r = 0; r < body.rows; ++r)
+            {
+              const double weight = body.weights[std::size_t(j) * body.rows + r];
+              if (weight == 0)
+                continue;
+              for (int c = 0; c < 3; ++c)
+                if (result[c])
+                  for (int axis = 0; axis < 3; ++axis)
+                    if (const double share = weight * bases_[j][3 * axis + c]; share != 0)
+                      for (int i = 0; i < mx; ++i)
+                        (*result[c])[i + mx * j] += share * u[std::size_t(3 * r + axis) * mx + i];
+            }
+      }
+  }
+
+
+  void
+  AddedInfluence::add_displacement(const Given &traction, const Fields &displacement) const
+  {
+    add(false, traction, displacement);
+  }
+
+
+  void
+  AddedInfluence::add_slip(const Given &traction, const Fields &slip) const
+  {
+    add(true, traction, slip);
+  }
+} // namespace wheelrail

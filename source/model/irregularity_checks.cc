@@ -1,0 +1,80 @@
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/model/irregularity_checks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace wheelrail
+{
+  namespace
+  {
+    // waves of eight cells are followed within 5 %, of four as a zigzag
+    constexpr double cells_needed = 8, cells_least = 4;
+
+    void
+    check_cells(const Scene &scene, const Irregularity &one, Findings &found)
+    {
+      const double rounded = std::floor(1e5 * one.shortest / cells_needed) / 1e5;
+      if (scene.cell_size > one.shortest / cells_least)
+        found.errors.push_back(entry_text(scene, one.name, "Kind") + ": rises and falls within " +
+                               rounded_mm(one.shortest) + ", which cells of " + rounded_mm(scene.cell_size) +
+                               " cannot follow; take Mesh/Solution cell size = " + rounded_mm(rounded));
+      else if (scene.cell_size > 1.001 * one.shortest / cells_needed)
+        found.warnings.push_back(entry_text(scene, one.name, "Kind") + ": rises and falls within " +
+                                 rounded_mm(one.shortest) + ", fewer than eight cells of " +
+                                 rounded_mm(scene.cell_size) +
+                                 "; take Mesh/Solution cell size = " + rounded_mm(rounded) + " for figures");
+    }
+
+    /// The largest height where the wheel stands at the start [m].
+    double
+    height_at_start(const RunningSurface &surface, const double half_length, const double half_width)
+    {
+      double largest = 0;
+      for (int i = -8; i <= 8; ++i)
+        for (int j = -8; j <= 8; ++j)
+          {
+            const double s = half_width * j / 8;
+            largest = std::max(largest, std::abs(surface.at(s, half_length * i / 8).n - surface.smooth(s).n));
+          }
+      return largest;
+    }
+  } // namespace
+
+
+  void
+  check_irregular_run(const Scene         &scene,
+                      const SceneGeometry &geometry,
+                      const ExpectedPatch &patch,
+                      Findings            &found)
+  {
+    constexpr double even = 1e-6; // [m]
+    for (const Body body : both_bodies)
+      {
+        const RunningSurface &surface = geometry.surfaces[body];
+        for (const Irregularity &one : surface.irregularities())
+          {
+            check_cells(scene, one, found);
+            if (one.kinks.empty() && one.shortest < patch.length)
+              found.warnings.push_back(
+                entry_text(scene, one.name, "Kind") + ": rises and falls within " + rounded_mm(one.shortest) +
+                ", the patch is about " + rounded_mm(std::round(1e4 * patch.length) / 1e4) +
+                " long: it lies over several waves, and the force follows only a part of their height");
+            if (!one.endless && (one.begin > scene.mesh_distance() + 0.5 * patch.length ||
+                                 (body == Body::rail && one.end < -0.5 * patch.length)))
+              found.warnings.push_back(entry_text(scene, one.name, "Place") +
+                                       ": the wheel does not come there within Run/Rolling distance = " +
+                                       rounded_mm(scene.rolling_distance));
+          }
+        const double start = height_at_start(surface, 0.6 * patch.length, 0.5 * patch.width);
+        if (!surface.irregularities().empty() && start > even)
+          found.errors.push_back(
+            entry_text(scene, surface.irregularities().front().name, "Place") + ": the wheel starts on the " +
+            body_name(body) + "'s irregularity (" + in_mm(start, 1e6) +
+            " at the patch); a run starts in steady rolling on the smooth profile: move it at least " +
+            rounded_mm(std::ceil(1e3 * 0.6 * patch.length) / 1e3) + " away from its begin and end");
+      }
+  }
+} // namespace wheelrail

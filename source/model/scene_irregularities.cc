@@ -1,0 +1,150 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/geometry/irregular_shapes.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/model/scene_irregularities.h>
+#include <wheelrail/profiles/slices_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// What an irregularity is made with.
+    struct Place
+    {
+      bool          wheel;
+      double        radius; ///< of the circle on which the arcs of the wheel count [m]
+      IrregularSize size;
+
+      double
+      circumference() const
+      {
+        return wheel ? 2 * M_PI * radius : 0;
+      }
+    };
+
+    Irregularity
+    from_slices(const Scene            &scene,
+                const IrregularityData &data,
+                const TouchingProfiles &profiles,
+                const Place            &at)
+    {
+      const ProfileFileOptions &options = at.wheel ? scene.wheel_file : scene.rail_file;
+      const Slices              slices  = read_slices_file(data.file, options.unit);
+      if (slices.wheel != at.wheel)
+        throw InputError(data.file + ": slices of a " + (slices.wheel ? "wheel" : "rail") + " on the " +
+                         (at.wheel ? "wheel" : "rail") + "; change Body");
+      const Curve &curve = at.wheel ? profiles.wheel.tread : profiles.rail.head;
+      return slices_irregularity(
+        heights_of_slices(slices, curve, at.radius, data.file), at.size.place, at.circumference());
+    }
+
+    Irregularity
+    from_file(const Scene            &scene,
+              const IrregularityData &data,
+              const TouchingProfiles &profiles,
+              const Place            &at)
+    {
+      constexpr double least_step = 2e-6;
+      if (is_slices_file(data.file))
+        return from_slices(scene, data, profiles, at);
+      const HeightGrid   grid  = read_height_file(data.file);
+      const Irregularity shape = grid_irregularity(
+        grid, at.size.place, std::isfinite(data.lateral) ? data.lateral : 0, at.circumference());
+      if (const double end = largest_end(grid); end > least_step && !shape.endless)
+        throw InputError(data.file + ": the heights begin or end with a step of " + in_mm(end, 1e6) +
+                         "; they must come down to 0 along, within " + in_mm(least_step, 1e6));
+      return shape;
+    }
+
+    Irregularity
+    make_shape(const Scene            &scene,
+               const IrregularityData &data,
+               const TouchingProfiles &profiles,
+               const Place            &at)
+    {
+      using K = IrregularKind;
+      switch (data.kind)
+        {
+          case K::squat:
+            return squat(at.size);
+          case K::corrugation:
+            return corrugation(at.size, data.wavelength);
+          case K::dipped_joint:
+            return dipped_joint(at.size);
+          case K::flat:
+            return fresh_flat(at.size, at.radius);
+          case K::weld:
+          case K::rounded_flat:
+            return rounded_flat(at.size);
+          case K::polygon:
+            return polygon(at.size, data.order, at.radius);
+          case K::file:
+            return from_file(scene, data, profiles, at);
+          default:
+            return dent(at.size);
+        }
+    }
+  } // namespace
+
+
+  std::string
+  irregularity_name(const int number)
+  {
+    return "Irregularity " + std::to_string(number + 1);
+  }
+
+
+  PerBody<std::shared_ptr<const Irregularities>>
+  make_irregularities(const Scene &scene, const TouchingProfiles &profiles)
+  {
+    PerBody<Irregularities> lists;
+    const ContactGeometry  &contact = profiles.contact;
+    for (int k = 0; k < most_irregularities; ++k)
+      {
+        const IrregularityData &data = scene.irregularities[k];
+        if (data.kind == IrregularKind::none)
+          continue;
+        const bool   wheel   = data.on_wheel();
+        const double lateral = std::isfinite(data.lateral) ? data.lateral
+                               : wheel                     ? contact.wheel_x
+                                                           : contact.rail_x;
+        const Place  at{
+          wheel,
+          contact.rolling_radius,
+          {data.place, lateral, data.length, data.width, data.true_depth(contact.rolling_radius)}};
+        try
+          {
+            Irregularity shape  = make_shape(scene, data, profiles, at);
+            shape.name          = irregularity_name(k);
+            const double beside = 30e-3; // the tread around the contact
+            shape.measures      = measures_of(shape, lateral - beside, lateral + beside);
+            if (shape.measures.largest > deepest_offset)
+              shape.carried = CarriedBy::mesh;
+            lists[wheel ? Body::wheel : Body::rail].push_back(std::move(shape));
+          }
+        catch (const InputError &error)
+          {
+            throw InputError(irregularity_name(k) + "/" +
+                             (data.kind == IrregularKind::file ? "File" : "Kind") + ": " + error.what());
+          }
+      }
+    return {std::make_shared<const Irregularities>(std::move(lists.rail)),
+            std::make_shared<const Irregularities>(std::move(lists.wheel))};
+  }
+
+
+  void
+  add_irregularities(const Scene &scene, TouchingProfiles &profiles)
+  {
+    if (!scene.irregular())
+      return;
+    const auto made = make_irregularities(scene, profiles);
+    profiles.surfaces.rail.set_irregularities(made.rail);
+    profiles.surfaces.wheel.set_irregularities(made.wheel);
+  }
+} // namespace wheelrail

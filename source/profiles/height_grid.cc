@@ -1,0 +1,324 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/read_file.h>
+#include <wheelrail/output/hdf5_handles.h>
+#include <wheelrail/profiles/height_grid.h>
+#include <wheelrail/profiles/profile_text.h>
+
+#include <gsl/gsl_spline.h>
+#include <gsl/gsl_spline2d.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    const std::string accepted =
+      "; a line with names such as along_mm, across_mm, height_um is needed, then rows of numbers";
+
+    std::string
+    text_of_file(const std::string &path)
+    {
+      try
+        {
+          return read_whole_file(path);
+        }
+      catch (const RunError &error)
+        {
+          throw InputError(error.what());
+        }
+    }
+
+    /// Metres for each unit of a column or dataset whose name begins with `quantity`; 0: another one.
+    double
+    unit_of(const std::string &name, const std::string &quantity)
+    {
+      for (const auto &[ending, unit] : {std::make_pair("_m", 1.), {"_mm", 1e-3}, {"_um", 1e-6}})
+        if (name == quantity + ending)
+          return unit;
+      return 0;
+    }
+
+    /// The columns of a table: where along, across and height stand, and their units.
+    struct Columns
+    {
+      std::size_t place[3] = {};
+      double      unit[3]  = {}; ///< 0: no such column
+    };
+
+    constexpr const char *quantities[3] = {"along", "across", "height"};
+
+    Columns
+    columns_of(const std::vector<std::string> &names, const std::string &path, const unsigned int line)
+    {
+      Columns columns;
+      for (std::size_t k = 0; k < names.size(); ++k)
+        for (int q = 0; q < 3; ++q)
+          if (const double unit = unit_of(lower(names[k]), quantities[q]); unit > 0)
+            {
+              columns.place[q] = k;
+              columns.unit[q]  = unit;
+            }
+      for (const int q : {0, 2})
+        if (columns.unit[q] == 0)
+          throw InputError(place(path, line) + "no column " + quantities[q] + "_mm (or _m, _um)" + accepted);
+      return columns;
+    }
+
+    std::string
+    in_millimetres(const double value)
+    {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.6g mm", 1e3 * value);
+      return text;
+    }
+
+    /// Different values, ascending; those closer than 1 nm are one.
+    std::vector<double>
+    different(std::vector<double> values)
+    {
+      constexpr double same = 1e-9;
+      std::sort(values.begin(), values.end());
+      std::vector<double> result;
+      for (const double value : values)
+        if (result.empty() || value - result.back() > same)
+          result.push_back(value);
+      return result;
+    }
+
+    std::size_t
+    index_of(const std::vector<double> &values, const double value)
+    {
+      const auto after = std::lower_bound(values.begin(), values.end(), value - 1e-9);
+      return static_cast<std::size_t>(after - values.begin());
+    }
+
+    void
+    require_enough(const HeightGrid &grid, const std::string &path)
+    {
+      if (grid.along.size() < 4)
+        throw InputError(path + ": " + counted(grid.along.size(), "place") +
+                         " along; a line or a grid needs at least 4");
+      if (!grid.across.empty() && grid.across.size() < 4)
+        throw InputError(path + ": " + counted(grid.across.size(), "place") +
+                         " across; a grid needs at least 4, a line has no column across");
+    }
+
+    struct Row
+    {
+      double       value[3];
+      unsigned int line;
+    };
+
+    HeightGrid
+    grid_of_rows(const std::vector<Row> &rows, const bool line, const std::string &path)
+    {
+      std::vector<double> along, across;
+      for (const Row &row : rows)
+        {
+          along.push_back(row.value[0]);
+          across.push_back(row.value[1]);
+        }
+      HeightGrid grid{different(along), line ? std::vector<double>() : different(across), {}};
+      require_enough(grid, path);
+      const std::size_t         n = grid.along.size(), m = std::max<std::size_t>(1, grid.across.size());
+      std::vector<unsigned int> from(n * m, 0);
+      grid.height.resize(n * m);
+      for (const Row &row : rows)
+        {
+          const std::size_t k =
+            index_of(grid.along, row.value[0]) + n * (line ? 0 : index_of(grid.across, row.value[1]));
+          if (from[k] > 0)
+            throw InputError(place(path, row.line) + "the same place as in line " + std::to_string(from[k]) +
+                             "; one row for each place is needed");
+          from[k]        = row.line;
+          grid.height[k] = row.value[2];
+        }
+      if (const auto hole = std::find(from.begin(), from.end(), 0u); hole != from.end())
+        {
+          const auto k = static_cast<std::size_t>(hole - from.begin());
+          throw InputError(path + ": no row for along = " + in_millimetres(grid.along[k % n]) +
+                           ", across = " + in_millimetres(grid.across[k / n]) + " (" +
+                           std::to_string(std::count(from.begin(), from.end(), 0u)) + " of " +
+                           std::to_string(n * m) + " are missing); fill the holes of the grid");
+        }
+      return grid;
+    }
+
+    HeightGrid
+    read_table(const std::string &path)
+    {
+      const std::vector<Line> lines = lines_of(text_of_file(path));
+      std::vector<Row>        rows;
+      Columns                 columns;
+      bool                    named = false;
+      for (const Line &line : lines)
+        {
+          const std::string text = trimmed(without_comment(line.text, "#%!"));
+          if (text.empty())
+            continue;
+          const std::vector<std::string> fields = fields_of(text);
+          if (!named)
+            {
+              columns = columns_of(fields, path, line.number);
+              named   = true;
+              continue;
+            }
+          Row row{{0, 0, 0}, line.number};
+          for (int q = 0; q < 3; ++q)
+            if (columns.unit[q] > 0)
+              {
+                const auto number =
+                  columns.place[q] < fields.size() ? number_of(fields[columns.place[q]]) : std::nullopt;
+                if (!number)
+                  throw InputError(place(path, line.number) + shown(text) + ": no number for " +
+                                   quantities[q] + accepted);
+                row.value[q] = columns.unit[q] * *number;
+              }
+          rows.push_back(row);
+        }
+      if (!named)
+        throw InputError(path + ": empty" + accepted);
+      return grid_of_rows(rows, columns.unit[1] == 0, path);
+    }
+
+    bool
+    is_hdf5(const std::string &path)
+    {
+      const std::size_t dot    = path.rfind('.');
+      const std::string ending = dot == std::string::npos ? "" : lower(path.substr(dot));
+      return ending == ".h5" || ending == ".hdf5";
+    }
+
+    /// A dataset of numbers whose name tells its unit [m].
+    std::vector<double>
+    lengths_of(const hid_t file, const std::string &path, const std::string &quantity)
+    {
+      for (const char *ending : {"_mm", "_um", "_m"})
+        if (H5Lexists(file, (quantity + ending).c_str(), H5P_DEFAULT) > 0)
+          {
+            std::vector<double> values = hdf5::read_dataset(file, quantity + ending);
+            for (double &value : values)
+              value *= unit_of(quantity + ending, quantity);
+            return values;
+          }
+      throw InputError(path + ": no dataset " + quantity +
+                       "_mm (or _m, _um); along_mm, across_mm and height_um are needed");
+    }
+
+    HeightGrid
+    read_datasets(const std::string &path)
+    {
+      const hdf5::Quiet quiet;
+      try
+        {
+          const hdf5::Handle file(
+            H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": no HDF5 file");
+          HeightGrid grid{lengths_of(file, path, "along"),
+                          lengths_of(file, path, "across"),
+                          lengths_of(file, path, "height")};
+          require_enough(grid, path);
+          for (const auto *places : {&grid.along, &grid.across})
+            if (std::adjacent_find(places->begin(), places->end(), std::greater_equal<double>()) !=
+                places->end())
+              throw InputError(path + ": the places along or across do not ascend");
+          if (grid.height.size() != grid.along.size() * grid.across.size())
+            throw InputError(path + ": " + std::to_string(grid.height.size()) + " heights for " +
+                             std::to_string(grid.across.size()) + " x " + std::to_string(grid.along.size()) +
+                             " places; a row for each place across is needed");
+          for (const double height : grid.height)
+            if (!std::isfinite(height))
+              throw InputError(path + ": a height that is no number; fill the holes of the grid");
+          return grid;
+        }
+      catch (const RunError &error)
+        {
+          throw InputError(error.what());
+        }
+    }
+
+    std::function<IrregularHeight(double, double)>
+    line_spline(const HeightGrid &line)
+    {
+      const std::shared_ptr<gsl_spline> spline(gsl_spline_alloc(gsl_interp_cspline, line.along.size()),
+                                               gsl_spline_free);
+      gsl_spline_init(spline.get(), line.along.data(), line.height.data(), line.along.size());
+      return [spline, low = line.along.front(), high = line.along.back()](const double, const double u) {
+        const double at = std::clamp(u, low, high);
+        return IrregularHeight{
+          gsl_spline_eval(spline.get(), at, nullptr), 0, gsl_spline_eval_deriv(spline.get(), at, nullptr)};
+      };
+    }
+
+    std::function<IrregularHeight(double, double)>
+    grid_spline(const HeightGrid &grid)
+    {
+      const std::shared_ptr<gsl_spline2d> spline(
+        gsl_spline2d_alloc(gsl_interp2d_bicubic, grid.along.size(), grid.across.size()), gsl_spline2d_free);
+      gsl_spline2d_init(spline.get(),
+                        grid.along.data(),
+                        grid.across.data(),
+                        grid.height.data(),
+                        grid.along.size(),
+                        grid.across.size());
+      const double u0 = grid.along.front(), u1 = grid.along.back(), v0 = grid.across.front(),
+                   v1 = grid.across.back();
+      return [spline, u0, u1, v0, v1](const double across, const double along) {
+        const double    u = std::clamp(along, u0, u1), v = std::clamp(across, v0, v1);
+        IrregularHeight h;
+        h.height = gsl_spline2d_eval(spline.get(), u, v, nullptr, nullptr);
+        h.along  = gsl_spline2d_eval_deriv_x(spline.get(), u, v, nullptr, nullptr);
+        h.across = v == across ? gsl_spline2d_eval_deriv_y(spline.get(), u, v, nullptr, nullptr) : 0;
+        return h;
+      };
+    }
+  } // namespace
+
+
+  HeightGrid
+  read_height_file(const std::string &path)
+  {
+    return is_hdf5(path) ? read_datasets(path) : read_table(path);
+  }
+
+
+  Irregularity
+  grid_irregularity(const HeightGrid &grid,
+                    const double      place,
+                    const double      lateral,
+                    const double      circumference)
+  {
+    const auto   heights = grid.across.empty() ? line_spline(grid) : grid_spline(grid);
+    Irregularity shape;
+    shape.begin = place + grid.along.front();
+    shape.end   = place + grid.along.back();
+    // a wheel measured all around: the gap between last and first point is closed by the ends
+    shape.endless = circumference > 0 && shape.end - shape.begin > 0.99 * circumference;
+    shape.at      = [heights, place, lateral](const double across, const double along) {
+      return heights(across - lateral, along - place);
+    };
+    double widest = 0;
+    for (std::size_t k = 1; k < grid.along.size(); ++k)
+      widest = std::max(widest, grid.along[k] - grid.along[k - 1]);
+    shape.shortest = 8 * widest;
+    return shape;
+  }
+
+
+  double
+  largest_end(const HeightGrid &grid)
+  {
+    const std::size_t n       = grid.along.size();
+    double            largest = 0;
+    for (std::size_t k = 0; k < grid.height.size(); k += n)
+      largest = std::max({largest, std::abs(grid.height[k]), std::abs(grid.height[k + n - 1])});
+    return largest;
+  }
+} // namespace wheelrail

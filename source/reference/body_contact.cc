@@ -1,0 +1,400 @@
+#include <wheelrail/halfspace/added_influence.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/reference/body_contact.h>
+#include <wheelrail/reference/contact_reference.h>
+#include <wheelrail/reference/halfspace_parts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    // farther than any approach: where there is no surface [m]
+    constexpr double far = 0.1;
+
+    // changes between rounds: of the rigid slip, of pressures over their peak
+    constexpr double slip_settled = 1e-7, pressure_settled = 2e-4;
+
+    WheelMotion
+    wheel_motion(const Scene &scene)
+    {
+      return {false, std::nan(""), lateral_creepage(scene), path_curvature(scene)};
+    }
+  } // namespace
+
+
+  BodyContact::BodyContact(const Scene &scene, const SceneGeometry &geometry, const BodyTables &tables)
+    : geometry_(geometry)
+    , tables_(tables)
+    , sections_(geometry, {}, whole_region(geometry.contact))
+    , motion_(wheel_motion(scene))
+    , element_(scene.halfspace_element_size)
+    , rate_(scene.velocity / geometry.contact.rolling_radius)
+    , problem_(halfspace_problem(scene))
+  {
+    const Curve &head    = geometry.rail.head;
+    first_               = head.closest(geometry.contact.rail.to_section(geometry.contact.frame.origin));
+    first_arc_           = head.length(0, first_);
+    problem_.force_given = true;
+    problem_.motion      = HalfspaceMotion::steady;
+    reached_             = 1.5 * expected_approach(scene, geometry.contact.rolling_radius);
+    lay_grid(reached_);
+  }
+
+
+  BodyContact::Row
+  BodyContact::row_at(const double y) const
+  {
+    const Curve     &head = geometry_.rail.head, &outline = geometry_.contact.outline.curve;
+    const Placement &rail = geometry_.contact.rail, &wheel = geometry_.contact.wheel;
+    Row              row;
+    const double     t     = head.advance(first_, y);
+    row.rail_arc           = first_arc_ + y;
+    const CurvePoint point = head.at(t);
+    row.place              = rail.to_track(point.position);
+    const Point2 ahead     = rail.to_track(point.position + point.tangent) - row.place;
+    row.angle              = std::atan2(ahead.y, ahead.x);
+    // the rail's normal cuts the tangent of the wheel at its closest point
+    const double     tw      = outline.closest(wheel.to_section(row.place));
+    const CurvePoint closest = outline.at(tw);
+    const Point2     foot    = wheel.to_track(closest.position),
+                 tangent     = wheel.to_track(closest.position + closest.tangent) - foot;
+    const Point2 normal{-std::sin(row.angle), std::cos(row.angle)};
+    row.distance   = cross(tangent, foot - row.place) / cross(tangent, normal);
+    row.wheel_arc  = geometry_.wheel.tread.length(0, geometry_.contact.outline.on_tread(tw));
+    const double s = geometry_.contact.frame.to_frame(foot).x;
+    row.touches    = t > 0 && t < head.parameter_end() && tw > 0 && tw < outline.parameter_end() &&
+                  s > sections_.s_min() && s < sections_.s_max() && std::cos(row.angle) > 0.05;
+    if (!row.touches)
+      return row;
+    row.slice = sections_.slice(s);
+    row.s     = s;
+    // distances of the sections lie along the normal of the first contact point
+    row.along_normal = std::cos(row.slice.wheel_tangent - geometry_.contact.frame.angle) /
+                       std::cos(row.slice.wheel_tangent - row.angle);
+    return row;
+  }
+
+
+  void
+  BodyContact::lay_grid(const double reached)
+  {
+    constexpr double longest = 0.04; // of a stretch without contact that may lie between two patches [m]
+    const auto       end     = [&](const double step) {
+      double last = 0;
+      for (double y = 0; std::abs(y - last) < longest; y += step)
+        {
+          const Row row = row_at(y);
+          if (!row.touches)
+            break;
+          if (row.distance < reached * std::cos(row.angle))
+            last = y;
+        }
+      return last;
+    };
+    const double coarse = std::max(element_, 0.5e-3), low = end(-coarse), high = end(coarse);
+    double       back = 0, front = 0;
+    for (const double y : {low, 0., high})
+      {
+        const double along = row_at(y).slice.along;
+        back               = std::min(back, along);
+        front              = std::max(front, along);
+      }
+    const double half = std::sqrt(2 * geometry_.contact.rolling_radius * reached / 1.5);
+    const int    n0   = int(std::ceil((half - back) / element_)) + 2,
+              n1 = int(std::ceil((half + front) / element_)) + 2, y0 = int(std::floor(low / element_)) - 2,
+              y1  = int(std::ceil(high / element_)) + 2;
+    problem_.grid = {n0 + n1 + 1, y1 - y0 + 1, element_, element_, -n0 * element_, y0 * element_};
+    rows_.clear();
+    for (int j = 0; j < problem_.grid.my; ++j)
+      rows_.push_back(row_at(problem_.grid.y(j)));
+    set_bodies();
+    problem_.undeformed_distance.assign(problem_.grid.size(), far);
+    problem_.normal_cosine.assign(problem_.grid.size(), 1);
+    for (int j = 0; j < problem_.grid.my; ++j)
+      if (const Row &row = rows_[j]; row.touches)
+        {
+          const double lowest = sections_.distance(row.s), cosine = std::cos(row.angle);
+          const double own = row.distance + growth_[j].y * cosine - growth_[j].x * std::sin(row.angle);
+          for (int i = 0; i < problem_.grid.mx; ++i)
+            {
+              const int e = i + problem_.grid.mx * j;
+              problem_.undeformed_distance[e] =
+                own + row.along_normal * (sections_.distance(row.s, problem_.grid.x(i)) - lowest);
+              problem_.normal_cosine[e] = cosine;
+            }
+        }
+    set_slip();
+    solution_ = {};
+    rise_.clear();
+  }
+
+
+  void
+  BodyContact::set_bodies()
+  {
+    std::vector<AddedInfluence::Basis> bases;
+    BodyPlacement                      rail, wheel;
+    rail.turn    = geometry_.contact.rail.angle;
+    wheel.turn   = geometry_.contact.wheel.angle;
+    wheel.radius = geometry_.contact.rolling_radius;
+    for (std::size_t j = 0; j < rows_.size(); ++j)
+      {
+        const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
+        // x along the track, y along the rail's surface, n into the rail
+        bases.push_back({{0, c, s, 0, s, -c, 1, 0, 0}});
+        rail.arcs.push_back(rows_[j].rail_arc);
+        wheel.arcs.push_back(rows_[j].wheel_arc);
+        rail.angles.push_back(rows_[j].angle);
+        rail.lateral.push_back(problem_.grid.y(j));
+      }
+    wheel.angles      = rail.angles;
+    wheel.lateral     = rail.lateral;
+    added_            = std::make_shared<AddedInfluence>(problem_.grid, bases);
+    const double step = problem_.step > 0 ? problem_.step : problem_.grid.dx;
+    for (const bool of_wheel : {false, true})
+      {
+        const BodyTable     &table     = of_wheel ? tables_.wheel : tables_.rail;
+        const BodyPlacement &placement = of_wheel ? wheel : rail;
+        const ContactRows    rows      = contact_rows(table, placement);
+        added_->add_body(body_influence(table, placement, rows, AddedInfluence::lags(problem_.grid, 0)),
+                         body_influence(table, placement, rows, AddedInfluence::lags(problem_.grid, step)),
+                         step);
+        if (of_wheel)
+          growth_ = growth(table, placement, rows, rate_);
+      }
+    problem_.added               = added_;
+    HalfspaceProblem wheel_alone = problem_;
+    wheel_alone.body1.shear_modulus *= 1e12;
+    wheel_kernels_ = std::make_shared<HalfspaceKernels>(wheel_alone);
+  }
+
+
+  void
+  BodyContact::set_slip()
+  {
+    const HalfspaceGrid &grid = problem_.grid;
+    own_slip_.assign(grid.size(), 0.);
+    problem_.rigid_slip_y.assign(grid.size(), 0.);
+    const double offset = problem_.spin_offset * grid.dx;
+    for (int j = 0; j < grid.my; ++j)
+      {
+        const Row &row = rows_[j];
+        if (!row.touches)
+          continue;
+        const RigidSlip slip = rigid_slip(sections_, row.slice, motion_, problem_.xi);
+        const double    turn = wheel_spin(sections_, row.slice, motion_, 0);
+        for (int i = 0; i < grid.mx; ++i)
+          {
+            own_slip_[i + grid.mx * j] = slip.along;
+            problem_.rigid_slip_y[i + grid.mx * j] =
+              slip.lateral + turn * (grid.x(i) - row.slice.along + offset);
+          }
+      }
+  }
+
+
+  std::vector<double>
+  BodyContact::wheel_rise() const
+  {
+    const HalfspaceGrid       &grid = problem_.grid;
+    const std::vector<double> *t[3] = {&solution_.traction_x, &solution_.traction_y, &solution_.pressure};
+    std::vector<double>        rise(grid.size(), 0.), u;
+    InfluenceProducts         &products = wheel_kernels_->products();
+    std::array<HalfspaceKernels::Spectrum, 3> forces;
+    for (int b = 0; b < 3; ++b)
+      products.forward(*t[b], forces[b]);
+    for (const int a : {1, 2})
+      {
+        HalfspaceKernels::Spectrum sum(forces[0].size(), 0.);
+        for (int b = 0; b < 3; ++b)
+          {
+            const auto &kernel = wheel_kernels_->of(a, b, 0);
+            for (std::size_t m = 0; m < sum.size(); ++m)
+              sum[m] += kernel[m] * forces[b][m];
+          }
+        products.backward(sum, u);
+        for (int j = 0; j < grid.my; ++j)
+          {
+            const double up = a == 1 ? std::sin(rows_[j].angle) : -std::cos(rows_[j].angle);
+            for (int i = 0; i < grid.mx; ++i)
+              rise[i + grid.mx * j] -= up * u[i + grid.mx * j];
+          }
+      }
+    const auto beyond = added_->fixed_displacement(1, {{t[0], t[1], t[2]}});
+    for (int j = 0; j < grid.my; ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        rise[i + grid.mx * j] += growth_[j].y - beyond[1][i + grid.mx * j];
+    return rise;
+  }
+
+
+  double
+  BodyContact::solve_round(const WheelRailLoad &load)
+  {
+    const HalfspaceGrid &grid  = problem_.grid;
+    const bool           first = solution_.grid.size() == 0;
+    // what tractions across carry of the load
+    double shear = 0;
+    for (int j = 0; j < grid.my && !first; ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        shear += std::sin(rows_[j].angle) * solution_.traction_y[i + grid.mx * j] * grid.element_area();
+    problem_.normal_force =
+      (load.vertical ? load.force : load.force * std::cos(geometry_.contact.frame.angle)) + shear;
+    const double yaw                  = load.along_track ? 0 : geometry_.contact.yaw;
+    problem_.longitudinal_force_given = !load.rate_held;
+    if (load.rate_held)
+      problem_.xi = load.creepage;
+    problem_.fx = load.slides
+                    ? -std::copysign(10 * load.force, load.longitudinal)
+                    : -(load.longitudinal - (first ? 0 : lateral()) * std::sin(yaw)) / std::cos(yaw);
+    set_slip();
+    const std::vector<double> before = rise_;
+    problem_.rigid_slip_x            = own_slip_;
+    for (int j = 0; j < grid.my && !rise_.empty(); ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        if (rows_[j].touches)
+          problem_.rigid_slip_x[i + grid.mx * j] -= rise_[i + grid.mx * j] / rows_[j].slice.radius;
+    const HalfspaceSolution guess = solution_;
+    if (first) // the pressure alone, which tells how the tread stretches
+      {
+        HalfspaceProblem pressing = problem_;
+        pressing.motion           = HalfspaceMotion::none;
+        solution_                 = solve_rolling(pressing, kernels_);
+      }
+    else
+      solution_ = solve_carried(problem_, kernels_, &guess);
+    if (!first && solution_.within_friction)
+      problem_.xi = solution_.xi;
+    rise_         = wheel_rise();
+    double change = before.empty() ? 1 : 0;
+    for (std::size_t e = 0; e < before.size(); ++e)
+      if (solution_.pressure[e] > 0)
+        change = std::max({change,
+                           std::abs(rise_[e] - before[e]) / (geometry_.contact.rolling_radius * slip_settled),
+                           std::abs(solution_.pressure[e] - guess.pressure[e]) /
+                             (solution_.peak_pressure * pressure_settled)});
+    return change;
+  }
+
+
+  void
+  BodyContact::carry(const WheelRailLoad &load)
+  {
+    constexpr int    most_rounds = 40, most_enlargements = 6;
+    constexpr double load_settled = 1e-4;
+    const double     tolerance    = problem_.tangential_tolerance;
+    double           change = 1e3, missed = 1;
+    for (rounds_ = 0; rounds_ < most_rounds; ++rounds_)
+      {
+        // tractions are solved as well as what they depend on is known
+        problem_.tangential_tolerance = std::clamp(1e-3 * change * tolerance / 1e-5, tolerance, 1e-3);
+        change                        = solve_round(load);
+        if (solution_.touches_grid_edge && enlargements_ < most_enlargements)
+          {
+            reached_ *= 1.5;
+            ++enlargements_;
+            lay_grid(reached_);
+            change = 1e3;
+            continue;
+          }
+        const double wanted =
+          load.vertical ? load.force : load.force * std::cos(geometry_.contact.frame.angle);
+        missed = std::abs(vertical() - wanted) / wanted;
+        if (change < 1 && missed < load_settled && problem_.tangential_tolerance == tolerance)
+          return;
+      }
+    solution_.coupling_converged = false;
+    solution_.not_reached += "Pressure, load and the stretch of the tread did not settle to each other. ";
+  }
+
+
+  double
+  BodyContact::vertical() const
+  {
+    double sum = 0;
+    for (int j = 0; j < problem_.grid.my; ++j)
+      for (int i = 0; i < problem_.grid.mx; ++i)
+        {
+          const int e = i + problem_.grid.mx * j;
+          sum += std::cos(rows_[j].angle) * solution_.pressure[e] -
+                 std::sin(rows_[j].angle) * solution_.traction_y[e];
+        }
+    return sum * problem_.grid.element_area();
+  }
+
+
+  double
+  BodyContact::lateral() const
+  {
+    double sum = 0;
+    for (int j = 0; j < problem_.grid.my; ++j)
+      for (int i = 0; i < problem_.grid.mx; ++i)
+        {
+          const int e = i + problem_.grid.mx * j;
+          sum -= std::sin(rows_[j].angle) * solution_.pressure[e] +
+                 std::cos(rows_[j].angle) * solution_.traction_y[e];
+        }
+    return sum * problem_.grid.element_area();
+  }
+
+
+  WheelRailSolution
+  BodyContact::result() const
+  {
+    WheelRailSolution result;
+    result.problem      = problem_;
+    result.solution     = solution_;
+    result.enlargements = enlargements_;
+    result.patch        = halfspace_patch(solution_);
+    for (int j = 0; j <= problem_.grid.my; ++j)
+      result.row_edges.push_back(row_at(problem_.grid.y(j) - 0.5 * problem_.grid.dy).place);
+    result.measures     = measure_patch(result.patch);
+    result.lateral      = lateral();
+    result.vertical     = vertical();
+    result.roll         = geometry_.contact.roll;
+    result.ahead        = geometry_.contact.ahead;
+    const auto   angle  = [&](const double y) { return row_at(y).angle; };
+    const double middle = result.measures.centre_lateral, half = 0.5 * result.measures.width;
+    result.turn = std::abs(angle(middle + half) - angle(middle - half));
+    double sum = 0, wheel_angle = 0, x = 0, y = 0;
+    for (int j = 0; j < problem_.grid.my; ++j)
+      for (int i = 0; i < problem_.grid.mx; ++i)
+        if (const double p = solution_.pressure[i + problem_.grid.mx * j]; p > 0)
+          {
+            sum += p;
+            result.angle += p * rows_[j].angle;
+            wheel_angle += p * rows_[j].slice.wheel_angle;
+            x += p * problem_.grid.x(i);
+            y += p * problem_.grid.y(j);
+          }
+    result.angle /= sum;
+    result.spin = std::sin(wheel_angle / sum) / geometry_.contact.rolling_radius;
+    // the reference point is the centre of pressure
+    const Row                  centre = row_at(y / sum);
+    std::vector<RowOfElements> rows;
+    for (const Row &row : rows_)
+      rows.push_back({row.place, row.angle});
+    result.reference = reference_at(sections_,
+                                    {x / sum, y / sum, centre.place, result.angle, centre.slice},
+                                    wheelset_forces(sections_, rows, solution_),
+                                    motion_,
+                                    solution_);
+    return result;
+  }
+
+
+  WheelRailSolution
+  solve_bodies(const Scene         &scene,
+               const SceneGeometry &geometry,
+               const WheelRailLoad &load,
+               const BodyTables    &tables)
+  {
+    BodyContact contact(scene, geometry, tables);
+    contact.carry(load);
+    return contact.result();
+  }
+} // namespace wheelrail

@@ -1,0 +1,90 @@
+"""What a result was computed from, as the first table of each page: read from parameters.prm."""
+
+import html
+import os
+
+FINITE, HALF = "run", "half-spaces"
+
+
+def read(folder):
+    """All entries of parameters.prm, "Section/Entry" -> text; empty where there is no such file."""
+    path = os.path.join(folder, "parameters.prm")
+    entries, section = {}, ""
+    if not os.path.exists(path):
+        return entries
+    with open(path, encoding="utf-8", errors="replace") as file:
+        for line in file:
+            words = line.strip()
+            if words.startswith("subsection "):
+                section = words[len("subsection "):].strip() + "/"
+            elif words == "end":
+                section = ""
+            elif words.startswith("set ") and "=" in words:
+                name, value = words[len("set "):].split("=", 1)
+                entries[section + name.strip()] = value.strip()
+    return entries
+
+
+def _profiles(entry):
+    wheel, rail = (os.path.basename(entry("Profiles/" + body)) for body in ("Wheel", "Rail"))
+    return f"{wheel} wheel on {rail} rail, inclination {entry('Track/Rail inclination').replace('/', ':')}"
+
+
+def _drive(entry):
+    if entry("Wheelset/Drive") == "rate":
+        return "creepage " + entry("Wheelset/Creepage")
+    traction = entry("Wheelset/Traction coefficient")
+    try:
+        value = float(traction)
+    except ValueError:
+        return "traction coefficient " + traction
+    word = "driving" if value > 0 else "braking" if value < 0 else "rolling freely"
+    return f"{word}, traction coefficient {traction}"
+
+
+def _steel(entry):
+    def of(body):
+        stress = entry(f"{body} material/Yield stress")
+        return "elastic" if stress in ("none", "") else "yields at " + stress
+    rail, wheel = of("Rail"), of("Wheel")
+    return "rail and wheel " + rail if rail == wheel else f"rail {rail}, wheel {wheel}"
+
+
+def rows(entries, summary=None, of=FINITE):
+    """Label and text of what matters; empty where parameters.prm is not there."""
+    if not entries:
+        return []
+
+    def entry(name):
+        return entries.get(name, "")
+
+    load = (summary or {}).get("wheel_load_N") or (summary or {}).get("vertical_force_N")
+    given = entry("Half-space/Undeformed distance") not in ("profiles", "") and of == HALF
+    found = [("surfaces", "distance " + entry("Half-space/Undeformed distance"))] if given else \
+        [("wheel and rail", _profiles(entry))]
+    if load:
+        found.append(("wheel load", f"{1e-3 * load:.2f} kN"))
+    found.append(("speed", entry("Wheelset/Velocity")))
+    motion = entry("Wheelset/Motion")
+    if motion not in ("none", ""):
+        found.append(("motion", "follows " + os.path.basename(motion)))
+    elif entry("Wheelset/Pose") == "equilibrium":
+        found.append(("wheelset", "lateral shift and yaw from equilibrium"))
+    elif not given:
+        found.append(("wheelset", f"lateral shift {entry('Wheelset/Lateral shift')}, yaw {entry('Wheelset/Yaw')}"))
+    if entry("Track/Radius") not in ("straight", "") and of == HALF:
+        cant = entry("Track/Cant")
+        found.append(("curve", "radius " + entry("Track/Radius") + (f", cant {cant}" if cant not in ("none", "") else "")))
+    found += [("drive", _drive(entry)), ("friction", entry("Contact/Friction coefficient"))]
+    if of == FINITE:
+        found += [("steel", _steel(entry)), ("cells", entry("Mesh/Solution cell size")),
+                  ("rolling distance", entry("Run/Rolling distance"))]
+    else:
+        found.append(("elements", entry("Half-space/Element size")))
+    return [(label, text) for label, text in found if text]
+
+
+def table(found):
+    """Them as a table of a page."""
+    lines = [f"<tr><td>{html.escape(label)}</td><td>{html.escape(text)}</td></tr>" for label, text in found]
+    return "<table>" + "\n".join(lines) + "</table>" if lines else ""

@@ -1,0 +1,50 @@
+#include <wheelrail/output/figures.h>
+#include <wheelrail/sampling/impact_figures.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    const std::vector<double> *
+    find_column(const History &history, const std::string &name)
+    {
+      for (std::size_t c = 0; c < history.names.size(); ++c)
+        if (history.names[c] == name)
+          return &history.columns[c];
+      return nullptr;
+    }
+  } // namespace
+
+
+  void
+  add_impact_figures(const History &history, const double load, Summary &summary)
+  {
+    constexpr double open    = 1e-3; // of the load
+    const auto      *along   = find_column(history, "rolled_distance"),
+               *force        = find_column(history, "vertical_force"),
+               *acceleration = find_column(history, "axle_acceleration");
+    if (!along || !force || force->empty())
+      return;
+    const auto [least, largest] = std::minmax_element(force->begin(), force->end());
+    set_figure(summary, "largest_vertical_force_N", *largest);
+    set_figure(summary, "largest_vertical_force_at_m", (*along)[largest - force->begin()]);
+    set_figure(summary, "least_vertical_force_N", *least);
+    set_figure(summary, "least_vertical_force_at_m", (*along)[least - force->begin()]);
+    set_figure(summary, "impact_factor", *largest / load);
+    double lost = 0;
+    for (std::size_t k = 1; k < force->size(); ++k)
+      if ((*force)[k] < open * load)
+        lost += (*along)[k] - (*along)[k - 1];
+    set_figure(summary, "contact_loss_m", lost);
+    if (acceleration)
+      {
+        const auto [down, up] = std::minmax_element(acceleration->begin(), acceleration->end());
+        set_figure(summary, "axle_acceleration_up_m_per_s2", *up);
+        set_figure(summary, "axle_acceleration_down_m_per_s2", -*down);
+      }
+  }
+} // namespace wheelrail

@@ -1,0 +1,279 @@
+#include <wheelrail/output/figures.h>
+#include <wheelrail/sampling/standard_error.h>
+#include <wheelrail/sampling/steadiness.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// What a result is judged by.
+    enum class ScaleOf
+    {
+      force,    ///< friction times load
+      creepage, ///< its value at half saturation
+      moment,   ///< friction times load times half of the gauge
+      torque,   ///< friction times load times the wheel's radius
+      itself,   ///< its mean
+      length,   ///< of the patch along the track
+      width,    ///< and across it
+      shear,    ///< friction times peak pressure
+      one,      ///< shares
+      t_gamma   ///< half of the friction bound at half saturation
+    };
+
+    /// A result of the summary that is a mean of the rows.
+    struct Reported
+    {
+      const char *figure;
+      bool        of_patch; ///< its column is in the history of the patch
+      ScaleOf     scale;
+      double      of_load;   ///< relative change with the load: that of Hertz's theory
+      double      of_torque; ///< change over its scale with the force, over the friction bound
+      bool        settles;   ///< settled_after asks for it
+    };
+
+    // of_torque of creepage and T-gamma follows from the slope of the creep curve and is not written here
+    constexpr Reported reported[] = {{"normal_force", false, ScaleOf::force, 1, 0, true},
+                                     {"vertical_force", false, ScaleOf::force, 1, 0, false},
+                                     {"longitudinal_force", false, ScaleOf::force, 0, 1, true},
+                                     {"lateral_force", false, ScaleOf::force, 0, 0, false},
+                                     {"creepage", false, ScaleOf::creepage, 0, 0, true},
+                                     {"yaw_moment", false, ScaleOf::moment, 0, 1, false},
+                                     {"drive_torque", false, ScaleOf::torque, 0, 0, false},
+                                     {"max_pressure", true, ScaleOf::itself, 1. / 3, 0, false},
+                                     {"max_pressure_fitted", true, ScaleOf::itself, 1. / 3, 0, true},
+                                     {"contact_area", true, ScaleOf::itself, 2. / 3, 0, true},
+                                     {"patch_lateral", true, ScaleOf::itself, 1. / 3, 0, false},
+                                     {"patch_longitudinal", true, ScaleOf::itself, 1. / 3, 0, false},
+                                     {"patch_centre_lateral", true, ScaleOf::width, 0, 0, false},
+                                     {"patch_centre_longitudinal", true, ScaleOf::length, 0, 0, false},
+                                     {"max_shear_traction", true, ScaleOf::shear, 1. / 3, 1, true},
+                                     {"stick_fraction", true, ScaleOf::one, 0, 1, false},
+                                     {"t_gamma", true, ScaleOf::t_gamma, 0, 0, false}};
+
+    /// Friction that counts where there is less: results of a hardly rubbing contact are not asked to be
+    /// better known than those of a usual one.
+    constexpr double least_friction = 0.1;
+    /// Of rail head and wheel rim against each other in series, about: 1.8 m of 54E1 clamped at its foot and
+    /// ends and a wheel with a straight web [N/m]. Wheel and rail creep sideways over C22 G a b over it.
+    constexpr double lateral_stiffness = 6e7;
+    /// What slopes may leave open, in wanted standard errors.
+    constexpr double most_drift = 6;
+
+    /// Means of a stretch that the scales are made of.
+    class Scales
+    {
+    public:
+      Scales(const History &history, const History &patches, const SteadyBasis &basis, const Range &stretch)
+        : radius_(basis.radius)
+      {
+        const auto mean = [&](const History &table, const char *name) {
+          return mean_over(column(table, "rolled_distance"), column(table, name), stretch).mean;
+        };
+        length_   = mean(patches, "patch_longitudinal");
+        width_    = mean(patches, "patch_lateral");
+        pressure_ = mean(patches, "max_pressure_fitted");
+        force_    = mean(history, "longitudinal_force");
+        friction_ = std::max(basis.friction, least_friction);
+        normal_   = mean(history, "normal_force");
+        creep     = creep_scale(friction_ * normal_, basis.shear_modulus, length_, width_);
+      }
+
+      double
+      of(const Reported &result, const double mean) const
+      {
+        constexpr double half_gauge = 0.75;
+        const double     bound      = friction_ * normal_;
+        switch (result.scale)
+          {
+            case ScaleOf::force:
+              return bound;
+            case ScaleOf::creepage:
+              return creep.half_saturation();
+            case ScaleOf::moment:
+              return bound * half_gauge;
+            case ScaleOf::torque:
+              return bound * radius_;
+            case ScaleOf::itself:
+              return std::max(std::abs(mean), 1e-300);
+            case ScaleOf::length:
+              return length_;
+            case ScaleOf::width:
+              return width_;
+            case ScaleOf::shear:
+              return friction_ * pressure_;
+            case ScaleOf::one:
+              return 1;
+            case ScaleOf::t_gamma:
+              return 0.5 * bound * creep.half_saturation();
+          }
+        return 1;
+      }
+
+      /// Change of a result over its scale with a force that is off by the share 1 of the friction bound.
+      double
+      of_torque(const Reported &result) const
+      {
+        // the creepage moves on along the creep curve until the force fits
+        const double slope = creep.stiffness * std::max(creep.tangent(force_), 1e-3);
+        const double moved = friction_ * normal_ / slope / creep.half_saturation();
+        if (result.scale == ScaleOf::creepage)
+          return moved;
+        if (result.scale == ScaleOf::t_gamma)
+          return 2 * std::abs(force_) / (friction_ * normal_) * (1 + moved);
+        return result.of_torque;
+      }
+
+      /// The way over which wheel and rail creep sideways to their lateral force.
+      double
+      lateral_length() const
+      {
+        return creep.lateral * creep.tangent(force_) / lateral_stiffness;
+      }
+
+      double
+      friction_bound() const
+      {
+        return friction_ * normal_;
+      }
+      double
+      force() const
+      {
+        return force_;
+      }
+      double
+      patch_length() const
+      {
+        return length_;
+      }
+
+    private:
+      double     length_, width_, pressure_, force_, friction_, normal_, radius_;
+      CreepScale creep;
+    };
+
+    std::string
+    per_cent(const double share)
+    {
+      char text[32];
+      std::snprintf(text, sizeof text, "%.2f %%", 100 * share);
+      return text;
+    }
+  } // namespace
+
+
+  double
+  slow_length(const double velocity)
+  {
+    constexpr double frequency = 190;
+    return velocity / (2 * M_PI * frequency);
+  }
+
+
+  double
+  KnownResult::error() const
+  {
+    return std::sqrt(noise * noise + balance * balance + drift * drift);
+  }
+
+
+  Steadiness
+  known_results(const History     &history,
+                const History     &patches,
+                const SteadyBasis &basis,
+                const Range       &stretch)
+  {
+    Steadiness found;
+    found.stretch       = stretch;
+    const auto  &rolled = column(history, "rolled_distance");
+    const Scales scales(history, patches, basis, stretch);
+    if (std::isfinite(basis.load))
+      found.load_miss = mean_over(rolled, column(history, "vertical_force"), stretch).mean / basis.load - 1;
+    if (std::isfinite(basis.torque_force))
+      found.torque_miss = (scales.force() - basis.torque_force) / scales.friction_bound();
+    // two cells take out what repeats from cell to cell
+    const double window = std::max(2e-3, 2 * basis.cell);
+    for (const Reported &one : reported)
+      {
+        const History &table  = one.of_patch ? patches : history;
+        const auto    &values = column(table, one.figure), &along = column(table, "rolled_distance");
+        KnownResult    result;
+        result.figure       = one.figure;
+        result.mean         = mean_over(along, values, stretch);
+        result.scale        = scales.of(one, result.mean.mean);
+        result.of_patch     = one.of_patch;
+        result.settles      = one.settles;
+        result.noise        = standard_error(cell_means(along, values, stretch, basis.cell));
+        result.balance      = std::hypot(one.of_load * found.load_miss * result.mean.mean,
+                                    scales.of_torque(one) * found.torque_miss * result.scale);
+        const Trend  trend  = trend_over(along, values, stretch, window);
+        const double length = std::string(one.figure) == "lateral_force"
+                                ? std::max(basis.slowest, scales.lateral_length())
+                                : basis.slowest;
+        if (std::abs(trend.slope) > 2 * trend.slope_error)
+          result.drift = std::abs(trend.slope) * length;
+        found.results.push_back(result);
+      }
+    return found;
+  }
+
+
+  namespace
+  {
+    /// The largest error that ends a run only when it is small, over what it may be; and which it is.
+    double
+    worst_of(const Steadiness &known, const double wanted, std::string &which)
+    {
+      double     worst = 0;
+      const auto ask   = [&](const double share, const double allowed, const std::string &words) {
+        if (!(share / allowed <= worst))
+          {
+            worst = share / allowed;
+            which = words + " " + per_cent(share) + ", " + per_cent(allowed) + " asked for";
+          }
+      };
+      for (const KnownResult &result : known.results)
+        {
+          const std::string label = figure_named(result.figure).label;
+          ask(result.noise / result.scale, wanted, "noise of the " + label);
+          ask(result.drift / result.scale, most_drift * wanted, "slope of the " + label);
+        }
+      ask(std::abs(known.load_miss), wanted, "vertical force against the load");
+      ask(std::abs(known.torque_miss), wanted, "longitudinal force against the torque");
+      return worst;
+    }
+  } // namespace
+
+
+  Steadiness
+  judge_steadiness(const History &history, const History &patches, const SteadyBasis &basis)
+  {
+    constexpr double least_cells = 8, least_of_patch = 0.75;
+    Steadiness       best;
+    best.open = "the run is shorter than two lengths of its patch";
+    if (history.columns.empty() || patches.columns.empty())
+      return best;
+    const double end   = column(history, "rolled_distance").back();
+    const double patch = column(patches, "patch_longitudinal").back();
+    const double first = std::max(basis.earliest, patch);
+    const double least = std::max(least_cells, std::ceil(least_of_patch * patch / basis.cell));
+    double       worst = std::numeric_limits<double>::infinity();
+    for (double cells = least; end - cells * basis.cell >= first * (1 - 1e-9); cells = std::ceil(1.2 * cells))
+      {
+        Steadiness   known = known_results(history, patches, basis, {end - cells * basis.cell, end});
+        const double here  = worst_of(known, basis.standard_error, known.open);
+        if (here <= 1)
+          known.open.clear();
+        if (here < worst)
+          {
+            worst = here;
+            best  = std::move(known);
+          }
+      }
+    return best;
+  }
+} // namespace wheelrail

@@ -1,0 +1,221 @@
+// Contact of the true bodies: balance of forces, figures of an independent program for the same scenes, kept
+// tables, and influences that are added to half-spaces against plain sums.
+
+#include "messages.h"
+
+#include <wheelrail/bodies/kept_tables.h>
+#include <wheelrail/halfspace/added_influence.h>
+#include <wheelrail/mesh/section_builder.h>
+#include <wheelrail/reference/body_contact.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_relative;
+using test::check_text;
+
+namespace
+{
+  struct Case
+  {
+    explicit Case(const std::vector<std::string> &sets)
+      : scene(scene_from_text("", "x.prm", sets).scene)
+      , geometry(make_geometry(scene))
+      , tables(make_body_tables(scene, geometry, "tables"))
+    {
+    }
+
+    WheelRailSolution
+    solve() const
+    {
+      return solve_bodies(scene, geometry, scene_load(scene, geometry), tables);
+    }
+
+    Scene         scene;
+    SceneGeometry geometry;
+    BodyTables    tables;
+  };
+
+  /// S1002 on 54E1, elements of 0.5 mm, against another program (Python, sections of its own with rows of 1
+  /// mm and three cells a row): free rolling, and the flange root with its second patch.
+  void
+  test_scenes()
+  {
+    const std::string element = "Half-space/Element size = 0.5 mm";
+    const Case        free({element, "Wheelset/Traction coefficient = 0"});
+    const auto        rolled = free.solve();
+    check(rolled.solution.converged(), "free rolling: converged, " + rolled.solution.not_reached);
+    check_relative(rolled.vertical, scene_load(free.scene, free.geometry).force, 2e-4, "it carries the load");
+    check_near(rolled.solution.fx / rolled.vertical, 0, 1e-5, "and no longitudinal force");
+    check_relative(rolled.measures.peak_pressure, 1236.5e6, 3e-3, "peak pressure");
+    check_relative(rolled.solution.xi, 0.4917e-3, 0.015, "creepage");
+
+    const Case root({element, "Wheelset/Lateral shift = -5.5 mm", "Wheelset/Traction coefficient = 0.25"});
+    const auto two = root.solve();
+    check(two.solution.converged() && two.measures.n_patches == 2, "flange root: two patches");
+    check_relative(two.vertical, scene_load(root.scene, root.geometry).force, 2e-4, "they carry the load");
+    check_relative(-two.solution.fx, 0.25 * two.vertical, 2e-4, "and the traction");
+    check_relative(two.measures.peak_pressure_fitted, 3364e6, 0.01, "peak pressure");
+    check_relative(two.solution.xi, 3.27e-3, 0.035, "creepage");
+  }
+
+  /// A table is made once; one that is damaged is made again.
+  void
+  test_kept()
+  {
+    const Case first({});
+    const auto files = [] {
+      std::vector<std::filesystem::path> found;
+      for (const auto &file : std::filesystem::directory_iterator("tables"))
+        found.push_back(file.path());
+      return found;
+    };
+    const auto kept = files();
+    check(kept.size() == 2, "a table of the rail and one of the wheel are kept");
+    const Case again({});
+    check(again.tables.wheel.remainder == first.tables.wheel.remainder &&
+            again.tables.rail.remainder == first.tables.rail.remainder,
+          "read again they are the same");
+    std::filesystem::resize_file(kept.front(), 1000);
+    const Case mended({});
+    check(mended.tables.wheel.remainder == first.tables.wheel.remainder &&
+            mended.tables.rail.remainder == first.tables.rail.remainder && files().size() == 2,
+          "a damaged one is made again");
+    const Case softer({"Rail material/Young's modulus = 200 GPa"});
+    check(files().size() == 3, "other constants have another table");
+    check(std::filesystem::file_size(kept.front()) > 1000, "and the damaged one was replaced");
+  }
+
+  /// Forces on rows of smooth influence, added by FFT, against plain sums; symmetric.
+  void
+  test_added()
+  {
+    HalfspaceGrid grid{7, 5, 1e-3, 1e-3, -3e-3, -2e-3};
+    const double  step   = 0.5e-3;
+    const int     rows   = 2;
+    const auto    kernel = [](const int i, const int a, const int j, const int b, const double lag) {
+      const double even = std::exp(-lag * lag / 4e-6) / (1 + std::abs(i - j)), odd = lag * 1e3 * even;
+      return (a == 2) == (b == 2) ? even * (1 + (a == b)) : a == 2 ? -odd : odd;
+    };
+    std::vector<AddedInfluence::Basis> bases;
+    RowInfluence                       here{rows, {}, {}}, ahead;
+    for (int j = 0; j < grid.my; ++j)
+      {
+        const double c = std::cos(0.1 * j), s = std::sin(0.1 * j);
+        bases.push_back({{0, c, s, 0, s, -c, 1, 0, 0}});
+        here.weights.insert(here.weights.end(), {1 - 0.25 * j, 0.25 * j});
+      }
+    ahead = here;
+    for (RowInfluence *influence : {&here, &ahead})
+      for (const double lag : AddedInfluence::lags(grid, influence == &here ? 0 : step))
+        for (int r = 0; r < 9 * rows * rows; ++r)
+          {
+            const int row = r / (3 * rows), column = r % (3 * rows);
+            influence->by_lag.push_back(kernel(row / 3, row % 3, column / 3, column % 3, lag));
+          }
+    AddedInfluence added(grid, bases);
+    added.add_body(here, ahead, step);
+    std::vector<double> t(grid.size(), 0.), u(grid.size(), 0.), slip(grid.size(), 0.);
+    const int           source = 2 + grid.mx * 1, receiver = 5 + grid.mx * 3;
+    t[source] = 1;
+    added.add_displacement({{nullptr, &t, nullptr}}, {{nullptr, nullptr, &u}});
+    added.add_slip({{nullptr, &t, nullptr}}, {{&slip, nullptr, nullptr}});
+    const auto plain =
+      [&](const int e, const int f, const int receiving, const int loading, const double ahead_by) {
+        double       sum = 0;
+        const double lag = grid.x(e % grid.mx) - grid.x(f % grid.mx) + ahead_by;
+        for (int i = 0; i < rows; ++i)
+          for (int j = 0; j < rows; ++j)
+            for (int a = 0; a < 3; ++a)
+              for (int b = 0; b < 3; ++b)
+                sum += here.weights[rows * (e / grid.mx) + i] * here.weights[rows * (f / grid.mx) + j] *
+                       bases[e / grid.mx][3 * a + receiving] * bases[f / grid.mx][3 * b + loading] *
+                       kernel(i, a, j, b, lag) * grid.element_area();
+        return sum;
+      };
+    check_relative(
+      u[receiver], plain(receiver, source, 2, 1, 0), 1e-12, "displacement along n under traction y");
+    check_relative(slip[receiver],
+                   (plain(receiver, source, 0, 1, 0) - plain(receiver, source, 0, 1, step)) / step,
+                   1e-10,
+                   "slip along x under traction y");
+    std::vector<double> back(grid.size(), 0.);
+    std::swap(t[source], t[receiver]);
+    added.add_displacement({{nullptr, nullptr, &t}}, {{nullptr, &back, nullptr}});
+    check_relative(back[source], u[receiver], 1e-12, "influence is the same both ways");
+  }
+
+  void
+  test_messages()
+  {
+    SectionBuilder     builder;
+    const unsigned int corner[4] = {
+      builder.corner({0, 0}), builder.corner({1, 0}), builder.corner({0, 1}), builder.corner({1, 1})};
+    const Side bottom{corner[0], corner[1]}, top{corner[2], corner[3]};
+    builder.patch("block", bottom, top, {corner[0], corner[2]}, {corner[1], corner[3]});
+    builder.mark(top, Boundary::running);
+    const SectionMesh loose = mesh_section(builder.section(), Boundary::foot, 0);
+    check_text(
+      test::message_of([&] { WaveStiffness(loose, {}, false).compliance(0, surface_rows(loose, 1, false)); }),
+      "The section of the rail moves without strain at the wavenumber 0.000000: nothing holds it. Its "
+      "elasticity cannot be computed.",
+      "a body that nothing holds");
+    SectionMesh folded = loose;
+    std::swap(folded.nodes[folded.cells[0][0]], folded.nodes[folded.cells[0][2]]);
+    std::swap(folded.nodes[folded.cells[0][6]], folded.nodes[folded.cells[0][8]]);
+    const std::string found = test::message_of([&] { WaveStiffness(folded, {}, false); });
+    check(found.rfind("A cell of the section at ", 0) == 0 &&
+            found.find(" is folded, so that its elasticity cannot be computed.") != std::string::npos,
+          "a folded cell: " + found);
+    builder.mark(bottom, Boundary::running);
+    check_text(
+      test::message_of([&] { mesh_section(builder.section(), Boundary::foot, 0); }),
+      "The running surface of a section is not one line of cells, so that its elasticity cannot be computed.",
+      "two running surfaces");
+    BodyTable table;
+    for (int r = 0; r < 3; ++r)
+      table.rows.push_back({1e-3 * r, 0, 1e-3, 0, {}});
+    BodyPlacement placement;
+    placement.arcs = {0.1, 0.101};
+    check_text(test::message_of([&] { contact_rows(table, placement); }),
+               "The contact lies beside the running surface of the rail that has a table of its elasticity.",
+               "a contact beside the table");
+    const auto refused = [](const std::string &set) {
+      const SceneInput input = scene_from_text("", "x.prm", {"Half-space/Bodies = real", set});
+      return test::message_of([&] { require_none(contact_checks(input.scene).errors, input); });
+    };
+    const std::string other =
+      "; Half-space/Bodies = real does not take it: write half-spaces there, or leave this "
+      "entry out";
+    check_text(refused("Half-space/Lateral offset = 1 mm"),
+               "--set: Half-space/Lateral offset = 1 mm: a pose by hand, where the bodies find theirs" +
+                 other,
+               "an offset with true bodies");
+    check_text(refused("Half-space/Undeformed distance = hertz"),
+               "--set: Half-space/Undeformed distance = hertz: a distance without bodies" + other,
+               "a given distance with true bodies");
+    check_text(refused("Half-space/Spin = contact"),
+               "--set: Half-space/Spin = contact: one spin for the whole contact" + other,
+               "one spin with true bodies");
+    check_text(refused("Wheelset/Wheels = both"),
+               "--set: Wheelset/Wheels = both: two wheels on one axle" + other,
+               "both wheels with true bodies");
+  }
+} // namespace
+
+int
+main()
+{
+  std::filesystem::remove_all("tables");
+  test_added();
+  test_messages();
+  test_kept();
+  test_scenes();
+  return test::report();
+}

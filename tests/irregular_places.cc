@@ -1,0 +1,239 @@
+// A wheel at rest on irregular surfaces, by half-spaces: CONTACT's wheel with a rounded flat, smooth surfaces
+// that are written into files, a hollow whose contact is known in closed form.
+#include "reference_table.h"
+
+#include <wheelrail/geometry/irregular_shapes.h>
+#include <wheelrail/model/scene_irregularities.h>
+#include <wheelrail/profiles/height_grid.h>
+#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/reference/irregular_places.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_relative;
+
+namespace
+{
+  Segment
+  line_segment(const Point2 &start, const Point2 &end)
+  {
+    Segment segment;
+    segment.name  = "line";
+    segment.start = start;
+    segment.end   = end;
+    return segment;
+  }
+
+  /// A cylinder of `radius` on a rail with a crown of 300 mm, both centred.
+  SceneGeometry
+  cylinder_on_crown(const double radius)
+  {
+    const double crown = 0.3, x = 0.03, angle = std::asin(x / crown);
+    Segment      arc;
+    arc.name        = "crown";
+    arc.kind        = Segment::Kind::arc;
+    arc.centre      = {0, -crown};
+    arc.radius      = crown;
+    arc.angle_start = M_PI / 2 - angle;
+    arc.angle_end   = M_PI / 2 + angle;
+    arc.start       = {x, -crown + crown * std::cos(angle)};
+    arc.end         = {-x, arc.start.y};
+    SceneGeometry geometry;
+    geometry.rail.head          = Curve({arc});
+    geometry.wheel.tread        = Curve({line_segment({0.0302, 0}, {-0.0302, 0})});
+    ContactGeometry &contact    = geometry.contact;
+    contact.outline             = {geometry.wheel.tread, {0, 1}};
+    contact.axle                = {0, radius};
+    contact.axis                = {{0, radius}, {1, 0, 0}};
+    contact.pose.nominal_radius = radius;
+    contact.rolling_radius      = radius;
+    contact.forward_radius      = radius;
+    geometry.surfaces           = running_surfaces(geometry.rail.head, geometry.wheel.tread, contact);
+    return geometry;
+  }
+
+  /// The slices of CONTACT's wheel, written as its own files are.
+  void
+  write_flat(const std::string &name)
+  {
+    std::ofstream slices(name);
+    const auto    rows = test::read_table("rounded_flat_slices.csv");
+    slices << "% cylinder with a flat\n\n 0.000 1 TH_OFFSET [usr], TH_SCALE [rad/usr]\n " << rows.size()
+           << " NSLC\n 0 0 0 NFEAT, NKINK, NACCEL\n 2 TH_INTPOL (1=intpol, 2=approx)\n";
+    char line[80];
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      {
+        const std::string file = "flat_" + std::to_string(k + 1) + ".txt";
+        slices << rows[k][0] << " '" << file << "'\n";
+        std::ofstream points(file);
+        for (int i = 0; i <= 130; ++i)
+          {
+            const double y = -30.20927 + 0.464758 * i;
+            std::snprintf(
+              line, sizeof line, "%.6f %.6f\n", y, std::min(0., y * y / 600 - std::stod(rows[k][1])));
+            points << line;
+          }
+      }
+  }
+
+  Scene
+  scene_of_contact()
+  {
+    Scene scene;
+    for (MaterialData *material : {&scene.rail_material, &scene.wheel_material})
+      {
+        material->poissons_ratio = 0.28;
+        material->youngs_modulus = 2 * 82e9 * 1.28;
+      }
+    scene.wheel_load             = 10e3;
+    scene.halfspace_element_size = 0.2e-3;
+    return scene;
+  }
+
+  void
+  test_rounded_flat()
+  {
+    write_flat("flat.slcw");
+    Scene scene                  = scene_of_contact();
+    scene.irregularities[0].kind = IrregularKind::file;
+    scene.irregularities[0].file = "flat.slcw";
+    SceneGeometry geometry       = cylinder_on_crown(0.45);
+    add_irregularities(scene, geometry);
+    const auto      rows = test::read_table("contact_rounded_flat.csv");
+    IrregularPlaces places{true, {}};
+    for (const auto &row : rows)
+      places.values.push_back(std::stod(row[0]) * M_PI / 180);
+    const auto found = solve_places(scene, geometry, 10e3, places);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      {
+        const std::string at    = "pitch " + rows[k][0] + " deg: ";
+        const double      pitch = std::stod(rows[k][0]);
+        check(found[k].fault.empty(), at + "it is solved");
+        // both count from the round wheel in first touch
+        check_near(
+          1e6 * (found[k].drop + 22.71e-6), 1e3 * std::stod(rows[k][1]), 2, at + "drop of the wheel [um]");
+        // at -5 deg the peak stands beside the kink where the flat ends, on a spline that rings there
+        if (pitch == -5 || pitch == -3)
+          {
+            check_relative(found[k].peak_pressure,
+                           1e6 * std::stod(rows[k][3]),
+                           pitch == -3 ? 0.02 : 0.035,
+                           at + "peak pressure");
+            check_relative(found[k].area, 1e-6 * std::stod(rows[k][4]), 0.02, at + "area");
+          }
+      }
+    check(found[1].centre_along > 3e-3 && found[1].centre_along < 6e-3, "at -5 deg the contact lies ahead");
+  }
+
+  /// The points of a profile as rows y, z of a slice: y to the field side, z down [mm].
+  void
+  write_slice(const Curve &curve, const std::string &file)
+  {
+    std::ofstream out(file);
+    char          line[80];
+    const double  length = curve.length(0, curve.parameter_end());
+    const int     n      = static_cast<int>(length / 0.05e-3);
+    double        t      = 0;
+    for (int k = 0; k <= n; ++k)
+      {
+        const Point2 p = curve.at(t).position;
+        std::snprintf(line, sizeof line, "%.10f %.10f\n", 1e3 * p.x, -1e3 * p.y);
+        out << line;
+        t = curve.advance(t, length / n);
+      }
+  }
+
+  void
+  write_smooth_slices(const std::string &name, const std::string &slice, const double step)
+  {
+    std::ofstream out(name);
+    out << "0 1 offset, scale\n5 NSLC\n0 0 0\n1\n";
+    for (int k = 0; k < 5; ++k)
+      out << (k - 2) * step << " '" << slice << "'\n";
+  }
+
+  /// Smooth surfaces in files are the smooth surfaces.
+  void
+  test_smooth_files()
+  {
+    const Scene         smooth;
+    const SceneGeometry geometry = make_geometry(smooth);
+    const double        load     = 100e3;
+    const auto          expected = solve_places(smooth, geometry, load, {false, {0.}})[0];
+    {
+      std::ofstream grid("smooth.csv");
+      grid << "along_mm,across_mm,height_um\n";
+      for (int i = -5; i <= 5; ++i)
+        for (int j = -5; j <= 5; ++j)
+          grid << 20 * i << "," << 6 * j << ",0\n";
+    }
+    write_slice(geometry.rail.head, "rail_slice.txt");
+    write_slice(geometry.wheel.tread, "wheel_slice.txt");
+    write_smooth_slices("rail.slcs", "rail_slice.txt", 50);
+    write_smooth_slices("wheel.slcw", "wheel_slice.txt", 0.1);
+    for (const std::string file : {"smooth.csv", "rail.slcs", "wheel.slcw"})
+      {
+        Scene scene                  = smooth;
+        scene.irregularities[0].kind = IrregularKind::file;
+        scene.irregularities[0].file = file;
+        const auto found             = solve_places(scene, make_geometry(scene), load, {false, {0., 7e-3}});
+        for (const PlaceContact &one : found)
+          {
+            // points each 0.05 mm tell jumps of the curvature of the rail head to some 1e-10 m
+            const double tolerance = file == "rail.slcs" ? 2e-6 : 1e-6;
+            check_relative(one.peak_pressure, expected.peak_pressure, tolerance, file + ": peak pressure");
+            check_near(
+              1e6 * one.drop, 0, file == "smooth.csv" ? 1e-6 : 2e-3, file + ": drop of the wheel [um]");
+          }
+      }
+  }
+
+  /// A long shallow hollow lowers the wheel by its depth, its slope pushes with load times slope, and a wave
+  /// has the same contact at the next crest.
+  void
+  test_waves()
+  {
+    Scene scene;
+    scene.irregularities[0].kind       = IrregularKind::corrugation;
+    scene.irregularities[0].length     = 0.9;
+    scene.irregularities[0].wavelength = 0.3;
+    scene.irregularities[0].depth      = 20e-6;
+    const SceneGeometry geometry       = make_geometry(scene);
+    const double        load           = 100e3;
+    const auto          found = solve_places(scene, geometry, load, {false, {0.3, 0.375, 0.45, 0.6}});
+    check_near(1e6 * found[2].drop, 20, 0.05, "drop in the trough [um]");
+    const double slope = M_PI * 20e-6 / 0.3;
+    check_near(found[1].slope_force, slope * load, 0.01 * slope * load, "force of the slope [N]");
+    check_relative(found[3].peak_pressure, found[0].peak_pressure, 1e-6, "crests are alike: peak pressure");
+    // in the trough curvatures differ by 2 pi^2 depth/wavelength^2
+    check(found[2].peak_pressure < found[0].peak_pressure, "in the trough the pressure is lower");
+  }
+
+  /// Rows in any order, columns in any unit.
+  void
+  test_order()
+  {
+    std::ofstream("order.csv") << "height_mm;along_m\n0;0.003\n0.001;0.001\n0;0\n0.002;0.002\n";
+    const HeightGrid line = read_height_file("order.csv");
+    check(line.across.empty() && line.along.size() == 4, "a line in any order");
+    check_near(line.height[2], 2e-6, 1e-15, "in other units [m]");
+  }
+} // namespace
+
+int
+main()
+{
+  test_rounded_flat();
+  test_smooth_files();
+  test_waves();
+  test_order();
+  return test::report();
+}

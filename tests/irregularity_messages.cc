@@ -1,0 +1,284 @@
+// What the program answers to irregularities that cannot be: entries against each other, cells, places of a
+// run, files of heights and slices, options of the command halfspace.
+#include "messages.h"
+
+#include <wheelrail/application/command_line.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/model/irregularity_checks.h>
+#include <wheelrail/model/scene_irregularities.h>
+#include <wheelrail/output/hdf5_handles.h>
+#include <wheelrail/profiles/height_grid.h>
+#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/reference/irregular_places.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+
+namespace
+{
+  void
+  holds(const std::string &message, const std::string &part)
+  {
+    check(message.find(part) != std::string::npos, "\"" + part + "\" in \"" + message.substr(0, 300) + "\"");
+  }
+
+  void
+  says(const std::function<void()> &work, const std::string &part)
+  {
+    holds(test::message_of(work), part);
+  }
+
+  Findings
+  found_in(const std::vector<std::string> &sets)
+  {
+    return check_scene(scene_from_text("", "none", sets).scene).found;
+  }
+
+  std::string
+  joined(const std::vector<std::string> &sentences)
+  {
+    std::string text;
+    for (const std::string &sentence : sentences)
+      text += sentence + "\n";
+    return text;
+  }
+
+  void
+  refused(const std::vector<std::string> &sets, const std::string &part)
+  {
+    holds(joined(found_in(sets).errors), part);
+  }
+
+  void
+  warned(const std::vector<std::string> &sets, const std::string &part)
+  {
+    const Findings found = found_in(sets);
+    check(found.errors.empty(), "no error: " + joined(found.errors));
+    holds(joined(found.warnings), part);
+  }
+
+  void
+  test_entries()
+  {
+    const std::string one = "Irregularity 1/", squat = one + "Kind = squat";
+    refused({squat},
+            "Irregularity 1/Depth = auto: Irregularity 1/Kind = squat has no depth of its own; give one, "
+            "such as 0.1 mm");
+    refused({one + "Kind = flat", one + "Body = rail"},
+            "Irregularity 1/Kind = flat is a shape of wheels; write auto");
+    refused({one + "Kind = flat", one + "Depth = 1 mm"},
+            ": that of a fresh flat is length^2/(8 R); write auto and give its length");
+    refused({one + "Kind = flat", one + "Length = 300 mm"},
+            ": longer than half the radius of the wheel, 230 mm");
+    refused({one + "Kind = dipped joint", one + "Depth = 1 mm", one + "Angle = 5 mrad"},
+            " it says the same twice; write none or auto for one of them");
+    refused({one + "Kind = corrugation", one + "Depth = 0.01 mm", one + "Length = 20 mm"},
+            "Irregularity 1/Length = 20 mm: shorter than one wave, Irregularity 1/Wavelength = 50 mm; give "
+            "the length of all waves");
+    refused({one + "Kind = file"}, "Irregularity 1/File = none: Irregularity 1/Kind = file needs one");
+    warned({one + "Length = 30 mm"},
+           "Irregularity 1/Length = 30 mm: without effect, since Irregularity 1/Kind = none");
+    // a scene of the second one alone is listed and read again
+    const Scene scene =
+      scene_from_text(
+        "",
+        "none",
+        {"Irregularity 2/Kind = weld", "Irregularity 2/Depth = -0.1 mm", "Irregularity 2/Place = 40 mm"})
+        .scene;
+    const std::string text = print_parameters(scene);
+    check(text.find("subsection Irregularity 2") != std::string::npos &&
+            text.find("subsection Irregularity 3") == std::string::npos,
+          "an irregularity is listed, those that are none are not");
+    check(print_parameters(scene_from_text(text, "none", {}).scene) == text, "and read again");
+  }
+
+  void
+  test_runs()
+  {
+    const std::string one = "Irregularity 1/", depth = one + "Depth = 0.02 mm", place = one + "Place = 45 mm";
+    refused({one + "Kind = dent", depth, place, one + "Length = 3 mm"},
+            "rises and falls within 3 mm, which cells of 1 mm cannot follow; take Mesh/Solution cell size = "
+            "0.37 mm");
+    warned({one + "Kind = dent", depth, place, one + "Length = 6 mm"},
+           ", fewer than eight cells of 1 mm; take Mesh/Solution cell size = 0.75 mm for figures");
+    warned({one + "Kind = dent", depth, place, one + "Length = 9 mm"},
+           " long: it lies over several waves, and the force follows only a part of their height");
+    warned(
+      {one + "Kind = dent", depth, one + "Place = 500 mm", one + "Length = 30 mm"},
+      "Irregularity 1/Place = 500 mm: the wheel does not come there within Run/Rolling distance = 60 mm");
+    refused({one + "Kind = dent", depth, one + "Length = 30 mm"},
+            " at the patch); a run starts in steady rolling on the smooth profile: move it at least ");
+    check(found_in({one + "Kind = dent", depth, place, one + "Length = 30 mm"}).errors.empty(),
+          "a dent on the way is computed");
+  }
+
+  void
+  write(const char *name, const std::string &text)
+  {
+    std::ofstream(name) << text;
+  }
+
+  void
+  write_datasets(const char *name, const std::vector<double> &along, const std::vector<double> &height)
+  {
+    const hid_t               file   = H5Fcreate(name, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const std::vector<double> across = {-6, -2, 2, 6};
+    hdf5::write_dataset(file, "along_mm", {along.size()}, along, "mm");
+    hdf5::write_dataset(file, "across_mm", {across.size()}, across, "mm");
+    hdf5::write_dataset(file, "height_um", {height.size()}, height, "um");
+    H5Fclose(file);
+  }
+
+  void
+  test_heights()
+  {
+    const auto read = [](const char *name) { return [name] { read_height_file(name); }; };
+    write("empty.csv", "");
+    says(read("empty.csv"),
+         "empty.csv: empty; a line with names such as along_mm, across_mm, height_um is needed, then rows of "
+         "numbers");
+    write("short.csv", "along_mm,height_um\n0,0\n1,0\n2,0\n");
+    says(read("short.csv"), "3 places along; a line or a grid needs at least 4");
+    write("row.csv", "along_mm,across_mm,height_um\n0,0,0\n1,0,0\n2,0,0\n3,0,0\n");
+    says(read("row.csv"), "1 place across; a grid needs at least 4, a line has no column across");
+    write("twice.csv", "along_mm,height_um\n0,0\n1,1\n1,2\n3,0\n4,0\n");
+    says(read("twice.csv"), "twice.csv:4: the same place as in line 3; one row for each place is needed");
+    std::string grid = "along_mm,across_mm,height_um\n";
+    for (int k = 0; k < 15; ++k)
+      grid += std::to_string(k % 4) + "," + std::to_string(k / 4) + ",0\n";
+    write("hole.csv", grid);
+    says(read("hole.csv"),
+         "no row for along = 3 mm, across = 3 mm (1 of 16 are missing); fill the holes of the grid");
+    write("name.csv", "x,height_um\n0,0\n");
+    says(read("name.csv"), "name.csv:1: no column along_mm (or _m, _um)");
+    write("word.csv", "along_mm,height_um\n0,0\n1,nan\n");
+    says(read("word.csv"), "\"1,nan\": no number for height");
+    says(read("gone.csv"), "gone.csv");
+    const std::vector<double> along = {0, 10, 20, 30};
+    write_datasets("good.h5", along, std::vector<double>(16, 0.));
+    check(read_height_file("good.h5").height.size() == 16, "a grid in an HDF5 file");
+    write_datasets("few.h5", along, std::vector<double>(15, 0.));
+    says(read("few.h5"), "15 heights for 4 x 4 places; a row for each place across is needed");
+    write_datasets("back.h5", {0, 20, 10, 30}, std::vector<double>(16, 0.));
+    says(read("back.h5"), "back.h5: the places along or across do not ascend");
+    write_datasets("nan.h5", along, std::vector<double>(16, std::nan("")));
+    says(read("nan.h5"), "nan.h5: a height that is no number; fill the holes of the grid");
+    H5Fclose(H5Fcreate("none.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+    says(read("none.h5"),
+         "none.h5: no dataset along_mm (or _m, _um); along_mm, across_mm and height_um are needed");
+    write("text.h5", "no such file");
+    says(read("text.h5"), "text.h5: no HDF5 file");
+  }
+
+  void
+  test_slices()
+  {
+    Scene      scene;
+    const auto made = [&scene](const char *file, const IrregularBody body = IrregularBody::automatic) {
+      return [&scene, file, body] {
+        scene.irregularities[2].kind = IrregularKind::file;
+        scene.irregularities[2].file = file;
+        scene.irregularities[2].body = body;
+        make_geometry(scene);
+      };
+    };
+    write("step.csv", "along_mm,height_um\n0,0\n1,10\n2,10\n3,10\n");
+    says(made("step.csv"),
+         "Irregularity 3/File: step.csv: the heights begin or end with a step of 0.01 mm; they must come "
+         "down to 0 along, within 0.002 mm");
+    write("flat.txt", "-30 0\n-25 0\n-20 0\n-10 0\n0 0\n10 0\n20 0\n25 0\n30 0\n");
+    write("deep.txt", "-30 9\n-25 9\n-20 9\n-10 9\n0 9\n10 9\n20 9\n25 9\n30 9\n");
+    write("beside.txt", "50 0\n51 0\n52 0\n53 0\n54 0\n55 0\n58 0\n60 0\n62 0\n");
+    write("wide.txt", "-9000 0\n-25 0\n-20 0\n-10 0\n0 0\n10 0\n20 0\n25 0\n9000 0\n");
+    write("points.txt", "-30 0\n0 0\n30 0\n");
+    const auto slices = [](const std::string &file, const std::string &head = "4\n0 0 0\n1\n") {
+      std::string text = "0 1 offset, scale\n" + head;
+      for (int k = 0; k < 4; ++k)
+        text += std::to_string(10 * k) + " '" + file + "'\n";
+      return text;
+    };
+    write("a.slcs", slices("flat.txt", "20\n2 0 0\n1\n"));
+    says(made("a.slcs"),
+         "NFEAT = 2; a rail in parts (a crossing) is not read, only one surface without features");
+    write("b.slcs", slices("flat.txt", "3\n0 0 0\n1\n"));
+    says(made("b.slcs"), "NSLC = 3; 4 to 10000 slices are accepted");
+    write("c.slcs", slices("flat.txt", "4\n0 0 0\n3\n"));
+    says(made("c.slcs"), "U_INTPOL = 3; 1 (interpolation) or 2 (smoothing) are accepted");
+    write("d.slcs", slices("gone.txt"));
+    says(made("d.slcs"), "d.slcs:5: ");
+    write("e.slcs", "0 1\n4\n0 0 0\n1\n0 'flat.txt'\n-5 'flat.txt'\n");
+    says(made("e.slcs"), "e.slcs:6: the places of the slices do not ascend; order them along the track");
+    write("f.slcs", "0 1\n4\n0 0 0\n1\n0 'flat.txt'\n");
+    says(made("f.slcs"), "f.slcs: ends before slice 2 of 4");
+    write("g.slcs", "0 1\n4\n0 0 0\n1\n0 flat.txt\n");
+    says(made("g.slcs"), ": a place and the name of a file in quotes are expected");
+    write("h.slcs", "0\n4\n0 0 0\n1\n");
+    says(made("h.slcs"), "U_OFFSET U_SCALE is expected");
+    write("i.slcs", slices("deep.txt"));
+    says(made("i.slcs"), "; slices have y to the field side and z down, and the origin of the profile");
+    write("j.slcs", slices("beside.txt"));
+    says(made("j.slcs"), "; their lateral origins must be the same, y to the field side");
+    write("k.slcs", slices("wide.txt"));
+    says(made("k.slcs"), " units wide; as mm or m it is none (10 mm to 400 mm): set the unit of the profile");
+    write("l.slcs", slices("points.txt"));
+    says(made("l.slcs"), "points.txt: 3 points; a slice needs at least 8");
+    write("m.slcw", slices("flat.txt"));
+    says(made("m.slcw", IrregularBody::rail), "m.slcw: slices of a wheel on the rail; change Body");
+  }
+
+  void
+  test_options()
+  {
+    const auto parsed = [](const char *text, const bool pitch) {
+      return [text, pitch] { parse_irregular_places(text, pitch); };
+    };
+    says(parsed("0:100:5", false),
+         "--places \"0:100:5\": the unit is missing; write first:last:step or values with commas, and mm or "
+         "m, such as \"0:100:5 mm\"");
+    says(parsed("1, 2 deg", false), "--places \"1, 2 deg\": the unit deg is unknown");
+    says(parsed("1:2 deg", true), "--pitch \"1:2 deg\": ");
+    const IrregularPlaces places = parse_irregular_places("-2:2:1 deg", true);
+    check(places.pitch && places.values.size() == 5 && std::abs(places.values[0] + 2 * M_PI / 180) < 1e-15,
+          "angles in degrees");
+    check(parse_irregular_places("1, 4 m", false).values == std::vector<double>({1., 4.}),
+          "places in metres");
+    write("scene.prm", "subsection Output\n  set Folder = out\nend\n");
+    const auto command = [](const std::vector<std::string> &words) {
+      std::ostringstream out;
+      const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
+      try
+        {
+          execute(words, run, out);
+        }
+      catch (const InputError &error)
+        {
+          out << error.what();
+        }
+      return out.str();
+    };
+    holds(command({"halfspace", "scene.prm", "--places", "0, 1 mm", "--pitch", "0, 1 deg"}),
+          "--places, --pitch and --creep-curve are different tables: give one of them");
+    holds(
+      command(
+        {"halfspace", "scene.prm", "--places", "0, 1 mm", "--set", "Half-space/Undeformed distance = hertz"}),
+      "Half-space/Undeformed distance = hertz: --places needs wheel and rail; set it to profiles");
+  }
+} // namespace
+
+int
+main()
+{
+  test_entries();
+  test_runs();
+  test_heights();
+  test_slices();
+  test_options();
+  return test::report();
+}
