@@ -14,16 +14,10 @@ namespace wheelrail
 {
   namespace
   {
-    /// Edges of a block in deal.II's face order: left, right, bottom, top.
-    constexpr unsigned int edge_corners[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
-
     Boundary
     edge_mark(const Section &section, const std::array<unsigned int, 4> &corner, const unsigned int edge)
     {
-      Section::EdgeKey key = {corner[edge_corners[edge][0]], corner[edge_corners[edge][1]]};
-      if (key[0] > key[1])
-        std::swap(key[0], key[1]);
-      const auto found = section.boundary.find(key);
+      const auto found = section.boundary.find(Section::edge_key(corner, edge));
       return found == section.boundary.end() ? Boundary::free : found->second;
     }
 
@@ -58,7 +52,7 @@ namespace wheelrail
                     dealii::CellData<2> face;
                     face.boundary_id = static_cast<unsigned int>(mark);
                     for (unsigned int v = 0; v < 4; ++v)
-                      face.vertices[v] = base[v / 2] + block.corner[edge_corners[e][v % 2]];
+                      face.vertices[v] = base[v / 2] + block.corner[Section::edge_corners[e][v % 2]];
                     faces.boundary_quads.push_back(face);
                   }
               for (unsigned int side = 0; side < 2; ++side)

@@ -11,8 +11,6 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double degree = M_PI / 180;
-
     // Places on one half of the outline, as parameters of it. The angles of the tangent that mark
     // them are chosen in the middle of each rounding, so that blocks meet the profile there with
     // similar angles on both sides. Each lies beyond the one before it, and between it and the web no other

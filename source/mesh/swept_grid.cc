@@ -11,16 +11,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Edges of a block in deal.II's face order: left, right, bottom, top.
-    constexpr unsigned int edge_corners[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
-
-    Section::EdgeKey
-    edge_key(const std::array<unsigned int, 4> &corner, const unsigned int edge)
-    {
-      const unsigned int a = corner[edge_corners[edge][0]], b = corner[edge_corners[edge][1]];
-      return {std::min(a, b), std::max(a, b)};
-    }
-
     /// Coordinate of the place (i, j) of a lattice of n parts along an edge, from the smaller corner on.
     int
     along_edge(const std::array<unsigned int, 4> &corner,
@@ -30,7 +20,7 @@ namespace wheelrail
                const int                          n)
     {
       const int t = edge < 2 ? j : i;
-      return corner[edge_corners[edge][0]] < corner[edge_corners[edge][1]] ? t : n - t;
+      return corner[Section::edge_corners[edge][0]] < corner[Section::edge_corners[edge][1]] ? t : n - t;
     }
 
     double
@@ -65,7 +55,7 @@ namespace wheelrail
         auto       &marks  = marks_.emplace_back();
         for (unsigned int e = 0; e < 4; ++e)
           {
-            const auto key            = edge_key(corner, e);
+            const auto key            = Section::edge_key(corner, e);
             const auto [entry, fresh] = number.try_emplace(key, number.size());
             if (fresh)
               at_edge_.emplace_back();
@@ -273,7 +263,8 @@ namespace wheelrail
         for (const Neighbour &other : at_edge_[edges_[block][edge]])
           {
             const auto &own = section().blocks[other.block].corner;
-            const int   u   = own[edge_corners[other.own][0]] < own[edge_corners[other.own][1]] ? t : n - t;
+            const int   u =
+              own[Section::edge_corners[other.own][0]] < own[Section::edge_corners[other.own][1]] ? t : n - t;
             if (other.own < 2)
               add(other.block, other.own == 1 ? n : 0, u);
             else

@@ -13,8 +13,6 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double degree = M_PI / 180;
-
     // Everything the parts of the section share. In the frame of the builder, left is the field side.
     struct Wheel : WheelSectionOutline
     {

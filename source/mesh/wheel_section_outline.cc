@@ -11,8 +11,6 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double degree = M_PI / 180;
-
     Segment
     arc(const char   *name,
         const Point2 &centre,

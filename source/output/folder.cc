@@ -17,12 +17,6 @@ namespace wheelrail
   {
     namespace fs = std::filesystem;
 
-    [[noreturn]] void
-    refuse(const std::string &folder, const std::string &what)
-    {
-      throw InputError("Output/Folder = " + folder + ": " + what);
-    }
-
     /// Whether the program makes files of this name.
     bool
     is_own_file(const fs::path &path)
@@ -114,8 +108,8 @@ namespace wheelrail
         {
           const fs::file_status status = fs::status(path, error);
           if (fs::exists(status) && !fs::is_directory(status))
-            refuse(folder,
-                   "\"" + path.string() + "\" is a file, where a folder is needed. Choose another name.");
+            refuse_folder(
+              folder, "\"" + path.string() + "\" is a file, where a folder is needed. Choose another name.");
           if (fs::exists(status) || path == path.root_path())
             break;
           if (path.has_filename())
@@ -126,9 +120,9 @@ namespace wheelrail
         {
           // nothing half made may stay behind
           remove_made(folder, topmost);
-          refuse(folder,
-                 "the folder cannot be made: " + error.message() +
-                   ". Choose a place in which you may write.");
+          refuse_folder(folder,
+                        "the folder cannot be made: " + error.message() +
+                          ". Choose a place in which you may write.");
         }
       return topmost;
     }
@@ -139,9 +133,10 @@ namespace wheelrail
     {
       const std::string path = folder + "/input.prm";
       if (fs::exists(path) && !fs::exists(folder + "/parameters.prm") && read_whole_file(path) != input)
-        refuse(folder,
-               "the folder holds another input.prm, which the copy of this input would replace. Choose "
-               "another Output/Folder, or rename that file.");
+        refuse_folder(
+          folder,
+          "the folder holds another input.prm, which the copy of this input would replace. Choose "
+          "another Output/Folder, or rename that file.");
     }
   } // namespace
 
@@ -179,9 +174,9 @@ namespace wheelrail
         {
           lock_ = std::make_unique<FolderLock>(folder_);
           if (mode == FolderMode::fresh && holds_finished_run(folder_))
-            refuse(folder_,
-                   "the folder holds a finished run, which is kept. Choose another Output/Folder, or "
-                   "give --overwrite to replace it.");
+            refuse_folder(folder_,
+                          "the folder holds a finished run, which is kept. Choose another Output/Folder, or "
+                          "give --overwrite to replace it.");
           if (mode != FolderMode::resume)
             protect_foreign_input(folder_, input_);
         }

@@ -20,12 +20,6 @@ namespace wheelrail
   {
     using Json = nlohmann::ordered_json;
 
-    [[noreturn]] void
-    refuse(const std::string &folder, const std::string &what)
-    {
-      throw InputError("Output/Folder = " + folder + ": " + what);
-    }
-
     /// Who holds a folder. The boot number tells one start of one kernel from all others; processes in
     /// containers share it, whatever name their machine bears.
     struct Holder
@@ -87,9 +81,9 @@ namespace wheelrail
     [[noreturn]] void
     refuse_held(const std::string &folder, const Holder &holder)
     {
-      refuse(folder,
-             "another run works in this folder, " + name_of(holder) +
-               ". Wait for its end, or choose another Output/Folder.");
+      refuse_folder(folder,
+                    "another run works in this folder, " + name_of(holder) +
+                      ". Wait for its end, or choose another Output/Folder.");
     }
 
     /// Whether the open file is still the one of that name: its holder may have removed it meanwhile.
@@ -118,11 +112,11 @@ namespace wheelrail
             refuse_held(folder, holder);
         }
       else if (holder.host != self.host) // else the machine was started anew since
-        refuse(folder,
-               "a run on another machine works in this folder, " + name_of(holder) +
-                 ", or was ended there "
-                 "without a word. Choose another Output/Folder, or, when it is gone, remove \"" +
-                 path + "\".");
+        refuse_folder(folder,
+                      "a run on another machine works in this folder, " + name_of(holder) +
+                        ", or was ended there "
+                        "without a word. Choose another Output/Folder, or, when it is gone, remove \"" +
+                        path + "\".");
     }
 
     /// Opens the file and locks it; gives the open file.
@@ -133,7 +127,7 @@ namespace wheelrail
         {
           const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
           if (file < 0)
-            refuse(folder, "no files can be made there. " + cannot_write(path, errno));
+            refuse_folder(folder, "no files can be made there. " + cannot_write(path, errno));
           const int fault = ::flock(file, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
           if (fault != EWOULDBLOCK && !has_name(file, path))
             {
@@ -149,7 +143,7 @@ namespace wheelrail
               if (const int reason = write_holder(file, self); reason != 0)
                 {
                   ::unlink(path.c_str());
-                  refuse(folder, "no files can be made there. " + cannot_write(path, reason));
+                  refuse_folder(folder, "no files can be made there. " + cannot_write(path, reason));
                 }
             }
           catch (...)
@@ -161,6 +155,12 @@ namespace wheelrail
         }
     }
   } // namespace
+
+  void
+  refuse_folder(const std::string &folder, const std::string &what)
+  {
+    throw InputError("Output/Folder = " + folder + ": " + what);
+  }
 
 
   FolderLock::FolderLock(const std::string &folder)

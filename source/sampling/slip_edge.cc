@@ -9,7 +9,7 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    constexpr double no_edge = std::numeric_limits<double>::quiet_NaN();
 
     enum State
     {
@@ -69,7 +69,7 @@ namespace wheelrail
     place_of_line(const Line &line)
     {
       if (!line.is(2, sticking))
-        return nan;
+        return no_edge;
       const double x1 = line.distance(1), x2 = line.distance(2);
       const double q1 = shortfall_squared(line, 1), q2 = shortfall_squared(line, 2);
       const double slope12 = (q2 - q1) / (x2 - x1);
@@ -83,9 +83,9 @@ namespace wheelrail
         }
       const double root = slope * slope - 4 * curvature * q1;
       if (!(slope > 0 && root >= 0))
-        return nan;
+        return no_edge;
       const double x = x1 - 2 * q1 / (slope + std::sqrt(root));
-      return x >= 0 ? x : nan;
+      return x >= 0 ? x : no_edge;
     }
 
     /// Pressure at distance x from node 0: the polynomial through nodes -1 to 2, those that are loaded.

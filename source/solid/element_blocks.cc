@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/vector3.h>
 #include <wheelrail/solid/full_element.h>
 #include <wheelrail/solid/reduced_element.h>
 
@@ -24,18 +25,6 @@ namespace wheelrail
     {
       const double xi = sign[a][0], eta = sign[a][1], zeta = sign[a][2];
       return {eta * zeta, zeta * xi, xi * eta, xi * eta * zeta};
-    }
-
-    double
-    dot(const Vector &a, const Vector &b)
-    {
-      return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    }
-
-    Vector
-    cross(const Vector &a, const Vector &b)
-    {
-      return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     }
 
     /// Columns of the Jacobian dX/dxi at a point of the unit cell [-1, 1]^3.

@@ -11,22 +11,20 @@ namespace wheelrail
 {
   namespace
   {
-    using Vector = StaticSystem::Vector;
-
     /// A step made and the change of the forces out of balance that it brought, with the opposite sign.
     struct Secant
     {
-      StaticStep step;
-      Vector     change;
-      double     bore_change = 0;
-      double     work        = 0; ///< of the change along the step; positive in a convex potential [J]
+      StaticStep   step;
+      StaticVector change;
+      double       bore_change = 0;
+      double       work        = 0; ///< of the change along the step; positive in a convex potential [J]
     };
 
     /// The step of the two loops of Nocedal (1980): the preconditioned one, made to fit the secants.
     StaticStep
     quasi_newton_step(StaticSearch &search, const StaticBalance &balance, const std::deque<Secant> &secants)
     {
-      Vector              residual = balance.residual;
+      StaticVector        residual = balance.residual;
       double              bore     = balance.bore;
       std::vector<double> weight(secants.size());
       for (std::size_t k = secants.size(); k-- > 0;)

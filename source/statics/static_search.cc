@@ -7,8 +7,6 @@ namespace wheelrail
 {
   namespace
   {
-    using Vector = StaticSystem::Vector;
-
     /// From the axle's line to a place.
     Vector3
     radial_arm(const Vector3 &X, const AxleData &axle)
@@ -139,7 +137,7 @@ namespace wheelrail
 
 
   StaticStep
-  StaticSearch::preconditioned_step(const Vector &residual, const double bore)
+  StaticSearch::preconditioned_step(const StaticVector &residual, const double bore)
   {
     ++cycles;
     return system_.precondition(residual, bore);
@@ -156,7 +154,7 @@ namespace wheelrail
   void
   StaticSearch::move(const StaticStep &step, const double factor)
   {
-    Vector increment = step.increment;
+    StaticVector increment = step.increment;
     increment *= factor;
     system_.add_to_nodes(increment, factor * step.lift, solid_.displacement);
     lift += factor * step.lift;

@@ -9,7 +9,7 @@ namespace wheelrail
 {
   namespace
   {
-    using Part = StaticSprings::Part;
+    using SpringPart = StaticSprings::Part;
 
     /// Adds the part of a local node to a list; a hanging one hands it to its parents.
     class PartList
@@ -36,7 +36,7 @@ namespace wheelrail
           parts.push_back({spring, mesh_.global_node[mesh_.parents[p]], mesh_.weights[p] * weight});
       }
 
-      std::vector<Part> parts;
+      std::vector<SpringPart> parts;
 
     private:
       const LocalMesh                               &mesh_;
@@ -91,23 +91,25 @@ namespace wheelrail
 
   /// Joins the parts that the ranks know.
   void
-  StaticSprings::take(std::vector<Part> own, const LocalMesh &mesh, const std::vector<unsigned char> &held)
+  StaticSprings::take(std::vector<SpringPart>           own,
+                      const LocalMesh                  &mesh,
+                      const std::vector<unsigned char> &held)
   {
     mesh_            = &mesh;
     const auto local = local_numbers(mesh);
-    for (Part &part : own)
+    for (SpringPart &part : own)
       if (held[local.at(part.node)])
         part.weight = {0, 0, 0};
-    std::vector<Part> all   = gather_all(own, communicator_);
-    const auto        place = [](const Part &part) { return std::make_tuple(part.spring, part.node); };
+    std::vector<SpringPart> all = gather_all(own, communicator_);
+    const auto place = [](const SpringPart &part) { return std::make_tuple(part.spring, part.node); };
     std::stable_sort(
-      all.begin(), all.end(), [&](const Part &a, const Part &b) { return place(a) < place(b); });
-    for (const Part &part : all)
+      all.begin(), all.end(), [&](const SpringPart &a, const SpringPart &b) { return place(a) < place(b); });
+    for (const SpringPart &part : all)
       if (!parts_.empty() && place(parts_.back()) == place(part))
         wheelrail::add(parts_.back().weight, 1, part.weight);
       else
         parts_.push_back(part);
-    for (const Part &part : parts_)
+    for (const SpringPart &part : parts_)
       {
         const auto node = local.find(part.node);
         local_.push_back(node == local.end() ? none : node->second);
@@ -145,7 +147,7 @@ namespace wheelrail
   {
     std::unordered_map<std::uint32_t, unsigned int> first; // spring of each node
     std::size_t                                     band = 0;
-    for (const Part &part : parts_)
+    for (const SpringPart &part : parts_)
       band =
         std::max<std::size_t>(band, part.spring - first.try_emplace(part.node, part.spring).first->second);
     return band;

@@ -3,12 +3,15 @@
 #include <wheelrail/geometry/plane.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <vector>
 
 namespace wheelrail
 {
+  constexpr double degree = M_PI / 180; ///< [rad]
+
   /// What a boundary edge of a section belongs to.
   enum class Boundary : unsigned int
   {
@@ -33,6 +36,17 @@ namespace wheelrail
 
     /// Key of an edge: its two corners, the smaller number first.
     using EdgeKey = std::array<unsigned int, 2>;
+
+    /// Corners of the edges of a block in deal.II's order of faces: left, right, bottom, top.
+    static constexpr unsigned int edge_corners[4][2] = {{0, 2}, {1, 3}, {0, 1}, {2, 3}};
+
+    /// Key of an edge 0 to 3 of a block.
+    static EdgeKey
+    edge_key(const std::array<unsigned int, 4> &corner, const unsigned int edge)
+    {
+      const unsigned int a = corner[edge_corners[edge][0]], b = corner[edge_corners[edge][1]];
+      return {a < b ? a : b, a < b ? b : a};
+    }
 
     std::vector<Point2> corners; ///< [m]
     std::vector<Block>  blocks;
