@@ -44,6 +44,8 @@ namespace wheelrail
       b1.fill(0);
       switch (local % 3)
         {
+          // with exp(i k z) a derivative along z is a factor i k; of a wheel z = r theta, so that 1/r goes
+          // with it, and cylindrical strains have u_r / r in the hoop strain, -u_theta / r in the shear (1)
           case 0: // u_x
             b0[0] = point.dx[n];
             b0[3] = point.dy[n];

@@ -13,11 +13,12 @@ namespace wheelrail
             ContactSums         &sums)
   {
     const Vector3 n = node.normal;
-    // pressure: spring and damper, no suction
+    // p = max(0, -k g - c dg/dt): spring and damper of the penalty layer, no suction
     const double spring = -law.stiffness * node.gap;
     node.pressure       = std::max(0., spring - law.damping * motion.opening);
 
-    // shear: elastic trial in the tangent plane, return to the Coulomb bound
+    // shear: elastic trial e + k s dt in the tangent plane (on the rail, so along the wheel's slip s), the
+    // damper's c s on top, return to the Coulomb bound mu(|s|) p along the trial (Simo and Laursen 1992)
     const Vector3 before = node.elastic - dot(node.elastic, n) * n;
     Vector3       trial  = before;
     add(trial, law.stiffness * time_step, motion.slip);
@@ -35,13 +36,16 @@ namespace wheelrail
       }
     node.elastic  = trial;
     node.traction = total;
-    node.slip     = motion.slip;
+    // what the spring does not take: s - (de/dt) / k
+    node.slip = motion.slip;
     if (time_step > 0)
       add(node.slip, -1 / (law.stiffness * time_step), trial - before);
 
     const ContactForces forces{(node.pressure * area) * (n + motion.tilt), -area * total};
     add(sums.force, 1, forces.push + forces.drag);
     sums.normal_force += node.pressure * area;
+    // the balance: (k g)^2 / 2k + e^2 / 2k in the springs, t . slip by friction, the rest of p dg/dt and of
+    // t . s in the dampers
     sums.stored_energy += area * (spring * spring + dot(trial, trial)) / (2 * law.stiffness);
     sums.friction_power += area * dot(total, node.slip);
     sums.damping_power += area * (spring - node.pressure) * motion.opening;
