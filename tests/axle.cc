@@ -1,3 +1,5 @@
+// label: fast
+
 // Two wheels on one axle, in half-spaces: cones against kinematics (Klingel 1883), the rolling line of a
 // curve, the balance of torques, and a mirror.
 

@@ -1,4 +1,5 @@
 // ranks: 1 2
+// label: fast
 
 // A block of cubes: exact waves, energy of central differences, equal answers on any number of ranks, and
 // the reader of such scenes.

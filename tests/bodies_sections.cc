@@ -1,3 +1,5 @@
+// label: fast
+
 // Elastic bodies by 2.5-D elements: a large block against the half-space of Boussinesq and Cerruti, a layer
 // on a rigid base in closed form, a wheel of very large radius against a prismatic body, a turning ring.
 

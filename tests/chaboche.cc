@@ -1,3 +1,5 @@
+// label: fast
+
 // Chaboche's law against closed forms: curves in tension and shear, a published step, ratcheting in each
 // cycle, thresholds, reversed flow, saturation, steps of any size, widths, energies.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Chaboche's law in both elements: without recovery the forces of the bilinear law, widths, and the energy of
 // cycles with flow in it.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Saved states of other formats: the rail of a finished run is read from the format before, which has the
 // axle's numbers beside those of the run; a newer format is refused.
 

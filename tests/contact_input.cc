@@ -1,3 +1,5 @@
+// label: fast
+
 // The input for CONTACT: the control lines of an input that CONTACT has read, every element of the problem,
 // and the problem read back from the text solves to the same.
 

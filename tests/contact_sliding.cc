@@ -1,3 +1,5 @@
+// label: fast
+
 // A plate that slides under a rigid plane: stopping way and heat for several friction coefficients, and the
 // limit of sticking.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // The reduced hexahedron: patch test, rigid motion, exact gradient of its energy, widths, linearisation.
 
 #include <wheelrail/solid/kernel.h>

@@ -1,3 +1,5 @@
+// label: fast
+
 // What a run says at its end: the verdict first, figures in groups, at most 25 lines.
 
 #include <wheelrail/run/end_screen.h>

@@ -1,3 +1,5 @@
+// label: fast
+
 // The full hexahedron: patch test, finite rotation, exact gradient of its energy, SIMD widths, linearisation,
 // rigid modes, plastic flow.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // The full hexahedron of nearly incompressible material against Lame's thick tube, and against plain 2 x 2 x
 // 2 integration, which locks.
 

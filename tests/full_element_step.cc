@@ -1,3 +1,5 @@
+// label: fast
+
 // The stable step of the full hexahedron: highest frequencies of meshes by power iteration, and random motion
 // of flat, nearly incompressible cells.
 

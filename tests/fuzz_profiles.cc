@@ -1,3 +1,5 @@
+// label: fast
+
 // Some hundred mutants of profile files; fuzz_profiles_long.cc has many more.
 
 #include "fuzz_profiles.h"

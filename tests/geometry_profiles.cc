@@ -1,3 +1,5 @@
+// label: fast
+
 // Curves and standard profiles: elements against the tables of the standards, joints, section
 // properties against the catalogue, curve operations against each other, speed.
 

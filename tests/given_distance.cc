@@ -1,3 +1,5 @@
+// label: fast
+
 // Half-space contact with a given undeformed distance: Hertzian against Hertz and CONTACT, from a file, and
 // what faulty files are answered.
 #include "check.h"

@@ -1,3 +1,5 @@
+// label: fast
+
 // Friction with memory and an elastic interface layer: traction curves of the measured shape, and laws of
 // them in closed form.
 

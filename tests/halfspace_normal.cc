@@ -1,3 +1,5 @@
+// label: fast
+
 // Normal problem of the half-space solver: Hertz in closed form, CONTACT at the same grids, complementarity
 // on a rough surface.
 

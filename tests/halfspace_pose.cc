@@ -1,3 +1,5 @@
+// label: fast
+
 // The half-space contact of a scene against CONTACT: wheel moved against the rail, rail head turned, three
 // loads.
 

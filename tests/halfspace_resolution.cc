@@ -1,3 +1,5 @@
+// label: fast
+
 // Small contacts: where the elements of the scene are too coarse the half-space solution takes smaller ones
 // and says so.
 

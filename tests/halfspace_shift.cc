@@ -1,3 +1,5 @@
+// label: fast
+
 // Shift, unlike materials, friction over slip velocity and subsurface stresses of the half-space solver
 // against closed forms.
 

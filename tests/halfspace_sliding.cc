@@ -1,3 +1,5 @@
+// label: fast
+
 // Half-spaces have an answer for every drive: where friction does not carry the force the whole patch slides,
 // with tractions at Coulomb's bound; braking mirrors driving but for the spin; without torque there is no
 // force.

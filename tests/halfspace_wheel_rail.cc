@@ -1,3 +1,5 @@
+// label: fast
+
 // S1002 on 54E1 at shift 0 in the half-space solver against CONTACT: element table, driving, braking, no
 // traction, three grids.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // The entries of parameter files: every one, defaults, round trips.
 
 #include "check.h"

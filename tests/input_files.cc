@@ -1,3 +1,5 @@
+// label: fast
+
 // Parameter files as texts: syntax, the ready scenes, and the command line that reads them.
 
 #include "check.h"

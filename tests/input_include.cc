@@ -1,3 +1,5 @@
+// label: fast
+
 // Parameter files that include others: whose value is in force, from where paths count, what is kept of the
 // text, and what the program answers to faults, word by word.
 

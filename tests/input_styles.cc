@@ -1,3 +1,5 @@
+// label: fast
+
 // The parameters as JSON and XML: deal.II's ParameterHandler reads both back to the same scene, and refuses
 // what the entries refuse.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Irregularities of running surfaces: their shapes, the surface that they make of a section, what a wheel of
 // revolution is along the track, nodes that are moved, and the force of a slope that the contact carries as
 // an offset.

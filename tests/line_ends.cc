@@ -1,3 +1,5 @@
+// label: fast
+
 // Line ends of LF, CR LF and CR: the same lines, also after a comment.
 
 #include "check.h"

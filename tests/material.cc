@@ -1,3 +1,5 @@
+// label: fast
+
 // The material laws against closed forms: Hooke; uniaxial curves, cycles, energy and widths of the bilinear
 // law.
 

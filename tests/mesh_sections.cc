@@ -1,3 +1,5 @@
+// label: fast
+
 // Block meshes of rail and wheel sections: area, shape, conformity, vertices on the exact profiles,
 // and equal lateral positions on both bodies in the fine strip.
 

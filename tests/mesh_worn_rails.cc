@@ -1,3 +1,5 @@
+// label: fast
+
 // Sections of rails whose heads are worn or joined to another body: the places that divide them are found
 // whatever angles their sides pass through, and no block is folded.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Every message of the program that a user can meet stands in doc/manual/messages.md and is the subject of a
 // test; so is every note on what was done to a profile. The messages are found in the source: the texts of
 // InputError, RunError, and of the lists of problems, findings and notes.

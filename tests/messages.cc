@@ -1,3 +1,5 @@
+// label: fast
+
 // What the program answers to faulty input: the text of every message, word by word.
 
 #include "messages.h"

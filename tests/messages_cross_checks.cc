@@ -1,3 +1,5 @@
+// label: fast
+
 // What the program answers to values that contradict each other: errors and warnings, word by word.
 
 #include "messages.h"

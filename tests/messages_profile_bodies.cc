@@ -1,3 +1,5 @@
+// label: fast
+
 // What the program answers to profiles of another kind and to those that fit on no rail or wheel, word
 // by word.
 

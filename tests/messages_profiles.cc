@@ -1,3 +1,5 @@
+// label: fast
+
 // What the program answers to faulty profile files, word by word.
 
 #include "messages.h"

@@ -1,3 +1,5 @@
+// label: fast
+
 // What the program answers when the wanted cells do not fit on rail and wheel at their contact point,
 // word by word.
 

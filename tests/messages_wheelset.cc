@@ -1,3 +1,5 @@
+// label: fast
+
 // What the program answers to curves, cants, wheelsets and laws of wear that cannot be: word by word.
 
 #include "messages.h"

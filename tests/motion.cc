@@ -1,3 +1,5 @@
+// label: fast
+
 // What a run follows: curves through the rows of a motion, the pose of the wheelset that is led, where its
 // patches come to lie, and what a motion that no run can follow is answered by.
 

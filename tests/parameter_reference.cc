@@ -1,3 +1,5 @@
+// label: fast
+
 // doc/manual/parameters.md is what the program prints, and what it prints holds every entry.
 
 #include "check.h"

@@ -1,3 +1,5 @@
+// label: fast
+
 // Where passages lead to, told from what each round adds; lists of wheels, and their messages; when passages
 // may be jumped over, and what of that is wrong.
 

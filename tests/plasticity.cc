@@ -1,3 +1,5 @@
+// label: fast
+
 // The plastic reduced hexahedron: patch test, rotation, energy, widths, fully
 // plastic moments.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Hard cases of plastic flow: cells that yield within one step, flat cells,
 // nearly incompressible steel.
 

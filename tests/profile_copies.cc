@@ -1,3 +1,5 @@
+// label: fast
+
 // Copies of profile files in the output folder, which a scene finds again.
 
 #include <wheelrail/model/profile_copies.h>

@@ -1,3 +1,5 @@
+// label: fast
+
 // Profile files: formats, cleaning, smoothing, and the contact of profiles from files.
 
 #include "check.h"

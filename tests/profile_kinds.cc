@@ -1,3 +1,5 @@
+// label: fast
+
 // Profile files as measuring devices and multibody programs leave them: each kind of oddity is read, told,
 // and gives the profile that was measured.
 

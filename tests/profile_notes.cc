@@ -1,3 +1,5 @@
+// label: fast
+
 // What a run tells about profile files: everything that is done to the points and to the curve, word by
 // word and nothing else.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Outliers of measured profiles are judged against their neighbours, whatever their size; kinks of worn
 // profiles stay.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Numbers with units: every unit, round trips, and what is refused.
 #include "check.h"
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Rollers of test rigs as half-spaces: crowned ones against Hertz, a cylinder against the line contact,
 // crowns from files, and what faulty ones are answered.
 #include "check.h"

@@ -1,3 +1,5 @@
+// label: fast
+
 // The meshes of the idealised scenes: volumes, masses, surfaces and hanging nodes.
 
 #include "scenes/dynamics.h"

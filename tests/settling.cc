@@ -1,3 +1,5 @@
+// label: fast
+
 // From where on a history stays at its final value.
 #include "check.h"
 

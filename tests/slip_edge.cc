@@ -1,3 +1,5 @@
+// label: fast
+
 // The peak of the shear traction between the nodes, where stick and slip meet.
 #include "check.h"
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Patch test of the explicit solid on distorted meshes and meshes with hanging nodes, and an imposed
 // rotation.
 

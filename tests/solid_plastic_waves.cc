@@ -1,3 +1,5 @@
+// label: fast
+
 // Elastic-plastic bars: waves of a bilinear rod on a wall, cyclic loading with both kinds of hardening, and
 // shocks that yield in one step.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // Plane waves in bars and blocks: speed, plateau of the stress, reflection, orders of convergence.
 
 #include "scenes/pulse.h"

@@ -1,3 +1,5 @@
+// label: fast
+
 // Standard errors of means over cells: how often the true mean lies within two of them, for noise of known
 // correlation; and means over whole cells.
 #include "check.h"

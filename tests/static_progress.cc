@@ -1,3 +1,5 @@
+// label: fast
+
 // When the search for the static equilibrium is given up.
 
 #include <wheelrail/statics/static_progress.h>

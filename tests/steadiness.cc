@@ -1,3 +1,5 @@
+// label: fast
+
 // Whether means of a run are steady and known: made-up histories with noise, slopes and forces out of
 // balance.
 #include "check.h"

@@ -1,3 +1,5 @@
+// label: fast
+
 // Studies: what their axes accept, the cases that they make, and how cases are told apart.
 
 #include "messages.h"

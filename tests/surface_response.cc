@@ -1,3 +1,5 @@
+// label: fast
+
 // Surface of an endless mesh under waves of nodal forces, against the exact half-space: the error is of
 // second order in the cell size, and of fourth order behind the surface filter.
 

@@ -1,3 +1,5 @@
+// label: fast
+
 // The verdict on a finished run, on half-spaces and on old summaries: rules, grades, words.
 
 #include <wheelrail/geometry/made_up_part.h>

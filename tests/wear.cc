@@ -1,3 +1,5 @@
+// label: fast
+
 // Laws of wear and cracks at their breakpoints, and wear across the rail against the work that is done.
 
 #include "check.h"

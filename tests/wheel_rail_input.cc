@@ -1,3 +1,5 @@
+// label: fast
+
 // The scene as input of the wheel-rail module of CONTACT: the lines of an input that CONTACT has read, and
 // profiles that give the same contact when they are read back.
 #include "messages.h"

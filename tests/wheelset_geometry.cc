@@ -1,3 +1,5 @@
+// label: fast
+
 // Wheelset on track: equivalent conicity against closed forms and Klingel's equation, roll that lets
 // both wheels touch, further points of contact.
 

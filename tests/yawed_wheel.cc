@@ -1,3 +1,5 @@
+// label: fast
+
 // Rigid contact of a wheelset with yaw: the outline of the wheel along the track against the wheel itself.
 
 #include "check.h"
