@@ -89,6 +89,20 @@ main()
              "(pictures and a page)",
              "what to do next");
 
+  check(place_of(lines, "impact") == lines.size(), "nothing of impacts where surfaces are smooth");
+  set_figure(run, "largest_vertical_force_N", 242.4e3);
+  set_figure(run, "largest_vertical_force_at_m", 72.3e-3);
+  set_figure(run, "impact_factor", 2.348);
+  set_figure(run, "axle_acceleration_up_m_per_s2", 305.5);
+  set_figure(run, "axle_acceleration_down_m_per_s2", 237.6);
+  const std::vector<std::string> irregular = end_screen(run, "out");
+  check_text(irregular[place_of(irregular, "largest vertical force")],
+             "  impact    largest vertical force                242.40 kN at 72.3 mm",
+             "a run over irregular surfaces says the largest force and where it acts");
+  check_text(irregular[place_of(irregular, "axle box")],
+             "            acceleration of the axle box    -237.6 to 305.5 m/s2",
+             "and how the axle box is shaken");
+
   Summary stopped;
   stopped.stop_reason                 = "interrupted";
   const std::vector<std::string> part = end_screen(stopped, "out");

@@ -1,7 +1,7 @@
 // ranks: 1
 // label: long
 // Runs over irregular surfaces: the same hollow as an offset of the contact and in the mesh, on rail and
-// wheel; energy, and what the history shows.
+// wheel; energy, what the history shows; smooth surfaces in files; small waves.
 #include "parallel.h"
 #include "stopped_runs.h"
 
@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -43,9 +45,9 @@ namespace
     }
   };
 
-  /// A free wheel at 30 m/s over a hollow 30 mm long, on cells of 2 mm.
-  Result
-  over_hollow(const double depth, const IrregularBody body)
+  /// A free wheel at 30 m/s on cells of 2 mm.
+  Scene
+  hollow_scene(const double depth, const IrregularBody body)
   {
     Scene scene;
     scene.title = (body == IrregularBody::rail ? "rail " : "wheel ") + std::to_string(1e6 * depth) + " um";
@@ -65,38 +67,164 @@ namespace
     hollow.place              = 30e-3;
     hollow.length             = 30e-3;
     hollow.depth              = depth;
-    check(run(scene, false) == 0, scene.title + ": the run ends");
+    return scene;
+  }
+
+  /// Over a hollow 30 mm long that is carried one way.
+  Result
+  over_hollow(const double depth, const Body body, const CarriedBy carried)
+  {
+    Scene scene = hollow_scene(depth, body == Body::rail ? IrregularBody::rail : IrregularBody::wheel);
+    scene.title += carried == CarriedBy::mesh ? " in the mesh" : " of offsets";
+    SceneGeometry   geometry = make_geometry(scene);
+    RunningSurface &surface  = body == Body::rail ? geometry.surfaces.rail : geometry.surfaces.wheel;
+    Irregularities  hollow   = surface.irregularities();
+    hollow.front().carried   = carried;
+    surface.set_irregularities(std::make_shared<const Irregularities>(hollow));
+    RunOptions options;
+    options.overwrite       = true;
+    options.prm_text        = "# a test\n";
+    options.parameters_text = print_parameters(scene);
+    check(run_scene(scene, geometry, options) == 0, scene.title + ": the run ends");
     Result result{read_summary("hollow/summary.json"), read_history("hollow/history.h5")};
     check(result.summary.energy_error < 0.01,
           scene.title + ": energy error below 1 %: " + std::to_string(100 * result.summary.energy_error));
     return result;
   }
 
-  void
-  test_both_ways(const IrregularBody body)
+  /// The share of one column's change in that of another one over the same way, by least squares.
+  double
+  share(const Result &of, const Result &in, const std::string &name)
   {
-    const std::string name    = body == IrregularBody::rail ? "rail: " : "wheel: ";
-    const Result      shallow = over_hollow(49e-6, body), deep = over_hollow(51e-6, body);
-    const double      load = get_figure(shallow.summary, "wheel_load_N");
-    // as large as they are deep
-    const double ratio = 51. / 49;
-    for (const char *force : {"vertical_force", "longitudinal_force"})
-      check_near(deep.swing(force) / (ratio * shallow.swing(force)),
-                 1,
-                 0.02,
-                 name + force + " in the mesh over that of offsets");
-    check(shallow.swing("vertical_force") > 0.05 * load, name + "the hollow is felt");
-    check_near(get_figure(deep.summary, "least_vertical_force_at_m"),
-               get_figure(shallow.summary, "least_vertical_force_at_m"),
+    const auto &x = in.column("rolled_distance"), &y = in.column(name), &u = of.column("rolled_distance"),
+               &v    = of.column(name);
+    double      both = 0, own = 0;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      {
+        while (k + 2 < u.size() && u[k + 1] < x[i])
+          ++k;
+        const double part = (x[i] - u[k]) / (u[k + 1] - u[k]), there = v[k] + part * (v[k + 1] - v[k]);
+        both += (there - v.front()) * (y[i] - y.front());
+        own += std::pow(y[i] - y.front(), 2);
+      }
+    return both / own;
+  }
+
+  /// A hollow of the rail at the border between both ways: the same forces.
+  void
+  test_both_ways()
+  {
+    const Result offsets = over_hollow(50e-6, Body::rail, CarriedBy::offset),
+                 mesh    = over_hollow(50e-6, Body::rail, CarriedBy::mesh);
+    for (const char *force : {"vertical_force", "longitudinal_force", "lateral_force"})
+      check_near(
+        share(mesh, offsets, force), 1, 0.02, force + std::string(" in the mesh over that of offsets"));
+    check(offsets.swing("vertical_force") > 0.05 * get_figure(offsets.summary, "wheel_load_N"),
+          "the hollow is felt");
+    check_near(get_figure(mesh.summary, "least_vertical_force_at_m"),
+               get_figure(offsets.summary, "least_vertical_force_at_m"),
                1.5e-3,
-               name + "at the same place [m]");
+               "at the same place [m]");
+  }
+
+  /// On a wheel the mesh carries even shallow ones, since the radius is what slides: see deepest_offset.
+  void
+  test_shallow_on_wheel()
+  {
+    const SceneGeometry geometry = make_geometry(hollow_scene(5e-6, IrregularBody::wheel));
+    check(geometry.surfaces.wheel.irregularities().front().carried == CarriedBy::mesh,
+          "a hollow of 5 um of the wheel is in the mesh");
+    over_hollow(40e-6, Body::wheel, CarriedBy::mesh);
+  }
+
+  Scene
+  short_scene(const std::string &title)
+  {
+    Scene scene;
+    scene.title               = title;
+    scene.cell_size           = 2e-3;
+    scene.fine_depth          = 6e-3;
+    scene.rail_length         = 0.5;
+    scene.velocity            = 30;
+    scene.rolling_distance    = 8e-3;
+    scene.averaging_distance  = 4e-3;
+    scene.ticks               = 1;
+    scene.volume_fields       = false;
+    scene.checkpoint_interval = 1e4;
+    scene.folder              = "short";
+    return scene;
+  }
+
+  /// Heights of nothing, in a file, are no irregularity.
+  void
+  test_smooth_file()
+  {
+    std::ofstream grid("smooth.csv");
+    grid << "along_mm,across_mm,height_um\n";
+    for (int i = -5; i <= 5; ++i)
+      for (int j = -5; j <= 5; ++j)
+        grid << 20 * i << "," << 6 * j << ",0\n";
+    grid.close();
+    run(short_scene("smooth"), false);
+    const Summary smooth = read_summary("short/summary.json");
+    for (const IrregularBody body : {IrregularBody::rail, IrregularBody::wheel})
+      {
+        Scene scene                  = short_scene("smooth, in a file");
+        scene.irregularities[0].kind = IrregularKind::file;
+        scene.irregularities[0].body = body;
+        scene.irregularities[0].file = "smooth.csv";
+        run(scene, false);
+        const Summary     found = read_summary("short/summary.json");
+        const std::string name  = body == IrregularBody::rail ? "rail" : "wheel";
+        check_relative(
+          found.vertical_force, smooth.vertical_force, 1e-6, name + " in a file: vertical force");
+        check_relative(found.max_pressure, smooth.max_pressure, 1e-6, name + " in a file: peak pressure");
+        check_relative(found.contact_area, smooth.contact_area, 1e-6, name + " in a file: area");
+      }
+  }
+
+  /// Vertical force over the way on waves of 40 mm.
+  Result
+  over_waves(const double depth)
+  {
+    Scene scene            = short_scene("waves of " + std::to_string(1e6 * depth) + " um");
+    scene.rolling_distance = 70e-3;
+    IrregularityData &wave = scene.irregularities[0];
+    wave.kind              = IrregularKind::corrugation;
+    wave.place             = 22e-3;
+    wave.wavelength        = 40e-3;
+    wave.length            = 80e-3;
+    wave.depth             = depth;
+    check(run(scene, false) == 0, scene.title + ": the run ends");
+    return {read_summary("short/summary.json"), read_history("short/history.h5")};
+  }
+
+  /// Small waves: twice the depth, twice the change of the force against waves of next to no depth.
+  void
+  test_linear()
+  {
+    const std::vector<double> still = over_waves(0.01e-6).column("vertical_force"),
+                              one   = over_waves(5e-6).column("vertical_force"),
+                              two   = over_waves(10e-6).column("vertical_force");
+    double of_one = 0, of_two = 0;
+    if (!check(still.size() == one.size() && one.size() == two.size(), "the runs have the same rows"))
+      return;
+    for (std::size_t k = 0; k < still.size(); ++k)
+      {
+        of_one += std::pow(one[k] - still[k], 2);
+        of_two += std::pow(two[k] - still[k], 2);
+      }
+    check(std::sqrt(of_one / still.size()) > 500,
+          "waves of 5 um are felt: " + std::to_string(std::sqrt(of_one / still.size())) + " N");
+    check_near(std::sqrt(of_two / of_one), 2, 0.04, "change of force by waves of 10 um over that by 5 um");
   }
 
   /// The history shows what the wheel rolled over.
   void
   test_history()
   {
-    const Result run = over_hollow(40e-6, IrregularBody::rail);
+    const Result run = over_hollow(40e-6, Body::rail, CarriedBy::offset);
     check_near(run.column("rail_irregularity").back(), 0, 1e-12, "behind the hollow the rail is smooth [m]");
     double deepest = 0;
     for (const double h : run.column("rail_irregularity"))
@@ -109,8 +237,10 @@ int
 main(int argc, char **argv)
 {
   Parallel parallel(argc, argv);
-  test_both_ways(IrregularBody::rail);
-  test_both_ways(IrregularBody::wheel);
+  test_both_ways();
+  test_shallow_on_wheel();
   test_history();
+  test_smooth_file();
+  test_linear();
   return parallel.report();
 }

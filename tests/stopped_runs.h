@@ -5,6 +5,8 @@
 #include <wheelrail/input/listing.h>
 #include <wheelrail/run/run_scene.h>
 
+#include <mpi.h>
+
 namespace test
 {
   /// Begins the run of a scene anew, or goes on with it; stops after `stop_after_steps` when that is not

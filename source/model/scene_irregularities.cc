@@ -123,7 +123,7 @@ namespace wheelrail
             shape.name          = irregularity_name(k);
             const double beside = 30e-3; // the tread around the contact
             shape.measures      = measures_of(shape, lateral - beside, lateral + beside);
-            if (shape.measures.largest > deepest_offset)
+            if (shape.measures.largest > deepest_offset[wheel ? Body::wheel : Body::rail])
               shape.carried = CarriedBy::mesh;
             lists[wheel ? Body::wheel : Body::rail].push_back(std::move(shape));
           }

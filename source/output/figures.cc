@@ -74,6 +74,8 @@ namespace wheelrail
       {"least_vertical_force_at", "m", "where it acts", "", "mm", 1e3, 1, false, nullptr},
       {"impact_factor", "", "impact factor", "largest vertical force over the wheel load", "", 1, 3, false, nullptr},
       {"contact_loss", "m", "rolled without contact", "", "mm", 1e3, 2, false, nullptr},
+      {"largest_pressure", "Pa", "largest pressure", "at a node, of the whole way", "MPa", 1e-6, 1, false, nullptr},
+      {"largest_pressure_at", "m", "where it acts", "", "mm", 1e3, 1, false, nullptr},
       {"axle_acceleration_up", "m_per_s2", "axle box, largest acceleration upwards", "", "m/s2", 1, 1, false, nullptr},
       {"axle_acceleration_down", "m_per_s2", "axle box, largest acceleration downwards", "", "m/s2", 1, 1, false, nullptr},
       {"patches", "", "separate patches", "", "", 1, 0, true, nullptr},

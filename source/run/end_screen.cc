@@ -100,6 +100,29 @@ namespace wheelrail
       forces.figure("longitudinal_force");
     }
 
+    /// What a run over irregular surfaces is made for; nothing of others.
+    void
+    add_impact(const Summary &summary, Lines &lines)
+    {
+      Group      impact("impact", summary, lines);
+      const auto with_place = [&](const std::string &name) {
+        const Figure &figure = figure_named(name), &place = figure_named(name + "_at");
+        const double  value = get_figure(summary, figure.key()), at = get_figure(summary, place.key());
+        if (std::isfinite(value) && std::isfinite(at))
+          impact.line(figure.label, figure.shown(value), figure.unit + (" at " + place.shown(at)) + " mm");
+      };
+      with_place("largest_vertical_force");
+      with_place("least_vertical_force");
+      impact.figure("impact_factor");
+      impact.figure("contact_loss");
+      with_place("largest_pressure");
+      const Figure &up = figure_named("axle_acceleration_up"), &down = figure_named("axle_acceleration_down");
+      if (const double most = get_figure(summary, up.key()); std::isfinite(most))
+        impact.line("acceleration of the axle box",
+                    down.shown(-get_figure(summary, down.key())) + " to " + up.shown(most),
+                    up.unit);
+    }
+
     /// Where the patch lies, as an engineer on the track would measure it; empty where it is not known.
     std::string
     place_on_head(const Summary &summary)
@@ -163,6 +186,7 @@ namespace wheelrail
     if (!summary.title.empty())
       lines.push_back(summary.title);
     add_verdict(summary, lines);
+    add_impact(summary, lines);
     add_forces(summary, lines);
     add_contact(summary, lines);
     add_cost(summary, lines);

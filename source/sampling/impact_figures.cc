@@ -26,6 +26,7 @@ namespace wheelrail
     constexpr double open    = 1e-3; // of the load
     const auto      *along   = find_column(history, "rolled_distance"),
                *force        = find_column(history, "vertical_force"),
+               *pressure     = find_column(history, "max_pressure"),
                *acceleration = find_column(history, "axle_acceleration");
     if (!along || !force || force->empty())
       return;
@@ -40,6 +41,12 @@ namespace wheelrail
       if ((*force)[k] < open * load)
         lost += (*along)[k] - (*along)[k - 1];
     set_figure(summary, "contact_loss_m", lost);
+    if (pressure)
+      {
+        const auto top = std::max_element(pressure->begin(), pressure->end());
+        set_figure(summary, "largest_pressure_Pa", *top);
+        set_figure(summary, "largest_pressure_at_m", (*along)[top - pressure->begin()]);
+      }
     if (acceleration)
       {
         const auto [down, up] = std::minmax_element(acceleration->begin(), acceleration->end());

@@ -137,8 +137,8 @@ namespace wheelrail
     row.put("max_shear_traction", m.max_traction);
     row.put("stick_fraction", m.stick_fraction);
     row.put("t_gamma", m.t_gamma);
-    n_patches_    = m.n_patches;
-    cells_across_ = m.cells_across;
+    row.put("patches", m.n_patches);
+    row.put("cells_across_peak", m.cells_across);
   }
 
 
@@ -196,19 +196,32 @@ namespace wheelrail
         const Figure &figure = figure_named(result.figure);
         set_figure(summary, figure.key(), result.mean.mean);
         set_figure(summary, figure.key("_std"), result.mean.deviation);
-        set_figure(summary, figure.key("_error"), result.error());
+        if (!irregular()) // else nothing is steady that a mean could belong to
+          set_figure(summary, figure.key("_error"), result.error());
       }
     set_figure(summary, "energy_error", column(state_.history, "energy_error").back());
     set_figure(summary, "means_from_m", std::max(0., known.stretch.s0));
-    if (n_patches_ > 0)
-      {
-        set_figure(summary, "patches", n_patches_);
-        set_figure(summary, "cells_across_peak", cells_across_);
-      }
-
+    fill_grid(summary, known.stretch);
     fill_settling(summary, known);
     if (irregular())
       add_impact_figures(state_.history, model_.wheel_load, summary);
+  }
+
+
+  void
+  Recorder::fill_grid(Summary &summary, const Range &stretch) const
+  {
+    if (state_.patches.columns.empty())
+      return;
+    const std::vector<double> &along = column(state_.patches, "rolled_distance");
+    std::size_t                last  = along.size() - 1;
+    while (last > 0 && along[last] > stretch.s1)
+      --last;
+    const double patches = column(state_.patches, "patches")[last];
+    if (!(patches > 0))
+      return;
+    set_figure(summary, "patches", patches);
+    set_figure(summary, "cells_across_peak", column(state_.patches, "cells_across_peak")[last]);
   }
 
 

@@ -18,8 +18,9 @@ import study_views
 import matplotlib.pyplot as plt  # after style, which chooses the backend
 
 # the figures of the page, as far as they are there
-CURVES = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "longitudinal_force_N", "lateral_force_N",
-          "creepage", "stick_fraction", "traction_over_friction", "max_von_mises_Pa", "subsurface_von_mises_Pa",
+CURVES = study_table.IMPACT + \
+         ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "longitudinal_force_N", "lateral_force_N", "creepage",
+          "stick_fraction", "traction_over_friction", "max_von_mises_Pa", "subsurface_von_mises_Pa",
           "subsurface_von_mises_depth_m", "max_plastic_strain", "max_residual_von_mises_Pa"] + study_table.WHEELSET + \
          ["axle_yaw_moment_Nm", "left_lateral_over_vertical", "right_longitudinal_force_N", "left_max_pressure_Pa"]
 

@@ -29,8 +29,12 @@ COSTS = ["wall_time_s", "ranks", "peak_memory_bytes", "elements", "time_steps", 
 WHEELSET = ["axle_lateral_shift_m", "axle_yaw_rad", "right_lateral_over_vertical", "right_t_gamma_N", "left_t_gamma_N",
             "right_max_pressure_Pa"]
 
+# of irregular surfaces
+IMPACT = ["largest_vertical_force_N", "impact_factor", "contact_loss_m", "largest_pressure_Pa"]
+
 # columns on the screen, as far as there are such figures
-SHOWN = ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "creepage", "stick_fraction"] + WHEELSET
+SHOWN = (IMPACT + ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa", "creepage", "stick_fraction"]
+         + WHEELSET)
 
 
 class Column:

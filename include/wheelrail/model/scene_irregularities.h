@@ -10,8 +10,11 @@
 
 namespace wheelrail
 {
-  /// Heights up to this one are taken by the contact as offsets of the gap, larger ones move the mesh [m].
-  constexpr double deepest_offset = 0.05e-3;
+  /// Heights up to this one are taken by the contact as offsets of the gap, larger ones move the mesh [m]. On
+  /// a wheel an offset leaves the surface that slides where it was, with the speed of the whole radius: a
+  /// slip of height over radius, which 1e-4 and more of creepage would feel. So only heights of nothing stay
+  /// offsets there.
+  constexpr PerBody<double> deepest_offset = {0.05e-3, 1e-6};
 
   /// The irregularities of a scene on both bodies, whose profiles are in touch. Reads their files. Throws
   /// InputError that names the entry.

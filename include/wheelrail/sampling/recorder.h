@@ -67,11 +67,12 @@ namespace wheelrail
     irregular() const;
     void
     fill_settling(Summary &summary, const Steadiness &known) const;
+    /// How many patches there are and how many cells lie across the highest pressure, at the end of a stretch
+    /// [m].
+    void
+    fill_grid(Summary &summary, const Range &stretch) const;
 
     const Model &model_;
     State        state_;
-    // of the patch that was added last
-    unsigned int n_patches_    = 0;
-    double       cells_across_ = 0; ///< PatchMeasures::cells_across
   };
 } // namespace wheelrail
