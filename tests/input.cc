@@ -45,6 +45,23 @@ namespace
       {"Track/Gauge height", "15 mm"},
       {"Track/Rail inclination", "1/20"},
       {"Track/Rail length", "1.2 m"},
+      {"Track/Support", "sleepers"},
+      {"Track/Sleeper spacing", "650 mm"},
+      {"Track/First sleeper", "-200 mm"},
+      {"Track/Pad length", "160 mm"},
+      {"Track/Pad stiffness", "250 MN/m"},
+      {"Track/Pad lateral stiffness", "30 MN/m"},
+      {"Track/Pad longitudinal stiffness", "35 MN/m"},
+      {"Track/Pad loss factor", "0.2"},
+      {"Track/Pad damping", "constant"},
+      {"Track/Pad damping frequency", "400 Hz"},
+      {"Track/Sleeper mass", "150 kg"},
+      {"Track/Ballast stiffness", "60 MN/m"},
+      {"Track/Ballast lateral stiffness", "20 MN/m"},
+      {"Track/Ballast longitudinal stiffness", "15 MN/m"},
+      {"Track/Ballast loss factor", "0.8"},
+      {"Track/Ballast damping frequency", "90 Hz"},
+      {"Track/Damped ends", "0.3 m"},
       {"Track/Radius", "-300 m"},
       {"Track/Cant", "-80 mm"},
       {"Track/Track shift factor", "0.85"},
@@ -311,6 +328,23 @@ namespace
     check_near(s.track.gauge_height, 0.015, 0, "field gauge_height");
     check_near(s.track.inclination, 0.05, 0, "field inclination");
     check_near(s.rail_length, 1.2, 0, "field rail_length");
+    const SupportData &t = s.support;
+    check(t.kind == RailSupport::sleepers && t.pad_damping == PadLoss::constant, "fields of the support");
+    check_near(t.spacing, 0.65, 0, "field spacing");
+    check_near(t.first_sleeper, -0.2, 0, "field first_sleeper");
+    check_near(t.pad_length, 0.16, 0, "field pad_length");
+    check_near(t.pad_stiffness, 250e6, 0, "field pad_stiffness");
+    check_near(t.pad_lateral, 30e6, 0, "field pad_lateral");
+    check_near(t.pad_longitudinal, 35e6, 0, "field pad_longitudinal");
+    check_near(t.pad_loss, 0.2, 0, "field pad_loss");
+    check_near(t.pad_frequency, 400, 0, "field pad_frequency");
+    check_near(t.sleeper_mass, 150, 0, "field sleeper_mass");
+    check_near(t.ballast_stiffness, 60e6, 0, "field ballast_stiffness");
+    check_near(t.ballast_lateral, 20e6, 0, "field ballast_lateral");
+    check_near(t.ballast_longitudinal, 15e6, 0, "field ballast_longitudinal");
+    check_near(t.ballast_loss, 0.8, 0, "field ballast_loss");
+    check_near(t.ballast_frequency, 90, 0, "field ballast_frequency");
+    check_near(t.damped_ends, 0.3, 0, "field damped_ends");
     check_near(s.track.nominal_radius, 0.42, 0, "field track.nominal_radius");
     check_near(s.wheel.nominal_radius, 0.42, 0, "field wheel.nominal_radius");
     check_near(s.track.flange_back_distance, 1.361, 0, "field flange_back_distance");

@@ -65,6 +65,8 @@ namespace
       {"1.15 MN/m", D::stiffness, 1.15e6},
       {"1150 N/mm", D::stiffness, 1.15e6},
       {"1.15 kN/mm", D::stiffness, 1.15e6},
+      {"500 Hz", D::frequency, 500},
+      {"2 kHz", D::frequency, 2000},
       {"2500 N s/m", D::damping, 2500},
       {"2500 N*s/m", D::damping, 2500},
       {"2500 N * s / m", D::damping, 2500},

@@ -3,6 +3,7 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/irregularity_checks.h>
 #include <wheelrail/input/study_cases.h>
+#include <wheelrail/input/support_checks.h>
 #include <wheelrail/input/wheelset_checks.h>
 
 #include <algorithm>
@@ -315,6 +316,7 @@ namespace wheelrail
         entry_text(scene, "Wheelset", "Wheels") +
         ": a run has one wheel; run --wheelset rolls the modelled one as it rolls on the "
         "wheelset, Wheels = one by itself");
+    check_support(scene, found);
     check_cells(scene, found.errors);
     check_steps(scene, found.warnings);
     if (scene.several_passages() && !scene.rail_material.yields())

@@ -52,11 +52,11 @@ namespace wheelrail
       B::between("5 mm", "30 mm"),
       field(&S::track, &TrackDimensions::gauge_height)));
     list.push_back(inclination_entry());
-    list.push_back(
-      length_entry({"Track", "Rail length", "Length of the modelled piece of rail; its ends are clamped."},
-                   "m",
-                   B::between("200 mm", "10 m"),
-                   field(&S::rail_length)));
+    list.push_back(length_entry({"Track", "Rail length", "Length of the modelled piece of rail."},
+                                "m",
+                                B::between("200 mm", "10 m"),
+                                field(&S::rail_length)));
+    add_support_entries(list);
     const auto radius = field(&S::track_radius);
     list.push_back(with_word(
       number_entry(

@@ -1,13 +1,13 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/contact/make_law.h>
-#include <wheelrail/dynamics/supports.h>
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/motion_way.h>
 #include <wheelrail/model/planned_strip.h>
 #include <wheelrail/model/scene_motion.h>
+#include <wheelrail/model/scene_parts.h>
 #include <wheelrail/solid/highest_frequency.h>
 #include <wheelrail/solid/point_state.h>
 
@@ -99,17 +99,6 @@ namespace wheelrail
       add_band_mass(model.solid, model.contact->law().added_mass, communicator);
     }
 
-    /// What holds and loads the bodies beside contact and axle.
-    SceneParts
-    scene_parts(const Scene &scene, MPI_Comm communicator)
-    {
-      SceneParts parts;
-      parts.push_back(
-        std::make_unique<Supports>(std::vector<Boundary>{Boundary::foot, Boundary::end}, communicator));
-      parts.push_back(std::make_unique<Weight>(Body::wheel, scene.gravity));
-      return parts;
-    }
-
     /// How much thinner, relatively, nodes that irregularities move make the cells anywhere on the way:
     /// heights are blended over a depth, slopes shear cells.
     double
@@ -134,7 +123,7 @@ namespace wheelrail
       const SweepPlan &plan = model.forest->plan();
       prepare(model.solid, model.forest->local_mesh(), communicator);
       lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
-      model.parts = scene_parts(scene, communicator);
+      model.parts = scene_parts(scene, plan.start_block * plan.block_length(), communicator);
       prepare_parts(model.parts, model.solid);
       lower_stable_step(model.solid, model.parts);
       // the start lies on the smooth surfaces: what comes later counts now

@@ -1,5 +1,6 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/support_checks.h>
 #include <wheelrail/model/scene_head.h>
 
 #include <cmath>
@@ -98,6 +99,26 @@ namespace wheelrail
       return text;
     }
 
+    /// "sleepers every 600 mm, pads of 300 MN/m, sleepers of 160 kg on ballast of 50 MN/m; a long rail sinks
+    /// by about 1.2 mm". `wheel_load` [N].
+    std::string
+    rail_support(const Scene &scene, const double wheel_load)
+    {
+      const SupportData &support = scene.support;
+      const auto         MN_m    = [](const double stiffness) { return shown(1e-6 * stiffness) + " MN/m"; };
+      std::string        text =
+        support.kind == RailSupport::sleepers ? "sleepers every " : "continuous pads, one for ";
+      text += in_mm(support.spacing) + ", pads of " + MN_m(support.pad_stiffness);
+      if (support.kind == RailSupport::sleepers)
+        text += std::isfinite(support.sleeper_mass) ? ", sleepers of " + shown(support.sleeper_mass) +
+                                                        " kg on ballast of " + MN_m(support.ballast_stiffness)
+                                                    : ", sleepers do not move";
+      if (support.damped_ends > 0)
+        text += ", damped ends of " + shown(support.damped_ends) + " m";
+      return text + "; a long rail sinks by about " +
+             about(1e3 * wheel_load * rail_bending(support).deflection) + " mm";
+    }
+
     std::string
     friction(const Scene &scene)
     {
@@ -158,6 +179,8 @@ namespace wheelrail
       {
         head.push_back(
           {"steel", "rail " + steel(scene.rail_material) + ", wheel " + steel(scene.wheel_material)});
+        if (scene.support.kind != RailSupport::clamped_foot)
+          head.push_back({"support", rail_support(scene, wheel_load)});
         head.push_back({"cells", "of " + in_mm(scene.cell_size)});
       }
     return head;

@@ -54,18 +54,20 @@ namespace wheelrail
                    1e3 * lattice.spacing_along,
                    1e3 * lattice.spacing_lateral));
     log.value("worst cell", text("smallest corner Jacobian is %.2f of the mean", q.worst_jacobian));
-    log.value("time step",
-              text("%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
-                   "%.1f, Z %.1f mm%s",
-                   1e6 * model.time_step,
-                   model.duration / model.time_step,
-                   1e6 * s.step,
-                   1e3 * s.length,
-                   body_name(s.body),
-                   1e3 * s.place[0],
-                   1e3 * s.place[1],
-                   1e3 * s.place[2],
-                   s.lowered_by_edges ? ", lowered since free edges swing faster" : ""));
+    log.value(
+      "time step",
+      text("%.4g us, %.0f steps; the limit %.4g us comes from a %.3f mm cell of the %s at X %.1f, Y "
+           "%.1f, Z %.1f mm%s%s",
+           1e6 * model.time_step,
+           model.duration / model.time_step,
+           1e6 * s.step,
+           1e3 * s.length,
+           body_name(s.body),
+           1e3 * s.place[0],
+           1e3 * s.place[1],
+           1e3 * s.place[2],
+           s.lowered_by_edges ? ", lowered since free edges swing faster" : "",
+           s.of_parts > 1e-3 ? text(", by %.1f %% by pads and ballast", 100 * s.of_parts).c_str() : ""));
     log.value("contact",
               text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",
                    model.contact->law().stiffness,

@@ -3,6 +3,7 @@
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/sampling/recorder.h>
 #include <wheelrail/sampling/settling.h>
+#include <wheelrail/sampling/track_figures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,9 @@ namespace wheelrail
         row.put("velocity", "m/s", V);
         row.put("wheel_load", "N", way->load.at(rolled));
       }
+    for (const auto &part : model_.parts)
+      for (const PartMeasure &measure : part->measures())
+        row.put(measure.name, measure.unit, measure.value);
     for (const EnergyTerm &term : e.terms())
       row.put(term.name, "J", term.value);
     row.put("energy_residual", "J", e.residual());
@@ -205,6 +209,7 @@ namespace wheelrail
     fill_settling(summary, known);
     if (irregular())
       add_impact_figures(state_.history, model_.wheel_load, summary);
+    add_track_figures(state_.history, known.stretch, summary);
   }
 
 

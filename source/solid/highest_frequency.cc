@@ -137,6 +137,9 @@ namespace wheelrail
       added += part->squared_frequency(solid);
     const double bodies = 2 / solid.stable.step; // with their viscosity
     if (added > 0)
-      solid.stable.step = 2 / std::sqrt(bodies * bodies + added);
+      {
+        solid.stable.step     = 2 / std::sqrt(bodies * bodies + added);
+        solid.stable.of_parts = 1 - 0.5 * bodies * solid.stable.step;
+      }
   }
 } // namespace wheelrail

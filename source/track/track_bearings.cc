@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -32,6 +33,7 @@ namespace wheelrail
   {
     const std::vector<Kept> kept = stretches_of_all();
     find_bearings(solid);
+    find_foot(solid);
     keep_stretches(kept);
     if (!sleepers_move())
       return;
@@ -98,6 +100,48 @@ namespace wheelrail
         bearings_.push_back(bearing);
         at_.push_back({X[0], X[1], X[2]});
       }
+  }
+
+
+  /// Nodes of the foot by their places along the track; hanging ones are left out.
+  void
+  TrackSupport::find_foot(const Solid &solid)
+  {
+    const LocalMesh       &mesh = solid.mesh;
+    std::set<unsigned int> nodes;
+    for (const BoundaryFace &face : mesh.faces)
+      if (face.mark == Boundary::foot)
+        nodes.insert(face.nodes.begin(), face.nodes.end());
+    std::vector<double> own;
+    foot_.clear();
+    for (const unsigned int n : nodes)
+      if (mesh.owned[n] && solid.mass[n] > 0)
+        {
+          own.push_back(mesh.reference[4 * n + 2]);
+          foot_.push_back({n, 0, 0});
+        }
+    constexpr double    apart = 1e-6; // [m]
+    std::vector<double> all   = gather_all(own, communicator_);
+    std::sort(all.begin(), all.end());
+    std::vector<double> stations;
+    std::vector<int>    count;
+    for (const double z : all)
+      {
+        if (stations.empty() || z > stations.back() + apart)
+          {
+            stations.push_back(z);
+            count.push_back(0);
+          }
+        ++count.back();
+      }
+    for (FootNode &at : foot_)
+      {
+        at.station = static_cast<unsigned int>(
+          std::upper_bound(stations.begin(), stations.end(), mesh.reference[4 * at.node + 2]) -
+          stations.begin() - 1);
+        at.share = 1. / count[at.station];
+      }
+    n_stations_ = static_cast<unsigned int>(stations.size());
   }
 
 

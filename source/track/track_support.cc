@@ -60,6 +60,7 @@ namespace wheelrail
         gain[b]  = now.first ? 0 : -branches[b].time * std::expm1(-now.step / branches[b].time);
       }
     std::vector<double> on_sleepers(3 * place_.size(), 0.);
+    std::vector<double> on_pads(now.with_energy ? sleepers_.size() : 0, 0.);
     double              energy = 0, power = 0;
     for (std::size_t k = 0; k < bearings_.size(); ++k)
       {
@@ -89,6 +90,8 @@ namespace wheelrail
             energy += at.owned * 0.5 * stiffness * square;
             power += at.owned * stiffness * lost;
           }
+        if (!on_pads.empty())
+          on_pads[at.sleeper] -= at.owned * force[1];
         force = turned_back(force);
         for (int i = 0; i < 3; ++i)
           {
@@ -99,8 +102,42 @@ namespace wheelrail
       }
     stored_->here += energy;
     dissipated_->add_work(now.kick.duration * power);
+    if (now.with_energy)
+      measure(solid, on_pads);
     if (!place_.empty())
       move_sleepers(now, on_sleepers);
+  }
+
+
+  /// Brings measures() up to date; `pad_forces`: pressing, this rank's share [N].
+  void
+  TrackSupport::measure(const Solid &solid, std::vector<double> &pad_forces)
+  {
+    ordered_sum(pad_forces, communicator_);
+    pad_force_ = pad_pull_ = 0;
+    for (const double force : pad_forces)
+      {
+        pad_force_ = std::max(pad_force_, force);
+        pad_pull_  = std::max(pad_pull_, -force);
+      }
+    std::vector<double> down(n_stations_, 0.);
+    for (const FootNode &at : foot_)
+      down[at.station] -= at.share * solid.displacement[4 * at.node + 1];
+    ordered_sum(down, communicator_);
+    deflection_ = down.empty() ? 0 : *std::max_element(down.begin(), down.end());
+  }
+
+
+  std::vector<PartMeasure>
+  TrackSupport::measures() const
+  {
+    std::vector<PartMeasure> all = {{"foot_deflection", "m", deflection_}};
+    if (!data_.continuous)
+      {
+        all.push_back({"largest_pad_force", "N", pad_force_});
+        all.push_back({"largest_pad_pull", "N", pad_pull_});
+      }
+    return all;
   }
 
 

@@ -11,6 +11,7 @@ namespace wheelrail
     length,
     mass,
     time,
+    frequency,
     velocity,
     slowness, ///< time per length
     force,

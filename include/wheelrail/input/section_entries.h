@@ -16,6 +16,10 @@ namespace wheelrail
   std::vector<Entry>
   track_entries();
 
+  /// What the rail stands on, in the section Track.
+  void
+  add_support_entries(std::vector<Entry> &list);
+
   std::vector<Entry>
   wheelset_entries();
 

@@ -9,6 +9,7 @@
 #include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/scene/irregularity_data.h>
 #include <wheelrail/scene/material_test.h>
+#include <wheelrail/scene/rail_support.h>
 #include <wheelrail/scene/study.h>
 #include <wheelrail/solid/element_form.h>
 
@@ -129,6 +130,7 @@ namespace wheelrail
     std::string        rail_body = "auto"; ///< standard rail below a measured head
     TrackDimensions    track; ///< flange-back distance and nominal radius belong to Wheelset in the file
     double             rail_length = 1.8; ///< [m]
+    SupportData        support;           ///< what the rail stands on
     double             track_radius =
       std::numeric_limits<double>::infinity(); ///< of a curve to the left; negative: right [m]
     WheelDimensions wheel;                     ///< Wheelset/Rim width, ... [m]

@@ -31,6 +31,13 @@ namespace wheelrail
     std::vector<double>        values; ///< of these nodes, equally many each
   };
 
+  /// What a part tells of itself at a full step, a column of the run's history.
+  struct PartMeasure
+  {
+    std::string name, unit;
+    double      value; ///< [SI]
+  };
+
   /// A part of a scene, whole: it gives forces to the nodes of the bodies, or holds or moves some of them,
   /// and says what its share is in the time loop, in a static solution, in saved states, in the stable step
   /// and in the energy balance. A part does what it has to do and leaves out the others.
@@ -85,6 +92,13 @@ namespace wheelrail
     virtual void
     account(const Instant &, const Solid &, const std::vector<NodeInertia> &)
     {
+    }
+
+    /// Of the last full step with energies, alike on all ranks; always the same names in the same order.
+    virtual std::vector<PartMeasure>
+    measures() const
+    {
+      return {};
     }
 
     /// By how much the part's stiffness can raise the square of the highest angular frequency of the bodies,

@@ -18,6 +18,7 @@ namespace wheelrail
     Vector3 place{};                  ///< centre of the governing element [m]
     double  length           = 0;     ///< cube root of its volume [m]
     bool    lowered_by_edges = false; ///< the whole mesh swings faster than its stiffest element: free edges
+    double  of_parts         = 0;     ///< share of the step that springs and dampers of parts have taken
   };
 
   /// Quality of the hexahedra over all ranks.

@@ -49,6 +49,12 @@ namespace wheelrail
     double
     squared_frequency(const Solid &solid) const override;
 
+    /// `foot_deflection`: largest sinking of the foot, mean over its width [m]. Of pads apart from each other
+    /// also `largest_pad_force` and `largest_pad_pull` [N]: what the most loaded pad bears normal to the
+    /// foot, and what the most lifted one holds (0: none is lifted).
+    std::vector<PartMeasure>
+    measures() const override;
+
     void
     add_stiffness(const Solid &solid, const double *x, double *y) const override;
     void
@@ -93,6 +99,12 @@ namespace wheelrail
       std::uint64_t key;    ///< of the node, from mesh to mesh
       std::uint32_t number; ///< of the node on this mesh, whatever the ranks
     };
+    /// A node of the foot on one of its stations along the track.
+    struct FootNode
+    {
+      unsigned int node, station;
+      double       share; ///< of the mean over the width: one over the nodes of the station
+    };
     static constexpr unsigned int most_branches = 3;
     /// How far the springs of the branches are stretched along the axes of the foot [m].
     using Stretch = std::array<Vector3, most_branches>;
@@ -113,6 +125,8 @@ namespace wheelrail
     void
     find_bearings(const Solid &solid);
     void
+    find_foot(const Solid &solid);
+    void
     keep_stretches(const std::vector<Kept> &kept);
     std::vector<Kept>
     stretches_of_all() const;
@@ -124,10 +138,14 @@ namespace wheelrail
     condensed(const double *x) const;
     void
     move_sleepers(const Instant &now, std::vector<double> &force);
+    void
+    measure(const Solid &solid, std::vector<double> &pad_forces);
 
     TrackData              data_;
     MPI_Comm               communicator_;
     std::array<Vector3, 3> axes_{}; ///< of the foot
+    std::vector<FootNode>  foot_;   ///< that this rank counts
+    unsigned int           n_stations_ = 0;
     std::vector<double>    sleepers_;
     std::vector<Bearing>   bearings_;
     std::vector<Vector3>   at_;      ///< of the bearings, in the reference [m]
@@ -135,7 +153,8 @@ namespace wheelrail
     std::vector<Vector3>   place_, speed_,
       mean_speed_;                            ///< of the sleepers: at full, at half steps, around the last
     std::vector<std::array<double, 9>> give_; ///< inverse of what holds a sleeper, pads and ballast [m/N]
-    int                                rank_ = 0;
+    double      deflection_ = 0, pad_force_ = 0, pad_pull_ = 0; ///< as measures() tells them
+    int         rank_   = 0;
     EnergyTerm *stored_ = nullptr, *dissipated_ = nullptr, *kinetic_ = nullptr, *ballast_ = nullptr,
                *ballast_dissipated_ = nullptr;
   };
