@@ -150,6 +150,7 @@ namespace
       {"Wear/Damage peak at", "70 N"},
       {"Wear/Damage ends at", "170 N"},
       {"Wear/Largest damage", "2e-05"},
+      {"Wear/Crack depth", "2 mm"},
       {"Wear/Mix", "mix.csv"},
       {"Wear/Worn", "both"},
       {"Wear/Gross load", "5 Mt"},
@@ -158,6 +159,10 @@ namespace
       {"Wear/Step depth", "2 um"},
       {"Wear/Line length", "3 km"},
       {"Wear/Wheels", "40"},
+      {"Wear/Grind to", "60E1"},
+      {"Wear/Grind every", "3 Mt"},
+      {"Wear/Turn to", "S1002"},
+      {"Wear/Turn every", "500 km"},
       {"Material test/Body", "wheel"},
       {"Material test/Axial", "700 MPa, -500 MPa"},
       {"Material test/Shear", "0.01"},
@@ -366,6 +371,11 @@ namespace
     check_near(s.wear_plan.step_depth, 2e-6, 0, "field wear_plan.step_depth");
     check_near(s.wear_plan.line_length, 3e3, 0, "field wear_plan.line_length");
     check(s.wear_plan.wheels == 40, "field wear_plan.wheels");
+    check_near(s.wear.crack_depth, 2e-3, 1e-15, "field wear.crack_depth");
+    check_text(s.wear_plan.grind_to, "60E1", "field wear_plan.grind_to");
+    check_near(s.wear_plan.grind_every, 3e9, 0, "field wear_plan.grind_every");
+    check_text(s.wear_plan.turn_to, "S1002", "field wear_plan.turn_to");
+    check_near(s.wear_plan.turn_every, 5e5, 0, "field wear_plan.turn_every");
     check_text(s.motion, "motion.csv", "field motion");
     check_near(s.motion_start, 12.5, 0, "field motion_start");
     check_near(s.wheel.rim_width, 0.136, 0, "field rim_width");

@@ -146,7 +146,7 @@ CAUSES = {
     "patches": r"the run has \d+ patches",
     "penalty": r"the penalty contact sinks in by [\d.]+ % of the approach",
     "forces": r"the forces vary by [\d.]+ % of the load",
-    "noise": r"swings by [\d.]+ % of its mean",
+    "noise": r"fluctuates by [\d.]+ % of its mean",
     "cells": r"too few cells: [\d.]+ of 3 mm lie across",
     "drift": r"still changes, by",
     "torque": r"from what the torque of the wheel asks",

@@ -96,9 +96,9 @@ namespace
               std::nan(""),
               no,
               "The forces vary by"); // a value that is no number is doubted
-    test_rule(&Measures::pressure_noise, 0.075, care, "The peak pressure swings by 7.5 %");
-    test_rule(&Measures::pressure_noise, 0.15, no, "The peak pressure swings by 15.0 %");
-    test_rule(&Measures::swing, 0.3, no, "Creepage swings by 30.0 % in the means over 2 mm");
+    test_rule(&Measures::pressure_noise, 0.075, care, "The peak pressure fluctuates by 7.5 %");
+    test_rule(&Measures::pressure_noise, 0.15, no, "The peak pressure fluctuates by 15.0 %");
+    test_rule(&Measures::swing, 0.3, no, "Creepage fluctuates by 30.0 % in the means over 2 mm");
     test_rule(&Measures::drift, 0.03, care, "Contact area still changes, by 3.0 %");
     test_rule(&Measures::drift, 0.069, no, "Contact area still changes, by 6.9 %");
     test_rule(&Measures::settled_after, 50e-3, care, "Not all figures have come within 1 %");

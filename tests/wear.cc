@@ -7,6 +7,7 @@
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/wheelset_contact.h>
 
 #include <algorithm>
@@ -79,6 +80,85 @@ namespace
                "where all slides, work is friction times force times way");
     check_near(over_width(profile, profile.work) / work, 1, 1e-12, "work over the width");
     check_near(work / result.solution.creepage_work, 1, 0.01, "which is T-gamma where all slides");
+    const WearProfile passed = halfspace_wear(result.problem, result.solution, scene.velocity, scene.wear);
+    check_near(over_width(passed, passed.depth) / over_width(profile, profile.depth),
+               1,
+               0.01,
+               "section from the ways of particles, where all slides");
+    check_near(over_width(passed, passed.work) / result.solution.friction_work, 1, 1e-12, "their work");
+  }
+
+  /// A ball that slides over a flat becomes a cap: pi h^2 (R - h/3) = k F s / H. Its worn shape is a ball
+  /// with a flat of depth h at each moment; half-spaces press it on, and the ball loses what a passage takes.
+  /// 1 kN over 1 km with k/H = 1e-8 mm2/N are 10 mm3, of a ball of 10 mm a cap of 0.5696 mm (as a paraboloid
+  /// 0.5642 mm).
+  void
+  test_ball()
+  {
+    constexpr double ball = 10e-3, load = 1e3, way = 1e3, stages = 8;
+    WearData         data;
+    data.hardness                    = 2.5e9;
+    data.archard                     = 1e-14 * data.hardness;
+    const auto volume_for_each_metre = [&](const double depth) {
+      const double     flat = std::sqrt(depth * (2 * ball - depth)), reach = 1.15 * flat + 1e-3;
+      HalfspaceProblem problem;
+      problem.grid                = centred_grid(reach, reach, reach / 30, reach / 30);
+      problem.undeformed_distance = sampled_distance(problem.grid, [&](const double x, const double y) {
+        return std::max(0., ball - std::sqrt(ball * ball - x * x - y * y) - depth);
+      });
+      problem.normal_force        = load;
+      problem.xi                  = -1; // it slides, everywhere
+      const HalfspaceSolution s   = solve_rolling(problem);
+      check(s.converged() && !s.touches_grid_edge, "the contact of the worn ball is solved");
+      const WearProfile worn = wear_profile(halfspace_patch(s), 1, data);
+      return over_width(worn, worn.depth);
+    };
+    // dh/ds = (dV/ds) / (pi h (2 R - h)), from the first cap on that the load presses flat; midpoints in V
+    double     volume = 0;
+    const auto cap    = [&](const double of) { // depth of a cap of that volume, by Newton
+      double h = std::sqrt(of / (M_PI * ball));
+      for (int k = 0; k < 50; ++k)
+        h -= (M_PI * h * h * (ball - h / 3) - of) / (M_PI * h * (2 * ball - h));
+      return h;
+    };
+    for (int k = 0; k < stages; ++k)
+      {
+        const double step = way / stages, middle = volume + 0.5 * step * 1e-14 * load;
+        volume += step * volume_for_each_metre(cap(middle));
+      }
+    check_near(volume / (1e-14 * load * way), 1, 1e-3, "volume that the ball lost over k F s / H");
+    check_near(1e3 * cap(volume), 0.5696, 0.5696e-3, "depth of the cap [mm]");
+  }
+
+  /// Work of friction and work of the creepages of the main scene.
+  void
+  test_readings()
+  {
+    const Scene             scene    = read_scene(WHEELRAIL_SOURCE_DIR "/prm/rolling.prm", {}).scene;
+    const SceneGeometry     geometry = make_geometry(scene);
+    const WheelRailSolution result =
+      solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene));
+    const Summary figures = halfspace_summary(scene, result);
+    // the mean of the tractions of two elements is half an element upstream of where the creepages are
+    // counted
+    const HalfspaceSolution &s    = result.solution;
+    const auto              &slip = result.problem.rigid_slip_y;
+    double                   half = 0;
+    for (int j = 0; j < s.grid.my; ++j)
+      for (int i = 1; i < s.grid.mx; ++i)
+        {
+          const int e = i + s.grid.mx * j;
+          half += 0.5 * s.traction_y[e] * (slip[e] - slip[e - 1]) * s.grid.element_area();
+        }
+    check_near((get_figure(figures, "friction_work_N") - half) / get_figure(figures, "creepage_work_N"),
+               1,
+               1e-3,
+               "work of friction over that of the creepages");
+    check_near(get_figure(figures, "frictional_power_W") /
+                 (get_figure(figures, "t_gamma_N") * scene.velocity),
+               1,
+               1e-12,
+               "power over work and speed");
   }
 
   /// Figures of the main scene, from its T-gamma and its patch.
@@ -122,6 +202,8 @@ main()
 {
   test_laws();
   test_volume();
+  test_ball();
+  test_readings();
   test_figures();
   return test::report();
 }

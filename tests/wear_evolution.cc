@@ -4,7 +4,7 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/damage/wear_profile.h>
+#include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/wear_files.h>
 #include <wheelrail/reference/wheel_load.h>
 
@@ -106,7 +106,7 @@ namespace
     const WornShape         rail = rail_shape(profiles.rail), wheel = wheel_shape(profiles.wheel);
     const SceneGeometry     geometry = make_geometry(scene, profiles_of(rail, wheel, scene));
     const WheelRailSolution one      = *solve_alone({scene, geometry, scene.wheel_load}, std::nullopt);
-    const WearProfile       across   = wear_profile(one.patch, scene.velocity, scene.wear);
+    const WearProfile       across   = halfspace_wear(one.problem, one.solution, scene.velocity, scene.wear);
     double                  weights  = 1;
     const MixWear           mix =
       wear_of_mix(mix_rows(scene, scene.wheel_load, weights), profiles_of(rail, wheel, scene), rail, wheel);

@@ -63,6 +63,8 @@ namespace wheelrail
                                  {"max_shear_traction", {0.05, 0}},
                                  {"creepage", {0.05, 0.15e-3}},
                                  {"t_gamma", {0.08, 2}},
+                                 {"archard_section", {}},
+                                 {"archard_depth", {}},
                                  {"stick_fraction", {0, 0.05}},
                                  {"surface_von_mises", {}},
                                  {"von_mises_below_cell", {0.05, 0}},
@@ -353,6 +355,7 @@ namespace wheelrail
     replace_file((path / "compare.json").string(),
                  json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     write_halfspace_patches(result, path.string());
+    write_halfspace_wear(scene, result, (path / "halfspace_wear.csv").string());
     TickFile slices((path / "halfspace_slices.h5").string(), false, 0);
     append_slices(slices, result.patch.time, result.patch.rolled_distance, stresses.slices);
     write_summary(run, (path / "summary.json").string());

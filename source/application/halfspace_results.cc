@@ -1,10 +1,9 @@
 #include <wheelrail/application/halfspace_results.h>
-#include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_head.h>
-#include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/halfspace_parts.h>
 
 #include <cstddef>
 #include <cstdio>
@@ -79,30 +78,20 @@ namespace wheelrail
   }
 
 
-  namespace
+  void
+  write_halfspace_wear(const Scene &scene, const WheelRailSolution &solution, const std::string &path)
   {
-    /// Wear over the lateral place of each patch, in its own plane.
-    void
-    write_wear(const Scene &scene, const WheelRailSolution &solution, const std::string &path)
-    {
-      FigureTable table;
-      table.add("patch", "1", {});
-      table.add("lateral_m", "m", {});
-      table.add("archard_depth_m", "m", {});
-      table.add("friction_work_N_per_m", "N/m", {});
-      double     number    = 0;
-      const auto add_patch = [&](const WheelRailSolution &patch) {
-        ++number;
-        const WearProfile profile = wear_profile(patch.patch, scene.velocity, scene.wear);
-        for (std::size_t j = 0; j < profile.lateral.size(); ++j)
-          table.add_row({number, profile.lateral[j], profile.depth[j], profile.work[j]});
-      };
-      add_patch(solution);
-      for (const WheelRailSolution &other : solution.others)
-        add_patch(other);
-      table.write_csv(path);
-    }
-  } // namespace
+    FigureTable  table     = empty_wear_table();
+    unsigned int number    = 0;
+    const auto   add_patch = [&](const WheelRailSolution &patch) {
+      add_to_table(
+        halfspace_wear(patch.problem, patch.solution, scene.velocity, scene.wear), ++number, table);
+    };
+    add_patch(solution);
+    for (const WheelRailSolution &other : solution.others)
+      add_patch(other);
+    table.write_csv(path);
+  }
 
 
   void
@@ -116,7 +105,7 @@ namespace wheelrail
     write_halfspace_patches(solution, folder);
     TickFile slices((path / "slices.h5").string(), false, 0);
     append_slices(slices, solution.patch.time, solution.patch.rolled_distance, results.stresses.slices);
-    write_wear(scene, solution, (path / "wear.csv").string());
+    write_halfspace_wear(scene, solution, (path / "wear.csv").string());
     write_summary(results.figures, (path / "summary.json").string());
   }
 } // namespace wheelrail

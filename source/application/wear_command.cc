@@ -64,6 +64,21 @@ namespace wheelrail
     }
 
     void
+    print_machining(const MachiningEvent &done, std::ostream &out)
+    {
+      out
+        << text(
+             "       %s to %s: at most %.3f mm off, %.2f mm2 in all; the profile stands %.3f mm %s than new",
+             done.of_rail ? "rail ground" : "wheel turned",
+             done.to.c_str(),
+             1e3 * done.depth,
+             1e6 * done.section,
+             1e3 * done.shift,
+             done.of_rail ? "lower" : "higher")
+        << std::endl;
+    }
+
+    void
     write_state(const fs::path    &folder,
                 const WearState   &state,
                 const WornBody     worn,
@@ -92,14 +107,17 @@ namespace wheelrail
       out << text("after %-40s %9s  %9s\n", reached(last).c_str(), "new", "worn");
       if (worn != WornBody::wheel)
         {
-          row("rail: worn section", 0, 1e6 * last.rail_section, "mm2");
+          row("rail: section lost", 0, 1e6 * last.rail_section, "mm2");
           row("rail: height lost at its axis", 0, 1e3 * last.dimensions.rail_height, "mm");
           row("rail: gauge side, 14 mm below the top", 0, 1e3 * last.dimensions.rail_side, "mm");
           row("rail: largest damage (1: cracks)", 0, last.rail_damage, "");
+          row("rail: net of cracks and wear", 0, last.rail_cracks, "");
+          if (last.rail_ground > 0)
+            row("rail: section ground off, of that", 0, 1e6 * last.rail_ground, "mm2");
         }
       if (worn != WornBody::rail)
         {
-          row("wheel: worn section", 0, 1e6 * last.wheel_section, "mm2");
+          row("wheel: section lost", 0, 1e6 * last.wheel_section, "mm2");
           row("wheel: flange height Sh",
               1e3 * first.dimensions.flange_height,
               1e3 * last.dimensions.flange_height,
@@ -113,6 +131,9 @@ namespace wheelrail
               1e3 * last.dimensions.flange_gradient,
               "mm");
           row("wheel: largest damage (1: cracks)", 0, last.wheel_damage, "");
+          row("wheel: net of cracks and wear", 0, last.wheel_cracks, "");
+          if (last.wheel_turned > 0)
+            row("wheel: section turned off, of that", 0, 1e6 * last.wheel_turned, "mm2");
         }
       row("equivalent conicity at 3 mm", first.conicity, last.conicity, "");
       row("peak pressure, mean of the mix", 1e-6 * first.mean_pressure, 1e-6 * last.mean_pressure, "MPa");
@@ -158,7 +179,7 @@ namespace wheelrail
     };
     try
       {
-        wear_on(scene, rows, keep, state);
+        wear_on(scene, rows, keep, state, [&](const MachiningEvent &done) { print_machining(done, out); });
       }
     catch (const InputError &error)
       {

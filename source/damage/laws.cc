@@ -32,6 +32,13 @@ namespace wheelrail
 
 
   double
+  crack_growth(const double t_gamma, const WearData &data)
+  {
+    return t_gamma >= data.damage_peak ? data.damage_most : burstow_damage(t_gamma, data);
+  }
+
+
+  double
   fatigue_index(const double traction, const double shear_yield, const double peak_pressure)
   {
     return traction - shear_yield / peak_pressure;

@@ -38,9 +38,9 @@ namespace wheelrail
         set("fatigue_index", fatigue_index(traction, shear_yield, contact.peak_pressure));
         set("shakedown_load", contact.peak_pressure / shear_yield);
       }
-    if (!contact.fields || contact.fields->slip_along.size() != contact.fields->pressure.size())
+    if (!contact.wear || contact.wear->depth.empty())
       return;
-    const WearProfile profile = wear_profile(*contact.fields, contact.velocity, data);
+    const WearProfile &profile = *contact.wear;
     set("archard_depth_m", *std::max_element(profile.depth.begin(), profile.depth.end()));
     set("archard_section_m2", over_width(profile, profile.depth));
   }

@@ -43,6 +43,37 @@ namespace wheelrail
   }
 
 
+  FigureTable
+  empty_wear_table()
+  {
+    FigureTable table;
+    table.add("patch", "1", {});
+    table.add("lateral_m", "m", {});
+    table.add("archard_depth_m", "m", {});
+    table.add("friction_work_N_per_m", "N/m", {});
+    return table;
+  }
+
+
+  void
+  add_to_table(const WearProfile &profile, const unsigned int patch, FigureTable &table)
+  {
+    for (std::size_t j = 0; j < profile.lateral.size(); ++j)
+      table.add_row({double(patch), profile.lateral[j], profile.depth[j], profile.work[j]});
+  }
+
+
+  void
+  write_wear(const WearProfile &profile, const std::string &path)
+  {
+    if (profile.lateral.empty())
+      return;
+    FigureTable table = empty_wear_table();
+    add_to_table(profile, 1, table);
+    table.write_csv(path);
+  }
+
+
   double
   over_width(const WearProfile &profile, const std::vector<double> &values)
   {

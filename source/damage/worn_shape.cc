@@ -22,6 +22,7 @@ namespace wheelrail
       }
     shape.depth.assign(shape.points.size(), 0);
     shape.damage.assign(shape.points.size(), 0);
+    shape.cracks.assign(shape.points.size(), 0);
     shape.steel_on_left = steel_on_left;
     return shape;
   }
@@ -116,17 +117,25 @@ namespace wheelrail
   }
 
 
+  Point2
+  into_steel(const WornShape &shape, const std::size_t point)
+  {
+    const auto  &points = shape.points;
+    const Point2 way    = points[std::min(point + 1, points.size() - 1)] - points[point > 0 ? point - 1 : 0];
+    const double side   = (shape.steel_on_left ? 1 : -1) / norm(way);
+    return {-side * way.y, side * way.x};
+  }
+
+
   void
   take_off(const std::vector<double> &sections, WornShape &shape)
   {
-    const std::vector<Point2> before = shape.points;
-    const std::vector<double> cells  = cell_lengths(arc_of(before));
-    for (std::size_t k = 0; k < before.size(); ++k)
+    const WornShape           before = shape;
+    const std::vector<double> cells  = cell_lengths(arc_of(before.points));
+    for (std::size_t k = 0; k < cells.size(); ++k)
       {
-        const Point2 way   = before[std::min(k + 1, before.size() - 1)] - before[k > 0 ? k - 1 : 0];
-        const double side  = (shape.steel_on_left ? 1 : -1) / norm(way);
         const double depth = sections[k] / cells[k];
-        shape.points[k]    = before[k] + depth * Point2{-side * way.y, side * way.x};
+        shape.points[k]    = before.points[k] + depth * into_steel(before, k);
         shape.depth[k] += depth;
       }
   }

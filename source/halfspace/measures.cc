@@ -1,4 +1,5 @@
 #include <wheelrail/halfspace/measures.h>
+#include <wheelrail/halfspace/sliding_paths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,5 +69,6 @@ namespace wheelrail
         s.touches_grid_edge = first_x == 0 || first_y == 0 || last_x == grid.mx - 1 || last_y == grid.my - 1;
       }
     s.creepage_work = creepage_work(problem, s);
+    s.friction_work = friction_work(problem, s);
   }
 } // namespace wheelrail

@@ -79,6 +79,8 @@ namespace wheelrail
         false);
     add("Profiles/Rail left", scene.left_rail_profile, "rail_left", member(&Scene::left_rail_profile), false);
     add("Wear/Mix", scene.wear_plan.mix, "mix", nullptr, false);
+    add("Wear/Grind to", scene.wear_plan.grind_to, "grind_to", nullptr, false);
+    add("Wear/Turn to", scene.wear_plan.turn_to, "turn_to", nullptr, false);
     add("Wheelset/Motion", scene.motion, "motion", member(&Scene::motion), true);
     add("Half-space/Undeformed distance",
         scene.halfspace_distance,

@@ -1,6 +1,8 @@
+#include <wheelrail/geometry/profiles.h>
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -67,6 +69,43 @@ namespace wheelrail
                                  100000000,
                                  field(&S::wear_plan, &P::wheels)));
     }
+
+    std::vector<std::string>
+    none_and(const std::vector<std::string> &names)
+    {
+      std::vector<std::string> all{"none"};
+      all.insert(all.end(), names.begin(), names.end());
+      return all;
+    }
+
+    /// Grinding of the rail and turning of the wheel between steps.
+    void
+    add_machining(std::vector<Entry> &list)
+    {
+      list.push_back(name_or_file_entry({"Wear",
+                                         "Grind to",
+                                         "Profile that the rail is ground to, where it wears; a file is read "
+                                         "as that of Rail. none: it is not ground."},
+                                        none_and(standard_rails()),
+                                        "a profile file (with its ending, such as rail.txt)",
+                                        field(&S::wear_plan, &P::grind_to)));
+      list.push_back(number_entry({"Wear", "Grind every", "Gross load between two grindings."},
+                                  D::mass,
+                                  "Mt",
+                                  B::above("0 Mt", "10000 Mt"),
+                                  field(&S::wear_plan, &P::grind_every)));
+      list.push_back(name_or_file_entry({"Wear",
+                                         "Turn to",
+                                         "Profile that the wheel is turned to, where it wears; a file is "
+                                         "read as that of Wheel. none: it is not turned."},
+                                        none_and(standard_wheels()),
+                                        "a profile file (with its ending, such as wheel.txt)",
+                                        field(&S::wear_plan, &P::turn_to)));
+      list.push_back(length_entry({"Wear", "Turn every", "Distance of the wheel between two turnings."},
+                                  "km",
+                                  B::above("0 km", "1e7 km"),
+                                  field(&S::wear_plan, &P::turn_every)));
+    }
   } // namespace
 
 
@@ -116,7 +155,15 @@ namespace wheelrail
     list.push_back(pure_entry({"Wear", "Largest damage", "Share of a life that one passage takes there."},
                               B::between("0", "1"),
                               field(&S::wear, &W::damage_most)));
+    list.push_back(length_entry({"Wear",
+                                 "Crack depth",
+                                 "That wear, grinding or turning has to take off where the damage is 1, for "
+                                 "the net of cracks and wear."},
+                                "mm",
+                                B::between("0.01 mm", "20 mm"),
+                                field(&S::wear, &W::crack_depth)));
     add_plan(list);
+    add_machining(list);
     return list;
   }
 } // namespace wheelrail

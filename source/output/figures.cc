@@ -49,6 +49,8 @@ namespace wheelrail
       {"ranks", "", "ranks", "", "", 1, 0, true, &S::ranks},
 
       {"t_gamma", "N", "wear number T-gamma", "friction work for each metre rolled", "N", 1, 2, false, nullptr},
+      {"creepage_work", "N", "work of the creepages", "forces times creepages and spin, for each metre rolled", "N", 1, 2, false, nullptr},
+      {"friction_work", "N", "work of friction on the ways of particles", "traction times slip, for each metre rolled", "N", 1, 2, false, nullptr},
       {"frictional_power", "W", "frictional power", "", "kW", 1e-3, 3, false, nullptr},
       {"t_gamma_over_area", "N_per_m2", "wear number over contact area", "", "N/mm2", 1e-6, 4, false, nullptr},
       {"usfd_wear_rate", "kg_per_m3", "wear rate after the wear number over area", "for each metre rolled", "ug/m/mm2", 1e3, 3, false, nullptr},

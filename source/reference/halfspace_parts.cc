@@ -1,4 +1,5 @@
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/halfspace/sliding_paths.h>
 #include <wheelrail/reference/halfspace_parts.h>
 
 #include <algorithm>
@@ -166,5 +167,31 @@ namespace wheelrail
           patch.area.push_back(grid.element_area());
         }
     return patch;
+  }
+
+
+  double
+  wear_number(const HalfspaceProblem &problem, const HalfspaceSolution &solution)
+  {
+    const HalfspaceBody &a = problem.body1, &b = problem.body2;
+    const bool           alike = a.shear_modulus == b.shear_modulus && a.poisson_ratio == b.poisson_ratio;
+    return alike && !problem.added ? solution.creepage_work : solution.friction_work;
+  }
+
+
+  WearProfile
+  halfspace_wear(const HalfspaceProblem  &problem,
+                 const HalfspaceSolution &solution,
+                 const double             velocity,
+                 const WearData          &data)
+  {
+    const SlidingPaths paths  = sliding_paths(problem, solution);
+    HalfspaceSolution  passed = solution;
+    passed.pressure           = paths.pressure;
+    passed.traction_x         = paths.traction_x;
+    passed.traction_y         = paths.traction_y;
+    passed.slip_x             = paths.slip_x;
+    passed.slip_y             = paths.slip_y;
+    return wear_profile(halfspace_patch(passed), velocity, data);
   }
 } // namespace wheelrail

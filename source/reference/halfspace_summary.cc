@@ -102,11 +102,14 @@ namespace wheelrail
       add_reference(scene, result, determined, summary);
       // a wheel that spins up slides as fast as it likes
       const bool   at_rest = result.problem.friction.frictionless();
-      const double t_gamma = determined || at_rest ? s.creepage_work : Summary::none;
+      const double t_gamma = determined || at_rest ? wear_number(result.problem, s) : Summary::none;
       set_figure(summary, "t_gamma_N", t_gamma);
+      set_figure(summary, "creepage_work_N", determined || at_rest ? s.creepage_work : Summary::none);
+      set_figure(summary, "friction_work_N", determined || at_rest ? s.friction_work : Summary::none);
       set_figure(summary, "frictional_power_W", t_gamma * scene.velocity);
-      WornContact worn;
-      worn.fields           = &result.patch;
+      const WearProfile wear = halfspace_wear(result.problem, result.solution, scene.velocity, scene.wear);
+      WornContact       worn;
+      worn.wear             = &wear;
       worn.normal_force     = s.fn;
       worn.tangential_force = std::hypot(s.fx, s.fy);
       worn.peak_pressure    = s.peak_pressure;
@@ -166,6 +169,8 @@ namespace wheelrail
                               "drive_torque_Nm",
                               "yaw_moment_Nm",
                               "t_gamma_N",
+                              "creepage_work_N",
+                              "friction_work_N",
                               "frictional_power_W",
                               "archard_section_m2"})
         {

@@ -1,3 +1,4 @@
+#include <wheelrail/damage/machining.h>
 #include <wheelrail/geometry/conicity.h>
 #include <wheelrail/reference/wear_evolution.h>
 
@@ -87,6 +88,10 @@ namespace wheelrail
       step.peak_t_gamma  = wear.peak_t_gamma;
       step.rail_damage   = largest(state.rail.damage);
       step.wheel_damage  = largest(state.wheel.damage);
+      step.rail_cracks   = largest(state.rail.cracks);
+      step.wheel_cracks  = largest(state.wheel.cracks);
+      step.rail_ground   = state.rail_ground;
+      step.wheel_turned  = state.wheel_turned;
       return step;
     }
 
@@ -133,10 +138,69 @@ namespace wheelrail
     }
 
     void
-    add_damage(const std::vector<double> &damage, const double passages, WornShape &shape)
+    add_damage(const std::vector<double> &damage,
+               const std::vector<double> &cracks,
+               const double               passages,
+               WornShape                 &shape)
     {
       for (std::size_t k = 0; k < damage.size(); ++k)
-        shape.damage[k] += passages * damage[k];
+        {
+          shape.damage[k] += passages * damage[k];
+          shape.cracks[k] += passages * cracks[k];
+        }
+    }
+
+    /// Cracks that a depth takes with it.
+    void
+    remove_cracks(const std::vector<double> &sections,
+                  const double               crack_depth,
+                  std::vector<double>       &cracks,
+                  const WornShape           &shape)
+    {
+      const std::vector<double> cells = cell_lengths(arc_of(shape.points));
+      for (std::size_t k = 0; k < cells.size(); ++k)
+        cracks[k] = std::max(0., cracks[k] - sections[k] / cells[k] / crack_depth);
+    }
+
+    constexpr double steepest_rail = 60 * M_PI / 180, steepest_wheel = 80 * M_PI / 180;
+
+    MachiningEvent
+    machine(const Scene &scene, const bool of_rail, WearState &state)
+    {
+      const WearPlan &plan                                   = scene.wear_plan;
+      Scene           target                                 = scene;
+      (of_rail ? target.rail_profile : target.wheel_profile) = of_rail ? plan.grind_to : plan.turn_to;
+      const SceneProfiles       profiles                     = read_profiles(target);
+      const std::vector<Point2> points =
+        (of_rail ? rail_shape(profiles.rail) : wheel_shape(profiles.wheel)).points;
+      WornShape      &shape = of_rail ? state.rail : state.wheel;
+      const Machining work  = machining(shape, points, of_rail ? steepest_rail : steepest_wheel);
+      for (std::vector<double> *cracks : {&shape.damage, &shape.cracks})
+        remove_cracks(work.sections, scene.wear.crack_depth, *cracks, shape);
+      take_off(work.sections, shape);
+      (of_rail ? state.rail_ground : state.wheel_turned) += work.section;
+      ++(of_rail ? state.grindings : state.turnings);
+      return {of_rail, work.depth, work.section, work.shift, of_rail ? plan.grind_to : plan.turn_to};
+    }
+
+    /// Passages at the next grinding, at the next turning; infinite where there is none.
+    struct Stops
+    {
+      double grinding = std::numeric_limits<double>::infinity(),
+             turning  = std::numeric_limits<double>::infinity();
+    };
+
+    Stops
+    next_stops(const Scene &scene, const MixWear &wear, const WearState &state)
+    {
+      const WearPlan &plan = scene.wear_plan;
+      Stops           stops;
+      if (plan.grind_to != "none" && plan.worn != WornBody::wheel)
+        stops.grinding = (state.grindings + 1) * plan.grind_every * scene.gravity / wear.axle_load;
+      if (plan.turn_to != "none" && plan.worn != WornBody::rail)
+        stops.turning = (state.turnings + 1) * plan.turn_every / circumference(scene) /
+                        (plan.worn == WornBody::both ? turns_of_a_passage(scene) : 1);
+      return stops;
     }
   } // namespace
 
@@ -152,10 +216,11 @@ namespace wheelrail
 
 
   void
-  wear_on(const Scene                                  &scene,
-          const std::vector<MixRow>                    &rows,
-          const std::function<void(const WearState &)> &keep,
-          WearState                                    &state)
+  wear_on(const Scene                                       &scene,
+          const std::vector<MixRow>                         &rows,
+          const std::function<void(const WearState &)>      &keep,
+          WearState                                         &state,
+          const std::function<void(const MachiningEvent &)> &tell)
   {
     const WearPlan &plan = scene.wear_plan;
     while (!state.finished)
@@ -169,7 +234,12 @@ namespace wheelrail
           taken(wear.wheel_section, state.wheel, plan.worn == WornBody::rail ? 0 : turns, plan.smoothing);
         const double depth = std::max(deepest(rail, state.rail), deepest(tread, state.wheel));
         const double left  = planned(scene, wear) - state.passages;
+        const Stops  stops = next_stops(scene, wear, state);
+        const double stop  = std::min(stops.grinding, stops.turning) - state.passages;
+        const bool   event = stop <= 1e-9 * state.passages && left > 1e-9 * state.passages;
         double       steps = depth > 0 ? std::min(left, step_bound(scene, wear, state) / depth) : left;
+        if (!event && steps > stop * (1 - 1e-9))
+          steps = stop;
         if (left - steps < 1e-9 * left) // no step of a few passages at the end
           steps = left;
         if (wear.at_end)
@@ -179,19 +249,29 @@ namespace wheelrail
           note("Nothing wears: no contact slides under friction.", state);
         state.finished = steps <= 0;
         state.steps.push_back(measured(state, profiles, scene, wear));
-        state.steps.back().step_depth = state.finished ? 0 : steps * depth;
+        state.steps.back().step_depth = state.finished || event ? 0 : steps * depth;
         keep(state);
         if (state.finished)
           return;
+        if (event)
+          {
+            for (const bool of_rail : {true, false})
+              if ((of_rail ? stops.grinding : stops.turning) - state.passages <= 1e-9 * state.passages)
+                if (const MachiningEvent done = machine(scene, of_rail, state); tell)
+                  tell(done);
+            continue;
+          }
         const auto scaled = [&](std::vector<double> sections) {
           for (double &section : sections)
             section *= steps;
           return sections;
         };
+        add_damage(wear.rail_damage, wear.rail_cracks, steps, state.rail);
+        add_damage(wear.wheel_damage, wear.wheel_cracks, steps * turns, state.wheel);
+        remove_cracks(scaled(rail), scene.wear.crack_depth, state.rail.cracks, state.rail);
+        remove_cracks(scaled(tread), scene.wear.crack_depth, state.wheel.cracks, state.wheel);
         take_off(scaled(rail), state.rail);
         take_off(scaled(tread), state.wheel);
-        add_damage(wear.rail_damage, steps, state.rail);
-        add_damage(wear.wheel_damage, steps * turns, state.wheel);
         state.passages += steps;
       }
   }

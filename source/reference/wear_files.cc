@@ -47,14 +47,21 @@ namespace wheelrail
         {"mean_t_gamma_N", "N", [](S &s) -> double & { return s.mean_t_gamma; }},
         {"largest_t_gamma_N", "N", [](S &s) -> double & { return s.peak_t_gamma; }},
         {"rail_damage", "1", [](S &s) -> double & { return s.rail_damage; }},
-        {"wheel_damage", "1", [](S &s) -> double & { return s.wheel_damage; }}};
+        {"wheel_damage", "1", [](S &s) -> double & { return s.wheel_damage; }},
+        {"rail_net_cracks", "1", [](S &s) -> double & { return s.rail_cracks; }},
+        {"wheel_net_cracks", "1", [](S &s) -> double & { return s.wheel_cracks; }},
+        {"rail_ground_section_m2", "m2", [](S &s) -> double & { return s.rail_ground; }},
+        {"wheel_turned_section_m2", "m2", [](S &s) -> double & { return s.wheel_turned; }}};
       return list;
     }
 
     Json
     as_json(const WornShape &shape)
     {
-      Json json{{"depth", shape.depth}, {"damage", shape.damage}, {"steel_on_left", shape.steel_on_left}};
+      Json json{{"depth", shape.depth},
+                {"damage", shape.damage},
+                {"cracks", shape.cracks},
+                {"steel_on_left", shape.steel_on_left}};
       for (const Point2 &p : shape.points)
         {
           json["x"].push_back(p.x);
@@ -66,7 +73,7 @@ namespace wheelrail
     WornShape
     shape_from(const Json &json)
     {
-      WornShape shape{{}, json.at("depth"), json.at("damage"), json.at("steel_on_left")};
+      WornShape shape{{}, json.at("depth"), json.at("damage"), json.at("cracks"), json.at("steel_on_left")};
       for (std::size_t k = 0; k < shape.depth.size(); ++k)
         shape.points.push_back({json.at("x").at(k), json.at("y").at(k)});
       return shape;
@@ -81,6 +88,10 @@ namespace wheelrail
               {"finished", state.finished},
               {"note", state.note},
               {"passages", state.passages},
+              {"rail_ground", state.rail_ground},
+              {"wheel_turned", state.wheel_turned},
+              {"grindings", state.grindings},
+              {"turnings", state.turnings},
               {"new_rail", as_json(state.new_rail)},
               {"new_wheel", as_json(state.new_wheel)},
               {"rail", as_json(state.rail)},
@@ -107,6 +118,10 @@ namespace wheelrail
                         shape_from(json.at("rail")),
                         shape_from(json.at("wheel")),
                         json.at("passages"),
+                        json.at("rail_ground"),
+                        json.at("wheel_turned"),
+                        json.at("grindings"),
+                        json.at("turnings"),
                         {},
                         json.at("finished"),
                         json.at("note")};

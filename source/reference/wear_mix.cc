@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/parallel.h>
-#include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/input/motion_file.h>
+#include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/wear_mix.h>
 
 #include <algorithm>
@@ -16,28 +16,34 @@ namespace wheelrail
     /// A shape with its ways, and what it loses.
     struct Surface
     {
-      Surface(const WornShape &of, std::vector<double> &sections_taken, std::vector<double> &damage_added)
+      Surface(const WornShape     &of,
+              std::vector<double> &sections_taken,
+              std::vector<double> &damage_added,
+              std::vector<double> &cracks_added)
         : shape(of)
         , arc(arc_of(of.points))
         , cells(cell_lengths(arc))
         , sections(sections_taken)
         , damage(damage_added)
+        , cracks(cracks_added)
       {
         sections.assign(arc.size(), 0);
         damage.assign(arc.size(), 0);
+        cracks.assign(arc.size(), 0);
       }
 
       const WornShape          &shape;
       const std::vector<double> arc, cells;
-      std::vector<double>      &sections, &damage;
+      std::vector<double>      &sections, &damage, &cracks;
     };
 
-    /// Adds what a patch does to a body that stands at `placement`: depths `worn` and `damage`, as much as
-    /// all passages have in the mean of it. Returns whether it lies on the end of the shape.
+    /// Adds what a patch does to a body that stands at `placement`: depths `worn`, `damage` and `cracks`, as
+    /// much as all passages have in the mean of it. Returns whether it lies on the end of the shape.
     bool
     add_patch(const WheelRailSolution   &patch,
               const std::vector<double> &worn,
               const double               damage,
+              const double               cracks,
               const Placement           &placement,
               Surface                   &surface)
     {
@@ -60,7 +66,10 @@ namespace wheelrail
         }
       for (std::size_t k = 0; k < surface.arc.size(); ++k)
         if (surface.arc[k] >= low && surface.arc[k] <= high)
-          surface.damage[k] += damage;
+          {
+            surface.damage[k] += damage;
+            surface.cracks[k] += cracks;
+          }
       return low == 0 || high == surface.arc.back();
     }
 
@@ -107,14 +116,15 @@ namespace wheelrail
       double t_gamma = 0, peak = 0;
       for (const WheelRailSolution *patch : patches)
         {
-          const double        work   = patch->solution.creepage_work;
-          const double        damage = wheel.share * burstow_damage(work, wheel.scene.wear);
+          const double work   = wear_number(patch->problem, patch->solution);
+          const double damage = wheel.share * burstow_damage(work, wheel.scene.wear),
+                       cracks = wheel.share * crack_growth(work, wheel.scene.wear);
           std::vector<double> depth =
-            wear_profile(patch->patch, wheel.scene.velocity, wheel.scene.wear).depth;
+            halfspace_wear(patch->problem, patch->solution, wheel.scene.velocity, wheel.scene.wear).depth;
           for (double &d : depth)
             d *= wheel.share;
-          const bool on_rail  = add_patch(*patch, depth, damage, wheel.geometry.rail, rail),
-                     on_tread = add_patch(*patch, depth, damage, wheel.geometry.wheel, tread);
+          const bool on_rail  = add_patch(*patch, depth, damage, cracks, wheel.geometry.rail, rail),
+                     on_tread = add_patch(*patch, depth, damage, cracks, wheel.geometry.wheel, tread);
           sum.at_end          = sum.at_end || on_rail || on_tread;
           t_gamma += work;
           peak = std::max(peak, patch->solution.peak_pressure);
@@ -177,8 +187,8 @@ namespace wheelrail
     std::vector<std::vector<Solved>> solved(rows.size());
     parallel_for(rows.size(), [&](const std::size_t k) { solved[k] = solve_row(rows[k], profiles); });
     MixWear sum;
-    Surface on_rail(rail, sum.rail_section, sum.rail_damage),
-      on_tread(wheel, sum.wheel_section, sum.wheel_damage);
+    Surface on_rail(rail, sum.rail_section, sum.rail_damage, sum.rail_cracks),
+      on_tread(wheel, sum.wheel_section, sum.wheel_damage, sum.wheel_cracks);
     // in the order of the rows, on any number of threads
     for (const std::vector<Solved> &row : solved)
       for (const Solved &one : row)

@@ -85,13 +85,15 @@ namespace wheelrail
   std::string
   shape_as_text(const WornShape &shape, const std::string &what)
   {
-    std::string table = "# " + what + "; x to the field side [mm], y up [mm], worn depth [mm], damage\n";
+    std::string table =
+      "# " + what + "; x to the field side [mm], y up [mm], worn depth [mm], damage, net cracks\n";
     for (std::size_t k = 0; k < shape.points.size(); ++k)
-      table += text("%.9f %.9f %.9f %.6g\n",
+      table += text("%.9f %.9f %.9f %.6g %.6g\n",
                     1e3 * shape.points[k].x,
                     1e3 * shape.points[k].y,
                     1e3 * shape.depth[k],
-                    shape.damage[k]);
+                    shape.damage[k],
+                    shape.cracks[k]);
     return table;
   }
 

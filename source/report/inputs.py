@@ -84,6 +84,51 @@ def rows(entries, summary=None, of=FINITE):
     return [(label, text) for label, text in found if text]
 
 
+def wear_rows(entries):
+    """Of the command wear: the scene's, and what its profiles wear under."""
+    if not entries:
+        return []
+
+    def entry(name):
+        return entries.get("Wear/" + name, "")
+
+    mix = os.path.basename(entry("Mix"))
+    found = [row for row in rows(entries, of=HALF) if mix == "none" or row[0] in ("wheel and rail", "friction", "elements")]
+    both = entry("Worn") == "both"
+    found += [("traffic", "the scene alone" if mix == "none" else mix),
+              ("wheels", "both of the wheelset" if entries.get("Wheelset/Wheels") == "both" else "one"),
+              ("worn", "rail and wheel" if both else entry("Worn")),
+              ("distance of the wheel", entry("Distance")) if entry("Worn") == "wheel" else ("gross load", entry("Gross load"))]
+    if both:
+        found.append(("wheels that share the rail", f"{entry('Wheels')} on {entry('Line length')}"))
+    coefficient = entry("Archard coefficient")
+    found += [("Archard coefficient", "over slip velocity and pressure" if coefficient == "map" else coefficient),
+              ("hardness", entry("Hardness")), ("smoothing length", entry("Smoothing length"))]
+    return [(label, text) for label, text in found if text]
+
+
+def material_rows(entries):
+    """Of the command material: the steel and what it goes through."""
+    body = entries.get("Material test/Body", "")
+    if not body:
+        return []
+    steel = body.capitalize() + " material/"
+    law = entries.get(steel + "Law", "")
+    names = ["Young's modulus", "Poisson's ratio", "Yield stress"]
+    if law == "bilinear":
+        names += ["Tangent modulus", "Hardening"]
+    if law == "Chaboche":
+        names += ["Isotropic saturation", "Isotropic rate", "Kinematic moduli", "Kinematic rates"]
+    found = [("steel", f"of the {body}, {law}")] + [(name, entries.get(steel + name, "")) for name in names]
+    path = entries.get("Material test/File", "none")
+    if path != "none":
+        found.append(("path", os.path.basename(path)))
+    else:
+        found += [(name.lower(), entries.get("Material test/" + name, "none")) for name in ("Axial", "Shear")]
+    found.append(("cycles", entries.get("Material test/Cycles", "")))
+    return [(label, text) for label, text in found if text not in ("", "none")]
+
+
 def table(found):
     """Them as a table of a page."""
     lines = [f"<tr><td>{html.escape(label)}</td><td>{html.escape(text)}</td></tr>" for label, text in found]

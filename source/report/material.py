@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Draws the loops of a material test.
+"""Makes the page of a material test: inputs, extremes, loops.
 
 Usage: material.py FOLDER
 
-FOLDER holds material.csv and cycles.csv of the command material; loops.png and cycles.png go there: stress over
-strain, axial and in shear, and strains and ratcheting over the cycles.
+FOLDER holds material.csv and cycles.csv of the command material; material.html goes there with
+loops.png and cycles.png: stress over strain, axial and in shear, and strains and ratcheting over the cycles.
 """
 
 import os
@@ -15,6 +15,8 @@ sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ou
 import numpy as np
 
 import columns
+import inputs
+import page
 import style
 
 plt = style.plt
@@ -71,23 +73,40 @@ def draw_cycles(folder, cycles):
     return path
 
 
-def main(arguments):
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 1
-    folder = arguments[0]
-    try:
-        steps = columns.read(os.path.join(folder, "material.csv"))
-        pictures = [draw_loops(folder, steps)] if driven(steps["E_xx"]) or driven(steps["E_xy"]) else []
-        cycles = columns.read(os.path.join(folder, "cycles.csv"))
-        if len(cycles["cycle"]) > 1:
-            pictures.append(draw_cycles(folder, cycles))
-    except (OSError, ValueError, IndexError, KeyError) as error:
-        print(error, file=sys.stderr)
-        return 1
-    print(f"{len(pictures)} pictures in {folder}")
-    return 0
+#: of the table at the top: column of cycles.csv, factor, label, unit, digits
+FIGURES = [("axial_strain_min", 1e3, "least axial strain", "10\u207b\u00b3", 3), ("axial_strain_max", 1e3, "largest axial strain", "10\u207b\u00b3", 3),
+           ("axial_ratcheting", 1e3, "axial ratcheting of the cycle", "10\u207b\u00b3", 4),
+           ("shear_strain_min", 1e3, "least change of the angle", "10\u207b\u00b3", 3), ("shear_strain_max", 1e3, "largest change of the angle", "10\u207b\u00b3", 3),
+           ("shear_ratcheting", 1e3, "ratcheting in shear of the cycle", "10\u207b\u00b3", 4)]
+
+
+def figures(cycles):
+    """Table of the first and the last cycle; kinds that nothing happens in are left out."""
+    first_and_last = [0, -1] if len(cycles["cycle"]) > 1 else [0]
+    head = "".join(f"<th>cycle {cycles['cycle'][k]:.0f}</th>" for k in first_and_last)
+    rows = [f"<table><tr><th></th>{head}<th></th></tr>"]
+    for key, factor, label, unit, digits in FIGURES:
+        if key in cycles and np.nanmax(np.abs(cycles[key])) > 0:
+            cells = "".join(f"<td class=number>{factor * cycles[key][k]:.{digits}f}</td>" if np.isfinite(cycles[key][k]) else "<td></td>"
+                            for k in first_and_last)
+            rows.append(f"<tr><td>{label}</td>{cells}<td>{unit}</td></tr>")
+    return "\n".join(rows + ["</table>"])
+
+
+def make_page(folder):
+    """Draws what there is and puts inputs, extremes and pictures on material.html."""
+    steps = columns.read(os.path.join(folder, "material.csv"))
+    cycles = columns.read(os.path.join(folder, "cycles.csv"))
+    pictures = []
+    if driven(steps["E_xx"]) or driven(steps["E_xy"]):
+        pictures.append(("Stress over strain; later cycles are darker", draw_loops(folder, steps)))
+    if len(cycles["cycle"]) > 1:
+        pictures.append(("Strains and ratcheting over the cycles", draw_cycles(folder, cycles)))
+    given = inputs.table(inputs.material_rows(inputs.read(folder)))
+    parts = [f"<div class=top><div><h2>Inputs</h2>{given}</div>" if given else "<div class=top>",
+             f"<div><h2>Key results</h2>{figures(cycles)}</div></div>", "<h2>Pictures</h2>", page.pictures_html(pictures)]
+    return page.write(os.path.join(folder, "material.html"), "One point of a steel", parts, [], "")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(page.run_script(__doc__, make_page, sys.argv[1:]))

@@ -16,6 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import columns
+import inputs
 import page
 import style
 
@@ -35,14 +36,17 @@ HISTORIES = [
                             ("largest_peak_pressure_Pa", 1e-6, "largest [MPa]"),
                             ("mean_t_gamma_N", 1, "T-gamma, mean [N]"), ("largest_t_gamma_N", 1, "largest [N]"),
                             ("equivalent_conicity", 1, "equivalent conicity\nat 3 mm")]),
-    ("damage", "Crack damage, 1: cracks", [("rail_damage", 1, "rail"), ("wheel_damage", 1, "wheel")]),
+    ("damage", "Crack damage, 1: cracks", [("rail_damage", 1, "rail, after Burstow"), ("rail_net_cracks", 1, "rail, net of\ncracks and wear"),
+                                           ("wheel_damage", 1, "wheel, after Burstow"), ("wheel_net_cracks", 1, "wheel, net")]),
 ]
 #: of the table at the top: column, factor, label, unit, digits
-FIGURES = [("rail_section_m2", 1e6, "rail: worn section", "mm2", 2), ("rail_height_loss_m", 1e3, "rail: height lost at its axis", "mm", 3),
+FIGURES = [("rail_section_m2", 1e6, "rail: section lost", "mm2", 2), ("rail_height_loss_m", 1e3, "rail: height lost at its axis", "mm", 3),
            ("rail_side_wear_m", 1e3, "rail: gauge side, 14 mm below the new top", "mm", 3),
-           ("rail_damage", 1, "rail: largest damage", "1: cracks", 3), ("wheel_section_m2", 1e6, "wheel: worn section", "mm2", 2),
+           ("rail_damage", 1, "rail: largest damage", "1: cracks", 3), ("rail_net_cracks", 1, "rail: net of cracks and wear", "1: cracks", 3),
+           ("rail_ground_section_m2", 1e6, "rail: section ground off", "mm2", 2), ("wheel_section_m2", 1e6, "wheel: section lost", "mm2", 2),
            ("flange_height_m", 1e3, "wheel: flange height Sh", "mm", 2), ("flange_thickness_m", 1e3, "wheel: flange thickness Sd, 10 mm below the tread", "mm", 2),
-           ("flange_gradient_m", 1e3, "wheel: flange gradient qR", "mm", 2), ("wheel_damage", 1, "wheel: largest damage", "1: cracks", 3),
+           ("flange_gradient_m", 1e3, "wheel: flange gradient qR", "mm", 2), ("wheel_damage", 1, "wheel: largest damage", "1: cracks", 3), ("wheel_net_cracks", 1, "wheel: net of cracks and wear", "1: cracks", 3),
+           ("wheel_turned_section_m2", 1e6, "wheel: section turned off", "mm2", 2),
            ("equivalent_conicity", 1, "equivalent conicity at 3 mm", "", 3),
            ("mean_peak_pressure_Pa", 1e-6, "peak pressure, mean of the mix", "MPa", 1), ("mean_t_gamma_N", 1, "T-gamma, mean of the mix", "N", 2)]
 
@@ -128,7 +132,10 @@ def make_page(folder):
                 for body in ("rail", "wheel") if (table[body + "_depth_m"] > 0).any()]
     pictures += [draw_history(table, over, label, title, rows, os.path.join(pictures_folder, name + ".png"))
                  for name, title, rows in HISTORIES]
-    parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>", figures(table), "<h2>Pictures</h2>",
+    given = inputs.table(inputs.wear_rows(inputs.read(folder)))
+    parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>",
+             f"<div class=top><div><h2>Inputs</h2>{given}</div>" if given else "<div class=top>",
+             f"<div><h2>Key results</h2>{figures(table)}</div></div>", "<h2>Pictures</h2>",
              page.pictures_html([picture for picture in pictures if picture], broad=("rail", "wheel"))]
     return page.write(os.path.join(folder, "wear.html"), "Wear of the profiles", parts, [], "")
 

@@ -112,12 +112,13 @@ namespace wheelrail
         summary.note = sliding_note(scene.traction_coefficient);
     }
 
-    /// Wear and cracks, from the means of forces and patch.
+    /// Wear and cracks, from the means of forces, of the patch and of the wear across the rail.
     void
-    add_wear(Summary &summary, const Scene &scene)
+    add_wear(Summary &summary, const Scene &scene, const WearProfile &wear)
     {
       const double across = get_figure(summary, "tangential_lateral_force_N");
       WornContact  worn;
+      worn.wear             = &wear;
       worn.normal_force     = summary.normal_force;
       worn.tangential_force = std::hypot(summary.longitudinal_force, std::isfinite(across) ? across : 0);
       worn.peak_pressure    = summary.max_pressure;
@@ -271,7 +272,7 @@ namespace wheelrail
     add_drive(summary, run.scene, centre_radius);
     summary.rolled_distance = run.axle.travelled();
     summary.velocity        = run.scene.velocity;
-    add_wear(summary, run.scene);
+    add_wear(summary, run.scene, run.recorder.wear(run.recorder.averaging_stretch(run.scene)));
     summary.elements   = double(model.solid.quality.elements);
     summary.time_steps = double(run.rolling.steps());
     summary.time_step  = model.time_step;

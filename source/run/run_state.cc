@@ -26,7 +26,8 @@ namespace wheelrail
   RunState::record()
   {
     recorder.add(rolling, axle);
-    recorder.add_patch(patch_fields(*model.contact, axle, rolling.time()));
+    const PatchFields patch = patch_fields(*model.contact, axle, rolling.time());
+    recorder.add_patch(patch, wear_profile(patch, axle.velocity(), scene.wear));
   }
 
 

@@ -319,7 +319,10 @@ namespace wheelrail
       if (finished)
         for (const std::string &warning : judge(scene_, geometry_, summary))
           log_.warning(warning);
-      on_root(communicator_, [&]() { write_summary(summary, scene_.folder + "/summary.json"); });
+      on_root(communicator_, [&]() {
+        write_summary(summary, scene_.folder + "/summary.json");
+        write_wear(run.recorder.wear(run.recorder.averaging_stretch(scene_)), scene_.folder + "/wear.csv");
+      });
       for (const std::string &line : end_screen(summary, scene_.folder))
         log_.line(line);
     }

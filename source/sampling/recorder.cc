@@ -56,6 +56,23 @@ namespace wheelrail
         geometry.axis.middle.x + axle.aside(), geometry.axis.middle.y, axle.travelled() - geometry.along};
       return sums.moment[1] - cross(middle, sums.force)[1];
     }
+
+    /// Work of the wheel's rigid motion against the contact's forces, for each metre rolled [N]: minus
+    /// (F v + M w) / V, with the force F on the wheel, its moment M about the axle's centre, the axle's
+    /// velocity v along and across the track, and its turning w. Over a point of the contact it is force
+    /// times creepages and moment times spin, with the moment of rolling resistance in it. The vertical
+    /// motion of the axle is no creepage.
+    double
+    creepage_work(const ContactSums &sums, const Axle &axle)
+    {
+      const double  V      = axle.velocity();
+      const Vector3 moment = sums.moment - cross(axle.centre(), sums.force), axis = axle.axis();
+      double        turning = 0;
+      for (int d = 0; d < 3; ++d)
+        turning += moment[d] * axis[d];
+      return -(sums.force[2] + axle.data().lateral_creepage * sums.force[0] +
+               turning * axle.pitch_rate() / V);
+    }
   } // namespace
 
 
@@ -80,6 +97,7 @@ namespace wheelrail
     row.put("lateral_force", c.force[0]);
     row.put("tangential_lateral_force", "N", c.force[0] * t.x + c.force[1] * t.y);
     row.put("yaw_moment", "N m", yaw_moment(c, model_.geometry, axle));
+    row.put("creepage_work", creepage_work(c, axle));
     row.put("axle_lateral_force", "N", axle.reaction()[0]);
     row.put("axle_vertical_force", "N", axle.reaction()[1]);
     row.put("max_pressure", c.largest_pressure);
@@ -126,7 +144,7 @@ namespace wheelrail
 
 
   void
-  Recorder::add_patch(const PatchFields &patch)
+  Recorder::add_patch(const PatchFields &patch, const WearProfile &wear)
   {
     const PatchMeasures m = measure_patch(patch);
     Row                 row(state_.patches);
@@ -143,6 +161,33 @@ namespace wheelrail
     row.put("t_gamma", m.t_gamma);
     row.put("patches", m.n_patches);
     row.put("cells_across_peak", m.cells_across);
+    Row across(state_.wear);
+    across.put("rolled_distance", patch.rolled_distance);
+    for (std::size_t j = 0; j < wear.lateral.size(); ++j)
+      {
+        across.put("archard_depth_" + std::to_string(j), "m", wear.depth[j]);
+        across.put("friction_work_" + std::to_string(j), "N/m", wear.work[j]);
+      }
+  }
+
+
+  WearProfile
+  Recorder::wear(const Range &stretch) const
+  {
+    WearProfile    profile;
+    const Lattice &lattice = model_.contact->lattice();
+    if (state_.wear.columns.size() != 1 + 2 * std::size_t(lattice.n_lateral))
+      return profile;
+    const auto mean = [&](const std::size_t c) {
+      return mean_over(state_.wear.columns[0], state_.wear.columns[c], stretch).mean;
+    };
+    for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+      {
+        profile.lateral.push_back(lattice.s_begin + j * lattice.spacing_lateral);
+        profile.depth.push_back(mean(1 + 2 * j));
+        profile.work.push_back(mean(2 + 2 * j));
+      }
+    return profile;
   }
 
 
@@ -203,6 +248,12 @@ namespace wheelrail
         if (!irregular()) // else nothing is steady that a mean could belong to
           set_figure(summary, figure.key("_error"), result.error());
       }
+    set_figure(summary,
+               "creepage_work_N",
+               mean_over(column(state_.history, "rolled_distance"),
+                         column(state_.history, "creepage_work"),
+                         known.stretch)
+                 .mean);
     set_figure(summary, "energy_error", column(state_.history, "energy_error").back());
     set_figure(summary, "means_from_m", std::max(0., known.stretch.s0));
     fill_grid(summary, known.stretch);

@@ -215,6 +215,8 @@ namespace wheelrail
       return {{"axle", axle}};
     }
 
+    constexpr int first_with_parts = 7, first_with_wear = 8; ///< formats
+
     /// Files say their format from 7 on; throws RunError for a newer one than this program knows.
     int
     read_format(const hid_t file)
@@ -295,6 +297,7 @@ namespace wheelrail
     write("contact", pack(checkpoint.contact.nodes));
     write_table(file, "history", checkpoint.recorder.history);
     write_table(file, "patches", checkpoint.recorder.patches);
+    write_table(file, "wear", checkpoint.recorder.wear);
     return file_image(file);
   }
 
@@ -319,10 +322,12 @@ namespace wheelrail
       checkpoint.works[name] = read_dataset(file, work_prefix + name);
     checkpoint.window.kept.rail  = columns_of(read_dataset(file, "rail_kept"));
     checkpoint.window.kept.wheel = columns_of(read_dataset(file, "wheel_kept"));
-    checkpoint.rolling.parts     = format < checkpoint_format ? read_former_axle(file) : read_parts(file);
+    checkpoint.rolling.parts     = format < first_with_parts ? read_former_axle(file) : read_parts(file);
     checkpoint.contact.nodes     = unpack(read_dataset(file, "contact"));
     checkpoint.recorder.history  = read_table(file, "history");
     checkpoint.recorder.patches  = read_table(file, "patches");
+    if (format >= first_with_wear)
+      checkpoint.recorder.wear = read_table(file, "wear");
     return checkpoint;
   }
 } // namespace wheelrail

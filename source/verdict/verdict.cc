@@ -108,12 +108,12 @@ namespace wheelrail
             " of the load (standard deviation; 1 % is usual at most).");
       add(verdict,
           graded(m.pressure_noise, pressure_noise_bounds),
-          "the peak pressure swings by " + percent(m.pressure_noise) +
+          "the peak pressure fluctuates by " + percent(m.pressure_noise) +
             " of its mean (standard deviation; 5 % are usual at most).");
       if (m.swing > swing_bounds.good)
         add(verdict,
             graded(m.swing, swing_bounds),
-            m.swing_of + " swings by " + percent(m.swing) + " in the means over 2 mm and is not steady.");
+            m.swing_of + " fluctuates by " + percent(m.swing) + " in the means over 2 mm and is not steady.");
       if (m.drift > drift_bounds.good)
         add(verdict,
             graded(m.drift, drift_bounds),

@@ -34,6 +34,10 @@ namespace wheelrail
   void
   write_halfspace_patches(const WheelRailSolution &solution, const std::string &folder);
 
+  /// Writes wear and work of friction over the lateral place of each patch, in its own plane, as a table.
+  void
+  write_halfspace_wear(const Scene &scene, const WheelRailSolution &solution, const std::string &path);
+
   /// Writes the folder of one wheel: parameters.prm, the patches, slices.h5 (stresses below the contact, as a
   /// run's) and summary.json. Throws RunError.
   void

@@ -18,6 +18,7 @@ namespace wheelrail
     double damage_peak   = 65;   ///< [N]
     double damage_ends   = 175;  ///< [N]
     double damage_most   = 1e-5; ///< share of a life at the peak, for each passage [1]
+    double crack_depth   = 1e-3; ///< that wear or grinding has to take off for a damage of 1 [m]
   };
 
   /// Wear of a wheel of R8T steel on a rail of steel 900A, as mass for each metre rolled and area of the
@@ -33,6 +34,11 @@ namespace wheelrail
   /// where on wear takes cracks away.
   double
   burstow_damage(double t_gamma, const WearData &data);
+
+  /// The same without what wear takes: rising to damage_most at damage_peak, where it stays. Of a crack that
+  /// is crack_depth deep at a damage of 1, wear has to be counted off beside it.
+  double
+  crack_growth(double t_gamma, const WearData &data);
 
   /// Fatigue index of the surface (Ekberg, Kabo, Andersson 2002), mu - k / p0, with the traction over the
   /// normal force mu, the yield stress in shear k and the peak pressure p0 [Pa]; 2 pi a b k / (3 F) of a

@@ -11,7 +11,7 @@ namespace wheelrail
   /// One patch, as wear and crack laws see it; SI units.
   struct WornContact
   {
-    const PatchFields *fields       = nullptr;                 ///< with slip; null: no wear across the rail
+    const WearProfile *wear         = nullptr;                 ///< across the rail; null: not known
     double             normal_force = 0, tangential_force = 0; ///< magnitudes [N]
     double             peak_pressure = 0, area = 0;            ///< [Pa], [m2]
     double             t_gamma = 0, velocity = 0;              ///< [N], [m/s]

@@ -26,5 +26,9 @@ namespace wheelrail
     double       step_depth  = automatic; ///< most that one step takes off [m]
     double       line_length = 1000;      ///< of the rail that the wheels share, where both wear [m]
     unsigned int wheels      = 100;       ///< that share it
+    std::string  grind_to    = "none";    ///< profile that the rail is ground to
+    double       grind_every = 5e9;       ///< gross load between two grindings [kg]
+    std::string  turn_to     = "none";    ///< profile that the wheel is turned to
+    double       turn_every  = 100e6;     ///< distance between two turnings [m]
   };
 } // namespace wheelrail

@@ -2,7 +2,9 @@
 
 #include <wheelrail/damage/laws.h>
 #include <wheelrail/output/fields.h>
+#include <wheelrail/output/figure_table.h>
 
+#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -21,6 +23,18 @@ namespace wheelrail
   /// slip. Fields on a grid with even spacing or not: `area` over the width of a row is its step dx.
   WearProfile
   wear_profile(const PatchFields &patch, double velocity, const WearData &data);
+
+  /// A table for wear.csv, without rows: patch, lateral_m, archard_depth_m, friction_work_N_per_m.
+  FigureTable
+  empty_wear_table();
+
+  /// Adds the rows of a patch.
+  void
+  add_to_table(const WearProfile &profile, unsigned int patch, FigureTable &table);
+
+  /// Writes the table of one patch; nothing where the profile is empty.
+  void
+  write_wear(const WearProfile &profile, const std::string &path);
 
   /// Integral over the width, of depths the area that a passage takes from the section [m2].
   double

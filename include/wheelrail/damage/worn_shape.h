@@ -2,6 +2,7 @@
 
 #include <wheelrail/geometry/curve.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace wheelrail
@@ -13,6 +14,7 @@ namespace wheelrail
     std::vector<Point2> points; ///< [m]
     std::vector<double> depth;  ///< taken off so far, along the normals [m]
     std::vector<double> damage; ///< share of a life until a crack, summed (burstow_damage())
+    std::vector<double> cracks; ///< the same from crack_growth() less what was taken off, never below 0
     bool steel_on_left = true;  ///< of the way along the points: a rail; a wheel has it on the right
   };
 
@@ -45,6 +47,10 @@ namespace wheelrail
   /// stays (ISO 16610-21). Each cell's section is spread as a whole, so that none gets lost.
   std::vector<double>
   smoothed_sections(const std::vector<double> &arc, const std::vector<double> &sections, double cut_off);
+
+  /// Unit vector from the point into the steel.
+  Point2
+  into_steel(const WornShape &shape, std::size_t point);
 
   /// Takes sections [m2] off at the points, which move into the steel.
   void

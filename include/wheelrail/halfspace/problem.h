@@ -165,6 +165,11 @@ namespace wheelrail
     /// slip of the elements tends to it from below, with the first power of their length: 15 % less on
     /// 33 elements over the patch. NaN but for steady rolling.
     double creepage_work = 0;
+    /// The same work from where it is done: the sum of the means of traction at both ends of a particle's way
+    /// over an element times its slip (friction_work()) [J/m]. It is that of the creepages, where no
+    /// displacement follows from a traction across it: not for unlike materials or true bodies, whose
+    /// pressure takes part.
+    double friction_work = 0;
 
     double peak_pressure = 0, peak_shear = 0;          ///< [Pa]
     double area = 0, adhesion_area = 0, slip_area = 0; ///< [m2], whole elements

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/output/fields.h>
 #include <wheelrail/scene/scene.h>
@@ -57,4 +58,17 @@ namespace wheelrail
   /// (body 1), slip of the wheel against the rail.
   PatchFields
   halfspace_patch(const HalfspaceSolution &solution);
+
+  /// T-gamma: the work of the creepages, or of friction on the ways of particles where the two are not the
+  /// same, for unlike materials and true bodies [N].
+  double
+  wear_number(const HalfspaceProblem &problem, const HalfspaceSolution &solution);
+
+  /// Wear across the rail (wear_profile()) of a solution as a particle passes it, from element to element
+  /// (sliding_paths()): plain sums of its elements miss a part of the first power of their length.
+  WearProfile
+  halfspace_wear(const HalfspaceProblem  &problem,
+                 const HalfspaceSolution &solution,
+                 double                   velocity,
+                 const WearData          &data);
 } // namespace wheelrail

@@ -22,6 +22,8 @@ namespace wheelrail
     double         mean_pressure = 0, peak_pressure = 0; ///< as those of MixWear
     double         mean_t_gamma = 0, peak_t_gamma = 0;
     double         rail_damage = 0, wheel_damage = 0; ///< largest so far, shares of a life
+    double         rail_cracks = 0, wheel_cracks = 0; ///< the same of crack growth less wear
+    double         rail_ground = 0, wheel_turned = 0; ///< taken off by machines so far [m2]
   };
 
   /// Profiles on their way, from which it can go on.
@@ -29,7 +31,9 @@ namespace wheelrail
   {
     WornShape             new_rail, new_wheel; ///< as they began
     WornShape             rail, wheel;
-    double                passages = 0;
+    double                passages    = 0;
+    double                rail_ground = 0, wheel_turned = 0; ///< taken off by machines so far [m2]
+    unsigned int          grindings = 0, turnings = 0;
     std::vector<WearStep> steps;            ///< of all states so far
     bool                  finished = false; ///< the plan is done
     std::string           note;             ///< sentences on what was found, or nothing
@@ -39,15 +43,27 @@ namespace wheelrail
   WearState
   begin_wear(const SceneProfiles &profiles);
 
+  /// A grinding or turning that has just been done.
+  struct MachiningEvent
+  {
+    bool        of_rail = true;
+    double      depth = 0, section = 0, shift = 0; ///< as those of Machining
+    std::string to;                                ///< the target's name
+  };
+
   /// Wears the profiles as the scene's subsection Wear plans, step by step: half-spaces for all rows on the
   /// profiles as they are, the worn sections of a passage smoothed (smoothed_sections()), and as many
   /// passages as take off at most 0.1 p lambda / (pi E*), with the mean peak pressure p, the cut-off
   /// wavelength lambda and 1 / E* = (1 - nu1^2) / E1 + (1 - nu2^2) / E2: a wave of that amplitude changes the
-  /// pressure of flat surfaces by p / 10. `keep` gets each state, before the step that follows. Throws
-  /// InputError where profiles do not touch (any more).
+  /// pressure of flat surfaces by p / 10. Steps end where Wear/Grind every or Wear/Turn every asks for a
+  /// machine: the state there is kept, machining() takes off what is beyond the target, `tell` gets how much,
+  /// and the state behind it is kept as well; none at the very end. Net cracks grow by crack_growth() and
+  /// lose the depth that is taken off over the crack depth, down to nothing. `keep` gets each state, before
+  /// the step that follows. Throws InputError where profiles do not touch (any more).
   void
-  wear_on(const Scene                                  &scene,
-          const std::vector<MixRow>                    &rows,
-          const std::function<void(const WearState &)> &keep,
-          WearState                                    &state);
+  wear_on(const Scene                                       &scene,
+          const std::vector<MixRow>                         &rows,
+          const std::function<void(const WearState &)>      &keep,
+          WearState                                         &state,
+          const std::function<void(const MachiningEvent &)> &tell = {});
 } // namespace wheelrail

@@ -27,6 +27,7 @@ namespace wheelrail
   {
     std::vector<double> rail_section, wheel_section; ///< taken off by a passage, by a turn of the wheel [m2]
     std::vector<double> rail_damage, wheel_damage;   ///< share of a life
+    std::vector<double> rail_cracks, wheel_cracks;   ///< the same from crack_growth()
     double              mean_pressure = 0, peak_pressure = 0; ///< of the rows' peaks [Pa]
     double              mean_t_gamma = 0, peak_t_gamma = 0;   ///< [N]
     double              axle_load = 0;                        ///< [N]

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/dynamics/rolling.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/output/fields.h>
@@ -21,14 +22,16 @@ namespace wheelrail
     void
     add(const Rolling &rolling, const Axle &axle);
 
-    /// Adds the figures of a patch to the means; they have rows of their own.
+    /// Adds the figures of a patch, and what it wears off across the rail, to the means; they have rows of
+    /// their own.
     void
-    add_patch(const PatchFields &patch);
+    add_patch(const PatchFields &patch, const WearProfile &wear);
 
     /// The rows of add() and of add_patch() so far.
     struct State
     {
       History history, patches;
+      History wear; ///< depth and work of each row of the patch across the rail, one after the other
     };
     const State &
     state() const
@@ -54,6 +57,10 @@ namespace wheelrail
     /// else the last one.
     Range
     averaging_stretch(const Scene &scene) const;
+
+    /// Wear across the rail, means over the stretch; empty without rows.
+    WearProfile
+    wear(const Range &stretch) const;
 
     /// Whether the rows so far are enough for a run that ends by itself, see judge_steadiness().
     Steadiness

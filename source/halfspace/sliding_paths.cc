@@ -1,0 +1,77 @@
+#include <wheelrail/halfspace/sliding_paths.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Slip of an element behind the contact, from the displacements here and upstream.
+    std::array<double, 2>
+    slip_behind(const HalfspaceProblem &problem, const HalfspaceSolution &s, const int i, const int j)
+    {
+      const auto of = [](const std::vector<double> &field, const std::size_t e) {
+        return field.empty() ? 0 : field[e];
+      };
+      const HalfspaceGrid &grid  = s.grid;
+      const std::size_t    e     = i + std::size_t(grid.mx) * j;
+      const double         ahead = problem.spin_offset * s.step;
+      return {s.xi - s.phi * grid.y(j) + of(problem.rigid_slip_x, e) +
+                (s.displacement_x[e] - s.displacement_x[e + 1]) / grid.dx,
+              s.eta + s.phi * (grid.x(i) + ahead) + of(problem.rigid_slip_y, e) +
+                (s.displacement_y[e] - s.displacement_y[e + 1]) / grid.dx};
+    }
+  } // namespace
+
+
+  SlidingPaths
+  sliding_paths(const HalfspaceProblem &problem, const HalfspaceSolution &s)
+  {
+    const HalfspaceGrid &grid = s.grid;
+    const std::size_t    n    = grid.size();
+    SlidingPaths         paths;
+    for (auto *field : {&paths.pressure, &paths.traction_x, &paths.traction_y, &paths.slip_x, &paths.slip_y})
+      field->assign(n, 0.);
+    for (int j = 0; j < grid.my; ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        {
+          const std::size_t e        = i + std::size_t(grid.mx) * j;
+          const bool        upstream = i + 1 < grid.mx, here = s.pressure[e] > 0;
+          const auto        mean = [&](const std::vector<double> &field) {
+            return 0.5 * (field[e] + (upstream ? field[e + 1] : 0));
+          };
+          if (!here && !(upstream && s.pressure[e + 1] > 0))
+            continue;
+          paths.pressure[e]   = mean(s.pressure);
+          paths.traction_x[e] = mean(s.traction_x);
+          paths.traction_y[e] = mean(s.traction_y);
+          if (here)
+            {
+              paths.slip_x[e] = s.slip_x[e];
+              paths.slip_y[e] = s.slip_y[e];
+            }
+          else if (s.state[e + 1] == HalfspaceSolution::slip && s.friction[e + 1] > 0)
+            {
+              const auto slip = slip_behind(problem, s, i, j);
+              paths.slip_x[e] = slip[0];
+              paths.slip_y[e] = slip[1];
+            }
+        }
+    return paths;
+  }
+
+
+  double
+  friction_work(const HalfspaceProblem &problem, const HalfspaceSolution &s)
+  {
+    if (problem.motion != HalfspaceMotion::steady)
+      return std::nan("");
+    const SlidingPaths paths = sliding_paths(problem, s);
+    double             work  = 0;
+    for (std::size_t e = 0; e < paths.slip_x.size(); ++e)
+      work -= paths.traction_x[e] * paths.slip_x[e] + paths.traction_y[e] * paths.slip_y[e];
+    return work * s.grid.element_area();
+  }
+} // namespace wheelrail

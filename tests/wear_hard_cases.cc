@@ -1,0 +1,147 @@
+// Wear of odd mixes and profiles: two patches on the flange, noise, ends of a profile, bad numbers.
+
+#include "messages.h"
+
+#include <wheelrail/application/command_line.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/reference/wear_evolution.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+namespace
+{
+  Scene
+  small()
+  {
+    Scene scene;
+    scene.wheel_load             = 100e3;
+    scene.traction_coefficient   = 0.1;
+    scene.halfspace_element_size = 1e-3;
+    scene.wear.archard           = 5e-4;
+    scene.wear_plan.gross_load   = 50e6;
+    return scene;
+  }
+
+  WearState
+  worn(const Scene &scene)
+  {
+    double    weights = 1;
+    WearState state   = begin_wear(read_profiles(scene));
+    wear_on(
+      scene, mix_rows(scene, scene.wheel_load, weights), [](const WearState &) {}, state);
+    return state;
+  }
+
+  /// At -5.5 mm tread and flange root carry: both wear, the flange at its side.
+  void
+  test_flange()
+  {
+    Scene scene                = small();
+    scene.lateral_shift        = -5.5e-3;
+    scene.wear_plan.gross_load = 1e6;
+    const WearState state      = worn(scene);
+    check(state.finished, "flange wear goes to its end");
+    check(state.steps.back().rail_section > 0, "the rail wears");
+    const WornShape &rail   = state.rail;
+    double           corner = 0;
+    for (std::size_t k = 0; k < rail.depth.size(); ++k)
+      if (rail.points[k].x < -20e-3)
+        corner = std::max(corner, rail.depth[k]);
+    check(corner > 0.5 * state.steps.back().rail_depth, "most at the gauge corner");
+  }
+
+  /// A measured rail with noise of 10 um wears as the clean one, and its noise does not grow.
+  void
+  test_noise()
+  {
+    const WornShape clean = rail_shape(read_profiles(Scene()).rail);
+    std::ofstream   file("noisy_rail.txt");
+    for (std::size_t k = 0; k < clean.points.size(); ++k)
+      file << 1e3 * clean.points[k].x << ' '
+           << 1e3 * clean.points[k].y + 0.01 * std::sin(12.9898 * double(k) * double(k)) << '\n';
+    file.close();
+    Scene noisy        = small();
+    noisy.rail_profile = "noisy_rail.txt";
+    const WearState a = worn(small()), b = worn(noisy);
+    check(b.finished, "a profile with noise wears to the end");
+    check_near(b.steps.back().rail_section / a.steps.back().rail_section, 1, 0.1, "as much as the clean one");
+    check(b.steps.back().mean_pressure < 1.1 * b.steps.front().mean_pressure, "the noise does not grow");
+  }
+
+  /// A patch on the end of a profile is told.
+  void
+  test_ends()
+  {
+    const WornShape clean = rail_shape(read_profiles(Scene()).rail);
+    std::ofstream   file("short_rail.txt");
+    for (const Point2 &p : clean.points)
+      if (p.x < 1e-3)
+        file << 1e3 * p.x << ' ' << 1e3 * p.y << '\n';
+    file.close();
+    Scene scene        = small();
+    scene.rail_profile = "short_rail.txt";
+    std::string told;
+    try
+      {
+        const WearState state = worn(scene);
+        told                  = state.note;
+      }
+    catch (const InputError &error)
+      {
+        told = error.what();
+      }
+    check(!told.empty(), "a profile that ends below the patch: " + told);
+  }
+
+  void
+  test_bad_numbers()
+  {
+    const std::string prm  = WHEELRAIL_SOURCE_DIR "/prm/wear.prm";
+    const auto        said = [&](const std::string &set) {
+      std::ostringstream out;
+      return test::message_of([&]() { execute({"wear", prm, "--no-pictures", "--set", set}, {}, out); });
+    };
+    const std::string negative = said("Wear/Gross load = -1 Mt");
+    check(negative.find("Gross load") != std::string::npos && negative.find("0 Mt") != std::string::npos,
+          "negative tonnage: " + negative);
+    const std::string never = said("Wear/Grind every = 0 Mt");
+    check(never.find("Grind every") != std::string::npos, "no interval: " + never);
+    const std::string unknown = said("Wear/Grind to = 99E9");
+    check(unknown.find("99E9") != std::string::npos && unknown.find("54E1") != std::string::npos,
+          "an unknown target: " + unknown);
+  }
+
+  /// Weights of 3 and 1 are shares of 3/4 and 1/4.
+  void
+  test_weights()
+  {
+    Scene scene         = small();
+    scene.wear_plan.mix = "weights.csv";
+    std::ofstream("weights.csv") << "lateral shift [mm],weight\n0,3\n1,1\n";
+    double     weights = 1;
+    const auto rows    = mix_rows(scene, scene.wheel_load, weights);
+    check_near(weights, 4, 1e-12, "what the weights add up to");
+    check_near(rows[0].share, 0.75, 1e-12, "share of the first row");
+  }
+} // namespace
+
+
+int
+main()
+{
+  test_flange();
+  test_noise();
+  test_ends();
+  test_bad_numbers();
+  test_weights();
+  return test::report();
+}
