@@ -20,6 +20,8 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 OUTPUT = "output/cookbook"
 COLORS = 128
 WIDTH = 1500
+#: of the long scenes
+COARSER = ["--set", "Mesh/Solution cell size = 2 mm"]
 
 
 def call(*words):
@@ -85,14 +87,14 @@ def braking():
 
 
 def yielding_rail():
-    run("yielding", "prm/rolling_plastic.prm")
+    run("yielding", "prm/rolling_plastic.prm", *COARSER)
     call("report", f"{OUTPUT}/yielding")
     take(f"{OUTPUT}/yielding/pictures/residual_above.png", "yielding_above", 1200)
     take(f"{OUTPUT}/yielding/pictures/residual_section.png", "yielding_section", 1200)
 
 
 def shakedown():
-    run("passages", "prm/passages.prm")
+    run("passages", "prm/passages.prm", *COARSER)
     call("report", f"{OUTPUT}/passages")
     take(f"{OUTPUT}/passages/pictures/growth.png", "shakedown_growth", 900)
     take(f"{OUTPUT}/passages/pictures/shakedown_map.png", "shakedown_map", 1100)
