@@ -109,10 +109,9 @@ namespace wheelrail
 
     /// Velocity of the rail's surface against the wheel's over V when the wheel turns without creepage:
     /// a larger local radius runs backwards, ahead of the axle the wheel's surface still descends,
-    /// which slides it along its inclination, and a wheel with yaw slides aside. The steel of a surface
-    /// stretched by e passes a place that stands still with (1 + e) of its speed.
+    /// which slides it along its inclination, and a wheel with yaw slides aside.
     VectorField
-    rigid_slip(const RunningSurfaces &surfaces, const StartMotion &motion, const HalfspaceGrid &grid)
+    rigid_slip(const RunningSurfaces &surfaces, const double lateral_creepage, const HalfspaceGrid &grid)
     {
       const double radius = surfaces.forward_radius;
       VectorField  slip;
@@ -121,10 +120,9 @@ namespace wheelrail
           {
             const double  s = grid.y(j), angle = inclination(surfaces, s);
             const Vector3 turning = surfaces.rolling(s, grid.x(i));
-            slip[0].push_back(-turning[2] / radius - 1 + motion.stretch);
+            slip[0].push_back(-turning[2] / radius - 1);
             slip[1].push_back(-(turning[0] / radius) * std::cos(angle) -
-                              turning[1] / radius * std::sin(angle) -
-                              motion.lateral_creepage * std::cos(angle));
+                              turning[1] / radius * std::sin(angle) - lateral_creepage * std::cos(angle));
           }
       return slip;
     }
@@ -141,18 +139,17 @@ namespace wheelrail
       LoadedGrid       loaded;
       HalfspaceProblem problem;
 
-      StartProblem(const Contact &contact, const StartBodies &bodies, const StartMotion &motion)
+      StartProblem(const Contact     &contact,
+                   const StartBodies &bodies,
+                   const double       velocity,
+                   const double       lateral_creepage)
         : loaded(loaded_grid(contact))
       {
         problem.grid     = loaded.grid;
         problem.body1    = half_space(bodies.rail);
         problem.body2    = half_space(bodies.wheel);
         problem.friction = contact.law().friction;
-        problem.velocity = motion.velocity;
-        // the springs between the surfaces are a layer that gives way along them; with friction that falls
-        // with the slip the solution does not always converge on it
-        if (problem.friction.steepest_fall() == 0)
-          problem.layer_compliance = 1 / contact.law().stiffness;
+        problem.velocity = velocity;
         // the static search asks for tractions again until they stay within 1e-5
         problem.coupling_tolerance = 1e-5;
         if (loaded.grid.size() == 0)
@@ -162,7 +159,7 @@ namespace wheelrail
           for (int i = 0; i < loaded.grid.mx; ++i)
             problem.pressure[i + std::size_t(loaded.grid.mx) * j] *=
               area_ratio(contact, i / loaded.parts, j / loaded.parts);
-        const VectorField slip = rigid_slip(contact.surfaces(), motion, loaded.grid);
+        const VectorField slip = rigid_slip(contact.surfaces(), lateral_creepage, loaded.grid);
         problem.rigid_slip_x   = slip[0];
         problem.rigid_slip_y   = slip[1];
       }
@@ -260,9 +257,10 @@ namespace wheelrail
   start_tractions_at_creepage(const Contact     &contact,
                               const double       creepage,
                               const StartBodies &bodies,
-                              const StartMotion &motion)
+                              const double       velocity,
+                              const double       lateral_creepage)
   {
-    StartProblem start(contact, bodies, motion);
+    StartProblem start(contact, bodies, velocity, lateral_creepage);
     if (start.empty(contact))
       return without_tractions(contact, creepage);
     start.problem.xi = creepage;
@@ -274,7 +272,8 @@ namespace wheelrail
   start_tractions(const Contact     &contact,
                   const double       longitudinal_force,
                   const StartBodies &bodies,
-                  const StartMotion &motion)
+                  const double       velocity,
+                  const double       lateral_creepage)
   {
     // the last two per cent below full slip cost any creepage; a torque beyond them spins the wheel up
     constexpr double   full_slip = 0.98;
@@ -284,7 +283,7 @@ namespace wheelrail
       load += contact.nodes()[k].pressure * contact.rail().area[k];
     const double   bound = full_slip * friction.at_rest * load;
     const double   force = std::clamp(longitudinal_force, -bound, bound);
-    StartProblem   start(contact, bodies, motion);
+    StartProblem   start(contact, bodies, velocity, lateral_creepage);
     StartTractions result;
     if (start.empty(contact))
       result = without_tractions(contact, 0);

@@ -124,13 +124,6 @@ namespace wheelrail
     void
     set_state(const State &state);
 
-    /// Displacement of a node of the window, index in the lattice of its body, as the contact sees it:
-    /// filtered, at the last gather [m].
-    Vector3
-    displacement(const Body body, const std::size_t node) const
-    {
-      return states_[body].x[node] - states_[body].reference[node];
-    }
     /// Current position of a rail node in the window [m].
     const Vector3 &
     rail_position(std::size_t node) const
