@@ -4,8 +4,10 @@
 // writes and another reads, with the plastic history of the elements.
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/model/scene_material.h>
 #include <wheelrail/state/checkpoint.h>
 
+#include "checkpoint_everywhere.h"
 #include "parallel.h"
 #include "small_scene.h"
 
@@ -95,20 +97,6 @@ namespace
                    flowed * mark(X, 8 + row));
           }
       }
-  }
-
-  /// A whole checkpoint on all ranks.
-  Checkpoint
-  everywhere(const Checkpoint &whole, const int rank)
-  {
-    std::vector<char> bytes;
-    if (rank == 0)
-      bytes = checkpoint_bytes(whole);
-    unsigned long size = bytes.size();
-    MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
-    bytes.resize(size);
-    MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
-    return checkpoint_from_bytes({bytes.begin(), bytes.end()});
   }
 
   void

@@ -45,28 +45,40 @@ namespace
     }
   };
 
-  /// A free wheel at 30 m/s on cells of 2 mm.
+  /// A free wheel at 30 m/s on cells of 2 mm, over 8 mm.
   Scene
-  hollow_scene(const double depth, const IrregularBody body)
+  short_scene(const std::string &title)
   {
     Scene scene;
-    scene.title = (body == IrregularBody::rail ? "rail " : "wheel ") + std::to_string(1e6 * depth) + " um";
+    scene.title               = title;
     scene.cell_size           = 2e-3;
     scene.fine_depth          = 6e-3;
     scene.rail_length         = 0.5;
     scene.velocity            = 30;
-    scene.rolling_distance    = 60e-3;
-    scene.averaging_distance  = 5e-3;
+    scene.rolling_distance    = 8e-3;
+    scene.averaging_distance  = 4e-3;
     scene.ticks               = 1;
     scene.volume_fields       = false;
     scene.checkpoint_interval = 1e4;
-    scene.folder              = "hollow";
-    IrregularityData &hollow  = scene.irregularities[0];
-    hollow.kind               = IrregularKind::dent;
-    hollow.body               = body;
-    hollow.place              = 30e-3;
-    hollow.length             = 30e-3;
-    hollow.depth              = depth;
+    scene.folder              = "short";
+    return scene;
+  }
+
+  /// The same over a hollow of rail or wheel.
+  Scene
+  hollow_scene(const double depth, const IrregularBody body)
+  {
+    Scene scene =
+      short_scene((body == IrregularBody::rail ? "rail " : "wheel ") + std::to_string(1e6 * depth) + " um");
+    scene.rolling_distance   = 60e-3;
+    scene.averaging_distance = 5e-3;
+    scene.folder             = "hollow";
+    IrregularityData &hollow = scene.irregularities[0];
+    hollow.kind              = IrregularKind::dent;
+    hollow.body              = body;
+    hollow.place             = 30e-3;
+    hollow.length            = 30e-3;
+    hollow.depth             = depth;
     return scene;
   }
 
@@ -136,24 +148,6 @@ namespace
     check(geometry.surfaces.wheel.irregularities().front().carried == CarriedBy::mesh,
           "a hollow of 5 um of the wheel is in the mesh");
     over_hollow(40e-6, Body::wheel, CarriedBy::mesh);
-  }
-
-  Scene
-  short_scene(const std::string &title)
-  {
-    Scene scene;
-    scene.title               = title;
-    scene.cell_size           = 2e-3;
-    scene.fine_depth          = 6e-3;
-    scene.rail_length         = 0.5;
-    scene.velocity            = 30;
-    scene.rolling_distance    = 8e-3;
-    scene.averaging_distance  = 4e-3;
-    scene.ticks               = 1;
-    scene.volume_fields       = false;
-    scene.checkpoint_interval = 1e4;
-    scene.folder              = "short";
-    return scene;
   }
 
   /// Heights of nothing, in a file, are no irregularity.

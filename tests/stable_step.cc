@@ -2,6 +2,7 @@
 // to doing so, and not thin cells of the blocks beside it.
 
 #include <wheelrail/model/model.h>
+#include <wheelrail/model/scene_material.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -9,6 +9,7 @@
 #include <wheelrail/statics/static_system.h>
 #include <wheelrail/track/track_support.h>
 
+#include "checkpoint_everywhere.h"
 #include "parallel.h"
 #include "small_scene.h"
 
@@ -263,16 +264,8 @@ namespace
   Checkpoint
   saved(const Track &track, const int rank)
   {
-    const Checkpoint whole =
-      gather_checkpoint(take_checkpoint(track.model, *track.rolling, *track.recorder), MPI_COMM_WORLD);
-    std::vector<char> bytes;
-    if (rank == 0)
-      bytes = checkpoint_bytes(whole);
-    unsigned long size = bytes.size();
-    MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, 0, MPI_COMM_WORLD);
-    bytes.resize(size);
-    MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
-    return checkpoint_from_bytes({bytes.begin(), bytes.end()});
+    return test::everywhere(
+      gather_checkpoint(take_checkpoint(track.model, *track.rolling, *track.recorder), MPI_COMM_WORLD), rank);
   }
 
   void

@@ -1,6 +1,7 @@
-// Rows of a vehicle simulation: what a motion file may hold, its messages, and rows in half-spaces.
+// Rows of a vehicle simulation in half-spaces, and the messages of the command.
 
 #include "messages.h"
+#include "motion_table.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/application/scene_row.h>
@@ -9,157 +10,17 @@
 
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::File;
 
 namespace
 {
-  /// A motion file for the time of a check.
-  class File
-  {
-  public:
-    explicit File(const std::string &text)
-      : path_((std::filesystem::temp_directory_path() /
-               ("motion_" + std::to_string(getpid()) + "_" + std::to_string(number++) + ".csv"))
-                .string())
-    {
-      std::ofstream(path_) << text;
-    }
-    ~File()
-    {
-      std::filesystem::remove(path_);
-    }
-    const std::string &
-    path() const
-    {
-      return path_;
-    }
-
-  private:
-    static inline int number = 0;
-    std::string       path_;
-  };
-
-  void
-  refused(const std::string &text, const std::string &expected)
-  {
-    const File file(text);
-    test::check_text(
-      test::message_of([&]() { read_motion_file(file.path()); }), file.path() + expected, text);
-  }
-
-  void
-  test_messages()
-  {
-    const std::string there =
-      "; there are time, distance, lateral shift, roll, yaw, load, load right, load left, velocity, torque, "
-      "traction, creepage, lateral creepage, radius and cant, each with its unit in brackets, such as \"load "
-      "[kN]\"";
-    refused("time [s],jaw [mrad]\n0,1\n",
-            ":1: column \"jaw [mrad]\" is not known, perhaps yaw is meant" + there);
-    refused("time [s],yaw\n0,1\n",
-            ":1: column \"yaw\" has no unit; write it in brackets, such as \"yaw [rad]\"");
-    refused(
-      "time [s],yaw [mm]\n0,1\n",
-      ":1: column \"yaw [mm]\": the unit \"mm\" is one of length; an angle takes one of rad, mrad, deg");
-    refused("time [s],torque [kN]\n0,1\n",
-            ":1: column \"torque [kN]\": \"kN\" is no unit of a torque; N m or kN m is accepted");
-    refused("time [s],creepage [mm]\n0,1\n",
-            ":1: column \"creepage [mm]\": \"mm\" is no unit of a creepage; %, or 1 is accepted");
-    refused("time [s],time [s]\n0,1\n", ":1: two columns of time; leave one out");
-    refused("time [s],yaw [mrad]\n0,1\n0.1\n", ":3: a row of 1 values, the first line names 2 columns");
-    refused("time [s],yaw [mrad]\n0,\n",
-            ":2: no value of yaw; rows cannot have gaps: fill it or leave the column out");
-    refused("time [s],yaw [mrad]\n0,1 mrad\n",
-            ":2: \"1 mrad\" of yaw is not a number; units stand in the first line");
-    refused("time [s],yaw [rad]\n0,5\n",
-            ":2: yaw = 5 is out of range; -50 mrad to 50 mrad is accepted, in the unit of the first line");
-    refused("time [s]\n0\n2\n1\n", ":4: time = 1 is less than in the row before; sort the rows");
-    refused("time [s]\n0\n2\n2\n", ":4: time = 2 stands in the row before, too; leave one of them out");
-    refused("yaw [mrad]\n1\n",
-            ": neither time nor distance; one of them must be a column, such as \"time [s]\"");
-    refused("time [s],torque [N m],creepage [%]\n0,1,1\n",
-            ": torque and creepage; one follows from the other: leave one of the columns out");
-    refused("time [s],load right [kN]\n0,80\n",
-            ": load right without load left; write both, or load for a load that both wheels have");
-    refused("time [s],load [kN],load right [kN],load left [kN]\n0,1,1,1\n",
-            ": load beside load right and load left; leave it out, or the two others");
-    refused(
-      "time [s],radius [m]\n0,0\n1,-12\n",
-      ":3: radius = -12 is out of range; 20 m to 100 km on either side, or 0 is accepted, in the unit of "
-      "the first line");
-    refused("# nothing\n",
-            ": no rows; such a table has a first line with names and units, and rows of numbers");
-    test::check_text(test::message_of([]() { read_motion_file("no_such.csv"); }),
-                     "no_such.csv: no such file; a motion is a table of rows over time or distance",
-                     "no file");
-  }
-
-  /// Tables as other programs write them: decimal commas, a line of units, columns and names of their own.
-  void
-  test_foreign_tables()
-  {
-    const auto value = [](const MotionFile &rows, const MotionQuantity quantity) {
-      const auto *const column = rows.find(quantity);
-      return column && column->size() == 1 ? column->front() : std::nan("");
-    };
-    using Q = MotionQuantity;
-    const File commas("time [s];yaw [mrad]\n0,5;1,25\n");
-    check_near(value(read_motion_file(commas.path()), Q::time), 0.5, 1e-15, "a decimal comma");
-    check_near(value(read_motion_file(commas.path()), Q::yaw), 1.25e-3, 1e-15, "another one");
-    const File tabs("time [s]\tyaw [mrad]\n0,5\t1,25\n");
-    check_near(value(read_motion_file(tabs.path()), Q::yaw), 1.25e-3, 1e-15, "decimal commas between tabs");
-    const File units("distance;yaw;traction\nm;[mrad];1\n10;2;0.1\n");
-    check_near(value(read_motion_file(units.path()), Q::distance), 10, 1e-15, "units in a line of their own");
-    check_near(value(read_motion_file(units.path()), Q::yaw), 2e-3, 1e-15, "with brackets, too");
-
-    const File       more("time [s];Y_11 [N];y_ws;acceleration [m/s2]\n0;3;2,5;1\n");
-    const MotionFile left = read_vehicle_file(more.path());
-    check(left.quantities.size() == 1 && left.notes.size() == 1, "columns that are not known are left out");
-    test::check_text(left.notes.at(0),
-                     more.path() +
-                       ": columns that are not used: \"Y_11 [N]\", \"y_ws\", \"acceleration [m/s2]\"; a "
-                       "table of names tells what they are called here (--columns)",
-                     "and named");
-    refused(
-      "time [s];acceleration [m/s2]\n0;1\n",
-      ":1: column \"acceleration [m/s2]\" is not known; there are time, distance, lateral shift, roll, "
-      "yaw, load, load right, load left, velocity, torque, traction, creepage, lateral creepage, radius "
-      "and cant, each with its unit in brackets, such as \"load [kN]\"");
-    const File near("time [s];jaw [mrad]\n0;1\n");
-    check(test::message_of([&]() { read_vehicle_file(near.path()); }).find("perhaps yaw is meant") !=
-            std::string::npos,
-          "a name like a known one is refused");
-
-    std::ofstream("names.csv") << "# there; here\ny_ws;-lateral shift [mm]\n";
-    check_near(value(read_vehicle_file(more.path(), "names.csv"), Q::lateral_shift),
-               -2.5e-3,
-               1e-15,
-               "a name of another program, whose sign is turned");
-    std::ofstream("names.csv") << "y_ws;shift\n";
-    test::check_text(test::message_of([&]() { read_vehicle_file(more.path(), "names.csv"); }).substr(0, 40),
-                     "names.csv:1: \"shift\" is no column; there",
-                     "a name that is not known here");
-    std::ofstream("names.csv") << "y_ws\n";
-    test::check_text(
-      test::message_of([&]() { read_vehicle_file(more.path(), "names.csv"); }),
-      "names.csv:1: a line holds two names with a comma, semicolon or tab between: that in the "
-      "rows and that here, such as \"y_ws;lateral shift [mm]\"",
-      "one name");
-    std::ofstream("names.csv") << "y_ws;yaw\ny_ws;roll\n";
-    test::check_text(test::message_of([&]() { read_vehicle_file(more.path(), "names.csv"); }),
-                     "names.csv:2: \"y_ws\" stands in a line before, too; leave one of them out",
-                     "a name twice");
-    std::filesystem::remove("names.csv");
-  }
-
   /// Those of the command itself.
   void
   test_command()
@@ -464,8 +325,6 @@ namespace
 int
 main()
 {
-  test_messages();
-  test_foreign_tables();
   test_command();
   test_scene_of_row();
   test_free_rows();

@@ -1,6 +1,7 @@
 // Profiles that wear: volumes, the size of steps, the pressure that evens out, going on after a stop.
 
 #include "messages.h"
+#include "worn_profiles.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
@@ -21,30 +22,14 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::worn;
 
 namespace
 {
-  /// One wheel that pulls, on elements of 1 mm; all wears over the rail.
   Scene
   pulling()
   {
-    Scene scene;
-    scene.wheel_load             = 100e3;
-    scene.traction_coefficient   = 0.25;
-    scene.halfspace_element_size = 1e-3;
-    scene.wear.archard           = 5e-4;
-    scene.wear_plan.gross_load   = 300e6;
-    return scene;
-  }
-
-  WearState
-  worn(const Scene &scene)
-  {
-    double    weights = 1;
-    WearState state   = begin_wear(read_profiles(scene));
-    wear_on(
-      scene, mix_rows(scene, scene.wheel_load, weights), [](const WearState &) {}, state);
-    return state;
+    return test::wearing_scene(0.25, 300e6);
   }
 
   double

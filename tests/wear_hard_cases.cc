@@ -1,6 +1,7 @@
 // Wear of odd mixes and profiles: two patches on the flange, noise, ends of a profile, bad numbers.
 
 #include "messages.h"
+#include "worn_profiles.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
@@ -16,29 +17,14 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::worn;
 
 namespace
 {
   Scene
   small()
   {
-    Scene scene;
-    scene.wheel_load             = 100e3;
-    scene.traction_coefficient   = 0.1;
-    scene.halfspace_element_size = 1e-3;
-    scene.wear.archard           = 5e-4;
-    scene.wear_plan.gross_load   = 50e6;
-    return scene;
-  }
-
-  WearState
-  worn(const Scene &scene)
-  {
-    double    weights = 1;
-    WearState state   = begin_wear(read_profiles(scene));
-    wear_on(
-      scene, mix_rows(scene, scene.wheel_load, weights), [](const WearState &) {}, state);
-    return state;
+    return test::wearing_scene(0.1, 50e6);
   }
 
   /// At -5.5 mm tread and flange root carry: both wear, the flange at its side.

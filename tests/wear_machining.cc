@@ -1,6 +1,7 @@
 // Grinding and turning between steps of wear, and cracks net of wear.
 
 #include "check.h"
+#include "worn_profiles.h"
 
 #include <wheelrail/damage/machining.h>
 #include <wheelrail/reference/wear_evolution.h>
@@ -14,6 +15,7 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::worn;
 
 namespace
 {
@@ -75,27 +77,7 @@ namespace
   Scene
   pulling()
   {
-    Scene scene;
-    scene.wheel_load             = 100e3;
-    scene.traction_coefficient   = 0.25;
-    scene.halfspace_element_size = 1e-3;
-    scene.wear.archard           = 5e-4;
-    scene.wear_plan.gross_load   = 300e6;
-    return scene;
-  }
-
-  WearState
-  worn(const Scene &scene, std::vector<MachiningEvent> &events)
-  {
-    double    weights = 1;
-    WearState state   = begin_wear(read_profiles(scene));
-    wear_on(
-      scene,
-      mix_rows(scene, scene.wheel_load, weights),
-      [](const WearState &) {},
-      state,
-      [&](const MachiningEvent &done) { events.push_back(done); });
-    return state;
+    return test::wearing_scene(0.25, 300e6);
   }
 
   /// Every 100 000 t of 300 000: twice, not at the end.
@@ -106,7 +88,7 @@ namespace
     scene.wear_plan.grind_to    = "54E1";
     scene.wear_plan.grind_every = 100e6;
     std::vector<MachiningEvent> events;
-    const WearState             state = worn(scene, events);
+    const WearState state = worn(scene, [&](const MachiningEvent &done) { events.push_back(done); });
     check(events.size() == 2 && state.grindings == 2, "ground twice: " + std::to_string(events.size()));
     double told = 0;
     for (const MachiningEvent &event : events)
@@ -139,7 +121,7 @@ namespace
     scene.wear_plan.turn_to    = "S1002";
     scene.wear_plan.turn_every = 0.6e6;
     events.clear();
-    const WearState wheel = worn(scene, events);
+    const WearState wheel = worn(scene, [&](const MachiningEvent &done) { events.push_back(done); });
     check(events.size() == 1 && !events[0].of_rail && wheel.turnings == 1 && wheel.grindings == 0,
           "a wheel that wears alone is turned, its rail is not ground");
     check_near(wheel.steps.back().distance / 1e6, 1, 1e-9, "and rolls as far as planned");
@@ -156,11 +138,11 @@ namespace
     Scene                       scene = pulling();
     std::vector<MachiningEvent> events;
     scene.wear.crack_depth = 1; // no wear takes such cracks away
-    const WearState deep   = worn(scene, events);
+    const WearState deep   = worn(scene, [&](const MachiningEvent &done) { events.push_back(done); });
     check_near(
       deep.steps.back().rail_cracks / deep.steps.back().rail_damage, 1, 0.02, "without wear: growth alone");
     scene.wear.crack_depth  = 1e-5;
-    const WearState shallow = worn(scene, events);
+    const WearState shallow = worn(scene, [&](const MachiningEvent &done) { events.push_back(done); });
     check_near(shallow.steps.back().rail_damage, deep.steps.back().rail_damage, 1e-12, "Burstow's own stays");
     // depth 5e-4 of some 3 nm a passage against 1e-5 m x 0.6e-5 a passage: wear wins but at the patch's rim
     check(shallow.steps.back().rail_cracks < 0.3 * shallow.steps.back().rail_damage,

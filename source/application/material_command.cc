@@ -5,6 +5,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/model.h>
+#include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>

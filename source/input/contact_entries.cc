@@ -80,8 +80,8 @@ namespace wheelrail
     list.push_back(choice_entry<bool>(
       {"Contact",
        "Surface filter",
-       "consistent: gaps and forces pass a filter that removes most of the mesh error of the pressure "
-       "in the cell size out of the surface response of the mesh; none: bare nodes."},
+       "consistent: gaps and forces pass a filter that removes most of the mesh error of the pressure; "
+       "none: bare nodes."},
       {{"consistent", true}, {"none", false}},
       field(&S::surface_filter)));
     list.push_back(pure_entry({"Contact",

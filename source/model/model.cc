@@ -6,6 +6,7 @@
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/motion_way.h>
 #include <wheelrail/model/planned_strip.h>
+#include <wheelrail/model/scene_material.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/model/scene_parts.h>
 #include <wheelrail/solid/highest_frequency.h>
@@ -195,29 +196,6 @@ namespace wheelrail
       return {all.begin(), all.end()};
     }
   } // namespace
-
-
-  Elasticity
-  elasticity(const MaterialData &material)
-  {
-    return {material.youngs_modulus, material.poissons_ratio, material.density};
-  }
-
-
-  MaterialLaw
-  material_law(const MaterialData &material)
-  {
-    if (!material.yields())
-      return ElasticLaw(elasticity(material));
-    if (material.law == SteelLaw::chaboche)
-      {
-        CyclicHardening hardening = material.cyclic;
-        hardening.yield_stress    = material.yield_stress;
-        return ChabocheLaw(elasticity(material), hardening);
-      }
-    return BilinearLaw(elasticity(material),
-                       {material.yield_stress, material.tangent_modulus, material.kinematic_hardening});
-  }
 
 
   TimeScheme

@@ -242,8 +242,7 @@ namespace wheelrail
     for (int j = 0; j < grid.my && !first; ++j)
       for (int i = 0; i < grid.mx; ++i)
         shear += std::sin(rows_[j].angle) * solution_.traction_y[i + grid.mx * j] * grid.element_area();
-    problem_.normal_force =
-      (load.vertical ? load.force : load.force * std::cos(geometry_.contact.frame.angle)) + shear;
+    problem_.normal_force             = vertical_load(load) + shear;
     const double yaw                  = load.along_track ? 0 : geometry_.contact.yaw;
     problem_.longitudinal_force_given = !load.rate_held;
     if (load.rate_held)
@@ -301,14 +300,20 @@ namespace wheelrail
             change = 1e3;
             continue;
           }
-        const double wanted =
-          load.vertical ? load.force : load.force * std::cos(geometry_.contact.frame.angle);
-        missed = std::abs(vertical() - wanted) / wanted;
+        const double wanted = vertical_load(load);
+        missed              = std::abs(vertical() - wanted) / wanted;
         if (change < 1 && missed < load_settled && problem_.tangential_tolerance == tolerance)
           return;
       }
     solution_.coupling_converged = false;
     solution_.not_reached += "Pressure, load and the stretch of the tread did not settle to each other. ";
+  }
+
+
+  double
+  BodyContact::vertical_load(const WheelRailLoad &load) const
+  {
+    return load.vertical ? load.force : load.force * std::cos(geometry_.contact.frame.angle);
   }
 
 

@@ -1,19 +1,10 @@
 #include <wheelrail/bodies/kept_tables.h>
 #include <wheelrail/mesh/wheel_section.h>
+#include <wheelrail/model/scene_material.h>
 #include <wheelrail/reference/body_tables.h>
 
 namespace wheelrail
 {
-  namespace
-  {
-    Elasticity
-    elasticity(const MaterialData &material)
-    {
-      return {material.youngs_modulus, material.poissons_ratio, material.density};
-    }
-  } // namespace
-
-
   BodyTables
   make_body_tables(const Scene          &scene,
                    const SceneGeometry  &geometry,

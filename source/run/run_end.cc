@@ -272,7 +272,7 @@ namespace wheelrail
     add_drive(summary, run.scene, centre_radius);
     summary.rolled_distance = run.axle.travelled();
     summary.velocity        = run.scene.velocity;
-    add_wear(summary, run.scene, run.recorder.wear(run.recorder.averaging_stretch(run.scene)));
+    add_wear(summary, run.scene, run.recorder.wear(run.scene));
     summary.elements   = double(model.solid.quality.elements);
     summary.time_steps = double(run.rolling.steps());
     summary.time_step  = model.time_step;

@@ -1,3 +1,4 @@
+#include <wheelrail/model/scene_material.h>
 #include <wheelrail/run/run_in.h>
 #include <wheelrail/sampling/creep_scale.h>
 #include <wheelrail/sampling/settling.h>

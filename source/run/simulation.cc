@@ -321,7 +321,7 @@ namespace wheelrail
           log_.warning(warning);
       on_root(communicator_, [&]() {
         write_summary(summary, scene_.folder + "/summary.json");
-        write_wear(run.recorder.wear(run.recorder.averaging_stretch(scene_)), scene_.folder + "/wear.csv");
+        write_wear(run.recorder.wear(scene_), scene_.folder + "/wear.csv");
       });
       for (const std::string &line : end_screen(summary, scene_.folder))
         log_.line(line);

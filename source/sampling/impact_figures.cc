@@ -7,19 +7,6 @@
 
 namespace wheelrail
 {
-  namespace
-  {
-    const std::vector<double> *
-    find_column(const History &history, const std::string &name)
-    {
-      for (std::size_t c = 0; c < history.names.size(); ++c)
-        if (history.names[c] == name)
-          return &history.columns[c];
-      return nullptr;
-    }
-  } // namespace
-
-
   void
   add_impact_figures(const History &history, const double load, Summary &summary)
   {

@@ -1,3 +1,4 @@
+#include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/sampling/impact_figures.h>
 #include <wheelrail/sampling/patch_measures.h>
@@ -172,13 +173,14 @@ namespace wheelrail
 
 
   WearProfile
-  Recorder::wear(const Range &stretch) const
+  Recorder::wear(const Scene &scene) const
   {
     WearProfile    profile;
     const Lattice &lattice = model_.contact->lattice();
     if (state_.wear.columns.size() != 1 + 2 * std::size_t(lattice.n_lateral))
       return profile;
-    const auto mean = [&](const std::size_t c) {
+    const Range stretch = averaging_stretch(scene);
+    const auto  mean    = [&](const std::size_t c) {
       return mean_over(state_.wear.columns[0], state_.wear.columns[c], stretch).mean;
     };
     for (unsigned int j = 0; j < lattice.n_lateral; ++j)

@@ -11,21 +11,12 @@ namespace wheelrail
   void
   add_track_figures(const History &history, const Range &stretch, Summary &summary)
   {
-    const auto has = [&](const char *name) {
-      return std::find(history.names.begin(), history.names.end(), name) != history.names.end();
-    };
-    if (!has("foot_deflection"))
-      return;
-    set_figure(
-      summary,
-      "foot_deflection_m",
-      mean_over(column(history, "rolled_distance"), column(history, "foot_deflection"), stretch).mean);
-    if (!has("largest_pad_force"))
-      return;
+    if (const auto *deflection = find_column(history, "foot_deflection"))
+      set_figure(summary,
+                 "foot_deflection_m",
+                 mean_over(column(history, "rolled_distance"), *deflection, stretch).mean);
     for (const std::string name : {"largest_pad_force", "largest_pad_pull"})
-      {
-        const std::vector<double> &values = column(history, name);
-        set_figure(summary, name + "_N", *std::max_element(values.begin(), values.end()));
-      }
+      if (const auto *values = find_column(history, name))
+        set_figure(summary, name + "_N", *std::max_element(values->begin(), values->end()));
   }
 } // namespace wheelrail

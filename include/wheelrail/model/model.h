@@ -33,14 +33,6 @@ namespace wheelrail
     double reach = 0; ///< of the undeformed overlap at that approach, along the track from the contact [m]
   };
 
-  /// Elastic constants of an input block.
-  Elasticity
-  elasticity(const MaterialData &material);
-
-  /// Its material law.
-  MaterialLaw
-  material_law(const MaterialData &material);
-
   TimeScheme
   time_scheme(const Scene &scene, const Model &model);
 

@@ -54,7 +54,11 @@ namespace wheelrail
     std::vector<std::vector<double>> columns;
   };
 
-  /// The column of that name; throws std::logic_error when there is none.
+  /// The column of that name; null when there is none.
+  const std::vector<double> *
+  find_column(const History &table, const std::string &name);
+
+  /// The same; throws std::logic_error when there is none.
   const std::vector<double> &
   column(const History &table, const std::string &name);
 } // namespace wheelrail

@@ -64,6 +64,10 @@ namespace wheelrail
     double
     solve_round(const WheelRailLoad &load);
 
+    /// What the wheel has to be borne with [N].
+    double
+    vertical_load(const WheelRailLoad &load) const;
+
     /// How much the wheel's surface is moved upwards, by the tractions of the solution and by turning [m].
     std::vector<double>
     wheel_rise() const;

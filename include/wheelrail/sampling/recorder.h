@@ -58,9 +58,9 @@ namespace wheelrail
     Range
     averaging_stretch(const Scene &scene) const;
 
-    /// Wear across the rail, means over the stretch; empty without rows.
+    /// Wear across the rail, means over averaging_stretch(); empty without rows.
     WearProfile
-    wear(const Range &stretch) const;
+    wear(const Scene &scene) const;
 
     /// Whether the rows so far are enough for a run that ends by itself, see judge_steadiness().
     Steadiness

@@ -93,7 +93,6 @@ namespace wheelrail
     same   ///< the one before, with what it has yielded
   };
 
-  /// Where the rigid slip of the half-space contact comes from.
   /// What the commands for half-spaces take wheel and rail for.
   enum class ContactBodies
   {
@@ -101,6 +100,7 @@ namespace wheelrail
     real         ///< this wheel on its bore and this rail on its foot, doc/theory/bodies.md
   };
 
+  /// Where the rigid slip of the half-space contact comes from.
   enum class HalfspaceSpin
   {
     local_radius, ///< every slice rolls with its own radius and inclination

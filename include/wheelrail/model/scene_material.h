@@ -1,0 +1,15 @@
+#pragma once
+
+#include <wheelrail/material/material_law.h>
+#include <wheelrail/scene/scene.h>
+
+namespace wheelrail
+{
+  /// Elastic constants of an input block.
+  Elasticity
+  elasticity(const MaterialData &material);
+
+  /// Its material law.
+  MaterialLaw
+  material_law(const MaterialData &material);
+} // namespace wheelrail

@@ -1,0 +1,26 @@
+#include <wheelrail/model/scene_material.h>
+
+namespace wheelrail
+{
+  Elasticity
+  elasticity(const MaterialData &material)
+  {
+    return {material.youngs_modulus, material.poissons_ratio, material.density};
+  }
+
+
+  MaterialLaw
+  material_law(const MaterialData &material)
+  {
+    if (!material.yields())
+      return ElasticLaw(elasticity(material));
+    if (material.law == SteelLaw::chaboche)
+      {
+        CyclicHardening hardening = material.cyclic;
+        hardening.yield_stress    = material.yield_stress;
+        return ChabocheLaw(elasticity(material), hardening);
+      }
+    return BilinearLaw(elasticity(material),
+                       {material.yield_stress, material.tangent_modulus, material.kinematic_hardening});
+  }
+} // namespace wheelrail
