@@ -151,7 +151,8 @@ namespace wheelrail
     const auto given = [&](const char *option) {
       return std::find(arguments.begin(), arguments.end(), option) != arguments.end();
     };
-    return !arguments.empty() && arguments.front() == "run" && !given("--validate") && !given("--help");
+    return !arguments.empty() && (arguments.front() == "run" || arguments.front() == "wear") &&
+           !given("--validate") && !given("--help");
   }
 
   int

@@ -11,8 +11,8 @@ namespace wheelrail
   /// The command line after the program's name.
   using Arguments = std::vector<std::string>;
 
-  /// Whether these arguments start a simulation and so need MPI; `run --validate` and `run --help`
-  /// do not.
+  /// Whether these arguments start what several processes share, `run` or `wear`, and so need MPI; with
+  /// `--validate` or `--help` they do not.
   bool
   needs_mpi(const Arguments &arguments);
 
