@@ -7,6 +7,7 @@ FOLDER holds wear.csv and profiles/; the page is FOLDER/wear.html, its pictures 
 """
 
 import html
+import json
 import os
 import sys
 
@@ -125,6 +126,17 @@ def figures(table):
     return "\n".join(rows + ["</table>"])
 
 
+def remarks(folder):
+    """What wear.json says besides: that the plan is not done, and what was found on the way; "" without that file."""
+    path = os.path.join(folder, "wear.json")
+    if not os.path.exists(path):
+        return ""
+    with open(path, encoding="utf-8") as file:
+        state = json.load(file)
+    sentences = [] if state["finished"] else ["Not finished: the same command goes on from here."]
+    return "".join(f"<p>{html.escape(sentence)}</p>" for sentence in sentences + [state["note"]] if sentence)
+
+
 def make_page(folder):
     table = columns.read(os.path.join(folder, "wear.csv"))
     over, label = traffic(table)
@@ -136,7 +148,7 @@ def make_page(folder):
     pictures += [draw_history(table, over, label, title, rows, os.path.join(pictures_folder, name + ".png"))
                  for name, title, rows in HISTORIES]
     given = inputs.table(inputs.wear_rows(inputs.read(folder)))
-    parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>",
+    parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>", remarks(folder),
              f"<div class=top><div><h2>Inputs</h2>{given}</div>" if given else "<div class=top>",
              f"<div><h2>Key results</h2>{figures(table)}</div></div>", "<h2>Pictures</h2>",
              page.pictures_html([picture for picture in pictures if picture], broad=("rail", "wheel"))]
