@@ -14,12 +14,12 @@ namespace wheelrail
   namespace
   {
     /// A shape with its ways, and what it loses.
-    struct Surface
+    struct WearingSurface
     {
-      Surface(const WornShape     &of,
-              std::vector<double> &sections_taken,
-              std::vector<double> &damage_added,
-              std::vector<double> &cracks_added)
+      WearingSurface(const WornShape     &of,
+                     std::vector<double> &sections_taken,
+                     std::vector<double> &damage_added,
+                     std::vector<double> &cracks_added)
         : shape(of)
         , arc(arc_of(of.points))
         , cells(cell_lengths(arc))
@@ -45,7 +45,7 @@ namespace wheelrail
               const double               damage,
               const double               cracks,
               const Placement           &placement,
-              Surface                   &surface)
+              WearingSurface            &surface)
     {
       const auto way_at = [&](const Point2 &track) {
         return arc_next_to(surface.shape.points, surface.arc, placement.to_section(track));
@@ -108,7 +108,7 @@ namespace wheelrail
     }
 
     void
-    add_wheel(const Solved &wheel, Surface &rail, Surface &tread, MixWear &sum)
+    add_wheel(const Solved &wheel, WearingSurface &rail, WearingSurface &tread, MixWear &sum)
     {
       std::vector<const WheelRailSolution *> patches = {&*wheel.solution};
       for (const WheelRailSolution &other : wheel.solution->others)
@@ -186,8 +186,8 @@ namespace wheelrail
   {
     std::vector<std::vector<Solved>> solved(rows.size());
     parallel_for(rows.size(), [&](const std::size_t k) { solved[k] = solve_row(rows[k], profiles); });
-    MixWear sum;
-    Surface on_rail(rail, sum.rail_section, sum.rail_damage, sum.rail_cracks),
+    MixWear        sum;
+    WearingSurface on_rail(rail, sum.rail_section, sum.rail_damage, sum.rail_cracks),
       on_tread(wheel, sum.wheel_section, sum.wheel_damage, sum.wheel_cracks);
     // in the order of the rows, on any number of threads
     for (const std::vector<Solved> &row : solved)
