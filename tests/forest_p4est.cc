@@ -10,7 +10,9 @@
 #include "scenes/p4est_mesh.h"
 #include "small_scene.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <string>
 

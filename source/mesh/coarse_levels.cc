@@ -4,6 +4,7 @@
 #include <wheelrail/mesh/mesh_topology.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <unordered_map>

@@ -1,6 +1,9 @@
 #include <wheelrail/mesh/mesh_topology.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
 
 namespace wheelrail
 {

@@ -10,6 +10,10 @@
 #include "scenes/p4est_mesh.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <vector>
 
 using namespace wheelrail;
 
