@@ -3,7 +3,7 @@
 # Whether a file includes headers of deal.II, directly or through a header of ours.
 function(find_deal_ii_use file result)
   get_property(known GLOBAL PROPERTY "deal_ii_use ${file}")
-  if(NOT known)
+  if("${known}" STREQUAL "")
     file(STRINGS ${file} lines REGEX "^#include <(deal\\.II|wheelrail)/")
     set(known no)
     foreach(line ${lines})
