@@ -18,7 +18,7 @@ namespace
 {
   constexpr double      radius = 0.46, largest_pressure = 1e9, friction = 0.4, stiffness = 1e15;
   constexpr double      shear_modulus = 210e9 / 2.6, velocity = 40;
-  const StartBodies steel;
+  const HalfspaceSteels steel;
 
 
   FrameProfile
