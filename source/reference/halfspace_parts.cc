@@ -49,8 +49,10 @@ namespace wheelrail
   plane_motion(const Scene &scene, const ContactGeometry &contact)
   {
     WheelMotion motion = wheel_motion(scene, contact);
-    motion.spin        = scene.halfspace_given_spin;
-    motion.one_spin    = std::isfinite(motion.spin) || scene.halfspace_spin == HalfspaceSpin::contact;
+    const bool  given  = std::isfinite(scene.halfspace_given_spin);
+    if (given)
+      motion.spin = scene.halfspace_given_spin;
+    motion.one_spin = given || scene.halfspace_spin == HalfspaceSpin::contact;
     return motion;
   }
 
