@@ -40,9 +40,9 @@ namespace wheelrail
                      const double       load,
                      const double       lateral)
     {
-      const StartBodies bodies   = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
-      const double      velocity = loads.axle.velocity, aside = loads.axle.lateral_creepage;
-      const double      force =
+      const HalfspaceSteels bodies   = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
+      const double          velocity = loads.axle.velocity, aside = loads.axle.lateral_creepage;
+      const double          force =
         (loads.traction_coefficient * load - lateral * std::sin(loads.yaw)) / std::cos(loads.yaw);
       return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, velocity, aside)
                              : start_tractions(contact, force, bodies, velocity, aside);
