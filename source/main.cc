@@ -114,7 +114,8 @@ main(int argc, char **argv)
   const Arguments arguments(argv + 1, argv + argc);
   if (needs_mpi(arguments))
     {
-      catch_interrupts();
+      if (arguments.front() == "run") // which saves its state; wear has kept all but the step under way
+        catch_interrupts();
       return run_in_parallel(argc, argv, arguments);
     }
   const Failure failure = guarded([&]() { return execute(arguments, run_scene, std::cout); });

@@ -193,10 +193,11 @@ namespace
     const std::string other =
       "; Half-space/Bodies = real does not take it: write half-spaces there, or leave this "
       "entry out";
-    check_text(refused("Half-space/Lateral offset = 1 mm"),
-               "--set: Half-space/Lateral offset = 1 mm: a pose by hand, where the bodies find theirs" +
-                 other,
-               "an offset with true bodies");
+    check_text(
+      refused("Half-space/Lateral offset = 1 mm"),
+      "--set: Half-space/Lateral offset = 1 mm: a position given by hand, where the bodies find their own" +
+        other,
+      "an offset with true bodies");
     check_text(refused("Half-space/Undeformed distance = hertz"),
                "--set: Half-space/Undeformed distance = hertz: a distance without bodies" + other,
                "a given distance with true bodies");

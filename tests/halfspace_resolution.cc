@@ -78,7 +78,7 @@ main()
   one.pressure = {0, 0, 0, 0, 5e6, 0, 0, 0, 0};
   check_text(
     resolution_note(sphere(1), one),
-    "Half-space/Element size = 0.4 mm: 1 element lies across the contact, too few for figures: the peak "
+    "Half-space/Element size = 0.4 mm: 1 element lies across the contact, too few for results: the peak "
     "pressure may be off by 5 % and more",
     "a contact on one element");
   return test::report();

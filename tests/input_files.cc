@@ -16,6 +16,7 @@
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/scene/one_wheel.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -267,6 +268,13 @@ namespace
     check(needs_mpi({"run", "x.prm"}) && !needs_mpi({"run", "x.prm", "--validate"}) &&
             !needs_mpi({"geometry"}) && !needs_mpi({}),
           "only a run needs MPI");
+    unsetenv("PMIX_RANK");
+    unsetenv("OMPI_COMM_WORLD_SIZE");
+    check(!needs_mpi({"wear", "x.prm"}), "wear by itself is one process");
+    setenv("PMIX_RANK", "0", 1);
+    check(needs_mpi({"wear", "x.prm"}) && !needs_mpi({"halfspace", "x.prm"}),
+          "under a launcher of MPI it shares");
+    unsetenv("PMIX_RANK");
     const std::vector<double> shifts = parse_shifts("-6:6:0.5");
     check_near(static_cast<double>(shifts.size()), 25, 0, "shifts: number");
     check_near(shifts.front(), -0.006, 0, "shifts: first");

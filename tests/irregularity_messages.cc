@@ -109,7 +109,7 @@ namespace
             "rises and falls within 3 mm, which cells of 1 mm cannot follow; take Mesh/Solution cell size = "
             "0.37 mm");
     warned({one + "Kind = dent", depth, place, one + "Length = 6 mm"},
-           ", fewer than eight cells of 1 mm; take Mesh/Solution cell size = 0.75 mm for figures");
+           ", fewer than eight cells of 1 mm; take Mesh/Solution cell size = 0.75 mm for results");
     warned({one + "Kind = dent", depth, place, one + "Length = 9 mm"},
            " long: it lies over several waves, and the force follows only a part of their height");
     warned(

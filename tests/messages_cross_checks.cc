@@ -27,7 +27,7 @@ namespace
     check_set(
       "Run/Evaluate at = 55 mm",
       "--set: Run/Evaluate at = 55 mm: half of Run/Averaging distance = 20 mm on either side of it must "
-      "lie on the way, from 0 mm to Run/Rolling distance = 60 mm");
+      "lie on the path, from 0 mm to Run/Rolling distance = 60 mm");
     check_text(message_of([&]() {
                  require_computable(scene_from_text(
                    "", "x.prm", {"Run/Rolling distance = until steady", "Run/Evaluate at = 30 mm"}));
@@ -283,11 +283,11 @@ namespace
     check_warning({"Mesh/Solution cell size = 4 mm", "Mesh/Fine margin = 4 mm"},
                   "Mesh/Solution cell size = 4 mm: coarse; a patch of about 20 mm x 14 mm (width x length) "
                   "is expected, which is less than six cells in one direction, so the peak pressure will be "
-                  "some 10 % or more off; take 1.4 mm for figures");
+                  "some 10 % or more off; take 1.4 mm for results");
     check_warning({"Wheelset/Sprung mass = 1.2 t", "Mesh/Solution cell size = 2 mm"},
                   "Mesh/Solution cell size = 2 mm: coarse; a patch of about 6.7 mm x 7.8 mm (width x length) "
                   "is expected, which is less than six cells in one direction, so the peak pressure will be "
-                  "some 10 % or more off; take 0.6 mm for figures");
+                  "some 10 % or more off; take 0.6 mm for results");
     check_warning({"Run/Time step factor = 0.001"},
                   "Run/Rolling distance = 60 mm: takes about 10 million time steps at Wheelset/Velocity = "
                   "140 km/h, Mesh/Solution cell size = 1 mm and Run/Time step factor = 0.001, days of "
@@ -311,7 +311,7 @@ namespace
       {"Mesh/Solution cell size = 5 mm", "Mesh/Coarse cell size = 20 mm", "Mesh/Fine margin = 5 mm"},
       "Mesh/Solution cell size = 5 mm: too coarse; a patch of about 20 mm x 14 mm (width x length) is "
       "expected and needs three cells in length, so at most 4.7 mm is accepted, and a tenth of the patch for "
-      "figures that can be trusted");
+      "results that can be trusted");
     check_error(
       {"Mesh/Solution cell size = 0.1 mm",
        "Mesh/Coarse cell size = 1.6 mm",

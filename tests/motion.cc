@@ -137,7 +137,7 @@ namespace
             "Wheelset/Motion start = first row: without a load there is no contact; start where " + file +
               " has one");
     scene.motion_start = 3;
-    refused(scene, "Wheelset/Motion start = 3 m: not on the way of " + file + ", which goes from 0 m to 2 m");
+    refused(scene, "Wheelset/Motion start = 3 m: outside of " + file + ", which goes from 0 m to 2 m");
     scene.motion_start = 1.95;
     refused(scene,
             "Run/Rolling distance = 100 mm: leaves " + file +
@@ -164,17 +164,19 @@ namespace
     refused(
       scene_with("distance [mm],lateral shift [mm]\n0,0\n50,0\n50.000001,1\n200,1\n"),
       entry +
-        ": from row 2 to row 3, over 1e-06 mm of way, the lateral shift changes with an acceleration of "
+        ": from row 2 to row 3, over 1e-06 mm of distance, the lateral shift changes with an acceleration of "
         "9.1e+18 m/s2; at most 10000 m/s2 (some 1000 g) is accepted: take the jump out, or spread it "
-        "over more way");
+        "over a longer distance");
     refused_from(
       scene_with("distance [mm],velocity [km/h]\n0,140\n50,140\n50.0001,400\n200,400\n"),
-      entry + ": from row 2 to row 3, over 0.0001 mm of way, the velocity changes with an acceleration of ");
-    refused_from(scene_with("distance [mm],velocity [m/s]\n0,39\n50,39\n51,40\n200,40\n"),
-                 entry +
-                   ": from row 2 to row 3, over 1 mm of way, the velocity changes with an acceleration of ");
+      entry +
+        ": from row 2 to row 3, over 0.0001 mm of distance, the velocity changes with an acceleration of ");
+    refused_from(
+      scene_with("distance [mm],velocity [m/s]\n0,39\n50,39\n51,40\n200,40\n"),
+      entry + ": from row 2 to row 3, over 1 mm of distance, the velocity changes with an acceleration of ");
     refused_from(scene_with("distance [mm],yaw [mrad]\n0,0\n50,0\n51,5\n200,5\n"),
-                 entry + ": from row 2 to row 3, over 1 mm of way, the yaw changes with an acceleration of ");
+                 entry +
+                   ": from row 2 to row 3, over 1 mm of distance, the yaw changes with an acceleration of ");
     // beyond the way of the run rows may say what they like; within it, what wheelsets do
     check_text(test::message_of([]() {
                  SceneMotion motion(

@@ -141,7 +141,7 @@ def resume(base):
         folders[ranks] = copy(base, f"resumed_{ranks}")
         code, text = run(folders[ranks], "--resume", ranks=ranks)
         check(code == 0, f"resumed on {ranks} ranks")
-        told = (f"warning: the state was saved by 2 ranks and goes on with {ranks}: figures agree up to the growth of "
+        told = (f"warning: the state was saved by 2 ranks and goes on with {ranks}: results agree up to the growth of "
                 "round-off\n")
         check((told in text) == (ranks != 2), "another number of ranks is told")
         check_files(folders[ranks], f"{ranks} ranks")

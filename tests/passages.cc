@@ -249,7 +249,7 @@ namespace
         told = error.what();
       }
     check(told.rfind("passage 2: the run stopped: ", 0) == 0 &&
-            told.find("; the 1 before it are kept, with their figures in passages_stopped/passages.csv") !=
+            told.find("; the 1 before it are kept, with their results in passages_stopped/passages.csv") !=
               std::string::npos,
           "a passage that stops: " + told);
     check(read_summary(passage_folder(family.folder, 1) + "/summary.json").finished, "the first one is kept");

@@ -149,7 +149,7 @@ CAUSES = {
     "noise": r"fluctuates by [\d.]+ % of its mean",
     "cells": r"too few cells: [\d.]+ of 3 mm lie across",
     "drift": r"still changes, by",
-    "torque": r"from what the torque of the wheel asks",
+    "torque": r"from what the torque of the wheel demands",
 }
 
 

@@ -49,7 +49,7 @@ for name, header in (("history", "normal force [kN]"), ("patch", "along [mm],lat
     check(header in lines[0] and len(lines) > 2 and len({line.count(",") for line in lines}) == 1, f"csv/{name}.csv: {lines[0]}")
 code, out, error = report(script, folder, "--tick", "0,2")
 check(code == 0 and os.path.exists(os.path.join(folder, "pictures", "shear_instants.png")), "shear at chosen ticks")
-check_sentence(report(script, folder, "--tick", "9"), "no tick 9", "from 0 to 2")
+check_sentence(report(script, folder, "--tick", "9"), "no output step 9", "from 0 to 2")
 check_sentence(report(script, os.path.join(folder, "none")), "There is no folder")
 with tempfile.TemporaryDirectory() as empty:
     check_sentence(report(script, empty), "holds no results")

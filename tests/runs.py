@@ -5,6 +5,7 @@ Usage: runs.py PROGRAM MPIEXEC FILE.prm RUN
 Leaves FILE.output in the present folder: the stored result with this run's figures in it.
 """
 
+import csv
 import json
 import math
 import os
@@ -196,12 +197,45 @@ def check_below(limit, cell):
                   f"(at {1e3 * worst[1]:.1f} mm; below 6 mm three quarters count), limit {limit} x {cell:g} mm")
 
 
+def worn(path):
+    """Lateral places [m] and depths [m] of the first patch of a table of wear, and the spacing of the places."""
+    with open(path, newline="") as table:
+        rows = [row for row in csv.DictReader(table) if float(row["patch"]) == 1]
+    lateral, depth = (np.array([float(row[key]) for row in rows]) for key in ("lateral_m", "archard_depth_m"))
+    return lateral, depth, lateral[1] - lateral[0]
+
+
+def check_wear(limit):
+    """Work of friction and depth of wear at each lateral place against half-spaces on elements of 0.1 mm: on larger ones
+    their own wear is too small, in proportion to the element. Depths of the half-spaces are means over the width of a
+    row of the run; differences count over the largest depth."""
+    figures = {line["key"]: line for line in read_json("run/compare.json")["figures"]}
+    for key in ("t_gamma_N", "archard_section_m2"):
+        run, half_spaces = number(figures[key], "fe"), number(figures[key], "halfspace")
+        check(abs(run / half_spaces - 1) <= allowed(limit, 1),
+              f"{key}: run over half-spaces of 0.1 mm {100 * (run / half_spaces - 1):+.2f} %, limit {limit}")
+    places, depths, width = worn("run/wear.csv")
+    fine, theirs, step = worn("run/halfspace_wear.csv")
+    ends = np.append(fine - 0.5 * step, fine[-1] + 0.5 * step)
+    section = np.append(0, np.cumsum(theirs) * step)
+    means = (np.interp(places + 0.5 * width, ends, section) - np.interp(places - 0.5 * width, ends, section)) / width
+    apart = np.abs(depths - means) / depths.max()
+    check(apart.max() <= allowed(limit, 1),
+          f"depth of wear at each lateral place within {100 * apart.max():.2f} % of the largest (at "
+          f"{1e3 * places[apart.argmax()]:+.1f} mm), limit {limit}")
+    summary = read_json("run/summary.json")
+    readings = number(summary, "t_gamma_N") / number(summary, "creepage_work_N") - 1
+    check(abs(readings) <= allowed(limit, 1),
+          f"work of friction over that of force, moment and creepage of the run {100 * readings:+.2f} %, limit {limit}")
+
+
 def main():
     program, mpiexec, scene, run = sys.argv[1:]
     ranks, entries, limits = read_scene(scene, run)
     sets = [word for entry in ["Output/Folder = run", *entries] for word in ("--set", entry)]
     execute(mpiexec, "--bind-to", "none", "--oversubscribe", "-q", "-n", str(ranks), program, "run", scene,
             "--overwrite", *sets)
+    wear = limits.pop("wear", None) if limits else None
     if limits:
         execute(program, "compare", "run", "--no-pictures")
         check_half_spaces(limits)
@@ -211,6 +245,10 @@ def main():
     check(run in stored, f"{os.path.basename(stored_file)} holds a result of run {run}")
     check_stored(stored.get(run, []), figures)
     write_stored(os.path.basename(stored_file), stored, run, figures)
+    if wear:
+        execute(program, "compare", "run", "--no-pictures", "--bodies", "half-spaces",
+                "--set", "Half-space/Element size = 0.1 mm")
+        check_wear(wear)
     finish()
 
 

@@ -77,12 +77,13 @@ namespace
       {
         said = error.what();
       }
-    check_text(said,
-               "Run/Staggered starts = 9: each start lies " + rounded_mm(step) +
-                 " farther along than the one before, and the last one leaves no way that all wheels have "
-                 "rolled over; take "
-                 "fewer, or a longer Run/Rolling distance and Track/Rail length",
-               "too many are refused");
+    check_text(
+      said,
+      "Run/Staggered starts = 9: each start lies " + rounded_mm(step) +
+        " farther along than the one before, and the last one leaves no stretch that all wheels have "
+        "rolled over; take "
+        "fewer, or a longer Run/Rolling distance and Track/Rail length",
+      "too many are refused");
   }
 
   double

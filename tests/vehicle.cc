@@ -99,11 +99,12 @@ namespace
                                      "Wheelset/Velocity = 500 km/h",
                                      "--set",
                                      "Wheelset/Centre of gravity height = 0 m"});
-    check(unheld.rfind("--wheelset: The pose in which the forces on the wheelset balance was not found: ",
-                       0) == 0 &&
-            unheld.find("are left over. Look at the wheelset with the command halfspace first") !=
-              std::string::npos,
-          "a curve that no flange holds: " + unheld);
+    check(
+      unheld.rfind("--wheelset: No shift and yaw were found at which the forces on the wheelset balance: ",
+                   0) == 0 &&
+        unheld.find("are left over. Look at the wheelset with the command halfspace first") !=
+          std::string::npos,
+      "a curve that no flange holds: " + unheld);
     check(read_motion_file(WHEELRAIL_SOURCE_DIR "/prm/s_curve.csv").rows() > 100,
           "the curve of prm/ can be read");
   }

@@ -71,12 +71,14 @@ namespace
   {
     check(judge_run(Scene(), good()).findings.empty(), "the main scene is trusted");
     const Grade care = Grade::with_care, no = Grade::not_trusted;
-    test_rule(
-      &Measures::cells, 6.4, care, "Too few cells: 6.4 of 1 mm lie across the patch, which takes about 3 %");
+    test_rule(&Measures::cells,
+              6.4,
+              care,
+              "Too few cells: 6.4 of 1 mm lie across the patch, which lowers the peak pressure by about 3 %");
     test_rule(&Measures::cells,
               4.5,
               no,
-              "which takes about 6 % from the peak pressure; take Mesh/Solution cell size = 0.5 mm.");
+              "which lowers the peak pressure by about 6 %; take Mesh/Solution cell size = 0.5 mm.");
     test_rule(
       &Measures::cells, 2, no, "2.0 of 1 mm lie across the patch; take Mesh/Solution cell size = 0.25 mm.");
     test_rule(&Measures::cells_across_peak, 3.2, care, "3.2 of 1 mm lie across the highest pressure");
@@ -88,7 +90,7 @@ namespace
     test_rule(&Measures::penetration,
               0.08,
               no,
-              "which takes about 6 % from the peak pressure; raise Contact/Penalty scale.");
+              "which lowers the peak pressure by about 6 %; raise Contact/Penalty scale.");
     test_rule(&Measures::unsteadiness, 0.009, Grade::trusted, "");
     test_rule(&Measures::unsteadiness, 0.03, care, "The forces vary by 3.0 % of the load");
     test_rule(&Measures::unsteadiness, 0.085, no, "The forces vary by 8.5 % of the load");
@@ -101,7 +103,7 @@ namespace
     test_rule(&Measures::swing, 0.3, no, "Creepage fluctuates by 30.0 % in the means over 2 mm");
     test_rule(&Measures::drift, 0.03, care, "Contact area still changes, by 3.0 %");
     test_rule(&Measures::drift, 0.069, no, "Contact area still changes, by 6.9 %");
-    test_rule(&Measures::settled_after, 50e-3, care, "Not all figures have come within 1 %");
+    test_rule(&Measures::settled_after, 50e-3, care, "Not all results have come within 1 %");
     test_rule(&Measures::energy_error, 0.007, care, "The energy balance is off by 0.7 %");
     test_rule(&Measures::energy_error, 0.015, no, "The energy balance is off by 1.5 %");
     test_rule(&Measures::load_miss, -0.02, care, "The mean vertical force is 2.0 % below the wheel load");
@@ -124,11 +126,11 @@ namespace
     Verdict verdict   = judge_run(Scene(), m);
     check(verdict.findings.empty(), "yielding is no fault");
     check_text(
-      verdict.limits, "steel has flowed (plastic strain up to 2.9e-3)", "and takes the reference away");
+      verdict.limits, "steel has yielded (plastic strain up to 2.9e-3)", "and takes the reference away");
     check_text(
       difference_of_models(m, verdict),
-      "the peak pressure is 12 % below that of half-spaces under the same force and in the same pose: "
-      "the half-space solution is not a reliable reference here, since steel has flowed (plastic strain up "
+      "the peak pressure is 12 % below that of half-spaces under the same force and in the same position: "
+      "the half-space solution is not a reliable reference here, since steel has yielded (plastic strain up "
       "to 2.9e-3)",
       "which is said");
     m.cells_across_peak = 1.3;
@@ -195,11 +197,12 @@ namespace
     has(m, "by 1.5 % in peak pressure, which may be chance");
     m.plastic_strain = 2.9e-3;
     m.turn           = 0.5;
-    has(m,
-        "The half-space solution is not a reliable reference here, since steel has flowed (plastic strain up "
-        "to 2.9e-3) "
-        "and the "
-        "surfaces turn by 29 degrees");
+    has(
+      m,
+      "The half-space solution is not a reliable reference here, since steel has yielded (plastic strain up "
+      "to 2.9e-3) "
+      "and the "
+      "surfaces turn by 29 degrees");
     m        = good();
     m.beyond = {"creepage by +6.20 % (limit 5 % or 0.15 1e-3)", "contact area by -7.00 % (limit 5 %)"};
     has(
@@ -253,7 +256,7 @@ namespace
     const auto deep = judge(input.scene, geometry, summary);
     holds(deep.empty() ? "" : deep[0],
           "steel has flowed down to 8.6 mm, below the fine cells, which are 5.0 mm deep: the depth of the "
-          "band and the "
+          "plastic zone and the "
           "stresses left there are those of coarser cells; raise Mesh/Fine depth to 10 mm",
           "flow below the fine cells");
     check(summary.doubts.empty(), "is said, and leaves the figures of the patch trusted");

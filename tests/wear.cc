@@ -31,6 +31,7 @@ namespace
     check_near(rate(77), 55.0, 1e-12, "to 77.2 N/mm2");
     check_near(rate(77.2 + 1e-9), 55.0, 1e-6, "and on, where the source jumps to nothing");
     check_near(rate(100), 61.9 * 100 - 4778.7, 1e-9, "then 61.9 T/A - 4778.7");
+    check(std::isnan(rate(std::nan(""))), "no rate where T-gamma is not determined");
     check_near(rate(4778.7 / 61.9 + 55 / 61.9), 55, 1e-9, "which begins at the plateau");
 
     const WearData data;

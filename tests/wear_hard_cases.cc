@@ -106,6 +106,22 @@ namespace
           "an unknown target: " + unknown);
   }
 
+  /// A wheel that locks or spins up is no traffic: its wear would have no end.
+  void
+  test_sliding()
+  {
+    for (const double traction : {0.6, -0.6})
+      {
+        Scene scene                = small();
+        scene.traction_coefficient = traction;
+        const std::string said     = test::message_of([&]() { worn(scene); });
+        test::check_text(said,
+                         "the scene: friction does not carry the traction, so that the wheel locks or spins "
+                         "up; take less traction, or give the creepage of a wheel that slides",
+                         "traction beyond friction");
+      }
+  }
+
   /// Weights of 3 and 1 are shares of 3/4 and 1/4.
   void
   test_weights()
@@ -128,6 +144,7 @@ main()
   test_noise();
   test_ends();
   test_bad_numbers();
+  test_sliding();
   test_weights();
   return test::report();
 }

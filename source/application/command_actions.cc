@@ -26,6 +26,7 @@
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/given_distance.h>
+#include <wheelrail/reference/wear_mix.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/scene/one_wheel.h>
@@ -283,8 +284,9 @@ namespace wheelrail
         throw InputError(text +
                          ": both sides wear alike, as on a line with as many curves to the left as to the "
                          "right; write as right");
-    for (const std::string &warning : found.warnings)
-      out << "warning: " << warning << "\n";
+    if (team_of_job().rank == 0)
+      for (const std::string &warning : found.warnings)
+        out << "warning: " << warning << "\n";
     return run_wear_command(scene, !options.count("no-pictures"), out);
   }
 

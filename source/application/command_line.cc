@@ -6,6 +6,7 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace wheelrail
 {
@@ -151,7 +152,13 @@ namespace wheelrail
     const auto given = [&](const char *option) {
       return std::find(arguments.begin(), arguments.end(), option) != arguments.end();
     };
-    return !arguments.empty() && arguments.front() == "run" && !given("--validate") && !given("--help");
+    if (arguments.empty() || given("--validate") || given("--help"))
+      return false;
+    // MPI started without its mpirun starts a daemon of its own, which a single process has no use for
+    const auto launched = [](const char *variable) { return std::getenv(variable) != nullptr; };
+    return arguments.front() == "run" ||
+           (arguments.front() == "wear" && (launched("OMPI_COMM_WORLD_SIZE") || launched("PMIX_RANK") ||
+                                            launched("PMI_RANK") || launched("MPI_LOCALRANKID")));
   }
 
   int

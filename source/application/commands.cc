@@ -20,7 +20,7 @@ namespace wheelrail
     void
     add_no_pictures_option(po::options_description &options)
     {
-      options.add_options()("no-pictures", "only figures and fields, which takes a second");
+      options.add_options()("no-pictures", "only results and fields, which takes a second");
     }
 
     void
@@ -74,7 +74,7 @@ namespace wheelrail
          options.add_options()(
            "wheelset",
            "roll the modelled wheel as it rolls on its wheelset: half-spaces of both wheels "
-           "give it load, pose and creepage first");
+           "give it load, position and creepage first");
        },
        act_run},
       {"geometry",
@@ -176,7 +176,8 @@ namespace wheelrail
        act_parameters},
       {"compare",
        "FOLDER",
-       "a finished run against two half-spaces under its load and in its pose, and against its own bodies",
+       "a finished run against two half-spaces under its load and in its position, and against its own "
+       "bodies",
        [](po::options_description &options) {
          add_set_option(options);
          add_bodies_option(options, "real");
@@ -189,7 +190,7 @@ namespace wheelrail
        [](po::options_description &options) {
          options.add_options()("tick",
                                po::value<std::string>(),
-                               "the tick to draw: a number, or last; several with commas between also "
+                               "the output step to draw: a number, or last; several with commas between also "
                                "draw the shear traction at each");
          options.add_options()("csv", "also write histories, maps and sections as tables into FOLDER/csv");
        },

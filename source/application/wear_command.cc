@@ -13,6 +13,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -49,17 +50,20 @@ namespace wheelrail
     }
 
     void
-    print_step(const WearState &state, std::ostream &out)
+    print_step(const WearState &state, const WornBody worn, std::ostream &out)
     {
       const WearStep &step = state.steps.back();
-      out << text(
-               "%5zu  %-22s rail %8.4f mm, wheel %8.4f mm deep   peak %6.0f MPa, T-gamma %7.2f N in the mean",
-               state.steps.size() - 1,
-               reached(step).c_str(),
-               1e3 * step.rail_depth,
-               1e3 * step.wheel_depth,
-               1e-6 * step.mean_pressure,
-               step.mean_t_gamma)
+      std::string     depths;
+      if (worn != WornBody::wheel)
+        depths = text("rail %.4f mm", 1e3 * step.rail_depth);
+      if (worn != WornBody::rail)
+        depths += text("%swheel %.4f mm", depths.empty() ? "" : ", ", 1e3 * step.wheel_depth);
+      out << text("%5zu  %-22s %s worn; mean of the mix: peak pressure %.0f MPa, T-gamma %.2f N",
+                  state.steps.size() - 1,
+                  reached(step).c_str(),
+                  depths.c_str(),
+                  1e-6 * step.mean_pressure,
+                  step.mean_t_gamma)
           << std::endl;
     }
 
@@ -145,8 +149,12 @@ namespace wheelrail
 
 
   int
-  run_wear_command(const Scene &scene, const bool draws, std::ostream &out)
+  run_wear_command(const Scene &scene, const bool draws, std::ostream &screen)
   {
+    const RowTeam             team  = team_of_job();
+    const bool                leads = team.rank == 0; // who writes and speaks for all
+    std::ostringstream        unheard;
+    std::ostream             &out      = leads ? screen : unheard;
     const SceneProfiles       profiles = read_profiles(scene);
     const double              load     = static_wheel_load(scene, profiles.wheel);
     double                    weights  = 1;
@@ -166,6 +174,8 @@ namespace wheelrail
     std::string torn;
     fs::path    folder;
     const auto  keep = [&](const WearState &now) {
+      if (!leads)
+        return;
       if (folder.empty()) // made once the first state is computed: bad input leaves none
         {
           folder = folder_beside(scene.folder, "-wear");
@@ -175,11 +185,12 @@ namespace wheelrail
           replace_file((folder / "parameters.prm").string(), print_parameters(scene));
         }
       write_state(folder, now, scene.wear_plan.worn, digest);
-      print_step(now, out);
+      print_step(now, scene.wear_plan.worn, out);
     };
     try
       {
-        wear_on(scene, rows, keep, state, [&](const MachiningEvent &done) { print_machining(done, out); });
+        wear_on(
+          scene, rows, keep, state, [&](const MachiningEvent &done) { print_machining(done, out); }, team);
       }
     catch (const InputError &error)
       {
@@ -192,7 +203,7 @@ namespace wheelrail
     if (!torn.empty())
       out << "stopped: " << torn << '\n';
     out << "Results in " << folder.string() << std::endl;
-    if (draws)
+    if (draws && leads)
       draw_results("wear_evolution.py", folder.string());
     return torn.empty() ? 0 : 2;
   }

@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include <sched.h>
+
 namespace wheelrail
 {
   void
@@ -39,5 +41,16 @@ namespace wheelrail
       other.join();
     if (failure)
       std::rethrow_exception(failure);
+  }
+
+
+  unsigned int
+  processors_of_process()
+  {
+    cpu_set_t mask;
+    CPU_ZERO(&mask);
+    if (sched_getaffinity(0, sizeof(mask), &mask) != 0) // more processors than the mask holds
+      return 1;
+    return std::max(1, CPU_COUNT(&mask));
   }
 } // namespace wheelrail

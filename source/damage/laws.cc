@@ -12,6 +12,8 @@ namespace wheelrail
                      offset     = 4778.7; // ug/(m mm2) over N/mm2
     constexpr double micrograms = 1e-3;   // kg/m3
     const double     t          = 1e-6 * t_gamma_over_area;
+    if (std::isnan(t)) // a wheel that spins up slides as fast as it likes
+      return t;
     if (t < first)
       return micrograms * std::min(mild * t, plateau);
     if (t < second)

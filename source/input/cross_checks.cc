@@ -273,11 +273,11 @@ namespace wheelrail
       refuse(scene.halfspace_lateral != 0,
              "Half-space",
              "Lateral offset",
-             "a pose by hand, where the bodies find theirs");
+             "a position given by hand, where the bodies find their own");
       refuse(scene.halfspace_inclination != 0,
              "Half-space",
              "Extra inclination",
-             "a pose by hand, where the bodies find theirs");
+             "a position given by hand, where the bodies find their own");
       refuse(scene.both_wheels, "Wheelset", "Wheels", "two wheels on one axle");
     }
   } // namespace
@@ -362,7 +362,7 @@ namespace wheelrail
               scene.evaluate_at + 0.5 * scene.averaging_distance > scene.path() + 1e-9))
       found.errors.push_back(entry_text(scene, "Run", "Evaluate at") +
                              ": half of Run/Averaging distance = " + rounded_mm(scene.averaging_distance) +
-                             " on either side of it must lie on the way, from 0 mm to " + path_text(scene));
+                             " on either side of it must lie on the path, from 0 mm to " + path_text(scene));
     const double spacing = scene.path() / scene.ticks;
     if (scene.ticks > 1 && spacing < 0.1 * scene.cell_size)
       found.errors.push_back(

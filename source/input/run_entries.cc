@@ -53,7 +53,7 @@ namespace wheelrail
           {"Run",
            "Passages",
            "Wheels that pass one after the other over a rail that yields, each a run in a folder of "
-           "its own (passage_001, ...); passages.csv has their figures. until steady: as many as it "
+           "its own (passage_001, ...); passages.csv has their results. until steady: as many as it "
            "takes until the rail shakes down or each flows as much as the one before."},
           1,
           1000,

@@ -124,7 +124,7 @@ namespace wheelrail
       {"Study",
        "Compute",
        "run: finite elements; halfspace: half-spaces under the scene's own load; both: finite elements, and "
-       "half-spaces under the load and in the pose of each run."},
+       "half-spaces under the load and in the position of each run."},
       {{"run", StudyComputation::run},
        {"halfspace", StudyComputation::halfspace},
        {"both", StudyComputation::both}},

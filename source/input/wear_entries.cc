@@ -135,7 +135,7 @@ namespace wheelrail
       number_entry({"Wear",
                     "Shear yield stress",
                     "k of the rail's surface, for fatigue index and shakedown load. auto: from Rail "
-                    "material/Yield stress; without one both figures are left out."},
+                    "material/Yield stress; without one both results are left out."},
                    D::stress,
                    "MPa",
                    B::between("10 MPa", "2000 MPa"),

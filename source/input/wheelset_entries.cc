@@ -282,7 +282,8 @@ namespace wheelrail
       list.push_back(name_or_file_entry(
         {"Wheelset",
          "Motion",
-         "none: the wheelset keeps its pose; else a table over time or distance, of a vehicle simulation, "
+         "none: the wheelset keeps its position; else a table over time or distance, of a vehicle "
+         "simulation, "
          "that "
          "the run follows: its columns take the place of lateral shift, roll, yaw, load, velocity, torque, "
          "traction, creepage, lateral creepage."},
@@ -293,7 +294,7 @@ namespace wheelrail
       list.push_back(with_word(number_entry({"Wheelset",
                                              "Motion start",
                                              "Where the run begins in that table: its distance, or, where it "
-                                             "has only time, the way since its first row."},
+                                             "has only time, the distance since its first row."},
                                             D::length,
                                             "m",
                                             B::between("-1e6 m", "1e6 m"),

@@ -25,7 +25,7 @@ namespace wheelrail
         found.warnings.push_back(entry_text(scene, one.name, "Kind") + ": rises and falls within " +
                                  rounded_mm(one.shortest) + ", fewer than eight cells of " +
                                  rounded_mm(scene.cell_size) +
-                                 "; take Mesh/Solution cell size = " + rounded_mm(rounded) + " for figures");
+                                 "; take Mesh/Solution cell size = " + rounded_mm(rounded) + " for results");
     }
 
     /// The largest height where the wheel stands at the start [m].

@@ -53,9 +53,8 @@ namespace wheelrail
     check_times(motion);
     const double end = start + scene_.path(), round_off = 1e-9;
     if (start < along.front() - round_off || start > along.back())
-      throw InputError(entry_text(scene_, "Wheelset", "Motion start") + ": not on the way of " +
-                       scene_.motion + ", which goes from " + in_m(along.front()) + " to " +
-                       in_m(along.back()));
+      throw InputError(entry_text(scene_, "Wheelset", "Motion start") + ": outside of " + scene_.motion +
+                       ", which goes from " + in_m(along.front()) + " to " + in_m(along.back()));
     if (end > along.back() + round_off)
       throw InputError(path_text(scene_) + ": leaves " + scene_.motion + ", whose rows go from " +
                        in_m(along.front()) + " to " + in_m(along.back()) + ", since the run starts at " +
@@ -144,10 +143,10 @@ namespace wheelrail
           if (one.arm * largest > most)
             throw InputError(
               entry_text(scene_, "Wheelset", "Motion") + ": " + rows(row - 1, row) + ", over " +
-              about(1e3 * (rolled[row] - rolled[row - 1])) + " mm of way, the " + motion_name(one.quantity) +
-              " changes with an acceleration of " + about(one.arm * largest) + " m/s2" +
-              (one.arm < 1 ? " at the wheel" : "") + "; at most " + about(most) +
-              " m/s2 (some 1000 g) is accepted: take the jump out, or spread it over more way");
+              about(1e3 * (rolled[row] - rolled[row - 1])) + " mm of distance, the " +
+              motion_name(one.quantity) + " changes with an acceleration of " + about(one.arm * largest) +
+              " m/s2" + (one.arm < 1 ? " at the wheel" : "") + "; at most " + about(most) +
+              " m/s2 (some 1000 g) is accepted: take the jump out, or spread it over a longer distance");
         }
   }
 } // namespace wheelrail

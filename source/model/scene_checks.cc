@@ -50,13 +50,13 @@ namespace wheelrail
         found.errors.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": too coarse; " + size +
                                " and needs three cells in length, so at most " +
                                rounded_mm(std::floor(1e4 * patch.length / 3) / 1e4) +
-                               " is accepted, and a tenth of the patch for figures that can be trusted");
+                               " is accepted, and a tenth of the patch for results that can be trusted");
       else if (scene.cell_size > smallest / 6)
         found.warnings.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": coarse; " + size +
                                  ", which is less than six cells in one direction, so the peak pressure "
                                  "will be some 10 % or more off; take " +
                                  rounded_mm(std::max(1e-4, std::floor(1e4 * smallest / 10) / 1e4)) +
-                                 " for figures");
+                                 " for results");
     }
 
     std::string

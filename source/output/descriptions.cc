@@ -33,7 +33,8 @@ namespace wheelrail
       {"stress_xz", "Cauchy shear stress xz"},
       {"stress_xy", "Cauchy shear stress xy"},
       {"forward_shear",
-       "displacement along Z per way outwards, the loads taken off: plastic shear that goes forward at the "
+       "displacement along Z per distance outwards, the loads taken off: plastic shear that goes forward at "
+       "the "
        "surface"},
       {"plastic_strain", "accumulated plastic strain of the cell"},
       {"time", "time since the static start"},

@@ -157,7 +157,7 @@ namespace wheelrail
               ? ""
               : "too coarse for this contact, elements of " + in_mm(used, 1e5) + " were taken; ") +
            counted_elements(n) + " across the contact" +
-           (n < least_across ? ", too few for figures: the peak pressure may be off by 5 % and more" : "");
+           (n < least_across ? ", too few for results: the peak pressure may be off by 5 % and more" : "");
   }
 
 

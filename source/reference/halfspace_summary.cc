@@ -109,7 +109,7 @@ namespace wheelrail
       set_figure(summary, "frictional_power_W", t_gamma * scene.velocity);
       const WearProfile wear = halfspace_wear(result.problem, result.solution, scene.velocity, scene.wear);
       WornContact       worn;
-      worn.wear             = &wear;
+      worn.wear             = determined || at_rest ? &wear : nullptr;
       worn.normal_force     = s.fn;
       worn.tangential_force = std::hypot(s.fx, s.fy);
       worn.peak_pressure    = s.peak_pressure;

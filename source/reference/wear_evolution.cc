@@ -211,13 +211,14 @@ namespace wheelrail
           const std::vector<MixRow>                         &rows,
           const std::function<void(const WearState &)>      &keep,
           WearState                                         &state,
-          const std::function<void(const MachiningEvent &)> &tell)
+          const std::function<void(const MachiningEvent &)> &tell,
+          const RowTeam                                     &team)
   {
     const WearPlan &plan = scene.wear_plan;
     while (!state.finished)
       {
         const SceneProfiles profiles = profiles_of(state.rail, state.wheel, scene);
-        const MixWear       wear     = wear_of_mix(rows, profiles, state.rail, state.wheel);
+        const MixWear       wear     = wear_of_mix(rows, profiles, state.rail, state.wheel, team);
         const double        turns    = plan.worn == WornBody::both ? turns_of_a_passage(scene) : 1;
         const auto          rail =
           taken(wear.rail_section, state.rail, plan.worn == WornBody::wheel ? 0 : 1, plan.smoothing);

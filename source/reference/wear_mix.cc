@@ -82,29 +82,33 @@ namespace wheelrail
       double                           share = 0;
     };
 
+    /// A wheel that locks wears at one place, one that spins up as fast as it likes: neither is traffic.
+    void
+    require_rolling(const std::vector<Solved> &wheels)
+    {
+      for (const Solved &wheel : wheels)
+        if (wheel.solution && !wheel.solution->solution.within_friction &&
+            !wheel.solution->problem.friction.frictionless())
+          throw InputError(
+            "friction does not carry the traction, so that the wheel locks or spins up; take "
+            "less traction, or give the creepage of a wheel that slides");
+    }
+
     std::vector<Solved>
     solve_row(const MixRow &row, const SceneProfiles &profiles)
     {
-      try
+      if (!row.scene.both_wheels)
         {
-          if (!row.scene.both_wheels)
-            {
-              const SceneGeometry geometry = make_geometry(row.scene, profiles);
-              return {{solve_alone({row.scene, geometry, row.scene.wheel_load}, std::nullopt),
-                       geometry.contact,
-                       row.scene,
-                       row.share}};
-            }
-          const WheelsetSolution wheelset =
-            solve_wheelset(row.scene, row.left, {profiles, profiles}, std::nullopt);
-          return {
-            {wheelset.axle.right, wheelset.right.geometry.contact, wheelset.right.scene, 0.5 * row.share},
-            {wheelset.axle.left, wheelset.left.geometry.contact, wheelset.left.scene, 0.5 * row.share}};
+          const SceneGeometry geometry = make_geometry(row.scene, profiles);
+          return {{solve_alone({row.scene, geometry, row.scene.wheel_load}, std::nullopt),
+                   geometry.contact,
+                   row.scene,
+                   row.share}};
         }
-      catch (const InputError &error)
-        {
-          throw InputError(row.name + ": " + error.what());
-        }
+      const WheelsetSolution wheelset =
+        solve_wheelset(row.scene, row.left, {profiles, profiles}, std::nullopt);
+      return {{wheelset.axle.right, wheelset.right.geometry.contact, wheelset.right.scene, 0.5 * row.share},
+              {wheelset.axle.left, wheelset.left.geometry.contact, wheelset.left.scene, 0.5 * row.share}};
     }
 
     void
@@ -133,6 +137,65 @@ namespace wheelrail
       sum.peak_pressure = std::max(sum.peak_pressure, peak);
       sum.mean_t_gamma += wheel.share * t_gamma;
       sum.peak_t_gamma = std::max(sum.peak_t_gamma, t_gamma);
+    }
+
+    MixWear
+    empty_wear(const WornShape &rail, const WornShape &wheel)
+    {
+      const std::vector<double> of_rail(rail.points.size(), 0), of_wheel(wheel.points.size(), 0);
+      MixWear                   wear;
+      wear.rail_section = wear.rail_damage = wear.rail_cracks = of_rail;
+      wear.wheel_section = wear.wheel_damage = wear.wheel_cracks = of_wheel;
+      return wear;
+    }
+
+    /// What one row does; with a fault where it cannot be solved, so that all processes of a team learn it.
+    MixWear
+    wear_of_row(const MixRow        &row,
+                const SceneProfiles &profiles,
+                const WornShape     &rail,
+                const WornShape     &wheel)
+    {
+      MixWear        wear = empty_wear(rail, wheel);
+      WearingSurface on_rail(rail, wear.rail_section, wear.rail_damage, wear.rail_cracks),
+        on_tread(wheel, wear.wheel_section, wear.wheel_damage, wear.wheel_cracks);
+      try
+        {
+          const std::vector<Solved> wheels = solve_row(row, profiles);
+          require_rolling(wheels);
+          for (const Solved &one : wheels)
+            {
+              wear.axle_load += 2 * one.share * one.scene.wheel_load;
+              if (one.solution)
+                add_wheel(one, on_rail, on_tread, wear);
+            }
+        }
+      catch (const InputError &error)
+        {
+          wear.fault = row.name + ": " + error.what();
+        }
+      return wear;
+    }
+
+    void
+    add_row(const MixWear &row, MixWear &sum)
+    {
+      const auto each = [](const std::vector<double> &from, std::vector<double> &to) {
+        for (std::size_t k = 0; k < to.size(); ++k)
+          to[k] += from[k];
+      };
+      each(row.rail_section, sum.rail_section);
+      each(row.wheel_section, sum.wheel_section);
+      each(row.rail_damage, sum.rail_damage);
+      each(row.wheel_damage, sum.wheel_damage);
+      each(row.rail_cracks, sum.rail_cracks);
+      each(row.wheel_cracks, sum.wheel_cracks);
+      sum.mean_pressure += row.mean_pressure;
+      sum.peak_pressure = std::max(sum.peak_pressure, row.peak_pressure);
+      sum.mean_t_gamma += row.mean_t_gamma;
+      sum.peak_t_gamma = std::max(sum.peak_t_gamma, row.peak_t_gamma);
+      sum.axle_load += row.axle_load;
+      sum.at_end = sum.at_end || row.at_end;
     }
   } // namespace
 
@@ -182,21 +245,27 @@ namespace wheelrail
   wear_of_mix(const std::vector<MixRow> &rows,
               const SceneProfiles       &profiles,
               const WornShape           &rail,
-              const WornShape           &wheel)
+              const WornShape           &wheel,
+              const RowTeam             &team)
   {
-    std::vector<std::vector<Solved>> solved(rows.size());
-    parallel_for(rows.size(), [&](const std::size_t k) { solved[k] = solve_row(rows[k], profiles); });
-    MixWear        sum;
-    WearingSurface on_rail(rail, sum.rail_section, sum.rail_damage, sum.rail_cracks),
-      on_tread(wheel, sum.wheel_section, sum.wheel_damage, sum.wheel_cracks);
-    // in the order of the rows, on any number of threads
-    for (const std::vector<Solved> &row : solved)
-      for (const Solved &one : row)
-        {
-          sum.axle_load += 2 * one.share * one.scene.wheel_load;
-          if (one.solution)
-            add_wheel(one, on_rail, on_tread, sum);
-        }
+    std::vector<MixWear> of_rows(rows.size());
+    std::size_t          own = rows.size() / team.size + (team.rank < rows.size() % team.size ? 1 : 0);
+    parallel_for(
+      own,
+      [&](const std::size_t k) {
+        const std::size_t row = team.rank + k * team.size;
+        of_rows[row]          = wear_of_row(rows[row], profiles, rail, wheel);
+      },
+      team.size > 1 ? processors_of_process() : 0);
+    if (team.share)
+      team.share(of_rows);
+    MixWear sum = empty_wear(rail, wheel);
+    for (const MixWear &row : of_rows)
+      {
+        if (!row.fault.empty())
+          throw InputError(row.fault);
+        add_row(row, sum);
+      }
     return sum;
   }
 } // namespace wheelrail

@@ -152,7 +152,7 @@ namespace wheelrail
     void
     tell_unbalanced(WheelsetSolution &wheelset)
     {
-      const std::string what = "The pose in which the forces on the wheelset balance was not found: " +
+      const std::string what = "No shift and yaw were found at which the forces on the wheelset balance: " +
                                text("%.3g kN across and %.3g kN m about the vertical are left over. ",
                                     1e-3 * wheelset.lateral_missed,
                                     1e-3 * wheelset.yaw_missed);

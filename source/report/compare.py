@@ -85,7 +85,7 @@ def make_parts(run, comparison, pictures, shown):
             f"Half-space elements of {1e3 * comparison['element_size_m']:g} mm.")
     rows = inputs.rows(inputs.read(run.folder), run.summary)
     parts = [page.verdict_sentence(run.summary), f"<p class=remark>{html.escape(comparison['sentence'])}</p>",
-             "<p>Finite elements against two elastic half-spaces under the same load and in the same pose.</p>",
+             "<p>Finite elements against two elastic half-spaces under the same load and in the same position.</p>",
              "<div class=top><div><h2>Inputs</h2>", inputs.table(rows), "</div><div>"]
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in run.remarks]
     parts += ["<h2>Key results</h2>", table(comparison["figures"]),

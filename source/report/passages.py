@@ -26,7 +26,7 @@ CURVES = [
     [("max_pressure_Pa", 1e-6, "peak pressure [MPa]")],
     [("contact_area_m2", 1e6, "area of the patch [mm$^2$]")],
     [("patch_lateral_m", 1e3, "patch across [mm]"), ("patch_longitudinal_m", 1e3, "along [mm]")],
-    [("plastic_band_width_m", 1e3, "band width [mm]"), ("plastic_band_depth_m", 1e3, "depth [mm]")],
+    [("plastic_band_width_m", 1e3, "width of the plastic zone [mm]"), ("plastic_band_depth_m", 1e3, "depth [mm]")],
     [("residual_lateral_stress_Pa", 1e-6, "residual stress across [MPa]"),
      ("residual_longitudinal_stress_Pa", 1e-6, "along [MPa]")],
     [("plastic_work_rail_J", 1, "plastic work in the rail [J]")],
@@ -53,7 +53,7 @@ class Family:
             return None
         with h5py.File(path, "r") as file:
             if "BB_behind_rail" not in file:
-                self.remarks.append("passages.h5 has no cuts behind the wheels, which need a longer way; the pictures "
+                self.remarks.append("passages.h5 has no cuts behind the wheels, which need a longer distance; the pictures "
                                     "over depth are left out.")
                 return None
             cut = file["BB_behind_rail"]
@@ -95,7 +95,7 @@ def draw_growth(family):
     figure, all_axes = plt.subplots(len(rows), 1, figsize=(7.5, 1 + 2.4 * len(rows)), sharex=True, squeeze=False)
     for axes, (key, factor, label) in zip(all_axes[:, 0], rows):
         values = factor * family.table[key]
-        for sign, color, name in ((1, style.BLUE, "positive"), (-1, style.RED, "negative (against the way)")):
+        for sign, color, name in ((1, style.BLUE, "positive"), (-1, style.RED, "negative (backwards)")):
             part = sign * values > 0
             if part.any():
                 axes.plot(family.passages[part], np.abs(values[part]), "o-", color=color, markersize=4, label=name)
@@ -128,7 +128,7 @@ def draw_curves(family):
         else:
             axes.set_ylabel(rows[0][2])
         passage_axis(axes, family.passages)
-    return [("Patch, pressure, plastic band and residual stresses over the passages",
+    return [("Patch, pressure, plastic zone and residual stresses over the passages",
              style.save(family, figure, "passages"))]
 
 

@@ -133,6 +133,6 @@ def draw_all(run):
         return pictures
     height = section.y[section.corners].max(axis=1)
     section.corners = section.corners[height > height.max() - DEPTH]  # coarse cells reach farther down
-    pictures.append((f"Plane AA below the band at X = {middle:.1f} mm, upper {DEPTH} mm of the rail",
+    pictures.append((f"Plane AA below the plastic zone at X = {middle:.1f} mm, upper {DEPTH} mm of the rail",
                      draw_section(run, section)))
     return pictures

@@ -43,7 +43,7 @@ def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="report", description="Pictures and one page of a run.")
     parser.add_argument("folder", help="output folder of the run")
     parser.add_argument("--tick", default="last",
-                        help="tick to draw: a number, or last; several with commas also draw the shear at each")
+                        help="output step to draw: a number, or last; several with commas also draw the shear at each")
     parser.add_argument("--csv", action="store_true", help="also write histories, maps and sections as tables into FOLDER/csv")
     return parser.parse_args(arguments)
 

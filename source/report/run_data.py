@@ -54,9 +54,9 @@ class Run:
 
 
 def load_summary(run):
-    run.summary = run.try_to(lambda: run.data.summary, "The table of figures is left out.")
+    run.summary = run.try_to(lambda: run.data.summary, "The table of results is left out.")
     if run.summary is not None:
-        figures = run.try_to(lambda: run.data.figures, "Figures are shown by their keys, in SI units.")
+        figures = run.try_to(lambda: run.data.figures, "Results are shown by their keys, in SI units.")
         run.figures = list((figures or {}).values())
 
 
@@ -68,12 +68,12 @@ def figure_of(run, key):
 def choose_tick(ticks, wanted):
     """Number of a tick: last, or a number as a text."""
     if len(ticks) == 0:
-        raise ReportError(f"The file {ticks.path} holds no tick; run the scene for longer.")
+        raise ReportError(f"The file {ticks.path} holds no output step; run the scene for longer.")
     numbers = [int(name[5:]) for name in ticks.names]
     if wanted == "last":
         return numbers[-1]
     if not re.fullmatch(r"\d+", wanted) or int(wanted) not in numbers:
-        raise ReportError(f"There is no tick {wanted} in {ticks.path}; accepted are last and the numbers from "
+        raise ReportError(f"There is no output step {wanted} in {ticks.path}; accepted are last and the numbers from "
                           f"{numbers[0]} to {numbers[-1]}.")
     return int(wanted)
 

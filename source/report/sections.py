@@ -109,7 +109,7 @@ def draw_patch(axes, sections, span, color=style.RED, label=None):
     """The patch between two places s, drawn on the head, with a mark in its middle."""
     points = sections.on_rail(np.linspace(*sorted(span), 40))
     axes.plot(*points.T, color=color, linewidth=4, solid_capstyle="butt", label=label, zorder=3)
-    middle = points[20]
+    middle = sections.on_rail(0.5 * sum(span))[0]
     axes.plot(*middle, "v", color=color, markersize=6, zorder=4)
     return middle
 

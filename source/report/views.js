@@ -144,7 +144,7 @@ function patchMaps(view, field, number, withArrows) {
     layout.annotations.push({...mark, x: tick.places.AA, y: range.along[0], text: "AA", yanchor: "bottom", xanchor: "right"});
     layout.annotations.push({...mark, x: range.s[1], y: tick.places.BB, text: "BB", yanchor: "bottom", xanchor: "right"});
     if (view.sources[k].name)
-      layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1.08, xanchor: "center", yanchor: "bottom", showarrow: false, text: `<b>${view.sources[k].name}</b>`});
+      layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1, yshift: 26, xanchor: "center", yanchor: "bottom", showarrow: false, text: `<b>${view.sources[k].name}</b>`});
     layout.annotations.push(...sides(k, n));
   });
   const width = plotOf(view).clientWidth, ratio = (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]);
@@ -160,7 +160,7 @@ function patchMaps(view, field, number, withArrows) {
 }
 
 function patchSurfaces(view, field, number) {
-  const n = view.sources.length, traces = [], layout = {font: FONT, margin: {l: 0, r: 0, t: 30, b: 0}, height: 480, annotations: []};
+  const n = view.sources.length, traces = [], layout = {font: FONT, margin: {l: 0, r: 0, t: 30, b: 10}, height: 500, annotations: []};
   view.sources.forEach((source, k) => {
     const tick = tickOf(source, number), id = k ? String(k + 1) : "", scale = scaleOf(field), range = limits([tick]);
     traces.push({type: "surface", x: tick.s, y: tick.along, z: tick.fields[field.key].map(row => row.map(v => v === null ? 0 : v)), scene: "scene" + id,
@@ -168,7 +168,7 @@ function patchSurfaces(view, field, number) {
       colorbar: {title: {text: field.unit ? `${field.label} [${field.unit}]` : field.label, side: "right"}, thickness: 14},
       hovertemplate: `s %{x} mm, along %{y} mm<br>%{z} ${field.unit}<extra></extra>`});
     layout["scene" + id] = {domain: {x: domain(k, n)}, aspectmode: "manual",
-      aspectratio: {x: 1.4, y: 1.4 * (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]), z: 0.8}, camera: {eye: {x: 1.1, y: -1.7, z: 1.1}},
+      aspectratio: {x: 1.4, y: 1.4 * (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]), z: 0.8}, camera: {eye: {x: 1.2, y: -1.85, z: 1.15}},
       xaxis: {title: "s [mm]", range: range.s}, yaxis: {title: "along [mm]", range: range.along},
       zaxis: {title: field.unit, range: [scale.zmin, scale.zmax]}};
     if (source.name) layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1, xanchor: "center", yanchor: "bottom", showarrow: false, text: `<b>${source.name}</b>`});

@@ -45,7 +45,7 @@ def head_of(fields, where):
     first, last = rails.patch_span(fields)
     patch = where.on_rail(np.linspace(first, last, 24))
     return {"rail": [plain(line, 5) for line in where.rail.T], "patch": [plain(line, 5) for line in patch.T],
-            "face": plain(where.face, 5), "words": where.words(patch[12])}
+            "face": plain(where.face, 5), "words": where.words(where.on_rail(0.5 * (first + last))[0])}
 
 
 def patch_tick(tick, label, digits=6, where=None):

@@ -7,6 +7,7 @@ FOLDER holds wear.csv and profiles/; the page is FOLDER/wear.html, its pictures 
 """
 
 import html
+import json
 import os
 import sys
 
@@ -71,8 +72,11 @@ def draw_profiles(folder, body, states, over, label, path):
     """Profile above, worn depth and damage below, over the same places; gauge side on the left."""
     all_shapes = shapes(folder, body, states)
     rows = 3 if (all_shapes[-1][:, 3] > 0).any() else 2
-    figure, all_axes = plt.subplots(rows, 1, figsize=(9, 3 * rows), sharex=True, constrained_layout=True,
-                                    height_ratios=[2, 2, 1][:rows])
+    # as high as makes both scales of the profile about equal, axes being 8 inches wide and 5 % wider than the profile
+    wide, high = (1.05 * np.ptp(all_shapes[0][:, k]) for k in (0, 1))
+    heights = [8 * high / wide + 0.5, 3, 1.5][:rows]
+    figure, all_axes = plt.subplots(rows, 1, figsize=(9, sum(heights)), sharex=True, constrained_layout=True,
+                                    height_ratios=heights)
     colors = plt.get_cmap("viridis")(np.linspace(0, 0.9, len(states)))
     for shape, state, color in zip(all_shapes, states, colors):
         name = f"{over[state]:.4g}"
@@ -82,7 +86,6 @@ def draw_profiles(folder, body, states, over, label, path):
             all_axes[2].plot(shape[:, 0], shape[:, 3], color=color, linewidth=1.2)
             all_axes[2].set_ylabel("crack damage")
     all_axes[0].set(ylabel="y [mm]", title=f"Profile of the {body}")
-    all_axes[0].set_aspect("equal", adjustable="datalim")
     all_axes[1].set(ylabel="worn depth, along the normal [mm]")
     all_axes[1].set_ylim(bottom=0)
     all_axes[1].legend(title=label, fontsize=8)
@@ -114,12 +117,24 @@ def draw_history(table, over, label, title, rows, path):
 
 def figures(table):
     rows = ["<table><tr><th></th><th>new</th><th>worn</th><th></th></tr>"]
+    kept = [body for body in ("rail", "wheel") if not (table[body + "_depth_m"] > 0).any()]
     for key, factor, label, unit, digits in FIGURES:
         values = factor * table[key][[0, -1]]
-        if np.isfinite(values).all() and (values != 0).any():
+        if np.isfinite(values).all() and (values != 0).any() and label.split(":")[0] not in kept:
             rows.append(f"<tr><td>{html.escape(label)}</td>" + "".join(f"<td class=number>{value:.{digits}f}</td>" for value in values) +
                         f"<td>{unit}</td></tr>")
     return "\n".join(rows + ["</table>"])
+
+
+def remarks(folder):
+    """What wear.json says besides: that the plan is not done, and what was found on the way; "" without that file."""
+    path = os.path.join(folder, "wear.json")
+    if not os.path.exists(path):
+        return ""
+    with open(path, encoding="utf-8") as file:
+        state = json.load(file)
+    sentences = [] if state["finished"] else ["Not finished: the same command goes on from here."]
+    return "".join(f"<p>{html.escape(sentence)}</p>" for sentence in sentences + [state["note"]] if sentence)
 
 
 def make_page(folder):
@@ -133,7 +148,7 @@ def make_page(folder):
     pictures += [draw_history(table, over, label, title, rows, os.path.join(pictures_folder, name + ".png"))
                  for name, title, rows in HISTORIES]
     given = inputs.table(inputs.wear_rows(inputs.read(folder)))
-    parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>",
+    parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>", remarks(folder),
              f"<div class=top><div><h2>Inputs</h2>{given}</div>" if given else "<div class=top>",
              f"<div><h2>Key results</h2>{figures(table)}</div></div>", "<h2>Pictures</h2>",
              page.pictures_html([picture for picture in pictures if picture], broad=("rail", "wheel"))]

@@ -66,7 +66,7 @@ def draw(lines, path):
     for side, part in zip(("left", "right"), axes):
         draw_side(part, lines, side, scale)
     axes[0].set_ylabel("height above the running circles, mm")
-    figure.suptitle("Both wheels seen along the way; arrows: forces on the wheels")
+    figure.suptitle("Both wheels seen in the rolling direction; arrows: forces on the wheels")
     figure.savefig(path, bbox_inches="tight", pad_inches=0.12)
     plt.close(figure)
 

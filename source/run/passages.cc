@@ -176,7 +176,7 @@ namespace wheelrail
           throw RunError("passage " + std::to_string(k) + ": " + error.what() +
                          (k == 1 ? std::string()
                                  : "; the " + std::to_string(k - 1) +
-                                     " before it are kept, with their figures in " + scene_.folder +
+                                     " before it are kept, with their results in " + scene_.folder +
                                      "/passages.csv"));
         }
     }

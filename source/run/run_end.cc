@@ -172,7 +172,8 @@ namespace wheelrail
         return "";
       return text(
         "steel has flowed down to %.1f mm, below the fine cells, which are %.1f mm deep: the depth of the "
-        "band and the stresses left there are those of coarser cells; raise Mesh/Fine depth to %.0f mm",
+        "plastic zone and the stresses left there are those of coarser cells; raise Mesh/Fine depth to %.0f "
+        "mm",
         1e3 * band,
         1e3 * fine,
         std::ceil(1e3 * (band + scene.cell_size)));

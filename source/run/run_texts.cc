@@ -66,7 +66,7 @@ namespace wheelrail
            1e3 * s.place[0],
            1e3 * s.place[1],
            1e3 * s.place[2],
-           s.lowered_by_edges ? ", lowered since free edges swing faster" : "",
+           s.lowered_by_edges ? ", lowered since free edges vibrate faster" : "",
            s.of_parts > 1e-3 ? text(", by %.1f %% by pads and ballast", 100 * s.of_parts).c_str() : ""));
     log.value("contact",
               text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",

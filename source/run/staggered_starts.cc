@@ -29,11 +29,11 @@ namespace wheelrail
     if (n == 0)
       n = fits(2, 2 * length) ? 2 : 1;
     else if (!fits(n, length))
-      throw InputError(entry_text(scene, "Run", "Staggered starts") + ": each start lies " +
-                       rounded_mm(step) +
-                       " farther along than the one before, and the last one leaves no way that all wheels "
-                       "have rolled over; take fewer, or a longer " +
-                       path_entry(scene) + " and Track/Rail length");
+      throw InputError(
+        entry_text(scene, "Run", "Staggered starts") + ": each start lies " + rounded_mm(step) +
+        " farther along than the one before, and the last one leaves no stretch that all wheels "
+        "have rolled over; take fewer, or a longer " +
+        path_entry(scene) + " and Track/Rail length");
     for (unsigned int k = 1; k < n; ++k)
       places_.push_back(scene.start_offset + k * step);
   }

@@ -265,7 +265,7 @@ namespace wheelrail
       if (whole.ranks != size)
         notes += "the state was saved by " + std::to_string(whole.ranks) +
                  (whole.ranks == 1 ? " rank" : " ranks") + " and goes on with " + std::to_string(size) +
-                 ": figures agree up to the growth of round-off\n";
+                 ": results agree up to the growth of round-off\n";
     });
     broadcast(bytes, communicator);
     broadcast(notes, communicator);

@@ -31,7 +31,7 @@ def curve_view(columns, keys, x, curves):
             groups.append({"title": title[0].upper() + title[1:], "label": label, "curves": shown})
     if not groups:
         return []
-    return [{"id": "view-figures", "type": "curves", "title": "Figures over the cases", "groups": groups, "marks": True,
+    return [{"id": "view-figures", "type": "curves", "title": "Results over the cases", "groups": groups, "marks": True,
              "abscissa": x.label, "unit": ""}]
 
 

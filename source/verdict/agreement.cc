@@ -74,7 +74,7 @@ namespace wheelrail
       return "";
     return "the peak pressure is " + text("%.0f", 100 * std::abs(m.peak_difference)) + " % " +
            (m.peak_difference < 0 ? "below" : "above") +
-           " that of half-spaces under the same force and in the same pose: the half-space "
+           " that of half-spaces under the same force and in the same position: the half-space "
            "solution is not a reliable reference here, since " +
            verdict.limits;
   }

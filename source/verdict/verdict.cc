@@ -75,7 +75,7 @@ namespace wheelrail
                 in_mm(scene.cell_size) + " lie across the " + (ridge ? "highest pressure" : "patch") +
                 (std::isnan(loss)
                    ? ""
-                   : ", which takes about " + text("%.0f %%", 100 * loss) + " from the peak pressure") +
+                   : ", which lowers the peak pressure by about " + text("%.0f %%", 100 * loss)) +
                 "; take Mesh/Solution cell size = " +
                 in_mm(scene.cell_size * std::exp2(-std::ceil(std::log2(times)))) + ".");
         }
@@ -83,8 +83,8 @@ namespace wheelrail
         add(verdict,
             graded(-m.penalty_part(), loss_bounds),
             "the penalty contact sinks in by " + percent(m.penetration) +
-              " of the approach, which takes about " + text("%.0f %%", -100 * m.penalty_part()) +
-              " from the peak pressure; raise Contact/Penalty scale.");
+              " of the approach, which lowers the peak pressure by about " +
+              text("%.0f %%", -100 * m.penalty_part()) + "; raise Contact/Penalty scale.");
     }
 
     /// What a run does that has not rolled far enough.
@@ -122,7 +122,7 @@ namespace wheelrail
       else if (!(m.swing > swing_bounds.good) && m.means_from > 0 && m.settled_after > m.means_from)
         add(verdict,
             Grade::with_care,
-            "not all figures have come within 1 % of their means before " +
+            "not all results have come within 1 % of their means before " +
               text("%.1f mm", 1e3 * m.means_from) + " rolled, where the means begin; " + roll_on(scene) +
               ".");
     }
@@ -144,8 +144,8 @@ namespace wheelrail
         add(verdict,
             graded(std::abs(m.torque_miss), torque_bounds),
             "the longitudinal force is off by " + percent(m.torque_miss) +
-              " from what the torque of the wheel asks: the wheel still turns faster or slower with every "
-              "millimetre, and creepage and T-gamma are those of the moment; " +
+              " from what the torque of the wheel demands: the wheel still speeds up or slows down, and "
+              "creepage and T-gamma are not steady; " +
               roll_on(scene) + ", where friction can carry the torque.");
     }
 
@@ -177,7 +177,7 @@ namespace wheelrail
       if (scene.irregular())
         limit("the surfaces are irregular, so that means are not those of one place");
       if (m.plastic_strain > least_plastic)
-        limit("steel has flowed (plastic strain up to " + text("%.2g", 1e3 * m.plastic_strain) + "e-3)");
+        limit("steel has yielded (plastic strain up to " + text("%.2g", 1e3 * m.plastic_strain) + "e-3)");
       if (m.turn >= most_turn)
         limit("the surfaces turn by " + text("%.0f", m.turn * 180 / M_PI) + " degrees across the patch");
       if (m.patches > 1)
@@ -196,7 +196,7 @@ namespace wheelrail
           graded(std::abs(m.peak_difference), peak_bounds),
           "the peak pressure is " + text("%.0f %% ", 100 * std::abs(m.peak_difference)) +
             (m.peak_difference < 0 ? "below" : "above") +
-            " that of half-spaces under the same force and in the same pose" +
+            " that of half-spaces under the same force and in the same position" +
             (verdict.findings.empty()
                ? ", and the usual causes (cells, penalty, unsteady forces) do not explain it."
                : "."));

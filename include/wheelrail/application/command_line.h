@@ -11,8 +11,8 @@ namespace wheelrail
   /// The command line after the program's name.
   using Arguments = std::vector<std::string>;
 
-  /// Whether these arguments start a simulation and so need MPI; `run --validate` and `run --help`
-  /// do not.
+  /// Whether these arguments start what several processes share, and so need MPI: `run`, and `wear` where a
+  /// launcher of MPI (Open MPI, PMIx, PMI) has started this process; with `--validate` or `--help` neither.
   bool
   needs_mpi(const Arguments &arguments);
 

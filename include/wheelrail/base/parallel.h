@@ -9,4 +9,8 @@ namespace wheelrail
   /// each taking the next index that is free. An exception of `work` ends the loop and is thrown again here.
   void
   parallel_for(std::size_t n, const std::function<void(std::size_t)> &work, unsigned int threads = 0);
+
+  /// Processors on which this process may run: those that mpirun or a batch system gave it.
+  unsigned int
+  processors_of_process();
 } // namespace wheelrail

@@ -59,11 +59,13 @@ namespace wheelrail
   /// machine: the state there is kept, machining() takes off what is beyond the target, `tell` gets how much,
   /// and the state behind it is kept as well; none at the very end. Net cracks grow by crack_growth() and
   /// lose the depth that is taken off over the crack depth, down to nothing. `keep` gets each state, before
-  /// the step that follows. Throws InputError where profiles do not touch (any more).
+  /// the step that follows. Collective among the processes of `team`, which all get the same states. Throws
+  /// InputError where profiles do not touch (any more).
   void
   wear_on(const Scene                                       &scene,
           const std::vector<MixRow>                         &rows,
           const std::function<void(const WearState &)>      &keep,
           WearState                                         &state,
-          const std::function<void(const MachiningEvent &)> &tell = {});
+          const std::function<void(const MachiningEvent &)> &tell = {},
+          const RowTeam                                     &team = {});
 } // namespace wheelrail

@@ -3,6 +3,8 @@
 #include <wheelrail/damage/worn_shape.h>
 #include <wheelrail/reference/wheelset_contact.h>
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,15 +34,31 @@ namespace wheelrail
     double              mean_t_gamma = 0, peak_t_gamma = 0;   ///< [N]
     double              axle_load = 0;                        ///< [N]
     bool                at_end    = false;                    ///< whether a patch lies on the end of a shape
+    std::string         fault;                                ///< why a row could not be solved, or nothing
   };
 
-  /// Solves all rows with half-spaces on all processors, and sums the wear of their patches
+  /// Who solves which rows: the process `rank` of `size` takes each size-th one. share() is collective: it
+  /// gets the rows of this process at their places in the list of all, and fills in those of the others.
+  struct RowTeam
+  {
+    std::size_t                                 rank = 0, size = 1;
+    std::function<void(std::vector<MixWear> &)> share = {};
+  };
+
+  /// The processes of an MPI job; this one alone where there is none.
+  RowTeam
+  team_of_job();
+
+  /// Solves all rows with half-spaces on all processors of the team, and sums the wear of their patches
   /// (wear_profile()) at their places on both profiles. With Wheelset/Wheels = both the wheels of a row run
   /// on one axle, and the line has as many curves to either side: rail and wheel see each wheel of the row in
-  /// half of the passages. Throws InputError with the row's name where the profiles do not touch.
+  /// half of the passages. Rows are added in their order, so that sums are the same bits on any number of
+  /// processes and threads. Throws InputError with the row's name, on all processes, where the profiles do
+  /// not touch or where friction does not carry the traction, so that the wheel locks or spins up.
   MixWear
   wear_of_mix(const std::vector<MixRow> &rows,
               const SceneProfiles       &profiles,
               const WornShape           &rail,
-              const WornShape           &wheel);
+              const WornShape           &wheel,
+              const RowTeam             &team = {});
 } // namespace wheelrail
