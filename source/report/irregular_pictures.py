@@ -15,8 +15,8 @@ def surfaces(run):
 
 def curves(run):
     """Title, label of the axis, and (column, factor) of what belongs together; what the history lacks is left out."""
-    known = [("Axle box", "acceleration [m/s2]", [("axle_acceleration", 1)]),
-             ("Rail around the wheel", "velocity [m/s]", [("rail_velocity", 1)]),
+    known = [("Axle box", "axle box [m/s2]", [("axle_acceleration", 1)]),
+             ("Rail around the wheel", "rail [m/s]", [("rail_velocity", 1)]),
              ("Largest von Mises stress", "stress [MPa]", [("max_von_mises", 1e-6)]),
              ("Heights under the wheel", "height [um]", [(name, 1e6) for name in surfaces(run)])]
     return [(title, label, [one for one in columns if one[0] in run.history]) for title, label, columns in known
@@ -36,9 +36,8 @@ def draw_way(run):
     """Vertical force, what the history has besides, and heights over the rolled distance."""
     x = 1e3 * run.history["rolled_distance"]
     rows = [("force [kN]", [("vertical_force", 1e-3, style.RED)])]
-    rows += [(f"{title.lower()}\n{label}" if len(columns) < 2 else label,
-              [(name, factor, color) for (name, factor), color in zip(columns, style.COLORS)])
-             for title, label, columns in curves(run)]
+    rows += [(label.replace(" [", "\n["), [(name, factor, color) for (name, factor), color in zip(columns, style.COLORS)])
+             for _, label, columns in curves(run)]
     figure, axes = plt.subplots(len(rows), 1, figsize=(7.6, 1.0 + 1.7 * len(rows)), sharex=True)
     for one, (label, columns) in zip(axes, rows):
         for name, factor, color in columns:

@@ -50,7 +50,7 @@ def head_of(fields, where):
 
 def is_shown(tick):
     """Whether a view has this tick: not where nothing is loaded."""
-    return tick["pressure"].max() > 0 and min(tick["pressure"].shape) >= 2
+    return bool(tick["pressure"].max() > 0) and min(tick["pressure"].shape) >= 2
 
 
 def patch_tick(tick, label, digits=6, where=None):
