@@ -36,8 +36,8 @@ namespace wheelrail
       set_figure(summary, figure + "_at_m", (*along)[top - values->begin()]);
     };
     largest_of("max_pressure", "largest_pressure", "_Pa");
-    largest_of("max_von_mises", "largest_von_mises", "_Pa");
-    largest_of("max_plastic_strain", "largest_plastic_strain", "");
+    largest_of("max_von_mises", "von_mises_on_way", "_Pa");
+    largest_of("max_plastic_strain", "plastic_strain_on_way", "");
     if (acceleration)
       {
         const auto [down, up] = std::minmax_element(acceleration->begin(), acceleration->end());
