@@ -3,6 +3,7 @@
 #include <wheelrail/contact/make_law.h>
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/irregular_strip.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/motion_way.h>
 #include <wheelrail/model/planned_strip.h>
@@ -247,6 +248,7 @@ namespace wheelrail
       sizes.start       = scene.start_offset;
       sizes.moving      = scene.window == MeshWindow::moving;
       plan_for_way(geometry, way, sizes);
+      plan_for_irregularities(geometry, sizes);
       return sizes;
     }
 

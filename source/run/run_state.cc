@@ -25,7 +25,7 @@ namespace wheelrail
   void
   RunState::record()
   {
-    recorder.add(rolling, axle);
+    recorder.add(rolling, axle, communicator);
     const PatchFields patch = patch_fields(*model.contact, axle, rolling.time());
     recorder.add_patch(patch, wear_profile(patch, axle.velocity(), scene.wear));
   }
