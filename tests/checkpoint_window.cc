@@ -1,4 +1,5 @@
-// ranks: 1 2
+// ranks: 1
+// long ranks: 2
 
 // Runs with a moving window that are interrupted before and after a change of the mesh and go on: the same
 // bits.

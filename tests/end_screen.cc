@@ -93,12 +93,17 @@ main()
   set_figure(run, "largest_vertical_force_N", 242.4e3);
   set_figure(run, "largest_vertical_force_at_m", 72.3e-3);
   set_figure(run, "impact_factor", 2.348);
+  set_figure(run, "von_mises_on_way_Pa", 1461.1e6);
+  set_figure(run, "von_mises_on_way_at_m", 76.1e-3);
   set_figure(run, "axle_acceleration_up_m_per_s2", 305.5);
   set_figure(run, "axle_acceleration_down_m_per_s2", 237.6);
   const std::vector<std::string> irregular = end_screen(run, "out");
   check_text(irregular[place_of(irregular, "largest vertical force")],
              "  impact    largest vertical force                242.40 kN at 72.3 mm",
              "a run over irregular surfaces says the largest force and where it acts");
+  check_text(irregular[place_of(irregular, "at 76.1 mm")],
+             "            largest von Mises stress              1461.1 MPa at 76.1 mm",
+             "and the largest stress of the whole way");
   check_text(irregular[place_of(irregular, "axle box")],
              "            acceleration of the axle box    -237.6 to 305.5 m/s2",
              "and how the axle box is shaken");

@@ -6,12 +6,12 @@
 #include <wheelrail/model/model.h>
 
 #include "parallel.h"
+#include "scenes/p4est_mesh.h"
 #include "small_scene.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -54,26 +54,11 @@ namespace
   std::vector<bool>
   outer_nodes(const Model &model)
   {
-    const LocalMesh                             &mesh = model.solid.mesh;
-    std::map<std::uint32_t, unsigned int>        local;
-    AlignedVector<double>                        mark(4 * mesh.n_nodes(), 0.);
-    std::vector<dealii::types::global_dof_index> dofs(24);
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      local[mesh.global_node[n]] = n;
-    for (const auto &cell : model.forest->dofs().active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          cell->get_dof_indices(dofs);
-          for (unsigned int f = 0; f < 6; ++f)
-            for (unsigned int v = 0; v < 8; ++v)
-              if (cell->face(f)->at_boundary() && (v >> (f / 2) & 1) == f % 2)
-                mark[4 * local.at(dofs[3 * v] / 3)] = 1;
-        }
-    SharedSum sum(mesh, MPI_COMM_WORLD);
-    sum(mark.data(), 1);
-    std::vector<bool> outer(mesh.n_nodes());
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      outer[n] = mark[4 * n] > 0;
+    const Range       fine  = model.forest->plan().fine;
+    const MeshByKeys  whole = p4est_mesh(*model.forest, {{fine}, {fine}}, MPI_COMM_WORLD);
+    std::vector<bool> outer;
+    for (const std::uint64_t key : model.solid.mesh.node_key)
+      outer.push_back(whole.outer.count(key) > 0);
     return outer;
   }
 

@@ -239,6 +239,7 @@ namespace
                                                                             {"Wavelength", "40 mm"},
                                                                             {"Angle", "5 mrad"},
                                                                             {"Order", "7"},
+                                                                            {"Seed", "5"},
                                                                             {"File", "heights.csv"}})
           all["Irregularity " + std::to_string(k) + "/" + name] = value;
       return all;

@@ -36,8 +36,8 @@ namespace
     return scene;
   }
 
-  /// The reduced model of a scene: Hertz's part from half-spaces under two loads, the rest of the bodies from
-  /// how far a static start lowers the axle.
+  /// Hertz's part from half-spaces under two loads, the rest of the bodies from how far a static start lowers
+  /// the axle.
   ReducedWheel
   reduced(const Scene &scene, const SceneGeometry &geometry, const Model &model, const double lowered)
   {
@@ -148,7 +148,7 @@ namespace
     check_relative(momentum_end - momentum_begin, impulse - weights, 0.005, "change of momentum by impulse");
 
     const ReducedMotion impact = reduced_motion(
-      wheel, [](double) { return 0.; }, fall, 0, duration);
+      wheel, [&](double, const double height) { return wheel.force(-height); }, fall, 0, duration);
     check_relative(peak, impact.peak(), 0.05, "largest force by two masses on Hertz's spring");
     check_relative(end - begin, impact.longest_contact(), 0.05, "duration by the same");
   }

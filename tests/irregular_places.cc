@@ -3,6 +3,8 @@
 #include "reference_table.h"
 
 #include <wheelrail/geometry/irregular_shapes.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/height_grid.h>
 #include <wheelrail/profiles/slices_file.h>
@@ -257,6 +259,45 @@ namespace
     check_near(1e6 * trough({20e-6}, 10e-3, here).drop, 20, 0.1, "with yaw: drop in the trough [um]");
   }
 
+  /// The fine cells of a run hold the patch under three times the load at each place of an irregularity, even
+  /// where a flat stands on its edge and the patch is wider than that of the round wheel.
+  void
+  test_strip()
+  {
+    Scene scene                  = Scene();
+    scene.cell_size              = 2e-3;
+    scene.rolling_distance       = 100e-3;
+    scene.halfspace_element_size = 0.8e-3;
+    const FineStrip   smooth     = sweep_plan(scene, make_geometry(scene)).strip;
+    IrregularityData &flat       = scene.irregularities[0];
+    flat.kind                    = IrregularKind::flat;
+    flat.place                   = 50e-3;
+    flat.length                  = 60e-3;
+    const SceneGeometry geometry = make_geometry(scene);
+    const FineStrip     strip    = sweep_plan(scene, geometry).strip;
+    double              room = HUGE_VAL, widest = 0;
+    for (const PlaceContact &one :
+         solve_places(scene, geometry, 3 * expected_load(scene), parse_irregular_places("0:100:5 mm", false)))
+      {
+        const PatchFields &patch = one.patch;
+        double             low = HUGE_VAL, high = -HUGE_VAL;
+        for (unsigned int i = 0; i < patch.n_along; ++i)
+          for (unsigned int j = 0; j < patch.n_lateral; ++j)
+            if (patch.pressure[i * patch.n_lateral + j] > 0)
+              {
+                low  = std::min(low, patch.lateral[j]);
+                high = std::max(high, patch.lateral[j]);
+              }
+        room   = std::min({room, low - strip.s.front(), strip.s.back() - high});
+        widest = std::max(widest, high - low);
+      }
+    check(room > scene.cell_size,
+          "a cell and more beside the widest patch, " + std::to_string(1e3 * widest) +
+            " mm: " + std::to_string(1e3 * room) + " mm");
+    check(strip.s.back() - strip.s.front() > smooth.s.back() - smooth.s.front(),
+          "more than for a round wheel");
+  }
+
   /// Rows in any order, columns in any unit.
   void
   test_order()
@@ -275,6 +316,7 @@ main()
   test_smooth_files();
   test_waves();
   test_together();
+  test_strip();
   test_order();
   return test::report();
 }

@@ -1,6 +1,6 @@
 // ranks: 1 2 3
 
-// Meshes of a moving window: the same as the forest makes, alike at all places, and the state that goes from
+// Meshes of a moving window: alike at all places, and the state that goes from
 // one to the next.
 
 #include <wheelrail/mesh/fine_window.h>
@@ -53,58 +53,6 @@ namespace
   {
     const double *X = &mesh.reference[4 * node];
     return {X[0], X[1], X[2]};
-  }
-
-  /// Numbers of a mesh that do not depend on the partition or the order of its cells.
-  struct Totals
-  {
-    MeshQuality quality;
-    double      places = 0, masses = 0, hanging = 0, running = 0;
-  };
-
-  Totals
-  totals(const Solid &solid)
-  {
-    Totals           t;
-    const LocalMesh &mesh = solid.mesh;
-    t.quality             = solid.quality;
-    for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-      if (mesh.owned[n])
-        {
-          const Vector3 X = reference(mesh, n);
-          t.places += X[0] + 2 * X[1] + 3 * X[2] * X[2];
-          t.masses += (solid.mass[n] + solid.added_mass[n]) * (1 + X[0] + X[1] * X[2]);
-        }
-    for (const BoundaryFace &face : mesh.faces)
-      t.running += (face.mark == Boundary::running) + 100. * face.finest + 1e4 * face.strip;
-    t.places  = sum(t.places);
-    t.masses  = sum(t.masses);
-    t.running = sum(t.running);
-    return t;
-  }
-
-  /// The mesh without the triangulation is that of the forest.
-  void
-  same_as_forest(Model &model)
-  {
-    const Totals                     forest = totals(model.solid);
-    std::map<std::uint64_t, Vector3> place;
-    for (std::size_t n = 0; n < model.solid.mesh.n_nodes(); ++n)
-      place[model.solid.mesh.node_key[n]] = reference(model.solid.mesh, n);
-    prepare_window(model, MPI_COMM_WORLD);
-    const Totals swept = totals(model.solid);
-    check(swept.quality.elements == forest.quality.elements, "as many cells as the forest has");
-    check(swept.quality.finest_elements == forest.quality.finest_elements, "as many of the finest level");
-    check(swept.quality.nodes == forest.quality.nodes, "as many nodes");
-    check_near(swept.places, forest.places, 1e-9, "places of the nodes");
-    check_near(swept.masses, forest.masses, 1e-9, "masses with hanging nodes and added mass");
-    check_near(swept.running, forest.running, 0, "marked faces");
-    check_near(swept.quality.worst_jacobian, forest.quality.worst_jacobian, 1e-9, "the worst cell");
-    double off = 0;
-    for (std::size_t n = 0; n < model.solid.mesh.n_nodes(); ++n)
-      if (const auto found = place.find(model.solid.mesh.node_key[n]); found != place.end())
-        off = std::max(off, norm(found->second - reference(model.solid.mesh, n)));
-    check_near(largest(off), 0, 1e-14, "nodes of one key lie at one place");
   }
 
   using Field = std::function<Vector3(const Vector3 &, Body)>;
@@ -194,7 +142,7 @@ namespace
     SolidTransfer     transfer(std::move(model.solid), middle, MPI_COMM_WORLD);
     model.solid.choice = choice;
     model.window       = window;
-    prepare_window(model, MPI_COMM_WORLD);
+    prepare_mesh(model, MPI_COMM_WORLD);
     transfer.fill(model.solid, free_nodes(model.solid), time_step);
   }
 
@@ -224,7 +172,7 @@ namespace
   void
   ends_of_path(Model &model)
   {
-    const SweepPlan &plan = model.swept->plan();
+    const SweepPlan &plan = model.forest->plan();
     const double     path = 10e-3, block = plan.block_length(), step = model.solid.stable.step;
     FineWindow       window;
     window.path_end    = {path, path};
@@ -324,7 +272,7 @@ namespace
   double
   finest_of_first_block(const Model &model)
   {
-    const SweepPlan &plan  = model.swept->plan();
+    const SweepPlan &plan  = model.forest->plan();
     double           count = 0;
     for (std::size_t c = 0; c < model.solid.mesh.cells.size(); ++c)
       {
@@ -344,8 +292,8 @@ namespace
     Scene scene                      = moving_scene();
     scene.rail_material.yield_stress = 480e6;
     Model        model               = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
-    const double block               = model.swept->plan().block_length();
-    prepare_window(model, MPI_COMM_WORLD);
+    const double block               = model.forest->plan().block_length();
+    prepare_mesh(model, MPI_COMM_WORLD);
     const double   fine = finest_of_first_block(model);
     ElementBlocks &rail = model.solid.blocks.rail;
     for (std::size_t e = 0; e < rail.n_elements; ++e)
@@ -365,10 +313,10 @@ namespace
           "the wheel comes to another block");
     check(model.window.kept.rail == std::vector<int>{0}, "the block that has flowed is kept");
     check(model.window.kept.wheel.empty(), "none of the wheel");
-    prepare_window(model, MPI_COMM_WORLD);
+    prepare_mesh(model, MPI_COMM_WORLD);
     check_near(finest_of_first_block(model), fine, 0, "its fine cells");
     model.window.kept.rail.clear();
-    prepare_window(model, MPI_COMM_WORLD);
+    prepare_mesh(model, MPI_COMM_WORLD);
     check(finest_of_first_block(model) < 0.1 * fine, "which else would be gone");
   }
 } // namespace
@@ -379,7 +327,6 @@ main(int argc, char **argv)
   Parallel    parallel(argc, argv);
   const Scene scene = moving_scene();
   Model       model = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
-  same_as_forest(model);
   linear_fields(model);
   ends_of_path(model);
   long_rail();

@@ -57,10 +57,10 @@ namespace
       Scene there           = of;
       there.rail_from       = folder;
       const Checkpoint rail = read_rail(there, print_parameters(of), MPI_COMM_WORLD);
-      if (model.swept)
+      if (model.forest->plan().moving)
         {
           model.window = rail.window;
-          prepare_window_forest(model, MPI_COMM_WORLD);
+          prepare_mesh(model, MPI_COMM_WORLD);
         }
       check(restore_bodies(rail, model.solid, 0, MPI_COMM_WORLD),
             "the rail of " + folder + " has the mesh of its run");

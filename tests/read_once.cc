@@ -96,7 +96,7 @@ main(int argc, char **argv)
   const Openings rail(rail_file), wheel(wheel_file);
   check_command({"parameters", prm.string(), "--validate"}, rail, wheel);
   check_command({"geometry", prm.string(), "--shifts", "0"}, rail, wheel);
-  check_command({"halfspace", prm.string()}, rail, wheel);
+  check_command({"halfspace", prm.string(), "--no-pictures"}, rail, wheel);
   // read once, and copied once into the output folder, whose copies are read from then on
   check_command({"run", prm.string()}, rail, wheel, 2);
   const Openings kept_rail(folder / "scene/profiles/rail_worn.prr"),

@@ -1,7 +1,9 @@
 #pragma once
 
-// A wheel on an irregular rail with two degrees of freedom, its height and that of the sprung mass: what the
-// finite elements have to come to where waves in the bodies matter little.
+// A rigid wheel on a spring that is its contact at rest: what the finite elements have to come to where waves
+// in the bodies matter little.
+
+#include <wheelrail/reference/irregular_places.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,21 +84,96 @@ namespace test
     }
   };
 
-  /// `path`: height at which the rigid wheel would touch, over time [m]. Starts with `height` and `speed`
-  /// (downwards negative); central differences.
+  /// Force of the contact at rest over place and lowering of the wheel: half-spaces solved at places along
+  /// the track under several forces, and the elasticity of both bodies far from the contact. So it knows that
+  /// a loaded wheel sinks before its flat touches, and that an edge is a softer spring than a round wheel.
+  class ContactMap
+  {
+  public:
+    /// The scene's irregularities must not lie at 0. `compliance` of the bodies [m/N].
+    ContactMap(const wheelrail::Scene           &scene,
+               const wheelrail::SceneGeometry   &geometry,
+               const double                      compliance,
+               const wheelrail::IrregularPlaces &places)
+      : places_(places.values)
+    {
+      for (const double force : {0.1e3, 5e3, 15e3, 30e3, 60e3, 100e3, 150e3, 220e3, 300e3, 400e3, 600e3})
+        {
+          const auto          found = wheelrail::solve_places(scene, geometry, force, places);
+          std::vector<double> lowered;
+          for (const wheelrail::PlaceContact &one : found)
+            lowered.push_back(found.front().approach + one.drop + compliance * force);
+          forces_.push_back(force);
+          lowered_.push_back(lowered);
+        }
+    }
+
+    /// Of the wheel under `force` at a place, from first touch on smooth surfaces [m].
+    double
+    lowering(const double place, const double force) const
+    {
+      std::size_t k = 1;
+      while (k + 1 < forces_.size() && forces_[k] < force)
+        ++k;
+      const double low = at(k - 1, place), high = at(k, place), part = share(k, force);
+      return low + part * (high - low);
+    }
+
+    /// Force at a place under a lowering; between solved ones its power 2/3 is linear, as Hertz has it [N].
+    double
+    force(const double place, const double lowered) const
+    {
+      const double first = at(0, place);
+      if (lowered <= first)
+        return 0;
+      std::size_t k   = 1;
+      double      low = first, high = at(1, place);
+      while (k + 1 < forces_.size() && high < lowered)
+        {
+          low  = high;
+          high = at(++k, place);
+        }
+      const double part = (lowered - low) / (high - low), q0 = std::pow(forces_[k - 1], 2. / 3),
+                   q1 = std::pow(forces_[k], 2. / 3);
+      return std::pow(q0 + part * (q1 - q0), 1.5);
+    }
+
+  private:
+    double
+    at(const std::size_t k, const double place) const
+    {
+      const auto   after = std::upper_bound(places_.begin(), places_.end(), place);
+      const auto   i     = std::clamp<std::ptrdiff_t>(after - places_.begin(), 1, places_.size() - 1);
+      const double part  = std::clamp((place - places_[i - 1]) / (places_[i] - places_[i - 1]), 0., 1.);
+      return lowered_[k][i - 1] + part * (lowered_[k][i] - lowered_[k][i - 1]);
+    }
+
+    double
+    share(const std::size_t k, const double force) const
+    {
+      const double q0 = std::pow(forces_[k - 1], 2. / 3), q1 = std::pow(forces_[k], 2. / 3);
+      return (std::pow(force, 2. / 3) - q0) / (q1 - q0);
+    }
+
+    std::vector<double>              places_, forces_;
+    std::vector<std::vector<double>> lowered_; ///< for each force at each place [m]
+  };
+
+  /// `spring`: force over time and height of the wheel [N]. Starts with `height` (upwards) and `speed`, in
+  /// balance with the suspension; central differences.
   inline ReducedMotion
-  reduced_motion(const ReducedWheel                  &wheel,
-                 const std::function<double(double)> &path,
-                 double                               height,
-                 double                               speed,
-                 const double                         duration,
-                 const double                         step = 1e-7)
+  reduced_motion(const ReducedWheel                          &wheel,
+                 const std::function<double(double, double)> &spring,
+                 double                                       height,
+                 double                                       speed,
+                 const double                                 duration,
+                 const double                                 step = 1e-7)
   {
     ReducedMotion motion;
     const double  start = height;
     for (double t = 0; t < duration; t += step)
       {
-        const double force = wheel.force(path(t) - height);
+        const double force = spring(t, height);
         motion.time.push_back(t);
         motion.force.push_back(force);
         motion.height.push_back(height);
@@ -106,14 +183,5 @@ namespace test
         height += step * speed;
       }
     return motion;
-  }
-
-  /// Height at which a rigid wheel with a fresh flat touches a plane rail, its centre over x, the middle of
-  /// the flat over `place` [m]: it pivots about one edge, then about the other.
-  inline double
-  rigid_path_of_flat(const double x, const double place, const double length, const double radius)
-  {
-    const double half = std::asin(0.5 * length / radius), angle = std::abs(x - place) / radius;
-    return angle < half ? -radius * (1 - std::cos(half - angle)) : 0;
   }
 } // namespace test

@@ -58,19 +58,20 @@ def results():
         file.write(SCENE)
     with open("rows.csv", "w", encoding="utf-8") as file:
         file.write("distance [m],lateral shift [mm],yaw [mrad]\n0,0,0\n1,1,2\n")
-    program("run", "keys.prm", "--overwrite")
-    program("compare", "out", "--no-pictures")
+    program("run", "keys.prm", "--overwrite", "--set", "Run/Passages = 2", "--set", "Output/Folder = many")
+    of_run = "many/passage_001"
+    program("compare", of_run, "--no-pictures")
     program("halfspace", "keys.prm", "--no-pictures")
     program("vehicle", "keys.prm", "rows.csv", "--no-pictures", "--both-wheels")
-    program("halfspace", "keys.prm", "--set", "Wheelset/Wheels = both", "--set", "Output/Folder = both")
+    program("halfspace", "keys.prm", "--no-pictures", "--set", "Wheelset/Wheels = both", "--set",
+            "Output/Folder = both")
     program("report", "both-halfspace")
     for page in ("wheelset.html", "right/report.html", "left/report.html"):
         check(os.path.getsize(f"both-halfspace/{page}") > 10000, f"{page} is there, with its pictures")
     program("halfspace", "keys.prm", "--no-pictures", "--creep-curve", "longitudinal 0.1,0.2 %")
     program("material", "keys.prm", "--no-pictures", *MATERIAL)
-    program("run", "keys.prm", "--overwrite", "--set", "Run/Passages = 2", "--set", "Output/Folder = many")
-    return {"summary.json of a run": keys("out/summary.json"),
-            "compare.json": keys("out/compare.json"),
+    return {"summary.json of a run": keys(f"{of_run}/summary.json"),
+            "compare.json": keys(f"{of_run}/compare.json"),
             "summary.json of half-spaces": keys("out-halfspace/summary.json"),
             "summary.json of a wheelset": keys("both-halfspace/summary.json"),
             "vehicle.csv": columns("out-vehicle/vehicle.csv"),

@@ -1,4 +1,5 @@
-// ranks: 1 2
+// ranks: 2
+// long ranks: 1
 
 // Rolling on steel that yields: the static start has flowed already. From an elastic one the wheel falls into
 // a patch that gives way in the first steps, and the vertical force loses a sixth.

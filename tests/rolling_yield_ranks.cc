@@ -1,4 +1,5 @@
 // ranks: 3
+// label: long
 
 // A yawed wheel on a rail that yields: forces and work of friction are the same on any number of ranks. The
 // way to the static start differs by round-off, which flow must not keep.

@@ -4,7 +4,7 @@
 Usage: doc/cookbook/make_pictures.py [NAME ...]
 
 From the folder of the program, once it is built. NAME chooses questions (first_contact, measured_profiles, curve, braking,
-yielding_rail, shakedown, study, accuracy); without any all are computed, which takes a quarter of an hour on two cores.
+yielding_rail, shakedown, measured_flat, study, accuracy); without any all are computed, which takes a quarter of an hour on two cores.
 Results go to output/cookbook; what is finished there is not computed again. The pictures go to doc/cookbook/pictures with
 few colours, 3 MB in all.
 """
@@ -100,6 +100,23 @@ def shakedown():
     take(f"{OUTPUT}/passages/pictures/shakedown_map.png", "shakedown_map", 1100)
 
 
+def measured_flat():
+    """The scene that stands in the page."""
+    with open(os.path.join(HERE, "measured_flat.md"), encoding="utf-8") as page:
+        lines = page.read().splitlines()
+    begin = lines.index("    include prm/rolling.prm")
+    end = max(k for k, line in enumerate(lines) if line == "    end") + 1
+    scene = os.path.join(ROOT, "my_flat.prm")
+    with open(scene, "w", encoding="utf-8") as file:
+        file.write("\n".join(line[4:] for line in lines[begin:end]) + "\n")
+    call("halfspace", "my_flat.prm", "--places", "0:100:2 mm", *folder_of("my_flat"))
+    take(f"{OUTPUT}/my_flat-halfspace/pictures/places.png", "measured_flat_rest", 900)
+    run("my_flat", "my_flat.prm")
+    os.remove(scene)
+    call("report", f"{OUTPUT}/my_flat")
+    take(f"{OUTPUT}/my_flat/pictures/irregular.png", "measured_flat_run", 900)
+
+
 def study():
     call("study", "prm/studies/lateral_shift.prm", "--set", "Study/Compute = halfspace", *folder_of("study"))
     take(f"{OUTPUT}/study/pictures/family_head.png", "study_head", 1200)
@@ -116,7 +133,7 @@ def accuracy():
 
 
 QUESTIONS = {question.__name__: question for question in (first_contact, measured_profiles, curve, braking, yielding_rail,
-                                                          shakedown, study, accuracy)}
+                                                          shakedown, measured_flat, study, accuracy)}
 
 
 def main(names):

@@ -67,6 +67,20 @@ namespace wheelrail
   } // namespace
 
 
+  Vector3
+  Contact::mean_velocity(const Body body) const
+  {
+    const unsigned int  rows     = surface(body).lattice.n_lateral;
+    const StationRange &stations = window()[body];
+    const double        nodes    = double(stations.last - stations.first) * rows;
+    Vector3             mean{};
+    for (int i = stations.first; i < stations.last; ++i)
+      for (unsigned int j = 0; j < rows; ++j)
+        add(mean, 1 / nodes, states_[body].v[surface(body).lattice.index(i, j)]);
+    return mean;
+  }
+
+
   void
   Contact::prepare(Surface rail, Surface wheel)
   {

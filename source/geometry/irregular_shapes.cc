@@ -1,79 +1,21 @@
+#include <wheelrail/geometry/irregular_lobes.h>
 #include <wheelrail/geometry/irregular_shapes.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace wheelrail
 {
   namespace
   {
-    /// A number and its derivative.
-    struct Lobe
-    {
-      double value = 0, slope = 0;
-    };
-
-    /// cos^2(pi u/length) within half a length of zero.
-    Lobe
-    lobe(const double u, const double length)
-    {
-      if (std::abs(u) >= 0.5 * length)
-        return {};
-      const double c = std::cos(M_PI * u / length), s = std::sin(M_PI * u / length);
-      return {c * c, -2 * M_PI / length * c * s};
-    }
-
-    /// One within half a width, fading over its outer quarters.
-    Lobe
-    plateau(const double v, const double width)
-    {
-      const double beyond = std::abs(v) - 0.25 * width;
-      if (beyond <= 0)
-        return {1, 0};
-      const Lobe side = lobe(beyond, 0.5 * width);
-      return {side.value, std::copysign(side.slope, -v)};
-    }
-
-    using Along = std::function<Lobe(double)>;
-
-    /// depth x along(u) x across(v), below the surface.
-    Irregularity
-    product(const IrregularSize &size, const double begin, const double end, Along along, Along across)
-    {
-      Irregularity shape;
-      shape.begin = begin;
-      shape.end   = end;
-      shape.at    = [size, along = std::move(along), across = std::move(across)](const double x,
-                                                                              const double place) {
-        const Lobe a = along(place - size.place), b = across(x - size.lateral);
-        return IrregularHeight{
-          -size.depth * a.value * b.value, -size.depth * a.value * b.slope, -size.depth * a.slope * b.value};
-      };
-      return shape;
-    }
-
-    Along
-    all_across()
-    {
-      return [](double) { return Lobe{1, 0}; };
-    }
-
+    /// A lobe where the shape has a width.
     Along
     across_lobe(const IrregularSize &size)
     {
       if (!(size.width > 0))
         return all_across();
       return [width = size.width](const double v) { return lobe(v, width); };
-    }
-
-    Along
-    across_plateau(const IrregularSize &size)
-    {
-      if (!(size.width > 0))
-        return all_across();
-      return [width = size.width](const double v) { return plateau(v, width); };
     }
 
     /// The same around the middle of its length.

@@ -22,7 +22,7 @@ namespace wheelrail
     has_depth(const IrregularityData &one)
     {
       return std::isfinite(one.depth) || one.kind == K::flat || one.kind == K::rounded_flat ||
-             one.kind == K::file || (one.kind == K::dipped_joint && std::isfinite(one.angle));
+             one.in_file() || (one.kind == K::dipped_joint && std::isfinite(one.angle));
     }
 
     void
@@ -46,7 +46,7 @@ namespace wheelrail
       if (one.kind == K::corrugation && one.length < one.wavelength)
         found.errors.push_back(entry("Length") + ": shorter than one wave, " + entry("Wavelength") +
                                "; give the length of all waves");
-      if (one.kind == K::file && one.file == "none")
+      if (one.in_file() && one.file == "none")
         found.errors.push_back(entry("File") + ": " + entry("Kind") + " needs one");
     }
 
@@ -61,12 +61,13 @@ namespace wheelrail
                                    entry_text(scene, section, "Kind"));
       };
       const K kind = one.kind;
-      idle("File", kind == K::file);
+      idle("File", one.in_file());
+      idle("Seed", kind == K::roughness);
       idle("Wavelength", kind == K::corrugation);
       idle("Order", kind == K::polygon);
       idle("Angle", kind == K::dipped_joint);
       idle("Length", kind != K::none && kind != K::polygon && kind != K::file);
-      idle("Depth", kind != K::none && kind != K::file);
+      idle("Depth", kind != K::none && !one.in_file());
       idle("Width", kind != K::none && kind != K::file);
       idle("Place", kind != K::none);
     }

@@ -33,7 +33,7 @@ namespace wheelrail
          "that "
          "hang "
          "down, with a kink; flat: fresh wheel flat with edges; rounded flat: one that is rolled round; "
-         "polygon: wheel out of round; file: measured heights or slices."},
+         "polygon: wheel out of round; roughness: waves of a spectrum; file: measured heights or slices."},
         {{"none", K::none},
          {"dent", K::dent},
          {"squat", K::squat},
@@ -43,6 +43,7 @@ namespace wheelrail
          {"flat", K::flat},
          {"rounded flat", K::rounded_flat},
          {"polygon", K::polygon},
+         {"roughness", K::roughness},
          {"file", K::file}},
         field_of(k, &I::kind)));
       list.push_back(choice_entry<IrregularBody>(
@@ -72,7 +73,10 @@ namespace wheelrail
         "contact",
         I::automatic,
         lateral));
-      list.push_back(length_entry({section, "Length", "Along the track; of a corrugation that of all waves."},
+      list.push_back(length_entry({section,
+                                   "Length",
+                                   "Along the track; of a corrugation that of all waves; of roughness that "
+                                   "of its whole height, on both sides of which it fades."},
                                   "mm",
                                   B::between("1 mm", "10 m"),
                                   field_of(k, &I::length)));
@@ -117,13 +121,18 @@ namespace wheelrail
                   angle));
       list.push_back(count_entry(
         {section, "Order", "Of a polygon: waves around the wheel."}, 1, 100, field_of(k, &I::order)));
+      list.push_back(
+        count_entry({section, "Seed", "Of roughness: another one gives other phases of the same spectrum."},
+                    1,
+                    1000000,
+                    field_of(k, &I::seed)));
       list.push_back(name_or_file_entry(
         {section,
          "File",
          "Of Kind = file: heights over the profile, on a grid (along_mm, across_mm, height_um; CSV or HDF5) "
          "or "
          "along a line (along_mm, height_um), or slices as CONTACT reads them (.slcs of a rail, .slcw of a "
-         "wheel)."},
+         "wheel). Of Kind = roughness: levels of one-third-octave bands (wavelength_mm, level_dB)."},
         {"none"},
         "a file (with its ending, such as squat.csv)",
         field_of(k, &I::file)));

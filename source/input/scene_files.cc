@@ -89,7 +89,7 @@ namespace wheelrail
         false);
     // slices name further files beside them, so that a copy of theirs alone is of no use
     for (int k = 0; k < most_irregularities; ++k)
-      if (const IrregularityData &one = scene.irregularities[k]; one.kind == IrregularKind::file)
+      if (const IrregularityData &one = scene.irregularities[k]; one.in_file())
         add(
           "Irregularity " + std::to_string(k + 1) + "/File",
           one.file,

@@ -34,21 +34,20 @@ namespace wheelrail
   } // namespace
 
 
-  CellTree::CellTree(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const PerBody<FineZone> &zones)
+  RefinementRule::RefinementRule(const SweepPlan          &plan,
+                                 const PerBody<SweptGrid> &grids,
+                                 const PerBody<FineZone>  &zones)
     : plan_(&plan)
     , grids_(&grids)
+    , zones_(&zones)
     , finest_((plan.strip.s.back() - plan.strip.s.front()) / (plan.strip.s.size() - 1) /
               std::pow(2., plan.levels))
-    , of_level_(plan.levels)
   {
-    for (const Body body : both_bodies)
-      divide_body(grids[body], zones[body]);
-    balance();
   }
 
 
   bool
-  CellTree::wanted(const CellPlace &cell, const FineZone &zone) const
+  RefinementRule::wanted(const CellPlace &cell) const
   {
     const SweptGrid &grid    = (*grids_)[cell.body];
     const double     overlap = -1e-3 * finest_; // distances below count as overlap with the box
@@ -56,8 +55,10 @@ namespace wheelrail
     const unsigned int k     = plan_->levels - cell.level - 1;
     const double       reach = 4 * finest_ * (std::pow(2., k) - 1) - 1e-3 * finest_;
     const auto   ends  = std::minmax({grid.along(cell.level, cell.k), grid.along(cell.level, cell.k + 1)});
-    const double along = distance_along(
-      zone, ends.first, ends.second, grid.closed() ? grid.n_columns() * plan_->block_length() : 0.);
+    const double along = distance_along((*zones_)[cell.body],
+                                        ends.first,
+                                        ends.second,
+                                        grid.closed() ? grid.n_columns() * plan_->block_length() : 0.);
     if (along >= reach)
       return false;
     const double distance = std::max(grid.section_distance(cell), along);
@@ -66,6 +67,17 @@ namespace wheelrail
     // thinner than 0.6 of the wanted size: the whole, at most 1.2 of it, is then nearer
     const double thinnest = finest_ * std::max(0.95, 0.6 * std::pow(2., k));
     return distance < reach && (distance < overlap || 0.5 * grid.width(cell) > thinnest);
+  }
+
+
+  CellTree::CellTree(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const PerBody<FineZone> &zones)
+    : grids_(&grids)
+    , of_level_(plan.levels)
+  {
+    const RefinementRule rule(plan, grids, zones);
+    for (const Body body : both_bodies)
+      divide_body(rule, grids[body]);
+    balance();
   }
 
 
@@ -78,16 +90,16 @@ namespace wheelrail
 
 
   void
-  CellTree::divide_body(const SweptGrid &grid, const FineZone &zone)
+  CellTree::divide_body(const RefinementRule &rule, const SweptGrid &grid)
   {
-    if (plan_->levels == 0)
+    if (grid.levels() == 0)
       return;
     std::vector<CellPlace> divided, next;
     CellPlace              coarse;
     coarse.body = grid.body();
     for (coarse.k = 0; coarse.k < grid.n_columns(); ++coarse.k)
       for (coarse.block = 0; coarse.block < grid.n_blocks(); ++coarse.block)
-        if (wanted(coarse, zone))
+        if (rule.wanted(coarse))
           divided.push_back(coarse);
     for (unsigned int level = 0; !divided.empty(); ++level)
       {
@@ -95,9 +107,9 @@ namespace wheelrail
         for (const CellPlace &cell : divided)
           {
             divide(cell);
-            if (level + 1 < plan_->levels)
+            if (level + 1 < grid.levels())
               for (unsigned int c = 0; c < 8; ++c)
-                if (wanted(cell.child(c), zone))
+                if (rule.wanted(cell.child(c)))
                   next.push_back(cell.child(c));
           }
         divided.swap(next);
@@ -109,7 +121,7 @@ namespace wheelrail
   void
   CellTree::balance()
   {
-    for (unsigned int level = plan_->levels; level-- > 1;)
+    for (unsigned int level = of_level_.size(); level-- > 1;)
       for (std::size_t n = 0; n < of_level_[level].size(); ++n)
         {
           const CellPlace  cell   = of_level_[level][n];

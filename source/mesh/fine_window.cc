@@ -9,6 +9,8 @@ namespace wheelrail
   Range
   window_range(const SweepPlan &plan, const FineWindow &window, const Body body)
   {
+    if (!plan.moving)
+      return plan.fine;
     const double block = plan.block_length(), at = window.column[body] * block;
     Range        range = {at + plan.around_block.s0, at + plan.around_block.s1};
     if (window.column[body] >= window.start[body])

@@ -160,7 +160,8 @@ namespace wheelrail
     plan.longest_path = std::max(
       sizes.distance,
       std::min((even.last - 1) * spacing - plan.reach, rail.s1 - std::max(free_rail, 3 * spacing)) - farther);
-    if (sizes.moving)
+    plan.moving = sizes.moving;
+    if (plan.moving)
       plan.fine.s1 = std::min(plan.fine.s1, plan.around_block.s1);
 
     plan.rail = make_rail_section(profiles.rail, contact.rail, plan.strip, block);

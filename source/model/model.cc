@@ -3,6 +3,7 @@
 #include <wheelrail/contact/make_law.h>
 #include <wheelrail/mesh/lattice.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/irregular_strip.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/motion_way.h>
 #include <wheelrail/model/planned_strip.h>
@@ -88,50 +89,6 @@ namespace wheelrail
     {
       return duration / std::ceil(duration / (scene.time_step_factor * stable.step));
     }
-    /// The contact on a mesh whose finest cells lie in `range` of both bodies, and the added mass.
-    void
-    prepare_contact(Model &model, const SweepPlan &plan, const PerBody<Range> &range, MPI_Comm communicator)
-    {
-      const auto collect = [&](const Body body) {
-        return make_surface(
-          model.solid.mesh, body, plan.surfaces, make_lattice(plan, body, range[body]), communicator);
-      };
-      model.contact->prepare(collect(Body::rail), collect(Body::wheel));
-      add_band_mass(model.solid, model.contact->law().added_mass, communicator);
-    }
-
-    /// How much thinner, relatively, nodes that irregularities move make the cells anywhere on the way:
-    /// heights are blended over a depth, slopes shear cells.
-    double
-    thinnest_cells(const RunningSurfaces &surfaces)
-    {
-      double least = 1;
-      for (const Body body : both_bodies)
-        {
-          double strain = 0;
-          for (const Irregularity &one : surfaces[body].irregularities())
-            if (one.carried == CarriedBy::mesh)
-              strain += one.measures.largest / RunningSurface::blend_depth + one.measures.steepest;
-          least = std::min(least, 1 - std::min(strain, 0.8));
-        }
-      return least;
-    }
-
-    /// Bodies and contact on the mesh of the start; the contact's law follows from it.
-    void
-    prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
-    {
-      const SweepPlan &plan = model.forest->plan();
-      prepare(model.solid, model.forest->local_mesh(), communicator);
-      lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
-      model.parts = scene_parts(scene, plan.start_block * plan.block_length(), communicator);
-      prepare_parts(model.parts, model.solid);
-      lower_stable_step(model.solid, model.parts);
-      // the start lies on the smooth surfaces: what comes later counts now
-      model.solid.stable.step *= thinnest_cells(plan.surfaces);
-      model.contact = make_contact(scene, model, communicator);
-      prepare_contact(model, plan, {plan.fine, plan.fine}, communicator);
-    }
 
     /// Where a column of the wheel's blocks lies along: they are counted against its arc coordinate, from the
     /// contact of the start on. The other way round it is the same.
@@ -161,6 +118,62 @@ namespace wheelrail
     ranges_of(const SweepPlan &plan, const FineWindow &window)
     {
       return {window_range(plan, window, Body::rail), window_range(plan, window, Body::wheel)};
+    }
+
+    /// The contact on a mesh whose finest cells lie in `range` of both bodies, and the added mass.
+    void
+    prepare_contact(Model &model, const SweepPlan &plan, const PerBody<Range> &range, MPI_Comm communicator)
+    {
+      const auto collect = [&](const Body body) {
+        return make_surface(
+          model.solid.mesh, body, plan.surfaces, make_lattice(plan, body, range[body]), communicator);
+      };
+      model.contact->prepare(collect(Body::rail), collect(Body::wheel));
+      add_band_mass(model.solid, model.contact->law().added_mass, communicator);
+    }
+
+    /// How much thinner, relatively, nodes that irregularities move make the cells anywhere on the way:
+    /// heights are blended over a depth, slopes shear cells.
+    double
+    thinnest_cells(const RunningSurfaces &surfaces)
+    {
+      double least = 1;
+      for (const Body body : both_bodies)
+        {
+          double strain = 0;
+          for (const Irregularity &one : surfaces[body].irregularities())
+            if (one.carried == CarriedBy::mesh)
+              strain += one.measures.largest / RunningSurface::blend_depth + one.measures.steepest;
+          least = std::min(least, 1 - std::min(strain, 0.8));
+        }
+      return least;
+    }
+
+    /// Bodies on the mesh that the model's window asks for.
+    void
+    prepare_solid(Model &model, MPI_Comm communicator)
+    {
+      const SweepPlan &plan = model.forest->plan();
+      // the list of the wheel's cells begins opposite to the contact
+      model.forest->lay(zones_of(plan, model.window),
+                        {0, wheel_column(model.window.column.wheel) + static_cast<int>(plan.sectors) / 2});
+      prepare(model.solid, model.forest->local_mesh(), communicator);
+    }
+
+    /// Bodies and contact on the mesh of the start; the contact's law follows from it.
+    void
+    prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
+    {
+      const SweepPlan &plan = model.forest->plan();
+      prepare_solid(model, communicator);
+      lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
+      model.parts = scene_parts(scene, plan.start_block * plan.block_length(), communicator);
+      prepare_parts(model.parts, model.solid);
+      lower_stable_step(model.solid, model.parts);
+      // the start lies on the smooth surfaces: what comes later counts now
+      model.solid.stable.step *= thinnest_cells(plan.surfaces);
+      model.contact = make_contact(scene, model, communicator);
+      prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
     }
 
     /// Columns of blocks in which a body has flowed, over all ranks, ascending.
@@ -235,6 +248,7 @@ namespace wheelrail
       sizes.start       = scene.start_offset;
       sizes.moving      = scene.window == MeshWindow::moving;
       plan_for_way(geometry, way, sizes);
+      plan_for_irregularities(geometry, sizes);
       return sizes;
     }
 
@@ -307,16 +321,12 @@ namespace wheelrail
     model.expected_approach = expected_approach(scene, geometry.contact.rolling_radius);
     const Range overlap     = overlap_along(
       geometry, std::max(model.expected_approach, way.empty() ? 0 : sizes.approach), scene.fine_margin);
-    model.reach        = std::max({-overlap.s0, overlap.s1, -sizes.along.s0, sizes.along.s1});
-    model.forest       = std::make_unique<Forest>(communicator, plan_of(scene, geometry, sizes));
-    model.solid.choice = bodies_of(scene);
+    model.reach           = std::max({-overlap.s0, overlap.s1, -sizes.along.s0, sizes.along.s1});
+    model.forest          = std::make_unique<Forest>(communicator, plan_of(scene, geometry, sizes));
+    model.solid.choice    = bodies_of(scene);
+    const double end      = scene.mesh_distance() + sizes.ahead.s1;
+    model.window.path_end = {end, end};
     prepare_start(scene, model, communicator);
-    if (scene.window == MeshWindow::moving)
-      {
-        const double end      = scene.mesh_distance() + sizes.ahead.s1;
-        model.swept           = std::make_unique<SweptMesh>(model.forest->plan());
-        model.window.path_end = {end, end};
-      }
     load_axle(scene, geometry, way, model, communicator);
     model.duration  = run_duration(scene);
     model.time_step = time_step(scene, model.duration, model.solid.stable);
@@ -325,32 +335,18 @@ namespace wheelrail
 
 
   void
-  prepare_window(Model &model, MPI_Comm communicator)
+  prepare_mesh(Model &model, MPI_Comm communicator)
   {
-    const SweepPlan  &plan   = model.swept->plan();
-    const FineWindow &window = model.window;
-    // the list of the wheel's cells begins opposite to the contact
-    const PerBody<int> first{0, wheel_column(window.column.wheel) + static_cast<int>(plan.sectors) / 2};
-    prepare(model.solid, model.swept->make(zones_of(plan, window), first, communicator), communicator);
-    prepare_contact(model, plan, ranges_of(plan, window), communicator);
-  }
-
-
-  void
-  prepare_window_forest(Model &model, MPI_Comm communicator)
-  {
-    const SweepPlan  &plan   = model.swept->plan();
-    const FineWindow &window = model.window;
-    model.forest             = std::make_unique<Forest>(communicator, plan, zones_of(plan, window));
-    prepare(model.solid, model.forest->local_mesh(), communicator);
-    prepare_contact(model, plan, ranges_of(plan, window), communicator);
+    prepare_solid(model, communicator);
+    const SweepPlan &plan = model.forest->plan();
+    prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
   }
 
 
   bool
   move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator)
   {
-    const SweepPlan &plan   = model.swept->plan();
+    const SweepPlan &plan   = model.forest->plan();
     const FineWindow before = model.window;
     if (!follow(model.window, plan, place))
       return false;
@@ -368,7 +364,7 @@ namespace wheelrail
   {
     model.window.kept[body].clear();
     if (scene.behind_wheel != BehindWheel::coarsen)
-      model.window.kept[body] = flowed_columns(model.swept->plan(), model.solid, body, communicator);
+      model.window.kept[body] = flowed_columns(model.forest->plan(), model.solid, body, communicator);
   }
 
 
@@ -378,9 +374,9 @@ namespace wheelrail
     bool longer = false;
     for (const Body body : both_bodies)
       {
-        const double before         = window_range(model.swept->plan(), model.window, body).s1;
+        const double before         = window_range(model.forest->plan(), model.window, body).s1;
         model.window.path_end[body] = std::max(model.window.path_end[body], distance);
-        longer = longer || window_range(model.swept->plan(), model.window, body).s1 > before;
+        longer = longer || window_range(model.forest->plan(), model.window, body).s1 > before;
       }
     return longer;
   }

@@ -1,13 +1,16 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/irregular_shapes.h>
+#include <wheelrail/geometry/roughness.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/scene_irregularities.h>
+#include <wheelrail/profiles/roughness_file.h>
 #include <wheelrail/profiles/slices_file.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace wheelrail
 {
@@ -62,6 +65,24 @@ namespace wheelrail
     }
 
     Irregularity
+    rough(const IrregularityData &data, const Place &at)
+    {
+      const std::vector<RoughnessBand> bands = read_roughness_file(data.file);
+      try
+        {
+          Irregularity shape = roughness(at.size, bands, data.seed);
+          if (at.wheel && shape.end - shape.begin > at.circumference())
+            throw InputError("with its ends it is longer than the circumference of the wheel, " +
+                             rounded_mm(at.circumference()) + "; take a shorter Length");
+          return shape;
+        }
+      catch (const InputError &error)
+        {
+          throw InputError(data.file + ": " + error.what());
+        }
+    }
+
+    Irregularity
     make_shape(const Scene            &scene,
                const IrregularityData &data,
                const TouchingProfiles &profiles,
@@ -83,6 +104,8 @@ namespace wheelrail
             return rounded_flat(at.size);
           case K::polygon:
             return polygon(at.size, data.order, at.radius);
+          case K::roughness:
+            return rough(data, at);
           case K::file:
             return from_file(scene, data, profiles, at);
           default:
@@ -129,8 +152,8 @@ namespace wheelrail
           }
         catch (const InputError &error)
           {
-            throw InputError(irregularity_name(k) + "/" +
-                             (data.kind == IrregularKind::file ? "File" : "Kind") + ": " + error.what());
+            throw InputError(irregularity_name(k) + "/" + (data.in_file() ? "File" : "Kind") + ": " +
+                             error.what());
           }
       }
     return {std::make_shared<const Irregularities>(std::move(lists.rail)),

@@ -46,6 +46,7 @@ namespace wheelrail
       {"drive_torque", "torque on the axle, positive when driving"},
       {"axle_height", "height of the axle against the unloaded position, positive up"},
       {"axle_acceleration", "vertical acceleration of the axle box, positive up"},
+      {"rail_velocity", "vertical velocity of the running surface of the rail around the wheel, positive up"},
       {"rail_irregularity", "height of the rail's irregularities under the wheel, along the normal"},
       {"wheel_irregularity", "height of the wheel's irregularities on the rail, along the normal"},
       {"velocity", "of the wheelset along the track"},

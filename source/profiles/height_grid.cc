@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/read_file.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/profiles/height_grid.h>
+#include <wheelrail/profiles/named_columns.h>
 #include <wheelrail/profiles/profile_text.h>
 
 #include <gsl/gsl_spline.h>
@@ -11,10 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <map>
 #include <memory>
-#include <optional>
-#include <utility>
 
 namespace wheelrail
 {
@@ -23,53 +20,12 @@ namespace wheelrail
     const std::string accepted =
       "; a line with names such as along_mm, across_mm, height_um is needed, then rows of numbers";
 
-    std::string
-    text_of_file(const std::string &path)
+    const std::vector<NamedColumn> &
+    columns()
     {
-      try
-        {
-          return read_whole_file(path);
-        }
-      catch (const RunError &error)
-        {
-          throw InputError(error.what());
-        }
-    }
-
-    /// Metres for each unit of a column or dataset whose name begins with `quantity`; 0: another one.
-    double
-    unit_of(const std::string &name, const std::string &quantity)
-    {
-      for (const auto &[ending, unit] : {std::make_pair("_m", 1.), {"_mm", 1e-3}, {"_um", 1e-6}})
-        if (name == quantity + ending)
-          return unit;
-      return 0;
-    }
-
-    /// The columns of a table: where along, across and height stand, and their units.
-    struct Columns
-    {
-      std::size_t place[3] = {};
-      double      unit[3]  = {}; ///< 0: no such column
-    };
-
-    constexpr const char *quantities[3] = {"along", "across", "height"};
-
-    Columns
-    columns_of(const std::vector<std::string> &names, const std::string &path, const unsigned int line)
-    {
-      Columns columns;
-      for (std::size_t k = 0; k < names.size(); ++k)
-        for (int q = 0; q < 3; ++q)
-          if (const double unit = unit_of(lower(names[k]), quantities[q]); unit > 0)
-            {
-              columns.place[q] = k;
-              columns.unit[q]  = unit;
-            }
-      for (const int q : {0, 2})
-        if (columns.unit[q] == 0)
-          throw InputError(place(path, line) + "no column " + quantities[q] + "_mm (or _m, _um)" + accepted);
-      return columns;
+      static const std::vector<NamedColumn> list = {
+        {"along", length_units(), true}, {"across", length_units(), false}, {"height", length_units(), true}};
+      return list;
     }
 
     std::string
@@ -111,17 +67,11 @@ namespace wheelrail
                          " across; a grid needs at least 4, a line has no column across");
     }
 
-    struct Row
-    {
-      double       value[3];
-      unsigned int line;
-    };
-
     HeightGrid
-    grid_of_rows(const std::vector<Row> &rows, const bool line, const std::string &path)
+    grid_of_rows(const std::vector<NamedRow> &rows, const bool line, const std::string &path)
     {
       std::vector<double> along, across;
-      for (const Row &row : rows)
+      for (const NamedRow &row : rows)
         {
           along.push_back(row.value[0]);
           across.push_back(row.value[1]);
@@ -131,7 +81,7 @@ namespace wheelrail
       const std::size_t         n = grid.along.size(), m = std::max<std::size_t>(1, grid.across.size());
       std::vector<unsigned int> from(n * m, 0);
       grid.height.resize(n * m);
-      for (const Row &row : rows)
+      for (const NamedRow &row : rows)
         {
           const std::size_t k =
             index_of(grid.along, row.value[0]) + n * (line ? 0 : index_of(grid.across, row.value[1]));
@@ -155,38 +105,8 @@ namespace wheelrail
     HeightGrid
     read_table(const std::string &path)
     {
-      const std::vector<Line> lines = lines_of(text_of_file(path));
-      std::vector<Row>        rows;
-      Columns                 columns;
-      bool                    named = false;
-      for (const Line &line : lines)
-        {
-          const std::string text = trimmed(without_comment(line.text, "#%!"));
-          if (text.empty())
-            continue;
-          const std::vector<std::string> fields = fields_of(text);
-          if (!named)
-            {
-              columns = columns_of(fields, path, line.number);
-              named   = true;
-              continue;
-            }
-          Row row{{0, 0, 0}, line.number};
-          for (int q = 0; q < 3; ++q)
-            if (columns.unit[q] > 0)
-              {
-                const auto number =
-                  columns.place[q] < fields.size() ? number_of(fields[columns.place[q]]) : std::nullopt;
-                if (!number)
-                  throw InputError(place(path, line.number) + shown(text) + ": no number for " +
-                                   quantities[q] + accepted);
-                row.value[q] = columns.unit[q] * *number;
-              }
-          rows.push_back(row);
-        }
-      if (!named)
-        throw InputError(path + ": empty" + accepted);
-      return grid_of_rows(rows, columns.unit[1] == 0, path);
+      const NamedTable table = read_named_columns(path, columns(), accepted);
+      return grid_of_rows(table.rows, !table.has[1], path);
     }
 
     bool
@@ -199,17 +119,17 @@ namespace wheelrail
 
     /// A dataset of numbers whose name tells its unit [m].
     std::vector<double>
-    lengths_of(const hid_t file, const std::string &path, const std::string &quantity)
+    lengths_of(const hid_t file, const std::string &path, const NamedColumn &column)
     {
-      for (const char *ending : {"_mm", "_um", "_m"})
-        if (H5Lexists(file, (quantity + ending).c_str(), H5P_DEFAULT) > 0)
+      for (const auto &[ending, unit] : column.units)
+        if (H5Lexists(file, (column.quantity + ending).c_str(), H5P_DEFAULT) > 0)
           {
-            std::vector<double> values = hdf5::read_dataset(file, quantity + ending);
+            std::vector<double> values = hdf5::read_dataset(file, column.quantity + ending);
             for (double &value : values)
-              value *= unit_of(quantity + ending, quantity);
+              value *= unit;
             return values;
           }
-      throw InputError(path + ": no dataset " + quantity +
+      throw InputError(path + ": no dataset " + column.quantity +
                        "_mm (or _m, _um); along_mm, across_mm and height_um are needed");
     }
 
@@ -221,9 +141,9 @@ namespace wheelrail
         {
           const hdf5::Handle file(
             H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": no HDF5 file");
-          HeightGrid grid{lengths_of(file, path, "along"),
-                          lengths_of(file, path, "across"),
-                          lengths_of(file, path, "height")};
+          HeightGrid grid{lengths_of(file, path, columns()[0]),
+                          lengths_of(file, path, columns()[1]),
+                          lengths_of(file, path, columns()[2])};
           require_enough(grid, path);
           for (const auto *places : {&grid.along, &grid.across})
             if (std::adjacent_find(places->begin(), places->end(), std::greater_equal<double>()) !=

@@ -17,12 +17,6 @@ namespace wheelrail
 
     // changes between rounds: of the rigid slip, of pressures over their peak
     constexpr double slip_settled = 1e-7, pressure_settled = 2e-4;
-
-    WheelMotion
-    wheel_motion(const Scene &scene)
-    {
-      return {false, std::nan(""), lateral_creepage(scene), path_curvature(scene)};
-    }
   } // namespace
 
 
@@ -30,7 +24,7 @@ namespace wheelrail
     : geometry_(geometry)
     , tables_(tables)
     , sections_(geometry, {}, whole_region(geometry.contact))
-    , motion_(wheel_motion(scene))
+    , motion_(wheel_motion(scene, geometry.contact))
     , element_(scene.halfspace_element_size)
     , rate_(scene.velocity / geometry.contact.rolling_radius)
     , problem_(halfspace_problem(scene))
@@ -185,13 +179,11 @@ namespace wheelrail
         const Row &row = rows_[j];
         if (!row.touches)
           continue;
-        const RigidSlip slip = rigid_slip(sections_, row.slice, motion_, problem_.xi);
-        const double    turn = wheel_spin(sections_, row.slice, motion_, 0);
+        const RowSlip slip = row_slip(row.slice, motion_, problem_.xi);
         for (int i = 0; i < grid.mx; ++i)
           {
-            own_slip_[i + grid.mx * j] = slip.along;
-            problem_.rigid_slip_y[i + grid.mx * j] =
-              slip.lateral + turn * (grid.x(i) - row.slice.along + offset);
+            own_slip_[i + grid.mx * j]             = slip.along;
+            problem_.rigid_slip_y[i + grid.mx * j] = slip.lateral_at(grid.x(i) + offset);
           }
       }
   }

@@ -65,14 +65,14 @@ namespace wheelrail
       (reference.along * axle[0] - (reference.place.x - geometry.axis.middle.x) * axle[2]) / level;
     reference.angle = -point.angle;
 
-    const RigidSlip slip       = rigid_slip(sections, point.slice, motion, solution.xi);
+    const RigidSlip slip       = rigid_slip(point.slice, motion, solution.xi);
     const double    creepage   = solution.xi + slip.along;
     reference.speed            = 1 + 0.5 * creepage;
     reference.creepage         = creepage / reference.speed;
     reference.lateral_creepage = -slip.lateral / reference.speed;
     reference.spin =
       (motion.one_spin && !std::isnan(motion.spin) ? motion.spin
-                                                   : wheel_spin(sections, point.slice, motion, solution.xi)) /
+                                                   : wheel_spin(point.slice, motion, solution.xi)) /
       reference.speed;
     reference.spin_moment = solution.spin_moment - point.x * solution.fy + point.y * solution.fx;
 

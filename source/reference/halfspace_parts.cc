@@ -1,19 +1,16 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/halfspace/sliding_paths.h>
+#include <wheelrail/model/scene_material.h>
+#include <wheelrail/planes/wheel_on_rail.h>
 #include <wheelrail/reference/halfspace_parts.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace wheelrail
 {
   namespace
   {
-    HalfspaceBody
-    halfspace_body(const MaterialData &material)
-    {
-      return {material.youngs_modulus / (2 * (1 + material.poissons_ratio)), material.poissons_ratio};
-    }
-
     /// Fewest elements across a contact.
     constexpr int least_across = 8;
 
@@ -28,15 +25,35 @@ namespace wheelrail
   HalfspaceProblem
   halfspace_problem(const Scene &scene)
   {
-    HalfspaceProblem problem;
-    problem.body1              = halfspace_body(scene.rail_material);
-    problem.body2              = halfspace_body(scene.wheel_material);
-    problem.friction           = scene.friction;
-    problem.velocity           = scene.velocity;
+    HalfspaceProblem problem = wheel_on_rail(
+      {elasticity(scene.rail_material), elasticity(scene.wheel_material)}, scene.friction, scene.velocity);
     problem.memory_length      = scene.halfspace_memory_length;
     problem.memory_least_speed = scene.halfspace_memory_speed;
     problem.layer_compliance   = scene.halfspace_layer_thickness / scene.halfspace_layer_shear;
     return problem;
+  }
+
+
+  WheelMotion
+  wheel_motion(const Scene &scene, const ContactGeometry &contact)
+  {
+    WheelMotion motion;
+    motion.forward_radius   = contact.forward_radius;
+    motion.lateral_creepage = lateral_creepage(scene);
+    motion.curvature        = path_curvature(scene);
+    return motion;
+  }
+
+
+  WheelMotion
+  plane_motion(const Scene &scene, const ContactGeometry &contact)
+  {
+    WheelMotion motion = wheel_motion(scene, contact);
+    const bool  given  = std::isfinite(scene.halfspace_given_spin);
+    if (given)
+      motion.spin = scene.halfspace_given_spin;
+    motion.one_spin = given || scene.halfspace_spin == HalfspaceSpin::contact;
+    return motion;
   }
 
 

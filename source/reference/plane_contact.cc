@@ -11,16 +11,6 @@ namespace wheelrail
 {
   namespace
   {
-    WheelMotion
-    wheel_motion(const Scene &scene)
-    {
-      const bool given = std::isfinite(scene.halfspace_given_spin);
-      return {given || scene.halfspace_spin == HalfspaceSpin::contact,
-              given ? scene.halfspace_given_spin : std::nan(""),
-              lateral_creepage(scene),
-              path_curvature(scene)};
-    }
-
     // interpenetration at 0.55 of the approach has about the size of the patch (Kik and Piotrowski, 1996),
     // the rest is room for it to grow
     constexpr double part_of_approach = 0.75;
@@ -32,7 +22,7 @@ namespace wheelrail
                              const SectionOffsets &offsets,
                              const ContactRegion  &region)
     : sections(geometry, offsets, region)
-    , motion(wheel_motion(scene))
+    , motion(plane_motion(scene, geometry.contact))
     , problem(halfspace_problem(scene))
     , expected_force_(expected_load(scene))
     , expected_approach_(expected_approach(scene, geometry.contact.rolling_radius))

@@ -1,5 +1,6 @@
 #include <wheelrail/damage/machining.h>
 #include <wheelrail/geometry/conicity.h>
+#include <wheelrail/model/expected_patch.h>
 #include <wheelrail/reference/wear_evolution.h>
 
 #include <algorithm>
@@ -17,16 +18,6 @@ namespace wheelrail
     largest(const std::vector<double> &values)
     {
       return *std::max_element(values.begin(), values.end());
-    }
-
-    /// 1 / ((1 - nu1^2) / E1 + (1 - nu2^2) / E2) [Pa].
-    double
-    contact_modulus(const Scene &scene)
-    {
-      const auto compliance = [](const auto &steel) {
-        return (1 - steel.poissons_ratio * steel.poissons_ratio) / steel.youngs_modulus;
-      };
-      return 1 / (compliance(scene.rail_material) + compliance(scene.wheel_material));
     }
 
     double

@@ -14,12 +14,12 @@ namespace wheelrail
   namespace
   {
     /// A shape with its ways, and what it loses.
-    struct Surface
+    struct WearingSurface
     {
-      Surface(const WornShape     &of,
-              std::vector<double> &sections_taken,
-              std::vector<double> &damage_added,
-              std::vector<double> &cracks_added)
+      WearingSurface(const WornShape     &of,
+                     std::vector<double> &sections_taken,
+                     std::vector<double> &damage_added,
+                     std::vector<double> &cracks_added)
         : shape(of)
         , arc(arc_of(of.points))
         , cells(cell_lengths(arc))
@@ -45,7 +45,7 @@ namespace wheelrail
               const double               damage,
               const double               cracks,
               const Placement           &placement,
-              Surface                   &surface)
+              WearingSurface            &surface)
     {
       const auto way_at = [&](const Point2 &track) {
         return arc_next_to(surface.shape.points, surface.arc, placement.to_section(track));
@@ -113,7 +113,7 @@ namespace wheelrail
     }
 
     void
-    add_wheel(const Solved &wheel, Surface &rail, Surface &tread, MixWear &sum)
+    add_wheel(const Solved &wheel, WearingSurface &rail, WearingSurface &tread, MixWear &sum)
     {
       std::vector<const WheelRailSolution *> patches = {&*wheel.solution};
       for (const WheelRailSolution &other : wheel.solution->others)
@@ -157,8 +157,8 @@ namespace wheelrail
                 const WornShape     &rail,
                 const WornShape     &wheel)
     {
-      MixWear wear = empty_wear(rail, wheel);
-      Surface on_rail(rail, wear.rail_section, wear.rail_damage, wear.rail_cracks),
+      MixWear        wear = empty_wear(rail, wheel);
+      WearingSurface on_rail(rail, wear.rail_section, wear.rail_damage, wear.rail_cracks),
         on_tread(wheel, wear.wheel_section, wear.wheel_damage, wear.wheel_cracks);
       try
         {

@@ -50,6 +50,25 @@ def _steel(entry):
     return "rail and wheel " + rail if rail == wheel else f"rail {rail}, wheel {wheel}"
 
 
+def _irregularities(entries):
+    """A row for each irregularity of the running surfaces: what it is, and where."""
+    shapes = {"dent": ("Length", "Width", "Depth"), "squat": ("Length", "Width", "Depth"), "weld": ("Length", "Depth"),
+              "corrugation": ("Wavelength", "Depth", "Length"), "dipped joint": ("Length", "Depth", "Angle"),
+              "flat": ("Length",), "rounded flat": ("Length", "Depth"), "polygon": ("Order", "Depth"),
+              "roughness": ("File", "Length"), "file": ("File",)}
+    found = []
+    for number in range(1, 10):
+        section = f"Irregularity {number}/"
+        kind = entries.get(section + "Kind", "none")
+        if kind == "none":
+            continue
+        said = [f"{name.lower()} {os.path.basename(entries.get(section + name, ''))}" for name in shapes.get(kind, ())
+                if entries.get(section + name, "none") not in ("none", "auto", "whole")]
+        place = entries.get(section + "Place", "0 mm")
+        found.append((f"irregularity {number}", ", ".join([kind] + said) + f", at {place}"))
+    return found
+
+
 def rows(entries, summary=None, of=FINITE):
     """Label and text of what matters; empty where parameters.prm is not there."""
     if not entries:
@@ -75,7 +94,7 @@ def rows(entries, summary=None, of=FINITE):
     if entry("Track/Radius") not in ("straight", "") and of == HALF:
         cant = entry("Track/Cant")
         found.append(("curve", "radius " + entry("Track/Radius") + (f", cant {cant}" if cant not in ("none", "") else "")))
-    found += [("drive", _drive(entry)), ("friction", entry("Contact/Friction coefficient"))]
+    found += [("drive", _drive(entry)), ("friction", entry("Contact/Friction coefficient"))] + _irregularities(entries)
     if of == FINITE:
         found += [("steel", _steel(entry)), ("cells", entry("Mesh/Solution cell size")),
                   ("rolling distance", entry("Run/Rolling distance"))]

@@ -1,5 +1,5 @@
-"""Pictures of runs over irregular surfaces: force and axle-box acceleration over the way with the surfaces under the
-wheel, and their spectra (Welch 1967, by matplotlib)."""
+"""Pictures of runs over irregular surfaces: force, axle-box acceleration, rail velocity and stress over the way with the
+surfaces under the wheel, and spectra (Welch 1967, by matplotlib)."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -13,15 +13,34 @@ def surfaces(run):
             if name in run.history and np.ptp(run.history[name]) > 0]
 
 
-def draw_way(run):
-    """Vertical force, acceleration and heights over the rolled distance."""
+def curves(run):
+    """Title, label of the axis, and (column, factor) of what belongs together; what the history lacks is left out."""
+    known = [("Axle box", "axle box [m/s2]", [("axle_acceleration", 1)]),
+             ("Rail around the wheel", "rail [m/s]", [("rail_velocity", 1)]),
+             ("Largest von Mises stress", "stress [MPa]", [("max_von_mises", 1e-6)]),
+             ("Heights under the wheel", "height [um]", [(name, 1e6) for name in surfaces(run)])]
+    return [(title, label, [one for one in columns if one[0] in run.history]) for title, label, columns in known
+            if any(name in run.history for name, _ in columns)]
+
+
+def groups(run):
+    """The same for the interactive view, as history_pictures.groups()."""
+    if not run.history or not surfaces(run):
+        return {}
     x = 1e3 * run.history["rolled_distance"]
-    rows = [("force [kN]", [("vertical_force", 1e-3, style.RED)]),
-            ("axle box [m/s$^2$]", [("axle_acceleration", 1, style.BLUE)]),
-            ("height [um]", [(name, 1e6, color) for name, color in zip(surfaces(run), style.COLORS)])]
-    figure, axes = plt.subplots(len(rows), 1, figsize=(7.6, 6.6), sharex=True)
-    for one, (label, curves) in zip(axes, rows):
-        for name, factor, color in curves:
+    return {title: (label, [(name.replace("_", " "), x, factor * run.history[name], None) for name, factor in columns])
+            for title, label, columns in curves(run)}
+
+
+def draw_way(run):
+    """Vertical force, what the history has besides, and heights over the rolled distance."""
+    x = 1e3 * run.history["rolled_distance"]
+    rows = [("force [kN]", [("vertical_force", 1e-3, style.RED)])]
+    rows += [(label.replace(" [", "\n["), [(name, factor, color) for (name, factor), color in zip(columns, style.COLORS)])
+             for _, label, columns in curves(run)]
+    figure, axes = plt.subplots(len(rows), 1, figsize=(7.6, 1.0 + 1.7 * len(rows)), sharex=True)
+    for one, (label, columns) in zip(axes, rows):
+        for name, factor, color in columns:
             one.plot(x, factor * run.history[name], color=color, linewidth=1.2, label=name.replace("_", " "))
         one.set_ylabel(label)
         one.grid(True)
@@ -43,8 +62,11 @@ def spectrum(times, values):
 
 
 def draw_spectra(run):
-    figure, axes = plt.subplots(2, 1, figsize=(7.6, 5.4), sharex=True)
-    for one, (name, unit) in zip(axes, (("vertical_force", "N"), ("axle_acceleration", "m/s$^2$"))):
+    known = [(name, unit) for name, unit in (("vertical_force", "N"), ("axle_acceleration", "m/s$^2$"),
+                                             ("rail_velocity", "m/s")) if name in run.history]
+    figure, axes = plt.subplots(len(known), 1, figsize=(7.6, 0.6 + 2.4 * len(known)), sharex=True, squeeze=False)
+    axes = axes[:, 0]
+    for one, (name, unit) in zip(axes, known):
         frequency, density = spectrum(run.history["time"], run.history[name])
         one.loglog(frequency, np.sqrt(density), color=style.BLUE, linewidth=1.2)
         one.set_ylabel(f"{name.replace('_', ' ')}\n[{unit}/Hz$^{{1/2}}$]")
@@ -52,7 +74,7 @@ def draw_spectra(run):
         one.set_xlim(right=2e4)
     axes[-1].set_xlabel("frequency [Hz]")
     axes[0].set_title("Spectra (Welch)")
-    return [("Spectra of force and axle-box acceleration", style.save(run, figure, "spectra"))]
+    return [("Spectra of force, axle-box acceleration and rail velocity", style.save(run, figure, "spectra"))]
 
 
 def draw_all(run):

@@ -42,8 +42,9 @@ BROAD = {"sheet", "shear_instants"}
 def parse_arguments(arguments):
     parser = argparse.ArgumentParser(prog="report", description="Pictures and one page of a run.")
     parser.add_argument("folder", help="output folder of the run")
-    parser.add_argument("--tick", default="last",
-                        help="output step to draw: a number, or last; several with commas also draw the shear at each")
+    parser.add_argument("--tick",
+                        help="output step to draw: a number, or last (the usual one; over irregular surfaces the one nearest "
+                             "to the largest force); several with commas also draw the shear at each")
     parser.add_argument("--csv", action="store_true", help="also write histories, maps and sections as tables into FOLDER/csv")
     return parser.parse_args(arguments)
 
@@ -54,13 +55,13 @@ def make_views(run):
     if run.patch is not None:
         ticks, names = list(run.patches), run.patches.names
         labels = views.tick_labels(ticks, names)
-        start = names.index(f"tick_{run.tick:04d}")
+        start = sum(views.is_shown(tick) for tick in ticks[:names.index(f"tick_{run.tick:04d}")])
         shown += views.patch_views([views.patch_source("", ticks, labels, run.sections)], run.friction, start)
         stresses = subsurface_pictures.ticks_of(run)
         if stresses:
             shown += views.slice_views(stresses)
     if run.history:
-        shown += views.curve_views(run, history_pictures.groups(run))
+        shown += views.curve_views(run, {**history_pictures.groups(run), **irregular_pictures.groups(run)})
     return shown
 
 
@@ -96,9 +97,9 @@ def make_parts(run, pictures, shown):
 
 def make_report(run):
     """Draws everything; returns the number of pictures and the path of the page."""
-    pictures = (patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run) + body_pictures.draw_all(run) +
-                plastic_pictures.draw_all(run) + wear_pictures.draw_all(run) + history_pictures.draw_all(run) +
-                irregular_pictures.draw_all(run))
+    pictures = (irregular_pictures.draw_all(run) + patch_pictures.draw_all(run) + subsurface_pictures.draw_all(run) +
+                body_pictures.draw_all(run) + plastic_pictures.draw_all(run) + wear_pictures.draw_all(run) +
+                history_pictures.draw_all(run))
     script = page.plotly_script()
     if script is None:
         run.remarks.append("Python's plotly is not installed (package python3-plotly); the page shows pictures alone.")

@@ -78,16 +78,28 @@ def choose_tick(ticks, wanted):
     return int(wanted)
 
 
+def usual_tick(run):
+    """Number of the tick that is drawn where none is asked for: the last, but over irregular surfaces that nearest to
+    the largest force."""
+    numbers = [int(name[5:]) for name in run.patches.names]
+    place = (run.summary or {}).get("largest_vertical_force_at_m")
+    if place is None or len(numbers) == 0:
+        return choose_tick(run.patches, "last")
+    return min(numbers, key=lambda k: abs(tick_of(run.patches, k).attributes["rolled_distance_m"] - place))
+
+
 def tick_of(ticks, number):
     return ticks[ticks.names.index(f"tick_{number:04d}")]
 
 
 def load_patch(run, wanted):
-    """The ticks of the patch; several wanted ones, with commas between, are the instants, the last of them is drawn."""
+    """The ticks of the patch; several wanted ones, with commas between, are the instants, the last of them is drawn;
+    None: usual_tick()."""
     run.patches = run.try_to(lambda: run.data.patch, "The pictures of the contact patch are left out.")
     if run.patches is None:
         return
-    run.instants = [choose_tick(run.patches, text.strip()) for text in wanted.split(",")]
+    run.instants = [usual_tick(run)] if wanted is None else \
+        [choose_tick(run.patches, text.strip()) for text in wanted.split(",")]
     run.tick = run.instants[-1]
     run.patch = tick_of(run.patches, run.tick)
     missing = {"along", "lateral", "pressure", "shear_along", "shear_lateral", "state"} - set(run.patch)
@@ -106,7 +118,7 @@ def find_friction(run):
     return None if value is None or not np.isfinite(value) else float(value)
 
 
-def load(folder, tick="last"):
+def load(folder, tick=None):
     run = Run(folder)
     load_summary(run)
     load_patch(run, tick)

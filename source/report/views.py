@@ -48,9 +48,14 @@ def head_of(fields, where):
             "face": plain(where.face, 5), "words": where.words(where.on_rail(0.5 * (first + last))[0])}
 
 
+def is_shown(tick):
+    """Whether a view has this tick: not where nothing is loaded."""
+    return bool(tick["pressure"].max() > 0) and min(tick["pressure"].shape) >= 2
+
+
 def patch_tick(tick, label, digits=6, where=None):
     """One tick of a patch for a view; None where nothing is loaded. `where`: the Sections of its rail."""
-    if not tick["pressure"].max() > 0 or min(tick["pressure"].shape) < 2:
+    if not is_shown(tick):
         return None
     fields = Fields(tick, margin=3)
     values = {}

@@ -115,7 +115,8 @@ namespace wheelrail
       with_place("least_vertical_force");
       impact.figure("impact_factor");
       impact.figure("contact_loss");
-      with_place("largest_pressure");
+      for (const char *name : {"largest_pressure", "von_mises_on_way", "plastic_strain_on_way"})
+        with_place(name);
       const Figure &up = figure_named("axle_acceleration_up"), &down = figure_named("axle_acceleration_down");
       if (const double most = get_figure(summary, up.key()); std::isfinite(most))
         impact.line("acceleration of the axle box",

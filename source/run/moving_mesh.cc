@@ -5,21 +5,11 @@ namespace wheelrail
   namespace
   {
     void
-    change_mesh(RunState &run, void (*remake)(Model &, MPI_Comm))
+    change_mesh(RunState &run)
     {
-      run.rolling.change_mesh([&]() { remake(run.model, run.communicator); }, run.axle.contact_along());
+      run.rolling.change_mesh([&]() { prepare_mesh(run.model, run.communicator); }, run.axle.contact_along());
     }
   } // namespace
-
-
-  void
-  use_window(RunState &run)
-  {
-    if (!run.model.swept)
-      return;
-    run.model.forest.reset();
-    change_mesh(run, prepare_window);
-  }
 
 
   bool
@@ -27,13 +17,13 @@ namespace wheelrail
   {
     const Model           &model    = run.model;
     const RunningSurfaces &surfaces = model.contact->surfaces();
-    if (!model.swept ||
+    if (!model.forest->plan().moving ||
         !move_window(run.scene,
                      run.model,
                      {run.axle.contact_along(), run.axle.contact_on_wheel(surfaces.rolling_radius)},
                      run.communicator))
       return false;
-    change_mesh(run, prepare_window);
+    change_mesh(run);
     return true;
   }
 
@@ -41,15 +31,7 @@ namespace wheelrail
   void
   lengthen_way(RunState &run)
   {
-    if (run.model.swept && lengthen_path(run.model, run.scene.path()))
-      change_mesh(run, prepare_window);
-  }
-
-
-  void
-  use_forest(RunState &run)
-  {
-    if (run.model.swept)
-      change_mesh(run, prepare_window_forest);
+    if (run.model.forest->plan().moving && lengthen_path(run.model, run.scene.path()))
+      change_mesh(run);
   }
 } // namespace wheelrail

@@ -25,7 +25,7 @@ namespace wheelrail
   void
   RunState::record()
   {
-    recorder.add(rolling, axle);
+    recorder.add(rolling, axle, communicator);
     const PatchFields patch = patch_fields(*model.contact, axle, rolling.time());
     recorder.add_patch(patch, wear_profile(patch, axle.velocity(), scene.wear));
   }
@@ -41,9 +41,7 @@ namespace wheelrail
   {
     const RunStart start =
       start_on_wide_mesh(scene, geometry, model, rail ? &*rail : nullptr, log, communicator);
-    auto run = std::make_unique<RunState>(scene, std::move(model), start.lift, start.rate, communicator);
-    use_window(*run);
-    return run;
+    return std::make_unique<RunState>(scene, std::move(model), start.lift, start.rate, communicator);
   }
 
 
@@ -51,11 +49,10 @@ namespace wheelrail
   resume_run(const Scene &scene, Model model, const Checkpoint &saved, MPI_Comm communicator)
   {
     model.time_step = saved.time_step; // another Run/Rolling distance would round it otherwise
-    if (model.swept)
+    if (model.forest->plan().moving)
       {
         model.window = saved.window;
-        model.forest.reset();
-        prepare_window(model, communicator);
+        prepare_mesh(model, communicator);
       }
     auto run = std::make_unique<RunState>(scene, std::move(model), 0, 0, communicator);
     restore_checkpoint(saved, run->model, run->rolling, run->recorder, communicator);

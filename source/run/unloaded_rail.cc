@@ -16,7 +16,6 @@ namespace wheelrail
     const auto begin = std::chrono::steady_clock::now();
     try
       {
-        use_forest(run);
         UnloadedBodies bodies = unload(*run.model.forest, run.model.solid, run.model.parts, run.axle);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         log.value("unloading",

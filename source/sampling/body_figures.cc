@@ -43,27 +43,32 @@ namespace wheelrail
   PlasticFigures
   plastic_figures(const Solid &solid, const RunningSurfaces &surfaces, MPI_Comm communicator)
   {
-    double          largest = -1;
     PerBody<double> work;
     for (const Body body : both_bodies)
       {
-        const ElementBlocks &blocks = solid.blocks[body];
-        if (!blocks.plastic())
-          continue;
-        for (const double strain : element_plastic_strain(blocks))
-          largest = std::max(largest, strain);
-        for (const double w : blocks.plastic_work)
-          work[body] += w;
+        if (solid.blocks[body].plastic())
+          for (const double w : solid.blocks[body].plastic_work)
+            work[body] += w;
+        MPI_Allreduce(MPI_IN_PLACE, &work[body], 1, MPI_DOUBLE, MPI_SUM, communicator);
       }
-    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
-    for (const Body body : both_bodies)
-      MPI_Allreduce(MPI_IN_PLACE, &work[body], 1, MPI_DOUBLE, MPI_SUM, communicator);
-    if (largest < 0)
-      largest = std::nan("");
-    PlasticFigures figures{largest, work, std::nan(""), std::nan(""), std::nan("")};
+    PlasticFigures figures{
+      largest_plastic_strain(solid, communicator), work, std::nan(""), std::nan(""), std::nan("")};
     if (solid.blocks[Body::rail].plastic())
       measure_band(solid, surfaces, figures, communicator);
     return figures;
+  }
+
+
+  double
+  largest_plastic_strain(const Solid &solid, MPI_Comm communicator)
+  {
+    double largest = -1;
+    for (const Body body : both_bodies)
+      if (solid.blocks[body].plastic())
+        for (const double strain : element_plastic_strain(solid.blocks[body]))
+          largest = std::max(largest, strain);
+    MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator);
+    return largest < 0 ? std::nan("") : largest;
   }
 
 

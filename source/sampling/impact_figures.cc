@@ -13,7 +13,6 @@ namespace wheelrail
     constexpr double open    = 1e-3; // of the load
     const auto      *along   = find_column(history, "rolled_distance"),
                *force        = find_column(history, "vertical_force"),
-               *pressure     = find_column(history, "max_pressure"),
                *acceleration = find_column(history, "axle_acceleration");
     if (!along || !force || force->empty())
       return;
@@ -28,12 +27,17 @@ namespace wheelrail
       if ((*force)[k] < open * load)
         lost += (*along)[k] - (*along)[k - 1];
     set_figure(summary, "contact_loss_m", lost);
-    if (pressure)
-      {
-        const auto top = std::max_element(pressure->begin(), pressure->end());
-        set_figure(summary, "largest_pressure_Pa", *top);
-        set_figure(summary, "largest_pressure_at_m", (*along)[top - pressure->begin()]);
-      }
+    const auto largest_of = [&](const char *column, const std::string &figure, const std::string &unit) {
+      const auto *values = find_column(history, column);
+      if (!values)
+        return;
+      const auto top = std::max_element(values->begin(), values->end());
+      set_figure(summary, figure + unit, *top);
+      set_figure(summary, figure + "_at_m", (*along)[top - values->begin()]);
+    };
+    largest_of("max_pressure", "largest_pressure", "_Pa");
+    largest_of("max_von_mises", "von_mises_on_way", "_Pa");
+    largest_of("max_plastic_strain", "plastic_strain_on_way", "");
     if (acceleration)
       {
         const auto [down, up] = std::minmax_element(acceleration->begin(), acceleration->end());

@@ -1,5 +1,6 @@
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figures.h>
+#include <wheelrail/sampling/body_figures.h>
 #include <wheelrail/sampling/impact_figures.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/sampling/recorder.h>
@@ -84,7 +85,7 @@ namespace wheelrail
 
 
   void
-  Recorder::add(const Rolling &rolling, const Axle &axle)
+  Recorder::add(const Rolling &rolling, const Axle &axle, MPI_Comm communicator)
   {
     const ContactSums &c = rolling.contact_sums();
     const EnergyBook  &e = rolling.energy();
@@ -115,6 +116,10 @@ namespace wheelrail
         const double           on_rail  = axle.contact_along(),
                      on_wheel           = axle.contact_on_wheel(surfaces.rolling_radius);
         row.put("axle_acceleration", "m/s2", axle.acceleration());
+        row.put("max_von_mises", largest_von_mises(model_.solid, communicator));
+        if (const double strain = largest_plastic_strain(model_.solid, communicator); std::isfinite(strain))
+          row.put("max_plastic_strain", strain);
+        row.put("rail_velocity", "m/s", model_.contact->mean_velocity(Body::rail)[1]);
         row.put("rail_irregularity", "m", surfaces.rail.at(0, on_rail).n - surfaces.rail.smooth(0).n);
         row.put("wheel_irregularity", "m", surfaces.wheel.smooth(0).n - surfaces.wheel.at(0, on_wheel).n);
       }

@@ -19,7 +19,7 @@ namespace wheelrail
 
     /// The nodes of one grid line along the track, counted from a slipping node 0 into the sticking side:
     /// 1, 2, 3 stick, -1 lies behind the slipping node.
-    struct Line
+    struct PatchLine
     {
       const PatchFields &patch;
       int                i, j, direction; ///< the slipping node; +1 or -1 along the track
@@ -54,7 +54,7 @@ namespace wheelrail
 
     /// q^2 of node n, see largest_shear().
     double
-    shortfall_squared(const Line &line, const int n)
+    shortfall_squared(const PatchLine &line, const int n)
     {
       const PatchFields &patch = line.patch;
       const std::size_t  slip = line.index(0), k = line.index(n);
@@ -66,7 +66,7 @@ namespace wheelrail
 
     /// Distance from the slipping node at which q^2 vanishes; NaN where it does not between nodes 0 and 1.
     double
-    place_of_line(const Line &line)
+    place_of_line(const PatchLine &line)
     {
       if (!line.is(2, sticking))
         return no_edge;
@@ -90,7 +90,7 @@ namespace wheelrail
 
     /// Pressure at distance x from node 0: the polynomial through nodes -1 to 2, those that are loaded.
     double
-    pressure_at(const Line &line, const double x)
+    pressure_at(const PatchLine &line, const double x)
     {
       std::vector<int> nodes;
       for (const int n : {-1, 0, 1, 2})
@@ -124,7 +124,7 @@ namespace wheelrail
       for (int j = 0; j < int(patch.n_lateral); ++j)
         for (const int direction : {-1, 1})
           {
-            const Line line{patch, i, j, direction};
+            const PatchLine line{patch, i, j, direction};
             if (!line.is(0, slipping) || !line.is(1, sticking))
               continue;
             const double x = place_of_line(line);

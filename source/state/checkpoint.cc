@@ -170,8 +170,8 @@ namespace wheelrail
     Checkpoint       part;
     part.time_step = model.time_step;
     part.window    = model.window;
-    if (model.swept)
-      part.start_block = model.swept->plan().start_block;
+    if (model.forest->plan().moving)
+      part.start_block = model.forest->plan().start_block;
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
       if (mesh.owned[n])
         part.node.push_back(mesh.node_number[n]);

@@ -122,18 +122,18 @@ namespace wheelrail
   void
   lay_rail(const Scene &scene, const Checkpoint &rail, Model &model, MPI_Comm communicator)
   {
-    const bool same_wheel = scene.next_wheel == NextWheel::same;
-    FineWindow start      = model.window;
-    double     farther    = 0; // along the track than in the earlier run, which may have started elsewhere
-    if (model.swept)
+    const bool       same_wheel = scene.next_wheel == NextWheel::same;
+    FineWindow       start      = model.window;
+    double           farther = 0; // along the track than in the earlier run, which may have started elsewhere
+    const SweepPlan &plan    = model.forest->plan();
+    if (plan.moving)
       {
-        const SweepPlan &plan   = model.swept->plan();
-        const int        blocks = rail.start_block - plan.start_block;
-        farther                 = blocks * plan.block_length();
+        const int blocks = rail.start_block - plan.start_block;
+        farther          = blocks * plan.block_length();
         take_window(rail.window, Body::rail, blocks, plan.block_length(), model.window);
         if (same_wheel)
           take_window(rail.window, Body::wheel, 0, plan.block_length(), model.window);
-        prepare_window_forest(model, communicator);
+        prepare_mesh(model, communicator);
       }
     const std::optional<Body> rail_alone = same_wheel ? std::optional<Body>() : Body::rail;
     if (!restore_bodies(rail, model.solid, farther, communicator, rail_alone))
@@ -147,7 +147,7 @@ namespace wheelrail
     std::fill(model.solid.velocity.begin(), model.solid.velocity.end(), 0.);
     if (same_wheel)
       turn_back(rail, model, communicator);
-    if (model.swept)
+    if (plan.moving)
       {
         for (const Body body : both_bodies)
           {
@@ -158,7 +158,7 @@ namespace wheelrail
         const SolidChoice   choice = model.solid.choice;
         const SolidTransfer transfer(std::move(model.solid), 0, communicator);
         model.solid.choice = choice;
-        prepare_window_forest(model, communicator);
+        prepare_mesh(model, communicator);
         transfer.fill(model.solid, node_inertia(model.solid), 0);
         std::fill(model.solid.velocity.begin(), model.solid.velocity.end(), 0.);
       }

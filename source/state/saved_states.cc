@@ -33,18 +33,19 @@ namespace wheelrail
   void
   SavedStates::keep(const RunParts &run, const unsigned int ticks, const double wall_time)
   {
-    Checkpoint part = take_checkpoint(run.model, run.rolling, run.recorder);
+    const SweepPlan &plan = run.model.forest->plan();
+    Checkpoint       part = take_checkpoint(run.model, run.rolling, run.recorder);
     if (!is_finite(part, communicator_))
       return;
     kept_                   = std::move(part);
     kept_.parameters        = parameters_;
     kept_.prepared_distance = run.scene.mesh_distance();
-    kept_.longest_distance = run.model.swept ? run.model.swept->plan().longest_path : kept_.prepared_distance;
-    kept_.fine_margin      = run.scene.fine_margin;
-    kept_.ticks            = ticks;
-    kept_.wall_time        = wall_time;
-    any_                   = true;
-    on_disk_               = false;
+    kept_.longest_distance  = plan.moving ? plan.longest_path : kept_.prepared_distance;
+    kept_.fine_margin       = run.scene.fine_margin;
+    kept_.ticks             = ticks;
+    kept_.wall_time         = wall_time;
+    any_                    = true;
+    on_disk_                = false;
   }
 
 

@@ -1,4 +1,5 @@
 #include <wheelrail/halfspace/tangential.h>
+#include <wheelrail/planes/rigid_slip.h>
 #include <wheelrail/statics/start_tractions.h>
 
 #include <algorithm>
@@ -107,30 +108,34 @@ namespace wheelrail
       return surfaces.frame.angle + std::atan(surfaces.outline.at(s).slope);
     }
 
-    /// Velocity of the rail's surface against the wheel's over V when the wheel turns without creepage:
-    /// a larger local radius runs backwards, ahead of the axle the wheel's surface still descends,
-    /// which slides it along its inclination, and a wheel with yaw slides aside.
-    VectorField
-    rigid_slip(const RunningSurfaces &surfaces, const double lateral_creepage, const HalfspaceGrid &grid)
+    /// The wheel's surface at s, in the plane across the track through the first contact point.
+    WheelPlace
+    wheel_place(const RunningSurfaces &surfaces, const double s)
     {
-      const double radius = surfaces.forward_radius;
-      VectorField  slip;
-      for (int j = 0; j < grid.my; ++j)
-        for (int i = 0; i < grid.mx; ++i)
-          {
-            const double  s = grid.y(j), angle = inclination(surfaces, s);
-            const Vector3 turning = surfaces.rolling(s, grid.x(i));
-            slip[0].push_back(-turning[2] / radius - 1);
-            slip[1].push_back(-(turning[0] / radius) * std::cos(angle) -
-                              turning[1] / radius * std::sin(angle) - lateral_creepage * std::cos(angle));
-          }
-      return slip;
+      const double  tangent = inclination(surfaces, s);
+      const Vector3 axis    = surfaces.pose().axis();
+      const double  sine    = std::sin(tangent) * axis[0] - std::cos(tangent) * axis[1];
+      return {0, tangent, std::asin(sine), {}, surfaces.rolling(s, 0)};
     }
 
-    HalfspaceBody
-    half_space(const Elasticity &material)
+    /// When the wheel turns without creepage: a larger local radius runs backwards, ahead of the axle the
+    /// wheel's surface still descends, which slides it along its inclination, and a wheel with yaw slides
+    /// aside.
+    void
+    set_slip(const RunningSurfaces &surfaces, const double lateral_creepage, HalfspaceProblem &problem)
     {
-      return {material.shear_modulus(), material.poissons_ratio};
+      WheelMotion motion;
+      motion.forward_radius   = surfaces.forward_radius;
+      motion.lateral_creepage = lateral_creepage;
+      for (int j = 0; j < problem.grid.my; ++j)
+        {
+          const RowSlip slip = row_slip(wheel_place(surfaces, problem.grid.y(j)), motion, 0);
+          for (int i = 0; i < problem.grid.mx; ++i)
+            {
+              problem.rigid_slip_x.push_back(slip.along);
+              problem.rigid_slip_y.push_back(slip.lateral_at(problem.grid.x(i)));
+            }
+        }
     }
 
     /// The half-space problem of one contact; force or creepage are still to be given.
@@ -139,17 +144,14 @@ namespace wheelrail
       LoadedGrid       loaded;
       HalfspaceProblem problem;
 
-      StartProblem(const Contact     &contact,
-                   const StartBodies &bodies,
-                   const double       velocity,
-                   const double       lateral_creepage)
+      StartProblem(const Contact         &contact,
+                   const HalfspaceSteels &bodies,
+                   const double           velocity,
+                   const double           lateral_creepage)
         : loaded(loaded_grid(contact))
+        , problem(wheel_on_rail(bodies, contact.law().friction, velocity))
       {
-        problem.grid     = loaded.grid;
-        problem.body1    = half_space(bodies.rail);
-        problem.body2    = half_space(bodies.wheel);
-        problem.friction = contact.law().friction;
-        problem.velocity = velocity;
+        problem.grid = loaded.grid;
         // the static search asks for tractions again until they stay within 1e-5
         problem.coupling_tolerance = 1e-5;
         if (loaded.grid.size() == 0)
@@ -159,9 +161,7 @@ namespace wheelrail
           for (int i = 0; i < loaded.grid.mx; ++i)
             problem.pressure[i + std::size_t(loaded.grid.mx) * j] *=
               area_ratio(contact, i / loaded.parts, j / loaded.parts);
-        const VectorField slip = rigid_slip(contact.surfaces(), lateral_creepage, loaded.grid);
-        problem.rigid_slip_x   = slip[0];
-        problem.rigid_slip_y   = slip[1];
+        set_slip(contact.surfaces(), lateral_creepage, problem);
       }
 
       /// Nodes of inclined facets have more area than their elements.
@@ -254,11 +254,11 @@ namespace wheelrail
 
 
   StartTractions
-  start_tractions_at_creepage(const Contact     &contact,
-                              const double       creepage,
-                              const StartBodies &bodies,
-                              const double       velocity,
-                              const double       lateral_creepage)
+  start_tractions_at_creepage(const Contact         &contact,
+                              const double           creepage,
+                              const HalfspaceSteels &bodies,
+                              const double           velocity,
+                              const double           lateral_creepage)
   {
     StartProblem start(contact, bodies, velocity, lateral_creepage);
     if (start.empty(contact))
@@ -269,11 +269,11 @@ namespace wheelrail
 
 
   StartTractions
-  start_tractions(const Contact     &contact,
-                  const double       longitudinal_force,
-                  const StartBodies &bodies,
-                  const double       velocity,
-                  const double       lateral_creepage)
+  start_tractions(const Contact         &contact,
+                  const double           longitudinal_force,
+                  const HalfspaceSteels &bodies,
+                  const double           velocity,
+                  const double           lateral_creepage)
   {
     // the last two per cent below full slip cost any creepage; a torque beyond them spins the wheel up
     constexpr double   full_slip = 0.98;

@@ -1,6 +1,7 @@
 #include <wheelrail/mesh/forest.h>
 #include <wheelrail/statics/static_search.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wheelrail
@@ -40,9 +41,9 @@ namespace wheelrail
                      const double       load,
                      const double       lateral)
     {
-      const StartBodies bodies   = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
-      const double      velocity = loads.axle.velocity, aside = loads.axle.lateral_creepage;
-      const double      force =
+      const HalfspaceSteels bodies   = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
+      const double          velocity = loads.axle.velocity, aside = loads.axle.lateral_creepage;
+      const double          force =
         (loads.traction_coefficient * load - lateral * std::sin(loads.yaw)) / std::cos(loads.yaw);
       return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, velocity, aside)
                              : start_tractions(contact, force, bodies, velocity, aside);
@@ -72,11 +73,34 @@ namespace wheelrail
 
 
   /// Presses the bodies into each other rigidly: the part of the undeformed profiles that dips in by some
-  /// 0.55 of the approach is close to the true patch.
+  /// 0.55 of the approach is close to the true patch. A wheel on a flat first has to come down to the rail,
+  /// or no spring would tell Newton's method where that is.
   void
   StaticSearch::press()
   {
-    lift = -0.55 * loads_.first_approach;
+    constexpr int most = 3; // steeper places may be nearer once the wheel has come down
+    lower_wheel(0.55 * loads_.first_approach);
+    for (int k = 0; k < most; ++k)
+      {
+        contact_.gather(solid_.displacement.data(), solid_.velocity.data());
+        if (contact_.evaluate(0).nodes > 0)
+          return;
+        double least = HUGE_VAL;
+        for (const ContactNode &node : contact_.nodes())
+          if (norm(node.normal) > 0) // faces the wheel
+            least = std::min(least, node.gap / std::max(node.normal[1], 0.1));
+        if (!std::isfinite(least))
+          return;
+        lower_wheel(least + 0.55 * loads_.first_approach);
+      }
+  }
+
+
+  /// Lowers the wheel as a rigid body, from where it is [m].
+  void
+  StaticSearch::lower_wheel(const double by)
+  {
+    lift -= by;
     for (unsigned int n = 0; n < solid_.mesh.n_nodes(); ++n)
       if (solid_.mesh.node_body[n] == Body::wheel)
         solid_.displacement[4 * n + 1] = lift;

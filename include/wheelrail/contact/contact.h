@@ -124,6 +124,10 @@ namespace wheelrail
     void
     set_state(const State &state);
 
+    /// Mean velocity of the nodes of a body in the window, those of the last gather() [m/s].
+    Vector3
+    mean_velocity(Body body) const;
+
     /// Current position of a rail node in the window [m].
     const Vector3 &
     rail_position(std::size_t node) const

@@ -11,13 +11,29 @@ namespace wheelrail
   /// Stretches along the track, or around the wheel, where the finest cells lie [m].
   using FineZone = std::vector<Range>;
 
-  /// Which cells of the forest are divided so that the box below the strip, wherever its zones are, is of the
-  /// finest level: the rule of refinement, in one place for both ways to make a mesh.
-  ///
-  /// All cells that overlap the box are of the finest level. Cells beside it grow with the distance, and are
+  /// Which cells are divided for what lies in them, neighbours apart: all that overlap the box below the
+  /// strip, wherever its zones are, down to the finest level. Cells beside it grow with the distance, and are
   /// not divided where the blocks are so thin that their parts would be thinner than the finest cells: those
-  /// alone should govern the stable time step. Neighbours, also over edges and corners, differ by one level
-  /// at most.
+  /// alone should govern the stable time step.
+  class RefinementRule
+  {
+  public:
+    /// Plan, grids and zones must outlive the rule.
+    RefinementRule(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const PerBody<FineZone> &zones);
+
+    /// Whether a cell below the finest level is divided.
+    bool
+    wanted(const CellPlace &cell) const;
+
+  private:
+    const SweepPlan          *plan_;
+    const PerBody<SweptGrid> *grids_;
+    const PerBody<FineZone>  *zones_;
+    double                    finest_; ///< size of the finest cells [m]
+  };
+
+  /// The cells that follow from the rule, with neighbours, also over edges and corners, that differ by one
+  /// level at most.
   class CellTree
   {
   public:
@@ -35,18 +51,14 @@ namespace wheelrail
     leaves(const PerBody<int> &first_column) const;
 
   private:
-    bool
-    wanted(const CellPlace &cell, const FineZone &zone) const;
     void
     divide(const CellPlace &cell);
     void
-    divide_body(const SweptGrid &grid, const FineZone &zone);
+    divide_body(const RefinementRule &rule, const SweptGrid &grid);
     void
     balance();
 
-    const SweepPlan                    *plan_;
     const PerBody<SweptGrid>           *grids_;
-    double                              finest_; ///< size of the finest cells [m]
     std::vector<std::vector<CellPlace>> of_level_;
     std::unordered_set<std::uint64_t>   divided_;
   };

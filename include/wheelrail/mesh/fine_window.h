@@ -21,7 +21,8 @@ namespace wheelrail
     PerBody<double> path_end = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
   };
 
-  /// Finest cells of a body in a window, columns that are kept left out [m].
+  /// Finest cells of a body in a window, columns that are kept left out [m]; those of the plan where they do
+  /// not move.
   Range
   window_range(const SweepPlan &plan, const FineWindow &window, Body body);
 

@@ -30,7 +30,8 @@ namespace wheelrail
     unsigned int    levels     = 4;    ///< refinements from the coarse blocks to the finest cells
     double          fine_depth = 5e-3; ///< of the finest cells below the running surface [m]
     Range           fine;              ///< of Z and of the arc coordinate with finest cells, at the start [m]
-    double          reach = 0;         ///< of finest cells at both ends of the rolled stretch, beyond it [m]
+    double          reach  = 0;        ///< of finest cells at both ends of the rolled stretch, beyond it [m]
+    bool            moving = false;    ///< the finest cells go with the wheel
     Range           around_block;     ///< finest cells that move, with the contact in the block from 0 on [m]
     double          longest_path = 0; ///< that the rail lets the wheel roll when they move [m]
     int             start_block  = 0; ///< blocks by which the wheel starts farther along the rail

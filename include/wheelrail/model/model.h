@@ -4,7 +4,6 @@
 #include <wheelrail/dynamics/time_loop.h>
 #include <wheelrail/mesh/fine_window.h>
 #include <wheelrail/mesh/forest.h>
-#include <wheelrail/mesh/swept_mesh.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 #include <wheelrail/wheelset/axle.h>
@@ -18,18 +17,17 @@ namespace wheelrail
   /// Everything a run is made of, built from a scene: mesh, bodies, contact, axle.
   struct Model
   {
-    ContactGeometry            geometry;
-    std::unique_ptr<Forest>    forest; ///< of the start; none when the finest cells move
-    std::unique_ptr<SweptMesh> swept;  ///< makes the meshes of a moving window
-    FineWindow                 window;
-    Solid                      solid;
-    std::unique_ptr<Contact>   contact;
-    SceneParts                 parts; ///< beside contact and axle: supports, weights
-    AxleData                   axle;
-    double                     wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
-    double                     duration          = 0; ///< of the run [s]
-    double                     time_step         = 0; ///< [s]
-    double                     expected_approach = 0; ///< from Hertz' scaling with the load [m]
+    ContactGeometry          geometry;
+    std::unique_ptr<Forest>  forest; ///< makes all meshes
+    FineWindow               window; ///< where the finest cells lie, when they go with the wheel
+    Solid                    solid;
+    std::unique_ptr<Contact> contact;
+    SceneParts               parts; ///< beside contact and axle: supports, weights
+    AxleData                 axle;
+    double                   wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
+    double                   duration          = 0; ///< of the run [s]
+    double                   time_step         = 0; ///< [s]
+    double                   expected_approach = 0; ///< from Hertz' scaling with the load [m]
     double reach = 0; ///< of the undeformed overlap at that approach, along the track from the contact [m]
   };
 
@@ -41,14 +39,10 @@ namespace wheelrail
   SweepPlan
   sweep_plan(const Scene &scene, const SceneGeometry &geometry);
 
-  /// Prepares the bodies and the contact for the mesh that the model's window has now, at rest: masses,
-  /// surfaces, added mass. The law of the contact stays that of the first mesh. Collective.
+  /// Makes the mesh that the model's window asks for, and prepares the bodies and the contact on it, at rest:
+  /// masses, surfaces, added mass. The law of the contact stays that of the first mesh. Collective.
   void
-  prepare_window(Model &model, MPI_Comm communicator);
-
-  /// The same on a forest of the same cells, which static solutions need.
-  void
-  prepare_window_forest(Model &model, MPI_Comm communicator);
+  prepare_mesh(Model &model, MPI_Comm communicator);
 
   /// Whether the window has to move on, when the wheel's contact is at these places of rail and wheel, see
   /// follow(); moves it, and finds the columns that stay fine. Collective.

@@ -2,8 +2,8 @@
 
 #include <wheelrail/bodies/body_influence.h>
 #include <wheelrail/halfspace/kernels.h>
+#include <wheelrail/planes/contact_sections.h>
 #include <wheelrail/reference/body_tables.h>
-#include <wheelrail/reference/contact_sections.h>
 #include <wheelrail/reference/halfspace_case.h>
 
 #include <memory>

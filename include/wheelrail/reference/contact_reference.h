@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/halfspace/problem.h>
-#include <wheelrail/reference/contact_sections.h>
+#include <wheelrail/planes/contact_sections.h>
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 #include <wheelrail/halfspace/problem.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/summary.h>
+#include <wheelrail/planes/contact_sections.h>
 #include <wheelrail/reference/contact_reference.h>
-#include <wheelrail/reference/contact_sections.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/scene/scene.h>
 

@@ -3,6 +3,7 @@
 #include <wheelrail/damage/wear_profile.h>
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/output/fields.h>
+#include <wheelrail/planes/contact_sections.h>
 #include <wheelrail/scene/scene.h>
 
 #include <functional>
@@ -15,6 +16,14 @@ namespace wheelrail
   /// as body 1.
   HalfspaceProblem
   halfspace_problem(const Scene &scene);
+
+  /// How the scene's wheelset moves besides rolling.
+  WheelMotion
+  wheel_motion(const Scene &scene, const ContactGeometry &contact);
+
+  /// The same in one plane, with the spin that the scene gives or takes from the centre of the contact.
+  WheelMotion
+  plane_motion(const Scene &scene, const ContactGeometry &contact);
 
   /// Number of elements with pressure in a row through the one with the highest pressure, along or across,
   /// whichever is less; 0 without contact.

@@ -2,7 +2,7 @@
 
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/problem.h>
-#include <wheelrail/reference/contact_sections.h>
+#include <wheelrail/planes/contact_sections.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/sampling/patch_measures.h>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/planes/common_creepage.h>
 #include <wheelrail/reference/plane_contact.h>
 
 #include <cstddef>
@@ -8,9 +9,6 @@
 
 namespace wheelrail
 {
-  /// Planes of contact that differ by less are one [rad].
-  constexpr double same_plane = 0.1;
-
   /// The regions of the contacts that a wheel has with its rail at once, where their planes differ by
   /// `least_turn` or more [rad]: that of the first contact point, and those of further points that the
   /// approach of `one`, the contact as solved in the plane of the first point alone, closes. Patches in

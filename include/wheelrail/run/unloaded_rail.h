@@ -9,8 +9,7 @@
 namespace wheelrail
 {
   /// The bodies of a run that may yield without their loads (unload()), with a line in the log; nothing of
-  /// elastic ones, or when the unloading does not converge, which is said. The mesh is then that of a forest
-  /// with the same cells. Collective.
+  /// elastic ones, or when the unloading does not converge, which is said. Collective.
   std::optional<UnloadedBodies>
   take_loads_off(RunState &run, Log &log);
 } // namespace wheelrail

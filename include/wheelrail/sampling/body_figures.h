@@ -24,6 +24,11 @@ namespace wheelrail
   PlasticFigures
   plastic_figures(const Solid &solid, const RunningSurfaces &surfaces, MPI_Comm communicator);
 
+  /// Largest accumulated plastic strain over the elements of all ranks; NaN: both bodies are elastic [1].
+  /// Collective.
+  double
+  largest_plastic_strain(const Solid &solid, MPI_Comm communicator);
+
   /// Largest von Mises stress over the elements of all ranks [Pa]. Collective.
   double
   largest_von_mises(const Solid &solid, MPI_Comm communicator);

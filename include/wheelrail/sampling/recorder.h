@@ -7,6 +7,8 @@
 #include <wheelrail/output/summary.h>
 #include <wheelrail/sampling/steadiness.h>
 
+#include <mpi.h>
+
 #include <utility>
 
 namespace wheelrail
@@ -18,9 +20,9 @@ namespace wheelrail
     explicit Recorder(const Model &model);
 
     /// Adds a row: forces on the wheel, axle, contact, energies. `Rolling` must just have made a step
-    /// with energy.
+    /// with energy. Over irregular surfaces also the largest stresses of all ranks. Collective.
     void
-    add(const Rolling &rolling, const Axle &axle);
+    add(const Rolling &rolling, const Axle &axle, MPI_Comm communicator);
 
     /// Adds the figures of a patch, and what it wears off across the rail, to the means; they have rows of
     /// their own.

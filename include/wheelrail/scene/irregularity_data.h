@@ -18,7 +18,8 @@ namespace wheelrail
     flat,
     rounded_flat,
     polygon,
-    file ///< measured heights or slices
+    roughness, ///< waves of a spectrum in a file
+    file       ///< measured heights or slices
   };
 
   /// The body that an irregularity lies on.
@@ -44,6 +45,7 @@ namespace wheelrail
     double        wavelength = 50e-3;     ///< of a corrugation [m]
     double        angle      = automatic; ///< total, of a dipped joint [rad]; infinite: from the depth
     unsigned int  order      = 3;         ///< of a polygon
+    unsigned int  seed       = 1;         ///< of the phases of roughness
     std::string   file       = "none";
 
     /// Whether it stands on the wheel.
@@ -56,6 +58,13 @@ namespace wheelrail
              kind == IrregularKind::polygon ||
              (kind == IrregularKind::file && file.size() > 5 &&
               file.compare(file.size() - 5, 5, ".slcw") == 0);
+    }
+
+    /// Whether its shape stands in its file.
+    bool
+    in_file() const
+    {
+      return kind == IrregularKind::file || kind == IrregularKind::roughness;
     }
 
     /// Its depth below the smooth surface, on a circle of `radius` where it is that of a flat [m]. A fresh

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/contact/contact.h>
-#include <wheelrail/solid/element_blocks.h>
+#include <wheelrail/planes/wheel_on_rail.h>
 
 #include <vector>
 
@@ -17,12 +17,6 @@ namespace wheelrail
     std::vector<Vector3> traction;          ///< on the rail at every lattice node [Pa]
   };
 
-  /// Elastic constants of the two bodies as half-spaces.
-  struct StartBodies
-  {
-    Elasticity rail, wheel;
-  };
-
   /// Steady shear tractions for a given longitudinal force [N, on the wheel], exact for two half-spaces
   /// under the pressures of `contact` (Kalker 1990; doc/theory/halfspace.md): every lateral strip slides with
   /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
@@ -32,17 +26,17 @@ namespace wheelrail
   /// with speed to the largest that it carries (to 1 %); a law that is zero at rest starts without tractions.
   /// Besides, the wheel moves along X with `lateral_creepage` times the velocity.
   StartTractions
-  start_tractions(const Contact     &contact,
-                  double             longitudinal_force,
-                  const StartBodies &bodies,
-                  double             velocity,
-                  double             lateral_creepage = 0);
+  start_tractions(const Contact         &contact,
+                  double                 longitudinal_force,
+                  const HalfspaceSteels &bodies,
+                  double                 velocity,
+                  double                 lateral_creepage = 0);
 
   /// The same with the creepage given instead of the force.
   StartTractions
-  start_tractions_at_creepage(const Contact     &contact,
-                              double             creepage,
-                              const StartBodies &bodies,
-                              double             velocity,
-                              double             lateral_creepage = 0);
+  start_tractions_at_creepage(const Contact         &contact,
+                              double                 creepage,
+                              const HalfspaceSteels &bodies,
+                              double                 velocity,
+                              double                 lateral_creepage = 0);
 } // namespace wheelrail

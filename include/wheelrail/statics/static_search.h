@@ -94,6 +94,8 @@ namespace wheelrail
   private:
     void
     press();
+    void
+    lower_wheel(double by);
     ContactSums
     contact_forces(const std::vector<Vector3> *tractions, AlignedVector<double> &force);
 

@@ -1,4 +1,4 @@
-#include <wheelrail/reference/contact_sections.h>
+#include <wheelrail/planes/contact_sections.h>
 
 #include <algorithm>
 #include <cmath>
@@ -287,32 +287,6 @@ namespace wheelrail
   }
 
 
-  RigidSlip
-  rigid_slip(const ContactSections        &sections,
-             const ContactSections::Slice &slice,
-             const WheelMotion            &motion,
-             const double                  creepage)
-  {
-    const double rate = 1 / (sections.geometry().rolling_radius * std::cos(sections.geometry().yaw));
-    const double c = std::cos(slice.wheel_tangent), s = std::sin(slice.wheel_tangent);
-    return {-(1 - motion.curvature * slice.from_middle[0]) - rate * slice.rolling[2],
-            -(1 + creepage) * rate * (c * slice.rolling[0] + s * slice.rolling[1]) -
-              (motion.lateral_creepage + motion.curvature * slice.from_middle[2]) * c};
-  }
-
-
-  double
-  wheel_spin(const ContactSections        &sections,
-             const ContactSections::Slice &slice,
-             const WheelMotion            &motion,
-             const double                  creepage)
-  {
-    const ContactGeometry &geometry = sections.geometry();
-    return (1 + creepage) * std::sin(slice.wheel_angle) / (geometry.rolling_radius * std::cos(geometry.yaw)) -
-           motion.curvature * std::cos(slice.wheel_tangent);
-  }
-
-
   void
   set_slip(const ContactSections &sections,
            const PressureMeans   &means,
@@ -322,7 +296,7 @@ namespace wheelrail
   {
     const HalfspaceGrid         &grid   = problem.grid;
     const ContactSections::Slice centre = sections.slice(means.s);
-    const RigidSlip              mean   = rigid_slip(sections, centre, motion, creepage);
+    const RigidSlip              mean   = rigid_slip(centre, motion, creepage);
     problem.rigid_slip_x.assign(grid.size(), 0.);
     problem.rigid_slip_y.assign(grid.size(), 0.);
     problem.eta = mean.lateral;
@@ -339,15 +313,12 @@ namespace wheelrail
     const double offset = problem.spin_offset * grid.dx;
     for (int j = 0; j < grid.my; ++j)
       {
-        const double                 s     = std::clamp(grid.y(j), sections.s_min(), sections.s_max());
-        const ContactSections::Slice slice = sections.slice(s);
-        const RigidSlip              slip  = rigid_slip(sections, slice, motion, creepage);
-        const double                 turn  = wheel_spin(sections, slice, motion, 0);
+        const double  s    = std::clamp(grid.y(j), sections.s_min(), sections.s_max());
+        const RowSlip slip = row_slip(sections.slice(s), motion, creepage);
         for (int i = 0; i < grid.mx; ++i)
           {
             problem.rigid_slip_x[i + grid.mx * j] = slip.along;
-            problem.rigid_slip_y[i + grid.mx * j] =
-              slip.lateral - mean.lateral + turn * (grid.x(i) - slice.along + offset);
+            problem.rigid_slip_y[i + grid.mx * j] = slip.lateral_at(grid.x(i) + offset) - mean.lateral;
           }
       }
   }

@@ -2,6 +2,7 @@
 
 #include <wheelrail/geometry/touching_profiles.h>
 #include <wheelrail/halfspace/problem.h>
+#include <wheelrail/planes/rigid_slip.h>
 
 #include <limits>
 #include <vector>
@@ -41,16 +42,11 @@ namespace wheelrail
                     const SectionOffsets   &offsets,
                     const ContactRegion    &region);
 
-    /// The wheel at s.
-    struct Slice
+    /// The lowest place of the wheel at s.
+    struct Slice : WheelPlace
     {
-      double  along         = 0;           ///< x of its lowest place [m]
-      double  radius        = 0;           ///< distance from the axle there [m]
-      double  rail_angle    = 0;           ///< of the rail's surface against X [rad]
-      double  wheel_angle   = 0;           ///< of the wheel's surface against the axle [rad]
-      Vector3 from_middle   = {{0, 0, 0}}; ///< that place from the middle of the axle, in the track frame [m]
-      Vector3 rolling       = {{0, 0, 0}}; ///< velocity there over the pitch rate, in the track frame [m]
-      double  wheel_tangent = 0;           ///< angle of the wheel's surface against X [rad]
+      double radius     = 0; ///< distance from the axle there [m]
+      double rail_angle = 0; ///< of the rail's surface against X [rad]
     };
     Slice
     slice(double s) const;
@@ -146,40 +142,9 @@ namespace wheelrail
   PressureMeans
   pressure_means(const ContactSections &sections, const HalfspaceSolution &solution);
 
-  /// What the wheelset does besides rolling at the rolling radius R of 2D-Geo.
-  struct WheelMotion
-  {
-    bool   one_spin         = false; ///< one creepage and one spin in place of those of every slice
-    double spin             = 0;     ///< the one [1/m]; NaN: that of the wheel
-    double lateral_creepage = 0;     ///< velocity of the wheelset along X over V
-    double curvature        = 0;     ///< of its path, positive with the centre on the side of +X [1/m]
-  };
-
-  /// Rigid slip of the rail against the wheel over V, with the pitch rate V (1 + creepage) / (R cos(yaw)), at
-  /// the lowest place of a slice: along the rail for the creepage 0, and along s. V is that of the middle of
-  /// the wheelset; on a curved path, seen from the wheelset, the rail at x, z comes with -V (1 - kappa x)
-  /// along the track and -V kappa z along X (the frame turns with V kappa about the vertical).
-  struct RigidSlip
-  {
-    double along = 0, lateral = 0;
-  };
-  RigidSlip
-  rigid_slip(const ContactSections        &sections,
-             const ContactSections::Slice &slice,
-             const WheelMotion            &motion,
-             double                        creepage);
-
-  /// Spin of the rail against the wheel at a slice, about the normal out of the rail, for each metre of V
-  /// [1/m]: sin(contact angle) / R of the wheel, and cos(contact angle) kappa of the path, with the signs of
-  /// a contact angle that falls to the gauge side.
-  double
-  wheel_spin(const ContactSections        &sections,
-             const ContactSections::Slice &slice,
-             const WheelMotion            &motion,
-             double                        creepage);
-
   /// Sets the fields of rigid slip, spin and lateral creepage of a problem whose bodies roll with `creepage`
-  /// (or, where it is to be found, nearly so). The small product of creepage and r / R - 1 is left out.
+  /// (or, where it is to be found, nearly so), row_slip() in each row. The small product of creepage and
+  /// r / R - 1 is left out.
   void
   set_slip(const ContactSections &sections,
            const PressureMeans   &means,

@@ -1,0 +1,82 @@
+# Which files are compiled together, as one unit.
+
+# Whether a file includes headers of deal.II, directly or through a header of ours.
+function(find_deal_ii_use file result)
+  get_property(known GLOBAL PROPERTY "deal_ii_use ${file}")
+  if("${known}" STREQUAL "")
+    file(STRINGS ${file} lines REGEX "^#include <(deal\\.II|wheelrail)/")
+    set(known no)
+    foreach(line ${lines})
+      string(REGEX REPLACE "^#include <(.*)>.*" "\\1" header ${line})
+      if(header MATCHES "^deal\\.II/")
+        set(known yes)
+      elseif(EXISTS ${PROJECT_SOURCE_DIR}/include/${header})
+        find_deal_ii_use(${PROJECT_SOURCE_DIR}/include/${header} inner)
+        if(inner)
+          set(known yes)
+        endif()
+      endif()
+    endforeach()
+    set_property(GLOBAL PROPERTY "deal_ii_use ${file}" ${known})
+  endif()
+  set(${result} ${known} PARENT_SCOPE)
+endfunction()
+
+# The unit of a file: those of one room (or one kind of test) follow each other in units of some 1500 lines; files
+# with and without deal.II are kept apart.
+function(find_unit file room result)
+  find_deal_ii_use(${file} uses_deal_ii)
+  if(NOT uses_deal_ii)
+    string(APPEND room _plain)
+  endif()
+  get_property(number GLOBAL PROPERTY "unit_number ${room}")
+  get_property(sum GLOBAL PROPERTY "unit_lines ${room}")
+  if(NOT number OR sum GREATER 1500)
+    math(EXPR number "0${number} + 1")
+    set(sum 0)
+  endif()
+  file(STRINGS ${file} lines)
+  list(LENGTH lines lines)
+  math(EXPR sum "${sum} + ${lines}")
+  set_property(GLOBAL PROPERTY "unit_number ${room}" ${number})
+  set_property(GLOBAL PROPERTY "unit_lines ${room}" ${sum})
+  set(${result} ${room}_${number} PARENT_SCOPE)
+endfunction()
+
+# Writes the source of a program of several tests. Headers come first, outside of all namespaces; each test with its
+# main() then has a namespace of its own, and the main() of the program calls the one it is named after.
+function(write_test_unit unit) # files
+  set(headers "")
+  set(bodies "")
+  set(calls "")
+  foreach(file ${ARGN})
+    file(STRINGS ${file} lines REGEX "^#include ")
+    list(APPEND headers ${lines})
+    get_filename_component(name ${file} NAME_WE)
+    string(APPEND bodies "namespace test_${name}\n{\n#include \"${file}\"\n}\n")
+    file(STRINGS ${file} with_arguments REGEX "^main\\(int ")
+    if(with_arguments)
+      set(arguments "argc, argv")
+    else()
+      set(arguments "")
+    endif()
+    string(APPEND calls "  if (name == \"test_${name}\")\n    return test_${name}::main(${arguments});\n")
+  endforeach()
+  list(REMOVE_DUPLICATES headers)
+  list(JOIN headers "\n" headers)
+  file(CONFIGURE OUTPUT ${unit} @ONLY CONTENT "// Made by CMake (cmake/units.cmake).
+@headers@
+#include <iostream>
+#include <string>
+
+@bodies@
+int
+main(int argc, char **argv)
+{
+  const std::string path = argc > 0 ? argv[0] : \"\";
+  const std::string name = path.substr(path.rfind('/') + 1);
+@calls@  std::cerr << \"no test is called \" << name << std::endl;
+  return 2;
+}
+")
+endfunction()
