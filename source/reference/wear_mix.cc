@@ -90,8 +90,9 @@ namespace wheelrail
         if (wheel.solution && !wheel.solution->solution.within_friction &&
             !wheel.solution->problem.friction.frictionless())
           throw InputError(
-            "friction does not carry the traction, so that the wheel locks or spins up; take "
-            "less traction, or give the creepage of a wheel that slides");
+            "friction does not carry the traction, so that the wheel locks or spins up; take less traction, "
+            "or "
+            "give the creepage of a wheel that slides");
     }
 
     std::vector<Solved>
@@ -249,7 +250,7 @@ namespace wheelrail
               const RowTeam             &team)
   {
     std::vector<MixWear> of_rows(rows.size());
-    std::size_t          own = rows.size() / team.size + (team.rank < rows.size() % team.size ? 1 : 0);
+    const std::size_t    own = rows.size() / team.size + (team.rank < rows.size() % team.size ? 1 : 0);
     parallel_for(
       own,
       [&](const std::size_t k) {
