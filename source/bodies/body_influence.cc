@@ -340,6 +340,7 @@ namespace wheelrail
     double            longest = 0;
     for (const double lag : lags)
       longest = std::max(longest, std::abs(lag));
+    // (3) of doc/theory/bodies.md: the sum over the harmonics of a wheel, and the integral over k
     const std::vector<RowPlace> places = row_places(table, placement, rows);
     const double                radius = placement.radius;
     // n / radius for a wheel

@@ -13,6 +13,8 @@ namespace wheelrail
                  const double k,
                  const double s)
   {
+    // Boussinesq (1885) and Cerruti (1882) over z, int cos(k z)/r dz = 2 K0(k s): H of (2) in
+    // doc/theory/bodies.md
     const double x = k * std::abs(s), nu = poissons_ratio, f = 1 / (M_PI * shear_modulus);
     // beyond, both are below 1e-20
     constexpr double far = 45;

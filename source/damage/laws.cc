@@ -8,6 +8,7 @@ namespace wheelrail
   double
   usfd_wear_rate(const double t_gamma_over_area)
   {
+    // Braghin, Lewis, Dwyer-Joyce and Bruni (2006), R8T on 900A: mild, severe, catastrophic wear
     constexpr double mild = 5.3, first = 10.4, plateau = 55.0, second = 77.2, severe = 61.9,
                      offset     = 4778.7; // ug/(m mm2) over N/mm2
     constexpr double micrograms = 1e-3;   // kg/m3
@@ -27,6 +28,7 @@ namespace wheelrail
   {
     if (t_gamma <= data.damage_begins || t_gamma >= data.damage_ends)
       return 0;
+    // Burstow (2004): up to the peak cracks grow, beyond it wear takes them away
     return data.damage_most * (t_gamma < data.damage_peak
                                  ? (t_gamma - data.damage_begins) / (data.damage_peak - data.damage_begins)
                                  : (data.damage_ends - t_gamma) / (data.damage_ends - data.damage_peak));
@@ -43,6 +45,7 @@ namespace wheelrail
   double
   fatigue_index(const double traction, const double shear_yield, const double peak_pressure)
   {
+    // mu - k / p0 (Ekberg, Kabo and Andersson 2002)
     return traction - shear_yield / peak_pressure;
   }
 
@@ -52,6 +55,7 @@ namespace wheelrail
   {
     if (std::isfinite(data.archard))
       return data.archard;
+    // the fields of the map of KTH (Jendel 2002): seizure, then mild and severe wear over the slip velocity
     if (pressure > 0.8 * data.hardness)
       return 350e-4;
     return slip_velocity < 0.2 || slip_velocity > 0.7 ? 5e-4 : 35e-4;

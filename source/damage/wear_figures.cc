@@ -31,6 +31,7 @@ namespace wheelrail
     set("burstow_damage", burstow_damage(contact.t_gamma, data));
     const double traction = contact.tangential_force / contact.normal_force;
     set("utilised_friction", traction);
+    // k = sigma_y / sqrt(3) (von Mises 1913)
     const double shear_yield =
       std::isfinite(data.shear_yield) ? data.shear_yield : contact.yield_stress / std::sqrt(3.);
     if (std::isfinite(shear_yield))

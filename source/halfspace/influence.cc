@@ -55,6 +55,8 @@ namespace wheelrail
             const std::array<double, 5> &near_near,
             const bool                   itself)
     {
+      // u_a = A_ab t_b: Boussinesq (1885) and Cerruti (1882) over a rectangle (doc/theory/halfspace.md,
+      // Equations)
       std::array<double, 5> i;
       for (int k = 0; k < 5; ++k)
         i[k] = far_far[k] - far_near[k] - near_far[k] + near_near[k];
@@ -79,6 +81,8 @@ namespace wheelrail
     const double       g1 = body1.shear_modulus, g2 = body2.shear_modulus;
     const double       nu1 = body1.poisson_ratio, nu2 = body2.poisson_ratio;
     HalfspaceConstants c;
+    // (1 - nu)/G and nu/G, sums of both bodies, and K/G, which like bodies do not have (Kalker 1990;
+    // doc/theory/halfspace.md, Equations)
     c.normal   = ((1 - nu1) / g1 + (1 - nu2) / g2) / (2 * M_PI);
     c.poisson  = (nu1 / g1 + nu2 / g2) / (2 * M_PI);
     c.coupling = ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2) / (4 * M_PI);

@@ -45,6 +45,8 @@ namespace wheelrail
     for (; k < max_iterations && std::abs(rest[k]) > tolerance * norm; ++k)
       {
         std::vector<double> w, column(k + 2);
+        // GMRES, preconditioned from the right (Saad and Schultz 1986): Arnoldi's basis by modified
+        // Gram-Schmidt
         M(basis[k], z);
         A(z, w);
         for (int i = 0; i <= k; ++i)
@@ -53,6 +55,7 @@ namespace wheelrail
             add(-column[i], basis[i], w);
           }
         const double length = std::sqrt(dot(w, w));
+        // Givens' rotations keep the triangle
         for (int i = 0; i < k; ++i)
           {
             const double upper = cosine[i] * column[i] + sine[i] * column[i + 1];

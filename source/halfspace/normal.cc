@@ -81,10 +81,13 @@ namespace wheelrail
     const double lowest   = *std::min_element(distance.begin(), distance.end());
     double       old_norm = 1, beta = 0;
     contact.converged = false;
+    // conjugate gradients on what presses, with projection on p >= 0 (Polonsky and Keer 1999)
     for (contact.iterations = 0;; ++contact.iterations)
       {
         product(p, u);
         for (std::size_t k = 0; k < n; ++k)
+          // the gap, e = h - approach + u_n; a given force has the approach that makes it 0 in the mean of
+          // the contact
           e[k] = u[k] + distance[k];
         if (force_given)
           contact.approach = contact_mean(e, p);
@@ -113,6 +116,7 @@ namespace wheelrail
             et += e[k] * t[k];
             rt += (r[k] - mean) * t[k];
           }
+        // the step along t; overlapping elements come back, and the directions begin anew
         const double alpha = rt > 0 ? et / rt : 0;
         beta               = 1;
         for (std::size_t k = 0; k < n; ++k)

@@ -8,6 +8,8 @@ namespace wheelrail
   double
   FrictionLaw::at(const double speed) const
   {
+    // mu(v) of doc/theory/contact.md, Friction law: d + (s - d) exp(-c v), or d + (s - d) / (1 + v/v_h) as in
+    // CONTACT
     const double drop = at_rest - at_speed;
     switch (kind)
       {
@@ -32,6 +34,7 @@ namespace wheelrail
   double
   FrictionLaw::steepest_fall() const
   {
+    // -dmu/dv where it is largest, at rest
     const double drop = std::max(0., at_rest - at_speed);
     switch (kind)
       {

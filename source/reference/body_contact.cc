@@ -1,3 +1,4 @@
+#include <wheelrail/bodies/body_influences.h>
 #include <wheelrail/halfspace/added_influence.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/reference/body_contact.h>
@@ -151,12 +152,11 @@ namespace wheelrail
     const double step = problem_.step > 0 ? problem_.step : problem_.grid.dx;
     for (const bool of_wheel : {false, true})
       {
-        const BodyTable     &table     = of_wheel ? tables_.wheel : tables_.rail;
-        const BodyPlacement &placement = of_wheel ? wheel : rail;
-        const ContactRows    rows      = contact_rows(table, placement);
-        added_->add_body(body_influence(table, placement, rows, AddedInfluence::lags(problem_.grid, 0)),
-                         body_influence(table, placement, rows, AddedInfluence::lags(problem_.grid, step)),
-                         step);
+        const BodyTable     &table      = of_wheel ? tables_.wheel : tables_.rail;
+        const BodyPlacement &placement  = of_wheel ? wheel : rail;
+        const ContactRows    rows       = contact_rows(table, placement);
+        const BodyInfluences influences = body_influences(table, placement, rows, problem_.grid, step);
+        added_->add_body(influences.here, influences.ahead, step);
         if (of_wheel)
           growth_ = growth(table, placement, rows, rate_);
       }
@@ -241,7 +241,7 @@ namespace wheelrail
       problem_.xi = load.creepage;
     problem_.fx = load.slides
                     ? -std::copysign(10 * load.force, load.longitudinal)
-                    : -(load.longitudinal - (first ? 0 : lateral()) * std::sin(yaw)) / std::cos(yaw);
+                    : -(load.longitudinal - (first ? 0 : force().x) * std::sin(yaw)) / std::cos(yaw);
     set_slip();
     const std::vector<double> before = rise_;
     problem_.rigid_slip_x            = own_slip_;
@@ -293,7 +293,7 @@ namespace wheelrail
             continue;
           }
         const double wanted = vertical_load(load);
-        missed              = std::abs(vertical() - wanted) / wanted;
+        missed              = std::abs(force().y - wanted) / wanted;
         if (change < 1 && missed < load_settled && problem_.tangential_tolerance == tolerance)
           return;
       }
@@ -309,33 +309,21 @@ namespace wheelrail
   }
 
 
-  double
-  BodyContact::vertical() const
+  Point2
+  BodyContact::force() const
   {
-    double sum = 0;
+    Point2 sum;
     for (int j = 0; j < problem_.grid.my; ++j)
-      for (int i = 0; i < problem_.grid.mx; ++i)
-        {
-          const int e = i + problem_.grid.mx * j;
-          sum += std::cos(rows_[j].angle) * solution_.pressure[e] -
-                 std::sin(rows_[j].angle) * solution_.traction_y[e];
-        }
-    return sum * problem_.grid.element_area();
-  }
-
-
-  double
-  BodyContact::lateral() const
-  {
-    double sum = 0;
-    for (int j = 0; j < problem_.grid.my; ++j)
-      for (int i = 0; i < problem_.grid.mx; ++i)
-        {
-          const int e = i + problem_.grid.mx * j;
-          sum -= std::sin(rows_[j].angle) * solution_.pressure[e] +
-                 std::cos(rows_[j].angle) * solution_.traction_y[e];
-        }
-    return sum * problem_.grid.element_area();
+      {
+        const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
+        for (int i = 0; i < problem_.grid.mx; ++i)
+          {
+            const int    e = i + problem_.grid.mx * j;
+            const double p = solution_.pressure[e], t = solution_.traction_y[e];
+            sum = sum + Point2{-s * p - c * t, c * p - s * t};
+          }
+      }
+    return problem_.grid.element_area() * sum;
   }
 
 
@@ -350,8 +338,8 @@ namespace wheelrail
     for (int j = 0; j <= problem_.grid.my; ++j)
       result.row_edges.push_back(row_at(problem_.grid.y(j) - 0.5 * problem_.grid.dy).place);
     result.measures     = measure_patch(result.patch);
-    result.lateral      = lateral();
-    result.vertical     = vertical();
+    result.lateral      = force().x;
+    result.vertical     = force().y;
     result.roll         = geometry_.contact.roll;
     result.ahead        = geometry_.contact.ahead;
     const auto   angle  = [&](const double y) { return row_at(y).angle; };

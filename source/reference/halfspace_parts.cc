@@ -94,8 +94,8 @@ namespace wheelrail
     while (true)
       {
         lay_grid(approach, element);
-        const HalfspaceSolution solution = solve_rolling(problem, kernels);
-        const int               n        = elements_across(solution);
+        HalfspaceSolution solution = solve_rolling(problem, kernels);
+        const int         n        = elements_across(solution);
         // half as many again as are needed, since so few tell the size of the contact only roughly; the first
         // guess of the approach is that of another load, and the grid over it larger than the contact by far
         const double factor = std::max(n, 1) / (1.5 * least_across),

@@ -41,8 +41,9 @@ namespace wheelrail
   {
     if (blocks.form == ElementForm::full)
       return full_mean_gradient(blocks, element, displacement);
-    const std::size_t     W = blocks.width, batch = element / W, lane = element % W;
-    const double         *B = blocks.data.data() + batch * blocks.rows * W + lane;
+    const std::size_t W = blocks.width, batch = element / W, lane = element % W;
+    const double     *B = blocks.data.data() + batch * blocks.rows * W + lane;
+    // H_ij = sum of u_ai B_aj, uniform over the element (Flanagan and Belytschko 1981; doc/theory/element.md)
     std::array<double, 9> H{};
     for (int a = 0; a < 8; ++a)
       for (int i = 0; i < 3; ++i)
@@ -65,7 +66,8 @@ namespace wheelrail
             continue;
           }
         const auto Hij = element_gradient(blocks, e, displacement);
-        Simd<1>    E[6], S[6];
+        // Green and Lagrange's strain, E = (H + H' + H' H)/2
+        Simd<1> E[6], S[6];
         for (int k = 0; k < 6; ++k)
           {
             const int i = row[k], j = column[k];

@@ -29,7 +29,8 @@ namespace wheelrail
         {
           const double inverse = inertia[n].inverse_mass;
           const Four   old     = v[n];
-          // tied nodes are placed by the part that holds them
+          // v(n+1/2) = v(n-1/2) + dt f(n)/m, u(n+1) = u(n) + dt v(n+1/2) (doc/theory/rolling.md, Time
+          // stepping); tied nodes are placed by the part that holds them
           const Four now = (inverse > 0 ? kick.retain : 1.) * old + (kick.gain * inverse) * f[n];
           v[n]           = now;
           u[n] += (inverse > 0 ? time_step : 0.) * now;
@@ -49,6 +50,7 @@ namespace wheelrail
   Kick
   make_kick(const double duration, const double damping_rate)
   {
+    // v(n+1/2) = ((1 - c dt/2) v(n-1/2) + dt f/m) / (1 + c dt/2) (doc/theory/rolling.md, Time stepping)
     const double damping = 0.5 * duration * damping_rate;
     return {duration, (1 - damping) / (1 + damping), duration / (1 + damping)};
   }

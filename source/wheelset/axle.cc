@@ -128,6 +128,7 @@ namespace wheelrail
     const Reaction reaction = reaction_of(solid);
     reaction_               = reaction.force;
 
+    // (m_a + m_b) y'' = F_y - (M + m_a) g - k s - c s', M y_M'' = k s + c s' (doc/theory/rolling.md, Axle):
     // vertical motion with suspension, preload and weight; the suspension is too slow to bring a change of
     // the load to the axle
     const double stretch    = height_ - lift_ - sprung_height_;
@@ -152,6 +153,7 @@ namespace wheelrail
   void
   Axle::turn_wheel(const Reaction &reaction, const Kick &kick, const double time_step)
   {
+    // (I_a + I_b) omega' = moment of the bore forces + T (doc/theory/rolling.md, Axle):
     // driven by the torque, or held
     const double rate_before = pitch_rate_, moment = reaction.about_axis;
     applied_torque_ = data_.way ? data_.way->torque.at(travelled_) : data_.torque;

@@ -72,11 +72,9 @@ namespace wheelrail
     std::vector<double>
     wheel_rise() const;
 
-    /// Forces on the wheel [N].
-    double
-    vertical() const;
-    double
-    lateral() const;
+    /// Force on the wheel: along X, upwards [N].
+    Point2
+    force() const;
 
     const SceneGeometry &geometry_;
     const BodyTables    &tables_;

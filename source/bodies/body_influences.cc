@@ -1,0 +1,28 @@
+#include <wheelrail/bodies/body_influences.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace wheelrail
+{
+  BodyInfluences
+  body_influences(const BodyTable     &table,
+                  const BodyPlacement &placement,
+                  const ContactRows   &rows,
+                  const HalfspaceGrid &grid,
+                  const double         step)
+  {
+    std::vector<double>       lags  = AddedInfluence::lags(grid, 0);
+    const std::vector<double> ahead = AddedInfluence::lags(grid, step);
+    const std::ptrdiff_t      count = lags.size(), next = step == grid.dx ? 1 : count;
+    lags.insert(lags.end(), ahead.end() - next, ahead.end());
+    BodyInfluences       result{body_influence(table, placement, rows, lags), {}};
+    std::vector<double> &all   = result.here.by_lag;
+    const std::ptrdiff_t block = all.size() / lags.size();
+    result.ahead               = {result.here.rows,
+                                  result.here.weights,
+                                  std::vector<double>(all.begin() + next * block, all.begin() + (next + count) * block)};
+    all.resize(count * block);
+    return result;
+  }
+} // namespace wheelrail
