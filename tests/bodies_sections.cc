@@ -109,6 +109,65 @@ namespace
       }
   }
 
+  /// An elastic layer that is held on a rigid base, long along the line, under a pressure over its surface
+  /// that is even or Hertz's on |x| < a: displacement as Fourier's integral
+  ///   u(x) = 2 (1 - nu^2)/(pi E) int L(q b)/q p(q) cos(q x) dq,
+  ///   L(t) = (2 kappa sinh 2t - 4t)/(2 kappa cosh 2t + 4 t^2 + 1 + kappa^2), kappa = 3 - 4 nu
+  /// (Airy's function with both displacements zero at the depth b; Meijers 1968), in the mean over each row.
+  void
+  test_layer()
+  {
+    constexpr double  width = 0.3, depth = 0.0125, a = 0.0125;
+    const SectionMesh mesh =
+      mesh_section(rectangle(width, depth, depth, 0, Boundary::foot), Boundary::foot, 4);
+    WaveStiffness                 stiffness(mesh, steel, false);
+    const std::vector<SurfaceRow> all    = surface_rows(mesh, 1, false);
+    const int                     middle = static_cast<int>(all.size()) / 2, reach = 20;
+    const std::vector<SurfaceRow> rows(all.begin() + middle - reach, all.begin() + middle + reach);
+    const std::vector<double>     C  = stiffness.compliance(1e-3, rows);
+    const double                  nu = steel.poissons_ratio, kappa = 3 - 4 * nu, row = rows[0].width;
+    for (const bool hertz : {false, true})
+      {
+        const auto layer = [&](const double x) {
+          constexpr double step = 0.25, last = 2e4;
+          double           sum = 0;
+          for (double q = 0.5 * step; q < last; q += step)
+            {
+              const double t = q * depth, e = std::exp(-2 * t), e2 = e * e;
+              const double L =
+                (kappa * (1 - e2) - 4 * t * e) / (kappa * (1 + e2) + (4 * t * t + 1 + kappa * kappa) * e);
+              const double p    = hertz ? M_PI * std::cyl_bessel_j(1, q * a) / q : 2 * std::sin(q * a) / q;
+              const double mean = std::sin(0.5 * q * row) / (0.5 * q * row);
+              sum += L / q * p * mean * std::cos(q * x) * step;
+            }
+          return 2 * (1 - nu * nu) / (M_PI * steel.youngs_modulus) * sum;
+        };
+        double worst = 0, largest = 0;
+        for (std::size_t i = 0; i < rows.size(); ++i)
+          {
+            double u = 0;
+            for (std::size_t j = 0; j < rows.size(); ++j)
+              if (const double x = std::abs(rows[j].place.x); x < a)
+                {
+                  // mean of Hertz's pressure over the row
+                  const auto area = [](const double s) {
+                    return 0.5 * (s * std::sqrt(std::max(0., 1 - s * s)) + std::asin(std::min(1., s)));
+                  };
+                  const double p =
+                    hertz ? a / row * (area((x + 0.5 * row) / a) - area((x - 0.5 * row) / a)) : 1;
+                  u += row * p * entry(C, rows.size(), int(i), 1, int(j), 1);
+                }
+            const double expected = layer(rows[i].place.x);
+            worst                 = std::max(worst, std::abs(u - expected));
+            largest               = std::max(largest, expected);
+          }
+        check(worst < 5e-3 * largest,
+              std::string("layer on a rigid base under ") + (hertz ? "Hertz's" : "even") +
+                " pressure: largest difference over the largest displacement " +
+                std::to_string(worst / largest));
+      }
+  }
+
   /// A wheel of 10 km radius is a prismatic body: k = n / r.
   void
   test_large_wheel()
@@ -171,6 +230,7 @@ int
 main()
 {
   test_block();
+  test_layer();
   test_large_wheel();
   test_growth();
   return test::report();

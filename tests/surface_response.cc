@@ -76,6 +76,53 @@ namespace
       }
   }
 
+  /// By how much of a cell nodes that are held at a straight edge act farther out than they lie, see
+  /// doc/theory/contact.md: of a half-line of nodes that are displaced by equal amounts, with the responses
+  /// over the exact ones at the midpoints of equal parts of (0, pi), filtered with `weight` (Wiener and
+  /// Hopf).
+  double
+  edge_beyond_nodes(const std::vector<double> &responses, const double weight)
+  {
+    const double n   = static_cast<double>(responses.size());
+    double       sum = 0;
+    for (unsigned int i = 0; i < responses.size(); ++i)
+      {
+        const double k = (i + 0.5) * M_PI / n;
+        const double g = responses[i] * 2 * std::sin(0.5 * k) / k * std::pow(kept(weight, k, 0), 2);
+        sum += std::log(g) / (1 - std::cos(k));
+      }
+    return 0.25 - sum / (2 * n);
+  }
+
+  /// Pressure and shear begin at the same place: what the lattice makes of the edge of the patch, of first
+  /// order in the cell size, is the same for nodes that come into contact and for nodes that then stick. Else
+  /// a rolling contact would be too stiff or too soft by as much of its length.
+  void
+  edges_meet()
+  {
+    const Elasticity    material;
+    const auto          stiffness = cube_stiffness(material, ElementForm::reduced);
+    const auto          filter    = surface_filter(stiffness, material);
+    std::vector<double> normal, parallel, perpendicular, exact;
+    for (int i = 0; i < 64; ++i)
+      {
+        const auto r = surface_response(stiffness, material, (i + 0.5) * M_PI / 64, 0);
+        normal.push_back(1 + r.normal);
+        parallel.push_back(1 + r.parallel);
+        perpendicular.push_back(1 + r.perpendicular);
+        exact.push_back(1);
+      }
+    check_near(edge_beyond_nodes(exact, 0), 0.31, 1e-3, "edge beyond the nodes of an exact half-space");
+    const double pressure = edge_beyond_nodes(normal, filter.normal);
+    std::cout << "        edge beyond the nodes, in cells: pressure " << pressure << " (without filter "
+              << edge_beyond_nodes(normal, 0) << "), shear along the track " << edge_beyond_nodes(parallel, 0)
+              << ", across it " << edge_beyond_nodes(perpendicular, filter.shear) << " (without filter "
+              << edge_beyond_nodes(perpendicular, 0) << ")\n";
+    check_near(pressure - edge_beyond_nodes(parallel, 0), 0, 0.02, "shear along the track begins there");
+    check_near(
+      pressure - edge_beyond_nodes(perpendicular, filter.shear), 0, 0.02, "shear across the track, too");
+  }
+
   /// Forces filtered by S do the work of displacements filtered by S; linear fields stay.
   void
   filter_is_symmetric()
@@ -134,6 +181,7 @@ main()
           filtered(material, form);
         }
     }
+  edges_meet();
   filter_is_symmetric();
   return report();
 }

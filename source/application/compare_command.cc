@@ -271,6 +271,7 @@ namespace wheelrail
     trust_json(const Measures &measures)
     {
       return {{"peak_difference", number(measures.peak_difference)},
+              {"bodies_peak_difference", number(measures.bodies_difference)},
               {"cells_over_shorter_extent", number(measures.cells)},
               {"cells_across_peak", number(measures.cells_across_peak)},
               {"penetration_over_approach", number(measures.penetration)},
@@ -329,6 +330,8 @@ namespace wheelrail
     Measures measures = measures_of_run(scene, run);
     measures.beyond   = comparison.beyond;
     measure_against(halfspace_pressure(result), scene, run, measures);
+    if (!bodies.is_null() && bodies["converged"])
+      measures.bodies_difference = get_figure(run, "bodies_relative_difference_max_pressure");
     measures.pose_effect =
       result.solution.peak_pressure / halfspace_pressure(scene, geometry, result.solution.fn, {}).peak - 1;
     const Verdict verdict = judge_run(scene, measures);

@@ -67,6 +67,8 @@ namespace wheelrail
       return half;
     }
 
+    constexpr double web_thickness = 0.016; // of 54E1 and 60E1: 16 to 16.5 mm
+
     // Everything the parts of the section share.
     struct Rail
     {
@@ -213,7 +215,9 @@ namespace wheelrail
       SectionBuilder    &builder = rail.builder;
       const CurveStretch field(rail.outline, rail.field.foot_fillet, rail.field.neck);
       const CurveStretch gauge(rail.outline, rail.gauge.foot_fillet, rail.gauge.neck);
-      const unsigned int rows = block_count(field.length(), rail.block_size);
+      // as tall as wide: the chords of taller blocks bridge the hollow fillets and make the web stiffer
+      // (doc/theory/mesh.md)
+      const unsigned int rows = block_count(field.length(), web_thickness / rail.web_columns);
       const Side         bottom =
         builder.straight(builder.corner(field(0)), builder.corner(gauge(0)), rail.web_columns);
       builder.patch("web",
@@ -308,7 +312,7 @@ namespace wheelrail
     rail.field       = find_half(rail.outline, 1, profile.height);
     rail.gauge       = find_half(rail.outline, -1, profile.height);
     rail.block_size  = block_size;
-    rail.web_columns = std::max(2u, block_count(0.016, block_size)); // webs of 54E1 and 60E1: 16 to 16.5 mm
+    rail.web_columns = std::max(2u, block_count(web_thickness, block_size));
 
     const RunningLayer layer = make_top_layer(rail, placement, strip);
     const Side         neck  = make_head(rail, layer);

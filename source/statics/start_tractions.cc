@@ -68,16 +68,61 @@ namespace wheelrail
       return loaded;
     }
 
+    /// Squares of the nodes' pressures of the grid. Where a line of loaded nodes along the track or across it
+    /// ends, the next node gets what a straight line through the last two has there: below zero, so that the
+    /// patch ends between both, where its pressure does.
+    class SquaredPressures
+    {
+    public:
+      SquaredPressures(const Contact &contact, const LoadedGrid &loaded)
+        : n_i_(loaded.n_i)
+        , n_j_(loaded.n_j)
+        , square_(std::size_t(n_i_) * n_j_, 0.)
+      {
+        for (int i = 0; i < n_i_; ++i)
+          for (int j = 0; j < n_j_; ++j)
+            square_[i + std::size_t(n_i_) * j] =
+              std::pow(contact.nodes()[loaded.node(contact.lattice(), i, j)].pressure, 2);
+        const std::vector<double> inside = square_;
+        const auto                at     = [&](const int i, const int j) {
+          return i >= 0 && j >= 0 && i < n_i_ && j < n_j_ ? inside[i + std::size_t(n_i_) * j] : 0;
+        };
+        for (int i = 0; i < n_i_; ++i)
+          for (int j = 0; j < n_j_; ++j)
+            if (at(i, j) == 0)
+              {
+                double sum = 0;
+                int    n   = 0;
+                for (int a = -1; a <= 1; ++a)
+                  for (int b = -1; b <= 1; ++b)
+                    if ((a != 0 || b != 0) && at(i + a, j + b) > 0)
+                      {
+                        sum += std::min(0., 2 * at(i + a, j + b) - at(i + 2 * a, j + 2 * b));
+                        ++n;
+                      }
+                if (n > 0)
+                  square_[i + std::size_t(n_i_) * j] = sum / n;
+              }
+      }
+
+      double
+      operator()(const int i, const int j) const
+      {
+        return i >= 0 && j >= 0 && i < n_i_ && j < n_j_ ? square_[i + std::size_t(n_i_) * j] : 0;
+      }
+
+    private:
+      int                 n_i_, n_j_;
+      std::vector<double> square_;
+    };
+
     /// Pressures of the elements [Pa]: p^2, which falls to the edge of a patch as a straight line, is
     /// bilinear between the nodes, and the elements of each node have its pressure in the mean.
     std::vector<double>
     element_pressures(const Contact &contact, const LoadedGrid &loaded)
     {
-      const auto nodal = [&](const int i, const int j) {
-        const bool inside = i >= 0 && j >= 0 && i < loaded.n_i && j < loaded.n_j;
-        return inside ? contact.nodes()[loaded.node(contact.lattice(), i, j)].pressure : 0;
-      };
-      std::vector<double> pressure(loaded.grid.size(), 0.);
+      const SquaredPressures square(contact, loaded);
+      std::vector<double>    pressure(loaded.grid.size(), 0.);
       for (int i = 0; i < loaded.n_i; ++i)
         for (int j = 0; j < loaded.n_j; ++j)
           {
@@ -88,17 +133,64 @@ namespace wheelrail
                   const int    da = 2 * a - loaded.parts + 1, db = 2 * b - loaded.parts + 1;
                   const double u = 0.5 * std::abs(da) / loaded.parts, v = 0.5 * std::abs(db) / loaded.parts;
                   const int    k = i + (da < 0 ? -1 : 1), l = j + (db < 0 ? -1 : 1);
-                  const auto   square = [&](const int m, const int n) { return std::pow(nodal(m, n), 2); };
-                  const double q      = (1 - u) * ((1 - v) * square(i, j) + v * square(i, l)) +
+                  const double q = (1 - u) * ((1 - v) * square(i, j) + v * square(i, l)) +
                                    u * ((1 - v) * square(k, j) + v * square(k, l));
-                  sum += pressure[loaded.element(i, j, a, b)] = std::sqrt(q);
+                  sum += pressure[loaded.element(i, j, a, b)] = std::sqrt(std::max(0., q));
                 }
-            const double scale = sum > 0 ? nodal(i, j) * loaded.parts * loaded.parts / sum : 0;
+            const double scale =
+              sum > 0 ? std::sqrt(std::max(0., square(i, j))) * loaded.parts * loaded.parts / sum : 0;
             for (int a = 0; a < loaded.parts; ++a)
               for (int b = 0; b < loaded.parts; ++b)
                 pressure[loaded.element(i, j, a, b)] *= scale;
           }
       return pressure;
+    }
+
+    /// Pressures in the middle of the step of one element that steady rolling is found by: the mean of those
+    /// of an element and of the one behind it. Tractions are those of the ends of such steps; with pressures
+    /// of the same instant what sticks would begin half an element ahead of the patch, and the contact would
+    /// be too stiff by as much (doc/theory/accuracy.md). The half that no element ahead takes stays, so that
+    /// the sum does.
+    std::vector<double>
+    in_midst_of_step(const HalfspaceGrid &grid, const std::vector<double> &pressure)
+    {
+      std::vector<double> mean(grid.size(), 0.);
+      for (int e = 0; e < grid.size(); ++e)
+        {
+          mean[e] += 0.5 * pressure[e];
+          mean[e % grid.mx + 1 < grid.mx && pressure[e + 1] > 0 ? e + 1 : e] += 0.5 * pressure[e];
+        }
+      return mean;
+    }
+
+    /// Tractions at the places of the elements, of those found half an element behind: the mean of an element
+    /// and of the one ahead. Where both slide they have what friction allows there.
+    VectorField
+    at_elements(const HalfspaceGrid       &grid,
+                const std::vector<double> &pressure,
+                const HalfspaceSolution   &behind)
+    {
+      VectorField traction{behind.traction_x, behind.traction_y};
+      for (int e = 0; e < grid.size(); ++e)
+        {
+          if (behind.state[e] == HalfspaceSolution::exterior)
+            continue;
+          const int  ahead = e % grid.mx + 1 < grid.mx ? e + 1 : e;
+          const bool first = ahead == e || behind.state[ahead] == HalfspaceSolution::exterior;
+          double     x     = 0.5 * (behind.traction_x[e] + (first ? 0 : behind.traction_x[ahead])),
+                 y         = 0.5 * (behind.traction_y[e] + (first ? 0 : behind.traction_y[ahead]));
+          if (behind.state[e] == HalfspaceSolution::slip &&
+              (first || behind.state[ahead] == HalfspaceSolution::slip))
+            {
+              const double size  = std::hypot(x, y);
+              const double scale = size > 0 ? behind.friction[e] * pressure[e] / size : 0;
+              x *= scale;
+              y *= scale;
+            }
+          traction[0][e] = x;
+          traction[1][e] = y;
+        }
+      return traction;
     }
 
     /// Inclination of the wheel's surface to the horizontal at s.
@@ -120,19 +212,20 @@ namespace wheelrail
 
     /// When the wheel turns without creepage: a larger local radius runs backwards, ahead of the axle the
     /// wheel's surface still descends, which slides it along its inclination, and a wheel with yaw slides
-    /// aside.
+    /// aside. The steel of a surface stretched by e passes a place that stands still with (1 + e) of its
+    /// speed.
     void
-    set_slip(const RunningSurfaces &surfaces, const double lateral_creepage, HalfspaceProblem &problem)
+    set_slip(const RunningSurfaces &surfaces, const StartMotion &start, HalfspaceProblem &problem)
     {
       WheelMotion motion;
       motion.forward_radius   = surfaces.forward_radius;
-      motion.lateral_creepage = lateral_creepage;
+      motion.lateral_creepage = start.lateral_creepage;
       for (int j = 0; j < problem.grid.my; ++j)
         {
           const RowSlip slip = row_slip(wheel_place(surfaces, problem.grid.y(j)), motion, 0);
           for (int i = 0; i < problem.grid.mx; ++i)
             {
-              problem.rigid_slip_x.push_back(slip.along);
+              problem.rigid_slip_x.push_back(slip.along + start.stretch);
               problem.rigid_slip_y.push_back(slip.lateral_at(problem.grid.x(i)));
             }
         }
@@ -141,15 +234,13 @@ namespace wheelrail
     /// The half-space problem of one contact; force or creepage are still to be given.
     struct StartProblem
     {
-      LoadedGrid       loaded;
-      HalfspaceProblem problem;
+      LoadedGrid          loaded;
+      HalfspaceProblem    problem;
+      std::vector<double> pressure; ///< of the elements [Pa]; the problem has those in the middle of its step
 
-      StartProblem(const Contact         &contact,
-                   const HalfspaceSteels &bodies,
-                   const double           velocity,
-                   const double           lateral_creepage)
+      StartProblem(const Contact &contact, const HalfspaceSteels &bodies, const StartMotion &motion)
         : loaded(loaded_grid(contact))
-        , problem(wheel_on_rail(bodies, contact.law().friction, velocity))
+        , problem(wheel_on_rail(bodies, contact.law().friction, motion.velocity))
       {
         problem.grid = loaded.grid;
         // the static search asks for tractions again until they stay within 1e-5
@@ -161,7 +252,9 @@ namespace wheelrail
           for (int i = 0; i < loaded.grid.mx; ++i)
             problem.pressure[i + std::size_t(loaded.grid.mx) * j] *=
               area_ratio(contact, i / loaded.parts, j / loaded.parts);
-        set_slip(contact.surfaces(), lateral_creepage, problem);
+        pressure         = problem.pressure;
+        problem.pressure = in_midst_of_step(loaded.grid, pressure);
+        set_slip(contact.surfaces(), motion, problem);
       }
 
       /// Nodes of inclined facets have more area than their elements.
@@ -190,6 +283,7 @@ namespace wheelrail
       result.force     = -solution.fx;
       result.converged = solution.converged();
       result.traction.assign(contact.nodes().size(), {0, 0, 0});
+      const VectorField traction = at_elements(loaded.grid, start.pressure, solution);
       for (int i = 0; i < loaded.n_i; ++i)
         for (int j = 0; j < loaded.n_j; ++j)
           {
@@ -198,8 +292,8 @@ namespace wheelrail
               for (int b = 0; b < parts; ++b)
                 {
                   const std::size_t e = loaded.element(i, j, a, b);
-                  along += solution.traction_x[e] / (parts * parts);
-                  lateral += solution.traction_y[e] / (parts * parts);
+                  along += traction[0][e] / (parts * parts);
+                  lateral += traction[1][e] / (parts * parts);
                 }
             const double angle = inclination(contact.surfaces(), loaded.grid.y(parts * j + (parts - 1) / 2));
             const double ratio = start.area_ratio(contact, i, j);
@@ -257,10 +351,9 @@ namespace wheelrail
   start_tractions_at_creepage(const Contact         &contact,
                               const double           creepage,
                               const HalfspaceSteels &bodies,
-                              const double           velocity,
-                              const double           lateral_creepage)
+                              const StartMotion     &motion)
   {
-    StartProblem start(contact, bodies, velocity, lateral_creepage);
+    StartProblem start(contact, bodies, motion);
     if (start.empty(contact))
       return without_tractions(contact, creepage);
     start.problem.xi = creepage;
@@ -272,8 +365,7 @@ namespace wheelrail
   start_tractions(const Contact         &contact,
                   const double           longitudinal_force,
                   const HalfspaceSteels &bodies,
-                  const double           velocity,
-                  const double           lateral_creepage)
+                  const StartMotion     &motion)
   {
     // the last two per cent below full slip cost any creepage; a torque beyond them spins the wheel up
     constexpr double   full_slip = 0.98;
@@ -283,7 +375,7 @@ namespace wheelrail
       load += contact.nodes()[k].pressure * contact.rail().area[k];
     const double   bound = full_slip * friction.at_rest * load;
     const double   force = std::clamp(longitudinal_force, -bound, bound);
-    StartProblem   start(contact, bodies, velocity, lateral_creepage);
+    StartProblem   start(contact, bodies, motion);
     StartTractions result;
     if (start.empty(contact))
       result = without_tractions(contact, 0);

@@ -1,5 +1,6 @@
 #include <wheelrail/mesh/forest.h>
 #include <wheelrail/statics/static_search.h>
+#include <wheelrail/statics/tread_stretch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,14 +40,15 @@ namespace wheelrail
                      const Contact     &contact,
                      const StaticLoads &loads,
                      const double       load,
-                     const double       lateral)
+                     const double       lateral,
+                     const double       stretch)
     {
-      const HalfspaceSteels bodies   = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
-      const double          velocity = loads.axle.velocity, aside = loads.axle.lateral_creepage;
+      const HalfspaceSteels bodies = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
+      const StartMotion     motion = {loads.axle.velocity, loads.axle.lateral_creepage, stretch};
       const double          force =
         (loads.traction_coefficient * load - lateral * std::sin(loads.yaw)) / std::cos(loads.yaw);
-      return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, velocity, aside)
-                             : start_tractions(contact, force, bodies, velocity, aside);
+      return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, motion)
+                             : start_tractions(contact, force, bodies, motion);
     }
   } // namespace
 
@@ -68,6 +70,8 @@ namespace wheelrail
     wheel_mass_                = wheel.mass;
     wheel_offset_              = radial_arm(wheel.centre, axle)[1];
     rate_                      = loads.axle.velocity / loads.forward_radius;
+    contact_.gather(solid_.displacement.data(), solid_.velocity.data());
+    rail_before_ = rail_displacements(contact_);
     press();
   }
 
@@ -219,12 +223,26 @@ namespace wheelrail
   }
 
 
+  /// That of pressure which half-spaces of the two materials do not have. Unlike ones have one of their own,
+  /// which the solution for the tractions finds; it is not taken twice.
+  double
+  StaticSearch::stretch_beyond_halfspaces() const
+  {
+    const Elasticity &rail = solid_.blocks.rail.elasticity(), &wheel = solid_.blocks.wheel.elasticity();
+    const bool        alike =
+      rail.youngs_modulus == wheel.youngs_modulus && rail.poissons_ratio == wheel.poissons_ratio;
+    return alike ? tread_stretch(contact_, rail_before_) : 0;
+  }
+
+
   bool
   StaticSearch::renew_tractions()
   {
+    if (tractions.traction.empty()) // so far pressure alone
+      stretch_ = stretch_beyond_halfspaces();
     const StartTractions before = std::move(tractions);
-    tractions                   = wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_);
-    rate_                       = loads_.axle.velocity / loads_.forward_radius * (1 + tractions.creepage);
+    tractions = wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_, stretch_);
+    rate_     = loads_.axle.velocity / loads_.forward_radius * (1 + tractions.creepage);
     if (!loads_.tractions)
       tractions.traction.assign(tractions.traction.size(), Vector3{});
     drag_.assign(solid_.force.size(), 0.);

@@ -17,6 +17,11 @@ namespace wheelrail
       if (!std::isfinite(difference))
         return "The run has no peak pressure that could be compared";
       const std::string by = text("%.1f", std::max(0.1, 100 * difference)) + " % in peak pressure";
+      if (bodies_judge(m, verdict))
+        return "The run differs from the true bodies by " +
+               text("%.1f", std::max(0.1, 100 * std::abs(m.bodies_difference))) +
+               " % in peak pressure, from half-spaces, which are no reference here since " + verdict.limits +
+               ", by " + text("%.1f", std::max(0.1, 100 * difference)) + " %";
       if (!verdict.limits.empty())
         return "The half-space solution is not a reliable reference here, since " + verdict.limits +
                "; run and half-spaces differ by " + by;

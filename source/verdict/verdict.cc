@@ -178,6 +178,7 @@ namespace wheelrail
         limit("the surfaces are irregular, so that means are not those of one place");
       if (m.plastic_strain > least_plastic)
         limit("steel has yielded (plastic strain up to " + text("%.2g", 1e3 * m.plastic_strain) + "e-3)");
+      verdict.limits_of_bodies = !verdict.limits.empty();
       if (m.turn >= most_turn)
         limit("the surfaces turn by " + text("%.0f", m.turn * 180 / M_PI) + " degrees across the patch");
       if (m.patches > 1)
@@ -190,18 +191,28 @@ namespace wheelrail
     {
       if (!m.no_reference.empty())
         add(verdict, Grade::with_care, m.no_reference);
-      if (std::isnan(m.peak_difference) || !verdict.limits.empty())
+      const bool   bodies     = bodies_judge(m, verdict);
+      const double difference = bodies ? m.bodies_difference : m.peak_difference;
+      if (std::isnan(difference) || (!bodies && !verdict.limits.empty()))
         return;
       add(verdict,
-          graded(std::abs(m.peak_difference), peak_bounds),
-          "the peak pressure is " + text("%.0f %% ", 100 * std::abs(m.peak_difference)) +
-            (m.peak_difference < 0 ? "below" : "above") +
-            " that of half-spaces under the same force and in the same position" +
+          graded(std::abs(difference), peak_bounds),
+          "the peak pressure is " + text("%.0f %% ", 100 * std::abs(difference)) +
+            (difference < 0 ? "below" : "above") +
+            (bodies ? " that of the true bodies under the same forces"
+                    : " that of half-spaces under the same force and in the same position") +
             (verdict.findings.empty()
                ? ", and the usual causes (cells, penalty, unsteady forces) do not explain it."
                : "."));
     }
   } // namespace
+
+
+  bool
+  bodies_judge(const Measures &measures, const Verdict &verdict)
+  {
+    return !verdict.limits.empty() && !verdict.limits_of_bodies && std::isfinite(measures.bodies_difference);
+  }
 
 
   std::string

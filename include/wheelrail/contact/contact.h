@@ -128,6 +128,13 @@ namespace wheelrail
     Vector3
     mean_velocity(Body body) const;
 
+    /// Displacement of a node of the window, index in the lattice of its body, as the contact sees it:
+    /// filtered, at the last gather [m].
+    Vector3
+    displacement(const Body body, const std::size_t node) const
+    {
+      return states_[body].x[node] - states_[body].reference[node];
+    }
     /// Current position of a rail node in the window [m].
     const Vector3 &
     rail_position(std::size_t node) const

@@ -17,26 +17,32 @@ namespace wheelrail
     std::vector<Vector3> traction;          ///< on the rail at every lattice node [Pa]
   };
 
+  /// How the wheel rolls.
+  struct StartMotion
+  {
+    double velocity;             ///< [m/s]
+    double lateral_creepage = 0; ///< velocity of the wheel along X over that
+    double stretch          = 0; ///< of the tread along the track less that of the head, tread_stretch() [-]
+  };
+
   /// Steady shear tractions for a given longitudinal force [N, on the wheel], exact for two half-spaces
   /// under the pressures of `contact` (Kalker 1990; doc/theory/halfspace.md): every lateral strip slides with
   /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
   /// turning wheel (together: creepage and spin), and with the yaw of the wheel. Elements of at most 0.35 mm,
   /// an odd number a lattice node. The friction law is that of the contact, at the slip velocities of rolling
-  /// with `velocity` [m/s]. Wanted forces are cut to 98 % of full slip at rest, and with friction that falls
+  /// with its velocity. Wanted forces are cut to 98 % of full slip at rest, and with friction that falls
   /// with speed to the largest that it carries (to 1 %); a law that is zero at rest starts without tractions.
-  /// Besides, the wheel moves along X with `lateral_creepage` times the velocity.
+  /// A tread that is stretched more than the head runs backwards against it by as much.
   StartTractions
   start_tractions(const Contact         &contact,
                   double                 longitudinal_force,
                   const HalfspaceSteels &bodies,
-                  double                 velocity,
-                  double                 lateral_creepage = 0);
+                  const StartMotion     &motion);
 
   /// The same with the creepage given instead of the force.
   StartTractions
   start_tractions_at_creepage(const Contact         &contact,
                               double                 creepage,
                               const HalfspaceSteels &bodies,
-                              double                 velocity,
-                              double                 lateral_creepage = 0);
+                              const StartMotion     &motion);
 } // namespace wheelrail

@@ -96,6 +96,8 @@ namespace wheelrail
     press();
     void
     lower_wheel(double by);
+    double
+    stretch_beyond_halfspaces() const;
     ContactSums
     contact_forces(const std::vector<Vector3> *tractions, AlignedVector<double> &force);
 
@@ -110,5 +112,7 @@ namespace wheelrail
     AlignedVector<double> drag_;              ///< nodal forces of the tractions [N]
     Vector3               drag_sum_{};        ///< on the wheel [N]
     double                lateral_force_ = 0; ///< on the wheel with the present tractions [N]
+    double                stretch_       = 0; ///< of the tread less that of the head, by pressure alone [-]
+    std::vector<Vector3>  rail_before_;       ///< displacement of its surface that the search began with [m]
   };
 } // namespace wheelrail

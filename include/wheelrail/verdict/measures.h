@@ -39,11 +39,13 @@ namespace wheelrail
     std::string made_up; ///< part of a profile that was not measured and is touched; empty: none
 
     // against half-spaces
-    double peak_difference = none;   ///< (run - half-space) / half-space
-    double turn            = none;   ///< of the surfaces across the patch [rad]
-    double pose_effect     = none;   ///< peak with the pose over peak without it, less 1
-    double plastic_strain  = 0;      ///< largest one of the run, 0 where nothing has flowed
-    double patches         = 1;      ///< separate ones of the run, where the half-spaces have not as many
+    double peak_difference = none; ///< (run - half-space) / half-space
+    /// The same against the true bodies under the same forces; they know neither flow nor irregularities.
+    double bodies_difference = none;
+    double turn              = none; ///< of the surfaces across the patch [rad]
+    double pose_effect       = none; ///< peak with the pose over peak without it, less 1
+    double plastic_strain    = 0;    ///< largest one of the run, 0 where nothing has flowed
+    double patches           = 1;    ///< separate ones of the run, where the half-spaces have not as many
     std::vector<std::string> beyond; ///< other figures that differ by more than their limit, in words
     std::string              no_reference; ///< why there are no half-spaces to compare with; empty: there are
 

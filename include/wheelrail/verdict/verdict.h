@@ -34,6 +34,8 @@ namespace wheelrail
     std::vector<Finding> findings;
     /// Why half-spaces are no full reference, so that the peak is not held against them; empty: they are one.
     std::string limits;
+    /// Whether those are limits of elastic, smooth bodies as well, and not of half-spaces alone.
+    bool limits_of_bodies = false;
 
     /// The lowest grade of the findings.
     Grade
@@ -48,6 +50,11 @@ namespace wheelrail
   /// places are judged whatever the reference; the difference to half-spaces where they are one.
   Verdict
   judge_run(const Scene &scene, const Measures &measures);
+
+  /// Whether true bodies are the reference in place of half-spaces: where only the shape of the contact is
+  /// what half-spaces do not have, and a comparison with the bodies is there.
+  bool
+  bodies_judge(const Measures &measures, const Verdict &verdict);
 
   /// Judges half-spaces that have converged: their pressure, what they touch, and their elements, whose
   /// number across the contact stands in `measures.cells`.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <wheelrail/base/vector3.h>
+#include <wheelrail/contact/contact.h>
+
+#include <vector>
+
+namespace wheelrail
+{
+  /// Displacements of the rail's nodes in the window, as gathered; zero elsewhere [m].
+  std::vector<Vector3>
+  rail_displacements(const Contact &contact);
+
+  /// How much more the tread is stretched along the track in the patch than the head [-]: of d u_z / d z of
+  /// the wheel less that of the rail, the slope of least squares over the loaded nodes, lines of nodes along
+  /// the track with means of their own. Half-spaces of one material are stretched alike by pressure; bodies
+  /// of finite size are not, and a wheel whose tread is longer turns slower by as much
+  /// (doc/theory/bodies.md). To be asked under pressure alone: tractions stretch both surfaces, too, which
+  /// the half-space theory of the start knows. `rail_before`: what the rail began with, as the residual shape
+  /// that earlier wheels left stands still in the steel and is no velocity.
+  double
+  tread_stretch(const Contact &contact, const std::vector<Vector3> &rail_before);
+} // namespace wheelrail
