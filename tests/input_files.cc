@@ -265,8 +265,8 @@ namespace
     check_text(options.parameters_text, print_parameters(scene), "run: all entries in force");
     check_near(execute({"parameters", file}, run, out), 0, 0, "parameters");
     check_text(out.str(), print_parameters(read_scene(file, {}).scene), "parameters prints the listing");
-    check(needs_mpi({"run", "x.prm"}) && !needs_mpi({"run", "x.prm", "--validate"}) &&
-            !needs_mpi({"geometry"}) && !needs_mpi({}),
+    check(needs_mpi({"run", "x.prm"}) && needs_mpi({"receptance", "x.prm"}) &&
+            !needs_mpi({"run", "x.prm", "--validate"}) && !needs_mpi({"geometry"}) && !needs_mpi({}),
           "only a run needs MPI");
     unsetenv("PMIX_RANK");
     unsetenv("OMPI_COMM_WORLD_SIZE");

@@ -156,7 +156,7 @@ namespace wheelrail
       return false;
     // MPI started without its mpirun starts a daemon of its own, which a single process has no use for
     const auto launched = [](const char *variable) { return std::getenv(variable) != nullptr; };
-    return arguments.front() == "run" ||
+    return arguments.front() == "run" || arguments.front() == "receptance" ||
            (arguments.front() == "wear" && (launched("OMPI_COMM_WORLD_SIZE") || launched("PMIX_RANK") ||
                                             launched("PMI_RANK") || launched("MPI_LOCALRANKID")));
   }

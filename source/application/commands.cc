@@ -123,6 +123,28 @@ namespace wheelrail
            "also write the scene as input of CONTACT's wheel-rail module, with two profile files");
        },
        act_halfspace},
+      {"receptance",
+       "FILE.prm",
+       "a hammer on the unloaded rail, or on the wheel: receptance, mobility, resonances, decay along the "
+       "track",
+       [](po::options_description &options) {
+         add_set_option(options);
+         options.add_options()("at",
+                               po::value<std::string>(),
+                               "where the rail is struck: sleeper (default), between, or a place along the "
+                               "track such as \"250 mm\"");
+         options.add_options()("direction", po::value<std::string>(), "vertical (default) or lateral");
+         options.add_options()("body", po::value<std::string>(), "rail (default) or wheel");
+         options.add_options()(
+           "duration", po::value<std::string>(), "how long the motion is recorded (default: 40 ms)");
+         options.add_options()("beside",
+                               po::value<std::string>(),
+                               "a table over frequencies to draw beside the result: measured, or the "
+                               "receptance.csv of another call");
+         options.add_options()("no-waves", "without the second way, waves of the rail's section");
+         add_no_pictures_option(options);
+       },
+       act_receptance},
       {"material",
        "FILE.prm",
        "one point of a steel of the scene, driven through cycles of strain or stress",

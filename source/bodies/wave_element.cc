@@ -117,13 +117,13 @@ namespace wheelrail
   }
 
 
-  std::array<WaveMatrix, 3>
+  std::array<WaveMatrix, 4>
   wave_matrices(const SectionMesh                            &mesh,
                 const std::array<unsigned int, n_wave_nodes> &cell,
                 const Elasticity                             &elasticity,
                 const bool                                    wheel)
   {
-    std::array<WaveMatrix, 3>   K{};
+    std::array<WaveMatrix, 4>   K{};
     std::array<Strain, n_local> b0, b1, s0, s1;
     const double                lambda = elasticity.lame_lambda(), mu = elasticity.shear_modulus();
     for (int g = 0; g < 9; ++g)
@@ -142,6 +142,8 @@ namespace wheelrail
               K[0][i][j] += weight * dot6(b0[i], s0[j]);
               K[1][i][j] += weight * (dot6(b0[i], s1[j]) + dot6(b1[i], s0[j]));
               K[2][i][j] += weight * dot6(b1[i], s1[j]);
+              if (i % 3 == j % 3)
+                K[3][i][j] += weight * elasticity.density * point.value[i / 3] * point.value[j / 3];
             }
       }
     for (auto &matrix : K)

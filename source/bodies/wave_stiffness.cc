@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/wave_element.h>
+#include <wheelrail/bodies/wave_matrices.h>
 #include <wheelrail/bodies/wave_stiffness.h>
 
 #include <cholmod.h>
@@ -44,21 +45,9 @@ namespace wheelrail
   {
     /// Integrals of the three shape functions over an edge, each times ds.
     std::array<double, 3>
-    edge_weights(const SectionMesh &mesh, const SectionMesh::Edge &edge)
+    edge_integrals(const SectionMesh &mesh, const SectionMesh::Edge &edge)
     {
-      std::array<double, 3> weights{};
-      for (int g = 0; g < 3; ++g)
-        {
-          const double t    = wave_gauss_place[g];
-          const double N[3] = {(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)};
-          const double d[3] = {4 * t - 3, 4 - 8 * t, 4 * t - 1};
-          Point2       speed;
-          for (int n = 0; n < 3; ++n)
-            speed = speed + d[n] * mesh.nodes[edge.node[n]];
-          for (int n = 0; n < 3; ++n)
-            weights[n] += wave_gauss_weight[g] * norm(speed) * N[n];
-        }
-      return weights;
+      return edge_weights(mesh, edge.node, [](const Point2 &) { return 1.; });
     }
   } // namespace
 
@@ -73,7 +62,7 @@ namespace wheelrail
         for (unsigned int e = first; e < first + cells; ++e)
           {
             row.edges.push_back(e);
-            for (const double weight : edge_weights(mesh, mesh.running[e]))
+            for (const double weight : edge_integrals(mesh, mesh.running[e]))
               row.width += weight;
           }
         const auto  &middle = mesh.running[first + cells / 2].node;
@@ -94,10 +83,6 @@ namespace wheelrail
     ~Data();
 
     void
-    number(const SectionMesh &mesh);
-    void
-    assemble(const SectionMesh &mesh, const Elasticity &elasticity);
-    void
     order();
     /// K(k) in `matrix`, factored.
     cholmod_factor *
@@ -106,26 +91,27 @@ namespace wheelrail
     std::vector<std::pair<int, double>>
     row_load(const SurfaceRow &row, int a) const;
 
-    bool                                             wheel;
-    SectionMesh                                      mesh;
-    std::vector<std::vector<std::pair<int, double>>> unknowns; ///< of each node: (free node, weight)
-    int                                              n_free = 0, n_surface = 0; ///< free nodes; the last ones
-    std::array<std::vector<double>, 3>               values; ///< of K0, K1, K2, in the pattern of `matrix`
-    cholmod_common                                   common{};
-    cholmod_sparse                                  *matrix   = nullptr; ///< lower half
-    cholmod_factor                                  *symbolic = nullptr;
-    std::vector<int>                                 place; ///< of an unknown in the order of the factors
+    bool             wheel;
+    SectionMesh      mesh;
+    WaveMatrices     parts;
+    cholmod_common   common{};
+    cholmod_sparse  *matrix   = nullptr; ///< lower half
+    cholmod_factor  *symbolic = nullptr;
+    std::vector<int> place; ///< of an unknown in the order of the factors
   };
 
 
   WaveStiffness::Data::Data(const SectionMesh &mesh, const Elasticity &elasticity, const bool wheel)
     : wheel(wheel)
     , mesh(mesh)
+    , parts(assemble_waves(mesh, elasticity, wheel))
   {
     cholmod_start(&common);
     common.print = 0;
-    number(mesh);
-    assemble(mesh, elasticity);
+    matrix =
+      cholmod_allocate_sparse(parts.size(), parts.size(), parts.row.size(), 1, 1, -1, CHOLMOD_REAL, &common);
+    std::copy(parts.start.begin(), parts.start.end(), static_cast<int *>(matrix->p));
+    std::copy(parts.row.begin(), parts.row.end(), static_cast<int *>(matrix->i));
     order();
   }
 
@@ -139,99 +125,19 @@ namespace wheelrail
 
 
   void
-  WaveStiffness::Data::number(const SectionMesh &mesh)
-  {
-    enum : char
-    {
-      inside,
-      surface,
-      fixed,
-      hanging
-    };
-    std::vector<char> kind(mesh.nodes.size(), inside);
-    for (const auto &edge : mesh.running)
-      for (const unsigned int node : edge.node)
-        kind[node] = surface;
-    for (const auto &node : mesh.hanging)
-      kind[node.node] = hanging;
-    for (const unsigned int node : mesh.held)
-      kind[node] = fixed;
-    unknowns.resize(mesh.nodes.size());
-    for (const char wanted : {inside, surface})
-      for (unsigned int node = 0; node < kind.size(); ++node)
-        if (kind[node] == wanted)
-          {
-            unknowns[node] = {{n_free++, 1.}};
-            n_surface += wanted == surface;
-          }
-    for (const auto &node : mesh.hanging)
-      for (unsigned int m = 0; m < node.masters.size(); ++m)
-        if (kind[node.masters[m]] != fixed)
-          unknowns[node.node].emplace_back(unknowns[node.masters[m]].front().first, node.weights[m]);
-  }
-
-
-  void
-  WaveStiffness::Data::assemble(const SectionMesh &mesh, const Elasticity &elasticity)
-  {
-    std::vector<int>                   rows, columns;
-    std::array<std::vector<double>, 3> entries;
-    for (const auto &cell : mesh.cells)
-      {
-        const auto K = wave_matrices(mesh, cell, elasticity, wheel);
-        for (unsigned int i = 0; i < n_wave_local; ++i)
-          for (unsigned int j = 0; j < n_wave_local; ++j)
-            for (const auto &[a, wa] : unknowns[cell[i / 3]])
-              for (const auto &[b, wb] : unknowns[cell[j / 3]])
-                {
-                  const int row = 3 * a + i % 3, column = 3 * b + j % 3;
-                  if (row < column)
-                    continue;
-                  rows.push_back(row);
-                  columns.push_back(column);
-                  for (int p = 0; p < 3; ++p)
-                    entries[p].push_back(wa * wb * K[p][i][j]);
-                }
-      }
-    // duplicates are added up by CHOLMOD; the pattern is the same for all three
-    const std::size_t n = 3 * n_free;
-    for (int p = 0; p < 3; ++p)
-      {
-        cholmod_triplet triplet{};
-        triplet.nrow = triplet.ncol = n;
-        triplet.nzmax = triplet.nnz = rows.size();
-        triplet.i                   = rows.data();
-        triplet.j                   = columns.data();
-        triplet.x                   = entries[p].data();
-        triplet.stype               = -1;
-        triplet.itype               = CHOLMOD_INT;
-        triplet.xtype               = CHOLMOD_REAL;
-        triplet.dtype               = CHOLMOD_DOUBLE;
-        cholmod_sparse *sparse      = cholmod_triplet_to_sparse(&triplet, 0, &common);
-        const auto     *x           = static_cast<const double *>(sparse->x);
-        values[p].assign(x, x + cholmod_nnz(sparse, &common));
-        if (p == 0)
-          matrix = sparse;
-        else
-          cholmod_free_sparse(&sparse, &common);
-      }
-  }
-
-
-  void
   WaveStiffness::Data::order()
   {
     // the running surface last: the end of the factor is then all that its compliance asks for
-    std::vector<int> member(3 * n_free, 0), permutation(3 * n_free);
-    std::fill(member.end() - 3 * n_surface, member.end(), 1);
+    std::vector<int> member(parts.size(), 0), permutation(parts.size());
+    std::fill(member.end() - 3 * parts.n_surface, member.end(), 1);
     cholmod_camd(matrix, nullptr, 0, member.data(), permutation.data(), &common);
     common.nmethods           = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder          = 0;
     symbolic                  = cholmod_analyze_p(matrix, permutation.data(), nullptr, 0, &common);
     const auto *order         = static_cast<const int *>(symbolic->Perm);
-    place.resize(3 * n_free);
-    for (int k = 0; k < 3 * n_free; ++k)
+    place.resize(parts.size());
+    for (int k = 0; k < parts.size(); ++k)
       place[order[k]] = k;
   }
 
@@ -239,7 +145,8 @@ namespace wheelrail
   cholmod_factor *
   WaveStiffness::Data::factor(const double k)
   {
-    auto *x = static_cast<double *>(matrix->x);
+    auto       *x      = static_cast<double *>(matrix->x);
+    const auto &values = parts.values;
     for (std::size_t e = 0; e < values[0].size(); ++e)
       x[e] = values[0][e] + k * (values[1][e] + k * values[2][e]);
     cholmod_factor *L = cholmod_copy_factor(symbolic, &common);
@@ -264,9 +171,9 @@ namespace wheelrail
     for (const unsigned int e : row.edges)
       {
         const auto &edge    = mesh.running[e];
-        const auto  weights = edge_weights(mesh, edge);
+        const auto  weights = edge_integrals(mesh, edge);
         for (int n = 0; n < 3; ++n)
-          for (const auto &[unknown, weight] : unknowns[edge.node[n]])
+          for (const auto &[unknown, weight] : parts.unknowns[edge.node[n]])
             load[3 * unknown + a] += weight * weights[n];
       }
     return {load.begin(), load.end()};
@@ -285,7 +192,7 @@ namespace wheelrail
   std::size_t
   WaveStiffness::size() const
   {
-    return 3 * data_->n_free;
+    return data_->parts.size();
   }
 
 
@@ -295,7 +202,7 @@ namespace wheelrail
     Data           &d = *data_;
     cholmod_factor *L = d.factor(k);
     cholmod_change_factor(CHOLMOD_REAL, 1, 0, 1, 1, L, &d.common);
-    const int           n = 3 * d.n_free, ns = 3 * d.n_surface, first = n - ns, nr = 3 * rows.size();
+    const int           n = d.parts.size(), ns = 3 * d.parts.n_surface, first = n - ns, nr = 3 * rows.size();
     std::vector<double> dense(std::size_t(ns) * ns, 0.), loads(std::size_t(ns) * nr, 0.);
     const auto         *start = static_cast<const int *>(L->p), *row = static_cast<const int *>(L->i);
     const auto         *value = static_cast<const double *>(L->x);
@@ -325,7 +232,7 @@ namespace wheelrail
   {
     Data           &d   = *data_;
     cholmod_factor *L   = d.factor(0);
-    cholmod_dense  *f   = cholmod_zeros(3 * d.n_free, 1, CHOLMOD_REAL, &d.common);
+    cholmod_dense  *f   = cholmod_zeros(d.parts.size(), 1, CHOLMOD_REAL, &d.common);
     auto           *rhs = static_cast<double *>(f->x);
     for (const auto &cell : d.mesh.cells)
       for (int g = 0; g < 9; ++g)
@@ -333,7 +240,7 @@ namespace wheelrail
           const WavePoint point = wave_point(d.mesh, cell, g);
           const double    r     = point.place.y;
           for (unsigned int n = 0; n < n_wave_nodes; ++n)
-            for (const auto &[unknown, weight] : d.unknowns[cell[n]])
+            for (const auto &[unknown, weight] : d.parts.unknowns[cell[n]])
               rhs[3 * unknown + 1] += weight * point.value[n] * density * rate * rate * r * r * point.weight;
         }
     cholmod_dense      *u      = cholmod_solve(CHOLMOD_A, L, f, &d.common);

@@ -2,6 +2,9 @@
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/motion_columns.h>
 
+#include <map>
+#include <string>
+
 namespace wheelrail
 {
   namespace
@@ -75,6 +78,41 @@ namespace wheelrail
   }
 
 
+  const MotionColumns &
+  receptance_columns()
+  {
+    static const MotionColumns list = {
+      {Q::frequency, "frequency", Dimension::frequency, 1e-3, 1e5, "0.001 Hz to 100 kHz"},
+      {Q::receptance, "receptance", Dimension::none, 0, 1, "0 to 1 m/N"},
+      {Q::mobility, "mobility", Dimension::none, 0, 1, "0 to 1 m/(N s)"},
+      {Q::accelerance, "accelerance", Dimension::none, 0, 1e3, "0 to 1000 m/(s2 N)"},
+      {Q::phase, "phase", Dimension::angle, -1e3, 1e3, "-1000 rad to 1000 rad"}};
+    return list;
+  }
+
+
+  namespace
+  {
+    /// The unit of a displacement, velocity or acceleration over a force.
+    double
+    receptance_unit(const MotionColumn &column, const std::string &unit)
+    {
+      static const std::map<Q, std::map<std::string, double>> units = {
+        {Q::receptance, {{"m/N", 1}, {"mm/N", 1e-3}, {"mm/kN", 1e-6}}},
+        {Q::mobility, {{"m/(N s)", 1}, {"m/(Ns)", 1}, {"m/s/N", 1}, {"m/Ns", 1}, {"mm/s/N", 1e-3}}},
+        {Q::accelerance, {{"m/(s2 N)", 1}, {"m/s2/N", 1}, {"1/kg", 1}}}};
+      const auto &known = units.at(column.quantity);
+      if (const auto found = known.find(unit); found != known.end())
+        return found->second;
+      std::string accepted;
+      for (const auto &entry : known)
+        accepted += (accepted.empty() ? "" : ", ") + entry.first;
+      throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a " + column.name + "; accepted are " +
+                       accepted);
+    }
+  } // namespace
+
+
   double
   unit_factor(const MotionColumn &column, const std::string &unit)
   {
@@ -92,6 +130,9 @@ namespace wheelrail
           return 1e3;
         throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a torque; N m or kN m is accepted");
       }
+    if (column.quantity == Q::receptance || column.quantity == Q::mobility ||
+        column.quantity == Q::accelerance)
+      return receptance_unit(column, unit);
     if (column.dimension == Dimension::none)
       {
         if (unit == "%")

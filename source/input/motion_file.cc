@@ -169,6 +169,22 @@ namespace wheelrail
 
 
   MotionFile
+  read_receptance_file(const std::string &path)
+  {
+    MotionFile rows =
+      read_rows(path,
+                receptance_columns(),
+                {"--beside needs a table over frequencies to draw beside the result", false, {}});
+    if (!rows.find(Q::frequency))
+      throw InputError(path + ": no frequency; name a column \"frequency [Hz]\"");
+    for (const MotionQuantity shown : {Q::receptance, Q::mobility, Q::accelerance})
+      if (rows.find(shown))
+        return rows;
+    throw InputError(path + ": nothing to draw; name a column receptance, mobility or accelerance");
+  }
+
+
+  MotionFile
   of_wheel(const MotionFile &motion, const bool left)
   {
     MotionFile wheel;

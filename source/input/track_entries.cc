@@ -54,7 +54,7 @@ namespace wheelrail
     list.push_back(inclination_entry());
     list.push_back(length_entry({"Track", "Rail length", "Length of the modelled piece of rail."},
                                 "m",
-                                B::between("200 mm", "10 m"),
+                                B::between("200 mm", "30 m"),
                                 field(&S::rail_length)));
     add_support_entries(list);
     const auto radius = field(&S::track_radius);

@@ -89,6 +89,16 @@ namespace wheelrail
   }
 
 
+  void
+  Forest::lay_blocks(const Body body)
+  {
+    cells_ = CellTree(plan_, grids_, {}).leaves({0, 0});
+    cells_.erase(std::remove_if(
+                   cells_.begin(), cells_.end(), [body](const CellPlace &cell) { return cell.body != body; }),
+                 cells_.end());
+  }
+
+
   LocalMesh
   Forest::local_mesh() const
   {

@@ -126,6 +126,29 @@ def wear_rows(entries):
     return [(label, text) for label, text in found if text]
 
 
+def track_rows(entries, summary):
+    """Of the command receptance: what is struck, where, and what the rail stands on."""
+    def entry(name):
+        return entries.get("Track/" + name, "")
+
+    rail = summary["body"] == "rail"
+    found = [("struck", f"{summary['body']}, {summary['direction']}")]
+    if not rail:
+        return found + [("wheel", os.path.basename(entries.get("Profiles/Wheel", "")))]
+    support = entry("Support")
+    found += [("at", f"{1e3 * summary['at_m']:.0f} mm along the track"),
+              ("rail", f"{os.path.basename(entries.get('Profiles/Rail', ''))}, {entry('Rail length')} long, damped ends {entry('Damped ends')}"),
+              ("support", support)]
+    if support != "clamped foot":
+        found += [("pads", f"{entry('Pad stiffness')}, loss factor {entry('Pad loss factor')} ({entry('Pad damping')})"),
+                  ("spacing", entry("Sleeper spacing"))]
+    if support == "sleepers":
+        found += [("first sleeper", entry("First sleeper")), ("sleeper", entry("Sleeper mass"))]
+        if entry("Sleeper mass") != "rigid":
+            found.append(("ballast", f"{entry('Ballast stiffness')}, loss factor {entry('Ballast loss factor')}"))
+    return [(label, text) for label, text in found if text]
+
+
 def material_rows(entries):
     """Of the command material: the steel and what it goes through."""
     body = entries.get("Material test/Body", "")

@@ -8,9 +8,9 @@
 namespace wheelrail
 {
   std::complex<double>
-  PadDamping::dynamic_stiffness(const double angular_frequency) const
+  PadDamping::dynamic_stiffness(const std::complex<double> angular_frequency) const
   {
-    const std::complex<double> iw(0, angular_frequency);
+    const std::complex<double> iw        = std::complex<double>(0, 1) * angular_frequency;
     std::complex<double>       stiffness = 1. + iw * damper;
     for (const Branch &branch : branches)
       stiffness += branch.share * iw * branch.time / (1. + iw * branch.time);

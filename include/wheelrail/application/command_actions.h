@@ -22,6 +22,11 @@ namespace wheelrail
                 std::ostream                                &out);
 
   int
+  act_receptance(const boost::program_options::variables_map &options,
+                 const RunFunction                           &run,
+                 std::ostream                                &out);
+
+  int
   act_material(const boost::program_options::variables_map &options,
                const RunFunction                           &run,
                std::ostream                                &out);

@@ -30,8 +30,8 @@ namespace wheelrail
 
   using WaveMatrix = std::array<std::array<double, n_wave_local>, n_wave_local>;
 
-  /// K0, K1, K2 of a cell: of a rail for each metre, of a wheel for each radian.
-  std::array<WaveMatrix, 3>
+  /// K0, K1, K2 and the mass M of a cell: of a rail for each metre, of a wheel for each radian.
+  std::array<WaveMatrix, 4>
   wave_matrices(const SectionMesh                            &mesh,
                 const std::array<unsigned int, n_wave_nodes> &cell,
                 const Elasticity                             &elasticity,

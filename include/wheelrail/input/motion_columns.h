@@ -35,6 +35,10 @@ namespace wheelrail
   const MotionColumns &
   curve_columns();
 
+  /// Of a receptance over frequency.
+  const MotionColumns &
+  receptance_columns();
+
   /// SI value of one of the unit of a column; throws InputError for a unit of something else.
   double
   unit_factor(const MotionColumn &column, const std::string &unit);

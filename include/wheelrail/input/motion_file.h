@@ -29,7 +29,12 @@ namespace wheelrail
     longitudinal_force,
     lateral_force,
     spin_moment,
-    weight ///< of a row in a mix
+    weight, ///< of a row in a mix
+    frequency,
+    receptance,
+    mobility,
+    accelerance,
+    phase
   };
 
   /// Rows of numbers under names: of a vehicle simulation over time or distance, or one a passage.
@@ -96,6 +101,12 @@ namespace wheelrail
   /// read_motion_file().
   MotionFile
   read_curve_file(const std::string &path, MotionQuantity over);
+
+  /// Reads a table of the same form whose rows are frequencies of a measured or computed track or wheel:
+  /// "frequency [Hz], mobility [m/(N s)]", receptance or accelerance in the place of the mobility, or several
+  /// of them, and "phase [deg]", that of the first of them. Throws InputError as read_motion_file().
+  MotionFile
+  read_receptance_file(const std::string &path);
 
   /// The rows as one wheel of the wheelset has them: its own load (load right, load left) as the load, and
   /// beside such loads no cant, which would move load once more.

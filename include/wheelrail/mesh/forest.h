@@ -29,6 +29,10 @@ namespace wheelrail
     void
     lay(const PerBody<FineZone> &zones, const PerBody<int> &first_column);
 
+    /// Leaves one body alone, in its coarse blocks.
+    void
+    lay_blocks(Body body);
+
     /// The part of this rank as plain arrays. Cells and nodes have the same numbers on any number of ranks:
     /// cells in the order of their keys, nodes in that of the first (cell, vertex) that has them.
     LocalMesh

@@ -20,9 +20,9 @@ namespace wheelrail
     double              damper = 0; ///< over the stiffness at rest [s]
     std::vector<Branch> branches;
 
-    /// At the angular frequency [rad/s].
+    /// At the angular frequency [rad/s]; one with a negative imaginary part belongs to motions that fade.
     std::complex<double>
-    dynamic_stiffness(double angular_frequency) const;
+    dynamic_stiffness(std::complex<double> angular_frequency) const;
 
     /// Of motions too fast for the branches to relax: 1 + sum of the shares.
     double

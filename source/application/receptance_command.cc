@@ -1,0 +1,390 @@
+#include <wheelrail/application/command_actions.h>
+#include <wheelrail/application/command_scene.h>
+#include <wheelrail/application/receptance_command.h>
+#include <wheelrail/application/report_script.h>
+#include <wheelrail/base/choices.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_material.h>
+#include <wheelrail/model/scene_parts.h>
+#include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/folder.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/receptance/hammer_places.h>
+#include <wheelrail/receptance/spectra.h>
+#include <wheelrail/receptance/track_waves.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double lowest_hz = 20, highest_hz = 5000;
+
+    /// Receptance, its phase, mobility and accelerance over frequency, under names that begin alike.
+    void
+    add_response(FigureTable                             &table,
+                 const std::string                       &before,
+                 const std::vector<double>               &frequency,
+                 const std::vector<std::complex<double>> &receptance)
+    {
+      std::vector<double> size, phase, mobility, accelerance;
+      for (std::size_t k = 0; k < frequency.size(); ++k)
+        {
+          const double w = 2 * M_PI * frequency[k];
+          size.push_back(std::abs(receptance[k]));
+          phase.push_back(std::arg(receptance[k]));
+          mobility.push_back(w * size.back());
+          accelerance.push_back(w * mobility.back());
+        }
+      table.add(before + "receptance_m_per_N", "m/N", size);
+      table.add(before + "phase_rad", "rad", phase);
+      table.add(before + "mobility_m_per_Ns", "m/(N s)", mobility);
+      table.add(before + "accelerance_per_kg", "1/kg", accelerance);
+    }
+
+    /// Receptances of all faces at one frequency are columns of `of_face`.
+    FigureTable
+    make_response_table(const std::vector<double>                            &frequency,
+                        const std::vector<std::vector<std::complex<double>>> &of_face,
+                        const std::vector<double>                            &distance)
+    {
+      FigureTable table;
+      table.add("frequency_Hz", "Hz", frequency);
+      add_response(table, "", frequency, of_face[0]);
+      add_response(table, "cross_", frequency, of_face[1]);
+      if (distance.size() < 2)
+        return table;
+      std::vector<double> decay;
+      for (std::size_t k = 0; k < frequency.size(); ++k)
+        {
+          std::vector<double> amplitude = {std::abs(of_face[0][k])};
+          for (std::size_t f = 2; f < of_face.size(); ++f)
+            amplitude.push_back(std::abs(of_face[f][k]));
+          decay.push_back(decay_rate(distance, amplitude));
+        }
+      table.add("decay_rate_dB_per_m", "dB/m", decay);
+      // farther along by some 0.6 m
+      const auto at = std::min_element(distance.begin(), distance.end(), [](const double a, const double b) {
+        return std::abs(a - 0.6) < std::abs(b - 0.6);
+      });
+      const double away = *at;
+      if (away > 0)
+        add_response(table,
+                     "at_" + std::to_string(std::lround(1e3 * away)) + "mm_",
+                     frequency,
+                     of_face[at - distance.begin() + 1]);
+      return table;
+    }
+
+    /// By the waves of the section, at frequencies of the blow: some 120 of them, even steps of their
+    /// logarithm.
+    FigureTable
+    make_waves_table(const TrackWaves &waves, const Receptances &blow, const std::vector<double> &distance)
+    {
+      constexpr double                               growth = 1.047;
+      std::vector<double>                            frequency;
+      std::vector<std::vector<std::complex<double>>> of_face(blow.of_face.size());
+      double                                         next = 0;
+      for (const double f : blow.frequency)
+        if (f >= next)
+          {
+            frequency.push_back(f);
+            const auto all = waves.receptances(f, blow.fading);
+            for (std::size_t face = 0; face < all.size(); ++face)
+              of_face[face].push_back(all[face]);
+            next = growth * f;
+          }
+      return make_response_table(frequency, of_face, distance);
+    }
+
+    FigureTable
+    make_resonance_table(const std::vector<Resonance> &peaks)
+    {
+      FigureTable         table;
+      std::vector<double> f, m, l;
+      for (const Resonance &peak : peaks)
+        f.push_back(peak.frequency), m.push_back(peak.mobility), l.push_back(peak.loss);
+      table.add("frequency_Hz", "Hz", f);
+      table.add("mobility_m_per_Ns", "m/(N s)", m);
+      table.add("loss_factor", "1", l);
+      return table;
+    }
+
+    void
+    print_peaks(const std::vector<Resonance> &peaks, std::ostream &out)
+    {
+      char line[120];
+      out << "\nResonances, peaks of the mobility:\n   frequency     mobility   loss factor\n"
+             "          Hz      m/(N s)\n";
+      for (const Resonance &peak : peaks)
+        {
+          std::snprintf(line, sizeof(line), "%12.1f %12.3e", peak.frequency, peak.mobility);
+          out << line;
+          if (std::isfinite(peak.loss))
+            {
+              std::snprintf(line, sizeof(line), "%14.3f", peak.loss);
+              out << line;
+            }
+          out << '\n';
+        }
+    }
+
+    /// Largest and mean difference of the mobilities at the frequencies of the waves [dB].
+    void
+    print_difference(const FigureTable      &blow,
+                     const FigureTable      &waves,
+                     nlohmann::ordered_json &summary,
+                     std::ostream           &out)
+    {
+      const auto &f = *blow.find("frequency_Hz"), &a = *blow.find("mobility_m_per_Ns");
+      const auto &g = *waves.find("frequency_Hz"), &b = *waves.find("mobility_m_per_Ns");
+      double      most = 0, at = 0, sum = 0;
+      for (std::size_t k = 0; k < g.size(); ++k)
+        {
+          const auto   row  = std::lower_bound(f.begin(), f.end(), g[k] * (1 - 1e-9)) - f.begin();
+          const double away = 20 * std::log10(a[row] / b[k]);
+          sum += std::abs(away) / g.size();
+          if (std::abs(away) > std::abs(most))
+            most = away, at = g[k];
+        }
+      summary["waves_mean_difference_dB"]       = sum;
+      summary["waves_largest_difference_dB"]    = most;
+      summary["waves_largest_difference_at_Hz"] = at;
+      char line[160];
+      std::snprintf(
+        line,
+        sizeof(line),
+        "By waves of the section: mobility differs by %.1f dB in the mean, by %.1f dB at most (%.0f Hz)\n",
+        sum,
+        most,
+        at);
+      out << '\n' << line;
+    }
+
+    /// Of another result as our tables have it: a file of this command as it is, one of others by its names.
+    std::string
+    beside_text(const std::string &path)
+    {
+      std::ifstream file(path);
+      std::string   first, text;
+      std::getline(file, first);
+      if (first.rfind("frequency_Hz,", 0) == 0)
+        {
+          text.assign(std::istreambuf_iterator<char>(file), {});
+          return first + "\n" + text;
+        }
+      using Q                                 = MotionQuantity;
+      const MotionFile                  rows  = read_receptance_file(path);
+      const auto                       &f     = *rows.find(Q::frequency);
+      const auto                       *phase = rows.find(Q::phase);
+      std::vector<std::complex<double>> values;
+      for (std::size_t k = 0; k < f.size(); ++k)
+        {
+          const double w    = 2 * M_PI * f[k];
+          double       size = 0, turn = 0; // of velocity and acceleration the phase is ahead
+          if (const auto *const r = rows.find(Q::receptance))
+            size = (*r)[k];
+          else if (const auto *const m = rows.find(Q::mobility))
+            size = (*m)[k] / w, turn = -0.5 * M_PI;
+          else
+            size = (*rows.find(Q::accelerance))[k] / (w * w), turn = -M_PI;
+          values.push_back(std::polar(size, (phase ? (*phase)[k] : 0) + turn));
+        }
+      FigureTable table;
+      table.add("frequency_Hz", "Hz", f);
+      add_response(table, "", f, values);
+      if (!phase)
+        table.columns[2].assign(f.size(), std::nan(""));
+      text = "";
+      for (std::size_t k = 0; k < table.keys.size(); ++k)
+        text += (k > 0 ? "," : "") + table.keys[k];
+      for (std::size_t row = 0; row < f.size(); ++row)
+        for (std::size_t k = 0; k < table.keys.size(); ++k)
+          {
+            char number[32];
+            std::snprintf(number, sizeof(number), "%.9g", table.columns[k][row]);
+            text += (k > 0 ? "," : "\n") + std::string(std::isfinite(table.columns[k][row]) ? number : "");
+          }
+      return text + "\n";
+    }
+
+    void
+    print_start(const Scene             &scene,
+                const LoneBody          &body,
+                const ReceptanceOptions &options,
+                const RailPlaces        &places,
+                std::ostream            &out)
+    {
+      const bool rail = options.body == Body::rail;
+      if (rail && scene.support.damped_ends == 0)
+        out << "note: the rail has no Track/Damped ends, so that waves come back from its ends\n";
+      out << (options.lateral ? "Lateral" : "Vertical") << " blow on the " << (rail ? "rail" : "wheel");
+      if (rail)
+        out << " at " << rounded_mm(places.along);
+      char line[120];
+      std::snprintf(line,
+                    sizeof(line),
+                    ", %zu elements, %.0f time steps of %.3f us\n",
+                    body.solid.quality.elements,
+                    options.duration / body.time_step,
+                    1e6 * body.time_step);
+      out << line << std::flush;
+    }
+  } // namespace
+
+
+  int
+  run_receptance_command(const Scene             &scene,
+                         const SceneGeometry     &geometry,
+                         const ReceptanceOptions &options,
+                         std::ostream            &out)
+  {
+    const bool  rail   = options.body == Body::rail;
+    std::string beside = options.beside.empty() ? "" : beside_text(options.beside);
+    const auto  body   = make_lone_body(scene, geometry, options.body, MPI_COMM_WORLD);
+    RailPlaces  places;
+    if (rail)
+      places = rail_places(scene, body->plan.rail, options.at, options.lateral);
+    else
+      places.faces = wheel_faces(geometry, options.lateral);
+    print_start(scene, *body, options, places, out);
+    const BlowRecord  record = strike(scene, *body, places.faces, options.duration, MPI_COMM_WORLD);
+    const Receptances blow   = receptances(record, 1, lowest_hz, highest_hz);
+    const FigureTable table  = make_response_table(blow.frequency, blow.of_face, places.distance);
+    const auto        peaks  = resonances(blow.frequency, *table.find("mobility_m_per_Ns"));
+    print_peaks(peaks, out);
+
+    nlohmann::ordered_json      summary = {{"title", scene.title},
+                                           {"program_version", WHEELRAIL_VERSION},
+                                           {"body", rail ? "rail" : "wheel"},
+                                           {"direction", options.lateral ? "lateral" : "vertical"},
+                                           {"at_m", rail ? nlohmann::ordered_json(places.along) : nullptr},
+                                           {"duration_s", options.duration},
+                                           {"time_steps", record.time_steps},
+                                           {"elements", body->solid.quality.elements},
+                                           {"energy_error", record.energy_error},
+                                           {"left_at_the_end", blow.left},
+                                           {"fading_per_s", blow.fading}};
+    const std::filesystem::path folder  = folder_beside(scene.folder, "-receptance");
+    for (const char *const old : {"waves.csv", "beside.csv"})
+      std::filesystem::remove(folder / old);
+    if (rail && options.waves)
+      {
+        const TrackWaves  waves(body->plan.rail,
+                               elasticity(scene.rail_material),
+                               scene.support.kind,
+                               track_data(scene, body->plan.start_block * body->plan.block_length()),
+                               places.faces);
+        const FigureTable second = make_waves_table(waves, blow, places.distance);
+        second.write_csv((folder / "waves.csv").string());
+        print_difference(table, second, summary, out);
+        if (scene.support.kind == RailSupport::sleepers)
+          {
+            summary["pinned_pinned_Hz"] = waves.pinned_pinned();
+            out << "Pinned-pinned (a wave of two bays on the unsupported rail): "
+                << std::lround(waves.pinned_pinned()) << " Hz\n";
+          }
+      }
+    if (blow.fading > 0)
+      {
+        char line[200];
+        std::snprintf(
+          line,
+          sizeof(line),
+          "note: %.0f %% of the motion is left at the end of the record; it is faded, which makes "
+          "peaks %.0f Hz broader; --duration takes a longer record\n",
+          100 * blow.left,
+          blow.fading / M_PI);
+        out << line;
+      }
+    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+    table.write_csv((folder / "receptance.csv").string());
+    table.write_hdf5((folder / "receptance.h5").string());
+    make_resonance_table(peaks).write_csv((folder / "resonances.csv").string());
+    if (!beside.empty())
+      replace_file((folder / "beside.csv").string(), beside);
+    replace_file((folder / "summary.json").string(), summary.dump(2) + "\n");
+    out << "Results in " << folder.string() << std::endl;
+    if (options.draws)
+      draw_results("receptance.py", folder.string());
+    return 0;
+  }
+
+
+  namespace
+  {
+    /// The value of an option that is one of some words; the first of them where it is not given.
+    std::string
+    word_of(const po::variables_map &options, const std::string &name, const std::vector<std::string> &words)
+    {
+      if (!options.count(name))
+        return words.front();
+      const std::string word = options[name].as<std::string>();
+      try
+        {
+          require_choice(word, words);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("--" + name + " " + word + ": " + error.what());
+        }
+      return word;
+    }
+
+    double
+    duration_of(const po::variables_map &options)
+    {
+      const std::string text = options["duration"].as<std::string>();
+      double            duration;
+      try
+        {
+          duration = parse_quantity(text, Dimension::time);
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("--duration " + text + ": " + error.what());
+        }
+      if (!(duration >= 5e-3 && duration <= 1))
+        throw InputError("--duration " + text + ": not between 5 ms and 1 s");
+      return duration;
+    }
+  } // namespace
+
+
+  int
+  act_receptance(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_file(options, "receptance", "receptance.prm");
+    ReceptanceOptions given;
+    given.body    = word_of(options, "body", {"rail", "wheel"}) == "rail" ? Body::rail : Body::wheel;
+    given.lateral = word_of(options, "direction", {"vertical", "lateral"}) == "lateral";
+    if (options.count("at"))
+      given.at = options["at"].as<std::string>();
+    if (given.body == Body::wheel && !given.at.empty())
+      throw InputError("--at " + given.at + ": a wheel is struck at its contact; leave it out");
+    if (options.count("duration"))
+      given.duration = duration_of(options);
+    if (options.count("beside"))
+      given.beside = options["beside"].as<std::string>();
+    given.waves                  = !options.count("no-waves");
+    given.draws                  = !options.count("no-pictures");
+    SceneInput input             = one_scene_of(options);
+    input.scene.irregularities   = {}; // the bodies by themselves are smooth
+    const SceneGeometry geometry = require_computable(input);
+    return run_receptance_command(input.scene, geometry, given, out);
+  }
+} // namespace wheelrail
