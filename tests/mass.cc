@@ -159,7 +159,9 @@ namespace
             check_near(e.inertia, 0, 10e-3, n + ": error of the inertia about the axle, 16 mm blocks");
             check_near(f.inertia, 0, 3e-3, n + ": error of the inertia about the axle, 8 mm blocks");
           }
-        check(std::abs(f.mass) < 0.5 * std::abs(e.mass), n + ": the mass error falls with the blocks");
+        // rows of the web are 8 mm tall in both meshes
+        check(std::abs(f.mass) < (body == Body::rail ? 0.6 : 0.5) * std::abs(e.mass),
+              n + ": the mass error falls with the blocks");
         check(f.centre < 0.5 * e.centre, n + ": the error of the centre falls with the blocks");
       }
   }

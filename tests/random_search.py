@@ -142,7 +142,7 @@ def sentence_of(screen):
 # what a run says of a peak pressure that is not that of its half-spaces: "the peak pressure is 30 % below ..."
 CAUSES = {
     "turn": r"the surfaces turn by \d+ degrees across the patch",
-    "flow": r"steel has flowed",
+    "flow": r"steel has yielded",
     "patches": r"the run has \d+ patches",
     "penalty": r"the penalty contact sinks in by [\d.]+ % of the approach",
     "forces": r"the forces vary by [\d.]+ % of the load",

@@ -27,7 +27,7 @@ namespace
   {
     StaticResult  start;
     double        wheel_load = 0;
-    Vector3       first_force{}, mean_force{}, last_force{}; ///< on the wheel [N]
+    Vector3       begin_force{}, mean_force{}, last_force{}; ///< on the wheel [N]
     double        spread       = 0; ///< largest departure of the vertical force from its mean [N]
     double        worst_energy = 0; ///< largest energy error
     EnergyBook    energy;
@@ -50,14 +50,15 @@ namespace
     rolling_velocities(model.solid, model.parts, model.axle, rate, still, communicator);
     Axle    axle(model.axle, run.start.lift, rate, communicator);
     Rolling rolling(model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), communicator);
-    run.steps  = std::lround(scene.rolling_distance / scene.velocity / model.time_step);
-    double low = 1e300, high = -1e300;
+    run.steps                       = std::lround(scene.rolling_distance / scene.velocity / model.time_step);
+    constexpr unsigned long n_begin = 10;
+    double                  low = 1e300, high = -1e300;
     for (unsigned long n = 1; n <= run.steps; ++n)
       {
         rolling.step(n % 5 == 0 || n == 1 || n == run.steps);
         const ContactSums &sums = rolling.contact_sums();
-        if (n == 1)
-          run.first_force = sums.force;
+        if (n <= n_begin)
+          add(run.begin_force, 1. / n_begin, sums.force);
         add(run.mean_force, 1. / run.steps, sums.force);
         low              = std::min(low, sums.force[1]);
         high             = std::max(high, sums.force[1]);
@@ -78,8 +79,8 @@ namespace
   {
     std::cout << std::setprecision(6) << "        " << run.steps << " steps, Newton "
               << run.start.newton_steps << ", lift " << 1e6 * run.start.lift << " um, wheel load "
-              << run.wheel_load << " N\n        forces on the wheel [N] at the start " << run.first_force[0]
-              << ' ' << run.first_force[1] << ' ' << run.first_force[2] << ", mean " << run.mean_force[0]
+              << run.wheel_load << " N\n        forces on the wheel [N] at the start " << run.begin_force[0]
+              << ' ' << run.begin_force[1] << ' ' << run.begin_force[2] << ", mean " << run.mean_force[0]
               << ' ' << run.mean_force[1] << ' ' << run.mean_force[2] << ", end " << run.last_force[0] << ' '
               << run.last_force[1] << ' ' << run.last_force[2] << "\n        energies [J]:";
     for (const EnergyTerm &term : run.energy.terms())
@@ -122,11 +123,12 @@ namespace
     print(run);
     check(!run.at_border, "the patch stays inside the fine cells");
     check_near(run.start.contact_force[1] / load, 1, 2e-5, "static start: vertical force over the weight");
-    check_near(run.first_force[1] / load, 1, 0.01, "first step: vertical force over the weight");
+    check_near(run.begin_force[1] / load, 1, 0.01, "first ten steps: vertical force over the weight");
     check_near(
       run.start.contact_force[2] / wanted, 1, 0.005, "static start: longitudinal force over the wanted one");
-    // the velocities of the start are not those of the coarse cells: one step of elastic slip and damping
-    check_near(run.first_force[2] / wanted, 1, 0.05, "first step: longitudinal force over the wanted one");
+    // the velocities of the start are not those of the coarse cells: the first step alone has 5 % of damping
+    check_near(
+      run.begin_force[2] / wanted, 1, 0.03, "first ten steps: longitudinal force over the wanted one");
     check_near(run.mean_force[1] / load, 1, 0.01, "mean vertical force over the weight");
     check_near(run.spread / load, 0, 0.03, "vertical force, largest departure from the mean over the weight");
     check_near(run.worst_energy, 0, 0.01, "energy error, largest");

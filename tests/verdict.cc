@@ -266,7 +266,7 @@ namespace
     set_figure(summary, "plastic_band_depth_m", 8.6e-3);
     const auto deep = judge(input.scene, geometry, summary);
     holds(deep.empty() ? "" : deep[0],
-          "steel has yielded down to 8.6 mm, below the fine cells, which are 5.0 mm deep: the depth of the "
+          "steel has flowed down to 8.6 mm, below the fine cells, which are 5.0 mm deep: the depth of the "
           "plastic zone and the "
           "stresses left there are those of coarser cells; raise Mesh/Fine depth to 10 mm",
           "flow below the fine cells");
