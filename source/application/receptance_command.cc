@@ -333,7 +333,7 @@ namespace wheelrail
     {
       if (!options.count(name))
         return words.front();
-      const std::string word = options[name].as<std::string>();
+      std::string word = options[name].as<std::string>();
       try
         {
           require_choice(word, words);
