@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace wheelrail;
@@ -90,6 +91,34 @@ namespace
     const Case softer({"Rail material/Young's modulus = 200 GPa"});
     check(files().size() == 3, "other constants have another table");
     check(std::filesystem::file_size(kept.front()) > 1000, "and the damaged one was replaced");
+  }
+
+  /// Rows of a vehicle are solved on several threads at once: tables are read and transforms planned on each.
+  void
+  test_threads()
+  {
+    const Case               one({});
+    const HalfspaceGrid      grid{40, 30, 0.4e-3, 0.4e-3, -8e-3, -6e-3};
+    constexpr int            n_threads = 4, n_times = 25;
+    std::vector<int>         read(n_threads, 0);
+    std::vector<std::thread> threads;
+    for (int t = 0; t < n_threads; ++t)
+      threads.emplace_back([&, t] {
+        for (int i = 0; i < n_times; ++i)
+          {
+            const AddedInfluence plans({grid.mx + i, grid.my, grid.dx, grid.dy, grid.x0, grid.y0},
+                                       std::vector<AddedInfluence::Basis>(grid.my));
+            const BodyTables     again = make_body_tables(one.scene, one.geometry, "tables");
+            read[t] += again.rail.remainder == one.tables.rail.remainder &&
+                       again.wheel.remainder == one.tables.wheel.remainder;
+          }
+      });
+    for (std::thread &thread : threads)
+      thread.join();
+    for (const int times : read)
+      check(times == n_times,
+            "tables read by several threads at once, " + std::to_string(times) + " of " +
+              std::to_string(n_times));
   }
 
   /// Forces on rows of smooth influence, added by FFT, against plain sums; symmetric.
@@ -217,6 +246,7 @@ main()
   test_added();
   test_messages();
   test_kept();
+  test_threads();
   test_scenes();
   return test::report();
 }

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -20,6 +21,10 @@ namespace wheelrail
 {
   namespace
   {
+    /// Files are read and written by one thread at a time: HDF5 is not made for several, and rows of a
+    /// vehicle are solved at once. The first one makes a table, the others wait and read it.
+    std::mutex keeping;
+
     // to be raised when what a table holds changes
     constexpr double table_version = 1;
 
@@ -160,6 +165,7 @@ namespace wheelrail
     };
     if (folder.empty())
       return make();
+    const std::lock_guard<std::mutex> guard(keeping);
     const std::string path = folder + "/" + name_of(contents(mesh, elasticity, wheel, nominal_radius, cells));
     if (std::optional<BodyTable> kept = read_table(path))
       return *std::move(kept);

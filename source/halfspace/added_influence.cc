@@ -1,4 +1,5 @@
 #include <wheelrail/halfspace/added_influence.h>
+#include <wheelrail/halfspace/fft_planning.h>
 
 #include <fftw3.h>
 
@@ -43,25 +44,22 @@ namespace wheelrail
     explicit Plans(const int length)
       : real(length)
       , spectrum(length / 2 + 1)
-      , forward(fftw_plan_dft_r2c_1d(length,
-                                     real.data(),
-                                     reinterpret_cast<fftw_complex *>(spectrum.data()),
-                                     FFTW_ESTIMATE))
-      , backward(fftw_plan_dft_c2r_1d(length,
-                                      reinterpret_cast<fftw_complex *>(spectrum.data()),
-                                      real.data(),
-                                      FFTW_ESTIMATE))
     {
+      const std::lock_guard<std::mutex> guard(fft_planning());
+      auto *const                       modes = reinterpret_cast<fftw_complex *>(spectrum.data());
+      forward  = fftw_plan_dft_r2c_1d(length, real.data(), modes, FFTW_ESTIMATE);
+      backward = fftw_plan_dft_c2r_1d(length, modes, real.data(), FFTW_ESTIMATE);
     }
     ~Plans()
     {
+      const std::lock_guard<std::mutex> guard(fft_planning());
       fftw_destroy_plan(forward);
       fftw_destroy_plan(backward);
     }
 
     std::vector<double>  real;
     std::vector<Complex> spectrum;
-    fftw_plan            forward, backward;
+    fftw_plan            forward = nullptr, backward = nullptr;
   };
 
 

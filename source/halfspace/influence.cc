@@ -1,4 +1,5 @@
 #include <wheelrail/halfspace/corner_sweep.h>
+#include <wheelrail/halfspace/fft_planning.h>
 #include <wheelrail/halfspace/influence.h>
 
 #include <fftw3.h>
@@ -125,12 +126,6 @@ namespace wheelrail
     return tables;
   }
 
-  namespace
-  {
-    /// FFTW makes and destroys plans on one thread at a time; executing them is free.
-    std::mutex planning;
-  } // namespace
-
   struct InfluenceProducts::Plans
   {
     double       *real     = nullptr;
@@ -145,7 +140,7 @@ namespace wheelrail
     , ny_(fft_size(2 * grid.my))
     , plans_(std::make_unique<Plans>())
   {
-    const std::lock_guard<std::mutex> guard(planning);
+    const std::lock_guard<std::mutex> guard(fft_planning());
     plans_->real     = fftw_alloc_real(std::size_t(nx_) * ny_);
     plans_->complex  = fftw_alloc_complex(spectrum_size());
     plans_->forward  = fftw_plan_dft_r2c_2d(ny_, nx_, plans_->real, plans_->complex, FFTW_ESTIMATE);
@@ -154,7 +149,7 @@ namespace wheelrail
 
   InfluenceProducts::~InfluenceProducts()
   {
-    const std::lock_guard<std::mutex> guard(planning);
+    const std::lock_guard<std::mutex> guard(fft_planning());
     fftw_destroy_plan(plans_->forward);
     fftw_destroy_plan(plans_->backward);
     fftw_free(plans_->real);
