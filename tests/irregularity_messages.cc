@@ -115,6 +115,33 @@ namespace
     warned(
       {one + "Kind = dent", depth, one + "Place = 500 mm", one + "Length = 30 mm"},
       "Irregularity 1/Place = 500 mm: the wheel does not come there within Run/Rolling distance = 60 mm");
+    const std::string until_steady = "Run/Rolling distance = until steady";
+    warned({one + "Kind = dent", depth, one + "Place = 0.5 m", one + "Length = 30 mm", until_steady},
+           ": the wheel does not come there within Run/Longest distance = ");
+    check(
+      !scene_from_text("", "none", {one + "Kind = dent", depth, place, until_steady}).scene.until_steady(),
+      "a run over an irregularity does not end before it as steady");
+    for (const char *body : {"rail", "wheel"})
+      warned(
+        {one + "Kind = dent",
+         depth,
+         place,
+         one + "Length = 30 mm",
+         one + "Width = 20 mm",
+         one + "Lateral place = -40 mm",
+         one + "Body = " + body},
+        "Irregularity 1/Lateral place = -40 mm: the wheel rolls beside the irregularity; its patch, about ");
+    check(found_in({one + "Kind = dent",
+                    depth,
+                    place,
+                    one + "Length = 30 mm",
+                    one + "Width = 20 mm",
+                    one + "Lateral place = -5 mm"})
+            .warnings.empty(),
+          "a dent half across the patch is felt");
+    for (const std::string &warning :
+         found_in({one + "Kind = polygon", depth, one + "Order = 64", one + "Body = wheel"}).warnings)
+      check(warning.find("beside") == std::string::npos, "waves all around are felt: " + warning);
     refused({one + "Kind = dent", depth, one + "Length = 30 mm"},
             " at the patch); a run starts in steady rolling on the smooth profile: move it at least ");
     check(found_in({one + "Kind = dent", depth, place, one + "Length = 30 mm"}).errors.empty(),

@@ -15,14 +15,16 @@ namespace wheelrail
     add_distance(std::vector<Entry> &list)
     {
       list.push_back(with_word(
-        length_entry({"Run",
-                      "Rolling distance",
-                      "How far the wheel rolls. until steady: the run ends by itself as soon as all results "
-                      "are steady and their standard errors are small enough, at Longest distance at the "
-                      "latest. Passages and runs that follow a motion then roll the Longest distance."},
-                     "mm",
-                     B::above("0 mm", "10 m"),
-                     field(&S::rolling_distance)),
+        length_entry(
+          {"Run",
+           "Rolling distance",
+           "How far the wheel rolls. until steady: the run ends by itself as soon as all results "
+           "are steady and their standard errors are small enough, at Longest distance at the "
+           "latest. Passages, runs that follow a motion and runs over irregularities, which are never "
+           "steady, then roll the Longest distance."},
+          "mm",
+          B::above("0 mm", "10 m"),
+          field(&S::rolling_distance)),
         "until steady",
         0,
         field(&S::rolling_distance)));

@@ -28,6 +28,33 @@ namespace wheelrail
                                  "; take Mesh/Solution cell size = " + rounded_mm(rounded) + " for results");
     }
 
+    /// An irregularity that has next to no height where the wheel can roll: around the contact of the start,
+    /// in `at` of the section [m], up to a whole width of the patch to both sides.
+    void
+    check_across(const Scene         &scene,
+                 const Irregularity  &one,
+                 const double         at,
+                 const ExpectedPatch &patch,
+                 Findings            &found)
+    {
+      constexpr int    along = 61, across = 16;
+      constexpr double felt    = 0.02; // of its largest height
+      constexpr double reach   = 0.75; // of the width of the patch
+      constexpr double off     = 0.37; // of a step, so that waves are not looked at on their crests alone
+      double           largest = 0;
+      for (int i = 0; i < along; ++i)
+        for (int j = -across; j <= across; ++j)
+          {
+            const double u = one.begin + (one.end - one.begin) * (i + off) / along;
+            largest = std::max(largest, std::abs(one.at(at + reach * patch.width * j / across, u).height));
+          }
+      if (largest < felt * one.measures.largest)
+        found.warnings.push_back(entry_text(scene, one.name, "Lateral place") +
+                                 ": the wheel rolls beside the irregularity; its patch, about " +
+                                 rounded_mm(std::round(1e3 * patch.width) / 1e3) + " wide, lies around " +
+                                 rounded_mm(std::round(1e3 * at) / 1e3));
+    }
+
     /// The largest height where the wheel stands at the start [m].
     double
     height_at_start(const RunningSurface &surface, const double half_length, const double half_width)
@@ -65,8 +92,12 @@ namespace wheelrail
             if (!one.endless && (one.begin > scene.mesh_distance() + 0.5 * patch.length ||
                                  (body == Body::rail && one.end < -0.5 * patch.length)))
               found.warnings.push_back(entry_text(scene, one.name, "Place") +
-                                       ": the wheel does not come there within Run/Rolling distance = " +
-                                       rounded_mm(scene.rolling_distance));
+                                       ": the wheel does not come there within " + path_text(scene));
+            check_across(scene,
+                         one,
+                         body == Body::rail ? geometry.contact.rail_x : geometry.contact.wheel_x,
+                         patch,
+                         found);
           }
         const double start = height_at_start(surface, 0.6 * patch.length, 0.5 * patch.width);
         if (!surface.irregularities().empty() && start > even)

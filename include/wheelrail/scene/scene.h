@@ -269,11 +269,12 @@ namespace wheelrail
     }
 
     /// Whether the run ends as soon as its results are steady and known. Passages are compared at one place
-    /// that all of them roll over, and a motion that is followed is never steady: these roll their path.
+    /// that all of them roll over, and a motion that is followed is never steady, nor is a wheel on irregular
+    /// surfaces: these roll their path.
     bool
     until_steady() const
     {
-      return rolling_distance == 0 && motion == "none" && !several_passages();
+      return rolling_distance == 0 && motion == "none" && !several_passages() && !irregular();
     }
 
     /// How far the mesh lets the wheel roll [m].
