@@ -33,10 +33,9 @@ namespace wheelrail
   RunOutput::tick(const unsigned int tick)
   {
     const double time = parts_.rolling.time(), travelled = parts_.axle.travelled();
-    const auto   stress = nodal_stress(parts_.model.solid, parts_.communicator);
-    const auto   slices = make_slices(parts_.model, stress, travelled, parts_.communicator);
+    const auto   slices = make_slices(parts_.model, stress(), travelled, parts_.communicator);
     stress_below_       = largest_stress_below(slices, parts_.scene.cell_size);
-    stress_below_at_    = travelled;
+    stress_below_at_    = time;
     on_root(parts_.communicator, [&]() {
       append_patch(*patch_file_, patch_fields(*parts_.model.contact, parts_.axle, time));
       append_slices(*slice_file_, time, travelled, slices);
@@ -45,26 +44,38 @@ namespace wheelrail
     });
     char number[16];
     std::snprintf(number, sizeof number, "_%04u", tick);
-    write_mesh(std::string("surface") + number, Selection::surface, stress, surface_series_.get());
-    write_mesh(std::string("window") + number, Selection::window, stress, window_series_.get());
+    write_mesh(std::string("surface") + number, Selection::surface, stress(), surface_series_.get());
+    write_mesh(std::string("window") + number, Selection::window, stress(), window_series_.get());
+  }
+
+
+  const NodalStress &
+  RunOutput::stress()
+  {
+    if (const double time = parts_.rolling.time(); time != stress_at_)
+      {
+        stress_    = nodal_stress(parts_.model.solid, parts_.communicator);
+        stress_at_ = time;
+      }
+    return stress_;
   }
 
 
   StressBelow
-  RunOutput::stress_below(const NodalStress &stress) const
+  RunOutput::stress_below()
   {
-    const double travelled = parts_.axle.travelled();
-    if (travelled == stress_below_at_)
+    if (parts_.rolling.time() == stress_below_at_)
       return stress_below_;
-    return largest_stress_below(make_slices(parts_.model, stress, travelled, parts_.communicator),
-                                parts_.scene.cell_size);
+    return largest_stress_below(
+      make_slices(parts_.model, stress(), parts_.axle.travelled(), parts_.communicator),
+      parts_.scene.cell_size);
   }
 
 
   void
-  RunOutput::volume(const std::string &name, const NodalStress &stress, const NodalStress *residual)
+  RunOutput::volume(const std::string &name, const NodalStress *residual)
   {
-    write_mesh(name, Selection::all, stress, volume_series_.get(), residual);
+    write_mesh(name, Selection::all, stress(), volume_series_.get(), residual);
   }
 
 

@@ -177,7 +177,7 @@ namespace wheelrail
       scene_  = run_->scene;
       output_ = std::make_unique<RunOutput>(run_->parts(), resumed, run_->ticks, evaluated ? 2 : 1);
       if (!resumed && scene_.volume_fields)
-        output_->volume("volume_start", nodal_stress(run_->model.solid, communicator_));
+        output_->volume("volume_start");
       keep_state();
       if (!resumed)
         states_.save();
@@ -221,7 +221,7 @@ namespace wheelrail
           const double before = run.axle.travelled();
           run.rolling.step(record);
           if (schedule.evaluate(before, run.axle.travelled()) && scene_.volume_fields)
-            output_->volume("volume_evaluated", nodal_stress(run.model.solid, communicator_));
+            output_->volume("volume_evaluated");
           if (record)
             {
               run.record();
@@ -296,15 +296,14 @@ namespace wheelrail
       const bool     finished = stop_reason.empty();
       const double   now      = seconds();
       const RunTally tally{run.wall_before + now - start_, now - loop_start_, run.first_step};
-      const auto     left   = finished ? residual() : std::nullopt;
-      const auto     stress = nodal_stress(run.model.solid, communicator_);
+      const auto     left = finished ? residual() : std::nullopt;
       if (scene_.volume_fields)
-        output_->volume("volume_end", stress, left ? &left->stress : nullptr);
+        output_->volume("volume_end", left ? &left->stress : nullptr);
       if (left)
         output_->residual(*left);
-      Summary summary = summary_of(run.parts(), tally, stress);
+      Summary summary = summary_of(run.parts(), tally, output_->stress());
       if (finished)
-        set_stress_below(output_->stress_below(stress), summary);
+        set_stress_below(output_->stress_below(), summary);
       if (left)
         add_residual(*left, summary);
       summary.program_version = options_.program_version;

@@ -25,20 +25,25 @@ namespace wheelrail
     void
     tick(unsigned int tick);
 
-    /// Writes the whole mesh into `name`.vtu and adds it to volume.pvd, with the stresses of the moment
-    /// (nodal_stress()), and residual ones where they are given. Collective; throws RunError on all ranks.
+    /// Writes the whole mesh into `name`.vtu and adds it to volume.pvd, with the stresses of the moment, and
+    /// residual ones where they are given. Collective; throws RunError on all ranks.
     void
-    volume(const std::string &name, const NodalStress &stress, const NodalStress *residual = nullptr);
+    volume(const std::string &name, const NodalStress *residual = nullptr);
 
     /// Writes what a passage has left: slices into residual.h5, the running surfaces into
     /// residual_surface.vtu. Collective; throws RunError on all ranks.
     void
     residual(const Residual &residual);
 
+    /// Stresses of the moment, see nodal_stress(); recovered once however often they are asked for.
+    /// Collective.
+    const NodalStress &
+    stress();
+
     /// Largest stresses of the cuts at the moment, below the depth of one cell: those of the tick where one
-    /// was written now, else from `stress`. Collective.
+    /// was written now. Collective.
     StressBelow
-    stress_below(const NodalStress &stress) const;
+    stress_below();
 
   private:
     /// Writes a part of the mesh into `name`.vtu and adds it to a series, if there is one.
@@ -50,8 +55,10 @@ namespace wheelrail
                const NodalStress *residual = nullptr);
 
     RunParts                   parts_;
+    NodalStress                stress_;                  ///< of the last time that they were asked for
+    double                     stress_at_ = -1;          ///< the time then [s]; none: -1
     StressBelow                stress_below_;            ///< of the last tick
-    double                     stress_below_at_ = -1;    ///< distance rolled then [m]; none: -1
+    double                     stress_below_at_ = -1;    ///< the time then [s]; none: -1
     std::unique_ptr<TickFile>  patch_file_, slice_file_; ///< on rank 0 only, as the series
     std::unique_ptr<PvdSeries> surface_series_, window_series_, volume_series_; ///< for ParaView
   };

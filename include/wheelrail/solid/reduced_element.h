@@ -164,7 +164,7 @@ namespace wheelrail::reduced
   /// the faces, bars counting 4/9 (they bear 9/4 of their elastic limit when fully plastic, plates
   /// 3/2).
   template <int W>
-  inline Simd<W>
+  [[gnu::always_inline]] inline Simd<W>
   hourglass_stress(const Packed<W> &g,
                    const V3<W> (&p)[4],
                    const Elasticity &material,
