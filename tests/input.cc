@@ -3,6 +3,7 @@
 // The entries of parameter files: every one, defaults, round trips.
 
 #include "check.h"
+#include "other_values.h"
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
@@ -11,9 +12,6 @@
 #include <wheelrail/scene/one_wheel.h>
 
 #include <algorithm>
-#include <fstream>
-#include <map>
-#include <set>
 #include <sstream>
 #include <vector>
 
@@ -21,232 +19,10 @@ using namespace wheelrail;
 using test::check;
 using test::check_near;
 using test::check_text;
+using test::other_values;
 
 namespace
 {
-  /// A value other than the default for each entry; together a scene that passes the cross-checks.
-  const std::map<std::string, std::string> &
-  first_values()
-  {
-    static const std::map<std::string, std::string> values = {
-      {"Title", "other scene, 50 % slower"},
-      {"Profiles/Wheel", std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_S1002.prw"},
-      {"Profiles/Wheel mirror", "no"},
-      {"Profiles/Wheel unit", "mm"},
-      {"Profiles/Wheel origin", "running circle"},
-      {"Profiles/Rail", "60E1"},
-      {"Profiles/Rail left", "54E1"},
-      {"Profiles/Wheel left", "S1002"},
-      {"Profiles/Rail mirror", "yes"},
-      {"Profiles/Rail unit", "inch"},
-      {"Profiles/Rail body", "60E1"},
-      {"Profiles/Smoothing", "0.01 mm"},
-      {"Track/Gauge", "1437 mm"},
-      {"Track/Gauge height", "15 mm"},
-      {"Track/Rail inclination", "1/20"},
-      {"Track/Rail length", "1.2 m"},
-      {"Track/Support", "sleepers"},
-      {"Track/Sleeper spacing", "650 mm"},
-      {"Track/First sleeper", "-200 mm"},
-      {"Track/Pad length", "160 mm"},
-      {"Track/Pad stiffness", "250 MN/m"},
-      {"Track/Pad lateral stiffness", "30 MN/m"},
-      {"Track/Pad longitudinal stiffness", "35 MN/m"},
-      {"Track/Pad loss factor", "0.2"},
-      {"Track/Pad damping", "constant"},
-      {"Track/Pad damping frequency", "400 Hz"},
-      {"Track/Sleeper mass", "150 kg"},
-      {"Track/Ballast stiffness", "60 MN/m"},
-      {"Track/Ballast lateral stiffness", "20 MN/m"},
-      {"Track/Ballast longitudinal stiffness", "15 MN/m"},
-      {"Track/Ballast loss factor", "0.8"},
-      {"Track/Ballast damping frequency", "90 Hz"},
-      {"Track/Damped ends", "0.3 m"},
-      {"Track/Radius", "-300 m"},
-      {"Track/Cant", "-80 mm"},
-      {"Track/Track shift factor", "0.85"},
-      {"Wheelset/Nominal rolling radius", "420 mm"},
-      {"Wheelset/Flange back distance", "1361 mm"},
-      {"Wheelset/Lateral shift", "-3.5 mm"},
-      {"Wheelset/Roll", "from contact"},
-      {"Wheelset/Side", "left"},
-      {"Wheelset/Wheels", "both"},
-      {"Wheelset/Axle", "independent"},
-      {"Wheelset/Pose", "equilibrium"},
-      {"Wheelset/Lateral stiffness", "3 MN/m"},
-      {"Wheelset/Yaw stiffness", "5 MN m/rad"},
-      {"Wheelset/Centre of gravity height", "1.6 m"},
-      {"Wheelset/Yaw", "5 mrad"},
-      {"Wheelset/Motion", "motion.csv"},
-      {"Wheelset/Motion start", "12.5 m"},
-      {"Wheelset/Rim width", "136 mm"},
-      {"Wheelset/Rim inner radius", "365 mm"},
-      {"Wheelset/Disc thickness", "25 mm"},
-      {"Wheelset/Disc position", "70 mm"},
-      {"Wheelset/Hub length", "180 mm"},
-      {"Wheelset/Hub position", "71 mm"},
-      {"Wheelset/Hub outer radius", "125 mm"},
-      {"Wheelset/Bore radius", "90 mm"},
-      {"Wheelset/Fillet radius", "18 mm"},
-      {"Wheelset/Sprung mass", "9.5 t"},
-      {"Wheelset/Wheel load", "98 kN"},
-      {"Wheelset/Axle mass", "170 kg"},
-      {"Wheelset/Axle pitch inertia", "1.4 kg m2"},
-      {"Wheelset/Suspension stiffness", "1.2 MN/m"},
-      {"Wheelset/Suspension damping", "2600 N s/m"},
-      {"Wheelset/Velocity", "70 km/h"},
-      {"Wheelset/Drive", "rate"},
-      {"Wheelset/Traction coefficient", "-0.2"},
-      {"Wheelset/Creepage", "0.001"},
-      {"Wheelset/Lateral creepage", "-0.002"},
-      {"Contact/Friction coefficient", "0.3"},
-      {"Contact/Friction coefficient left", "0.25"},
-      {"Contact/Friction law", "rational"},
-      {"Contact/Dynamic friction coefficient", "0.25"},
-      {"Contact/Friction decay", "0.1 s/m"},
-      {"Contact/Friction half velocity", "3 m/s"},
-      {"Contact/Penalty scale", "3"},
-      {"Contact/Surface filter", "none"},
-      {"Contact/Damping", "0.2"},
-      {"Rail material/Young's modulus", "206 GPa"},
-      {"Rail material/Poisson's ratio", "0.28"},
-      {"Rail material/Density", "7850 kg/m3"},
-      {"Rail material/Law", "Chaboche"},
-      {"Rail material/Yield stress", "480 MPa"},
-      {"Rail material/Tangent modulus", "20 GPa"},
-      {"Rail material/Kinematic hardening fraction", "0.5"},
-      {"Rail material/Isotropic hardening", "189 MPa"},
-      {"Rail material/Isotropic rate", "500"},
-      {"Rail material/Kinematic moduli", "24750 MPa, 1000 MPa"},
-      {"Rail material/Kinematic rates", "55, 0.5"},
-      {"Rail material/Recovery below threshold", "0.2"},
-      {"Wheel material/Young's modulus", "207 GPa"},
-      {"Wheel material/Poisson's ratio", "0.29"},
-      {"Wheel material/Density", "7800 kg/m3"},
-      {"Wheel material/Law", "Chaboche"},
-      {"Wheel material/Yield stress", "520 MPa"},
-      {"Wheel material/Tangent modulus", "19 GPa"},
-      {"Wheel material/Kinematic hardening fraction", "1"},
-      {"Wheel material/Isotropic hardening", "189 MPa"},
-      {"Wheel material/Isotropic rate", "500"},
-      {"Wheel material/Kinematic moduli", "24750 MPa, 1000 MPa"},
-      {"Wheel material/Kinematic rates", "55, 0.5"},
-      {"Wheel material/Recovery below threshold", "0.2"},
-      {"Run/Passages", "until steady"},
-      {"Run/Passage list", "wheels.csv"},
-      {"Run/Most passages", "30"},
-      {"Run/Settled growth", "2e-05"},
-      {"Run/Settled change", "0.05"},
-      {"Run/Passage jump", "12"},
-      {"Run/Jump error", "0.02"},
-      {"Run/Next wheel", "same"},
-      {"Run/Rail", "output/first"},
-      {"Run/Start offset", "32 mm"},
-      {"Run/Staggered starts", "4"},
-      {"Wear/Archard coefficient", "0.001"},
-      {"Wear/Hardness", "3 GPa"},
-      {"Wear/Shear yield stress", "300 MPa"},
-      {"Wear/Damage begins at", "20 N"},
-      {"Wear/Damage peak at", "70 N"},
-      {"Wear/Damage ends at", "170 N"},
-      {"Wear/Largest damage", "2e-05"},
-      {"Wear/Crack depth", "2 mm"},
-      {"Wear/Mix", "mix.csv"},
-      {"Wear/Worn", "both"},
-      {"Wear/Gross load", "5 Mt"},
-      {"Wear/Distance", "2000 km"},
-      {"Wear/Smoothing length", "8 mm"},
-      {"Wear/Step depth", "2 um"},
-      {"Wear/Line length", "3 km"},
-      {"Wear/Wheels", "40"},
-      {"Wear/Grind to", "60E1"},
-      {"Wear/Grind every", "3 Mt"},
-      {"Wear/Turn to", "S1002"},
-      {"Wear/Turn every", "500 km"},
-      {"Material test/Body", "wheel"},
-      {"Material test/Axial", "700 MPa, -500 MPa"},
-      {"Material test/Shear", "0.01"},
-      {"Material test/File", "path.csv"},
-      {"Material test/Cycles", "7"},
-      {"Material test/Steps", "11"},
-      {"Mesh/Solution cell size", "2 mm"},
-      {"Mesh/Coarse cell size", "32 mm"},
-      {"Mesh/Fine depth", "7 mm"},
-      {"Mesh/Fine margin", "6 mm"},
-      {"Mesh/Planned load", "150 kN"},
-      {"Mesh/Planned strip", "-17 mm, 20 mm"},
-      {"Mesh/Prepared distance", "300 mm"},
-      {"Mesh/Window", "fixed"},
-      {"Mesh/Behind the wheel", "keep"},
-      {"Mesh/Element", "full"},
-      {"Mesh/Rail element", "reduced"},
-      {"Mesh/Wheel element", "full"},
-      {"Run/Rolling distance", "260 mm"},
-      {"Run/Longest distance", "300 mm"},
-      {"Run/Standard error", "0.002"},
-      {"Run/Averaging distance", "50 mm"},
-      {"Run/Evaluate at", "130 mm"},
-      {"Run/Time step factor", "0.8"},
-      {"Run/Start", "without tractions"},
-      {"Run/Bulk viscosity", "0.03"},
-      {"Run/Energy limit", "0.02"},
-      {"Output/Folder", "output/other"},
-      {"Output/Ticks", "13"},
-      {"Output/Volume fields", "false"},
-      {"Half-space/Element size", "0.25 mm"},
-      {"Half-space/Bodies", "real"},
-      {"Half-space/Spin", "contact"},
-      {"Half-space/Given spin", "0.1 1/m"},
-      {"Half-space/Friction memory", "3 um"},
-      {"Half-space/Friction memory speed", "2 mm/s"},
-      {"Half-space/Interface layer", "1.25 mm"},
-      {"Half-space/Interface layer shear modulus", "8 GPa"},
-      {"Half-space/Lateral offset", "-0.1 mm"},
-      {"Half-space/Extra inclination", "1 mrad"},
-      {"Half-space/Undeformed distance", "hertz"},
-      {"Half-space/Radius along", "400 mm"},
-      {"Half-space/Radius across", "250 mm"},
-      {"Half-space/Normal force", "90 kN"},
-      {"Half-space/Approach", "0.08 mm"},
-      {"Half-space/Contact angle", "50 mrad"},
-      {"Half-space/Wheel roller radius", "235 mm"},
-      {"Half-space/Wheel roller crown", "300 mm"},
-      {"Half-space/Rail roller radius", "200 mm"},
-      {"Half-space/Rail roller crown", "250 mm"},
-      {"Half-space/Roller width", "12 mm"},
-      {"Output/Checkpoint interval", "30 s"},
-      {"Study/Axes", "Contact/Friction coefficient: 0.1, 0.2; Run/Energy limit: 0.01, 0.02"},
-      {"Study/Combine", "pairs"},
-      {"Study/Compute", "run"},
-    };
-    return values;
-  }
-
-  /// These, and those of all irregularities, which are alike.
-  const std::map<std::string, std::string> &
-  other_values()
-  {
-    static const std::map<std::string, std::string> values = [] {
-      std::map<std::string, std::string> all = first_values();
-      for (int k = 1; k <= most_irregularities; ++k)
-        for (const auto &[name, value] : std::map<std::string, std::string>{{"Kind", "corrugation"},
-                                                                            {"Body", "rail"},
-                                                                            {"Place", "250 mm"},
-                                                                            {"Lateral place", "-5 mm"},
-                                                                            {"Length", "120 mm"},
-                                                                            {"Width", "30 mm"},
-                                                                            {"Depth", "0.02 mm"},
-                                                                            {"Wavelength", "40 mm"},
-                                                                            {"Angle", "5 mrad"},
-                                                                            {"Order", "7"},
-                                                                            {"Seed", "5"},
-                                                                            {"File", "heights.csv"}})
-          all["Irregularity " + std::to_string(k) + "/" + name] = value;
-      return all;
-    }();
-    return values;
-  }
-
   Scene
   other_scene()
   {

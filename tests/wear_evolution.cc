@@ -139,7 +139,7 @@ namespace
   }
 
   /// A wheel that slides on one place takes off most where the load is largest: the load evens out across the
-  /// middle half of the patch.
+  /// middle half of the patch, and stays even.
   void
   test_conforming()
   {
@@ -169,6 +169,9 @@ namespace
     check(after < 0.5 * before,
           "load across the middle half of the patch: from a spread of " + std::to_string(before) + " to " +
             std::to_string(after));
+    scene.wear_plan.gross_load *= 2;
+    const double later = spread(worn(scene));
+    check(later < after + 0.1, "which stays when it wears on: " + std::to_string(later));
   }
 
   /// A left wheel is a right one in the mirror.

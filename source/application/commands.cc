@@ -141,7 +141,7 @@ namespace wheelrail
                                po::value<std::string>(),
                                "a table over frequencies to draw beside the result: measured, or the "
                                "receptance.csv of another call");
-         options.add_options()("no-waves", "without the second way, waves of the rail's section");
+         options.add_options()("no-waves", "without the waves of the rail's section");
          add_no_pictures_option(options);
        },
        act_receptance},
