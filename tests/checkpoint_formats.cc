@@ -93,7 +93,7 @@ main()
       error = refused.what();
     }
   check_text(error,
-             "it is of format 99, this version of the program reads formats up to 9",
+             "it is of format 99, this version of the program reads formats up to 10",
              "a newer format is refused");
   return report();
 }

@@ -297,14 +297,14 @@ namespace
                   "turns, which is slower than fewer ranks",
                   {8, 2, 0, 0});
     check_warning({"Run/Rolling distance = 100 mm"},
-                  "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 50000 "
-                  "cells and may need some 0.9 GB of memory, 0.5 GB are free; take larger cells, a shorter "
+                  "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 41000 "
+                  "cells and may need some 0.87 GB of memory, 0.5 GB are free; take larger cells, a shorter "
                   "rolling distance or a smaller fine depth or margin",
                   {2, 2, 16e9, 0.5e9});
     check_error(
       {"Run/Rolling distance = 100 mm"},
-      "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 50000 "
-      "cells and needs some 0.9 GB of memory, this machine has 0.4 GB; take larger cells, a shorter "
+      "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 41000 "
+      "cells and needs some 0.87 GB of memory, this machine has 0.4 GB; take larger cells, a shorter "
       "rolling distance or a smaller fine depth or margin",
       {2, 2, 0.4e9, 0.4e9});
     check_error(
@@ -317,7 +317,7 @@ namespace
        "Mesh/Coarse cell size = 1.6 mm",
        "Run/Rolling distance = 1 m",
        "Mesh/Window = fixed"},
-      "Mesh/Solution cell size = 0.1 mm: with Mesh/Coarse cell size = 1.6 mm this makes about 61 million "
+      "Mesh/Solution cell size = 0.1 mm: with Mesh/Coarse cell size = 1.6 mm this makes about 65 million "
       "cells, and 50 million are possible; take larger cells, a shorter rolling distance or a smaller fine "
       "depth or margin");
     check_error({"Wheelset/Lateral shift = 11 mm", "Wheelset/Flange back distance = 1370 mm"},

@@ -159,7 +159,7 @@ namespace
     check_message(
       [&]() { sweep_plan(scene, make_geometry(scene)); },
       "Track/Rail length is too short: the rolled stretch with its fine cells reaches from -31.966 mm to "
-      "143.849 mm, the rail from -25 mm to 125 mm; take a longer rail or a shorter Run/Rolling distance");
+      "127.866 mm, the rail from -25 mm to 125 mm; take a longer rail or a shorter Run/Rolling distance");
   }
 } // namespace
 

@@ -175,10 +175,13 @@ namespace
     const SweepPlan &plan = model.forest->plan();
     const double     path = 10e-3, block = plan.block_length(), step = model.solid.stable.step;
     FineWindow       window;
-    window.path_end    = {path, path};
-    const double bound = model.reach;
+    window.path_end   = {path, path};
+    const Scene scene = moving_scene();
+    const auto  patch =
+      overlap_along(make_geometry(scene), kik_piotrowski * model.expected_approach, scene.fine_margin);
+    const double bound = std::max(-patch.s0, patch.s1);
     check_near(plan.reach - bound,
-               3 * moving_scene().cell_size,
+               3 * scene.cell_size,
                1e-12,
                "three cells beyond the patch, where a margin of two is given [m]");
     check_near(window_range(plan, window, Body::rail).s0, -plan.reach, 1e-12, "begin of the path [m]");

@@ -1,5 +1,4 @@
 #include <wheelrail/input/entries.h>
-#include <wheelrail/mesh/sweep_plan.h>
 #include <wheelrail/model/expected_patch.h>
 
 #include <algorithm>
@@ -65,9 +64,8 @@ namespace wheelrail
   ExpectedPatch
   expected_patch(const Scene &scene, const SceneGeometry &geometry)
   {
-    constexpr double kik_piotrowski = 0.55;
-    const double     radius         = geometry.contact.rolling_radius;
-    ExpectedPatch    patch;
+    const double  radius = geometry.contact.rolling_radius;
+    ExpectedPatch patch;
     patch.approach                = expected_approach(scene, radius);
     const double virtual_approach = kik_piotrowski * patch.approach;
     const Range  along            = smooth_overlap_along(geometry, virtual_approach, 0);
@@ -85,20 +83,21 @@ namespace wheelrail
     // cross-section of a rail of 54 to 60 kg/m, steel of a usual wheel
     constexpr double rail_area = 7e-3, wheel_volume = 0.04;
     const double     h = scene.cell_size, coarse = std::max(scene.coarse_cell_size, h);
-    // the strip covers the interpenetration at the full approach, in whole blocks
-    // at the full approach the overlap is wider and longer than at 0.55 of it: 1/sqrt(0.55) = 1.35 where the
-    // profiles are parabolas, about 1.3 across on the flattening tread
+    // the strip covers the interpenetration at the full approach, which is about 1.3 times as wide as at 0.55
+    // of it on the flattening tread; along the track this counts around irregularities: 1/sqrt(0.55) = 1.35
     const double wanted = scene.planned_strip.size() == 2 ? scene.planned_strip[1] - scene.planned_strip[0]
                                                           : 1.3 * patch.width + 2 * scene.fine_margin;
     const double width  = std::ceil(wanted / coarse) * coarse;
-    const double bound = 1.35 * patch.length, whole = scene.mesh_distance() + bound + 2 * scene.fine_margin,
-                 part = coarse + bound + std::max(scene.fine_margin, least_ahead) +
-                        std::max(scene.fine_margin, least_behind),
-                 length = scene.window == MeshWindow::moving ? std::min(part, whole) : whole;
+    const double bound =
+                   (scene.irregular() ? 1.35 : 1) * patch.length + 2 * std::max(scene.fine_margin, 3 * h),
+                 whole  = scene.mesh_distance() + bound,
+                 length = scene.window == MeshWindow::moving ? std::min(coarse + bound, whole) : whole;
     const double layers = std::ceil(scene.depth_of_fine_cells() / h);
     const double fine   = coarse > h ? 2 * (length / h) * (width / h) * layers : 0;
-    // halving from size to size takes about 0.4 of the finest cells more
-    return 1.4 * fine + (scene.rail_length * rail_area + wheel_volume) / (coarse * coarse * coarse);
+    // halving from size to size takes about 0.4 of the finest cells more; blocks of the web and of thin
+    // places are smaller than asked for
+    constexpr double smaller = 1.3;
+    return 1.4 * fine + smaller * (scene.rail_length * rail_area + wheel_volume) / (coarse * coarse * coarse);
   }
 
 

@@ -76,14 +76,14 @@ namespace wheelrail
   }
 
 
-  /// Presses the bodies into each other rigidly: the part of the undeformed profiles that dips in by some
-  /// 0.55 of the approach is close to the true patch. A wheel on a flat first has to come down to the rail,
-  /// or no spring would tell Newton's method where that is.
+  /// Presses the bodies into each other rigidly: the part of the undeformed profiles that dips in by
+  /// kik_piotrowski of the approach is close to the true patch. A wheel on a flat first has to come down to
+  /// the rail, or no spring would tell Newton's method where that is.
   void
   StaticSearch::press()
   {
     constexpr int most = 3; // steeper places may be nearer once the wheel has come down
-    lower_wheel(0.55 * loads_.first_approach);
+    lower_wheel(kik_piotrowski * loads_.first_approach);
     for (int k = 0; k < most; ++k)
       {
         contact_.gather(solid_.displacement.data(), solid_.velocity.data());
@@ -95,7 +95,7 @@ namespace wheelrail
             least = std::min(least, node.gap / std::max(node.normal[1], 0.1));
         if (!std::isfinite(least))
           return;
-        lower_wheel(least + 0.55 * loads_.first_approach);
+        lower_wheel(least + kik_piotrowski * loads_.first_approach);
       }
   }
 

@@ -94,4 +94,8 @@ namespace wheelrail
   };
   std::vector<Range>
   interpenetration(const FrameProfile &wheel, const FrameProfile &rail, double approach);
+
+  /// Part of the approach by which undeformed bodies have to be lowered to overlap over about their patch
+  /// (Kik and Piotrowski, 1996).
+  constexpr double kik_piotrowski = 0.55;
 } // namespace wheelrail

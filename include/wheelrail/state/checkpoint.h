@@ -15,7 +15,7 @@ namespace wheelrail
 {
   /// Format of saved states: counts up whenever a field is added or changes its meaning. Rails of finished
   /// runs are read from older formats, too, running states are not.
-  constexpr int checkpoint_format = 9;
+  constexpr int checkpoint_format = 10;
 
   /// What a run needs to go on after a step, beyond the model, which the scene gives anew. Either the part
   /// of one rank, or the whole of all ranks. Nodes and cells go by the numbers of the mesh that do not
