@@ -12,6 +12,7 @@
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/body_pose.h>
 #include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/reference/run_reference.h>
 #include <wheelrail/sampling/stress_below.h>
@@ -75,6 +76,12 @@ namespace wheelrail
                                           {"reference_creepage", {}},
                                           {"reference_lateral_creepage", {}},
                                           {"reference_spin", {}}};
+
+    /// Of true bodies besides: where they turn and move to is their own result.
+    const Compared compared_with_bodies[] = {{"rail_head_lateral", {}},
+                                             {"rail_head_roll", {}},
+                                             {"wheel_rim_lateral", {}},
+                                             {"wheel_rim_roll", {}}};
 
     bool
     is_given(const std::string &name)
@@ -168,6 +175,8 @@ namespace wheelrail
       std::vector<Compared> rows(std::begin(compared), std::end(compared));
       if (has_yaw(run))
         rows.insert(rows.end(), std::begin(compared_with_yaw), std::end(compared_with_yaw));
+      if (std::isfinite(get_figure(halfspace, "rail_head_roll_rad")))
+        rows.insert(rows.end(), std::begin(compared_with_bodies), std::end(compared_with_bodies));
       for (const auto &[name, own_limit] : rows)
         {
           const Figure     &figure = figure_named(name);
@@ -251,7 +260,8 @@ namespace wheelrail
       try
         {
           const WheelRailSolution result = solve_wheel_rail(scene, geometry, load, {});
-          const Summary           bodies = halfspace_summary(scene, result);
+          Summary                 bodies = halfspace_summary(scene, result);
+          set_pose_figures(body_pose(scene, geometry, result), bodies);
           out << "\nThe same against this wheel and this rail as elastic bodies, nothing fitted"
               << (scene.rail_material.yields() || scene.wheel_material.yields() ? "; they do not yield" : "")
               << "\n";

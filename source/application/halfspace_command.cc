@@ -5,6 +5,7 @@
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/body_pose.h>
 #include <wheelrail/reference/contact_input.h>
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/halfspace_case.h>
@@ -81,8 +82,10 @@ namespace wheelrail
     print_head(scene, load.force, out);
     const WheelRailSolution result  = given ? solve_given_distance(scene, geometry)
                                             : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
-    const HalfspaceResults  results = halfspace_results(scene, result);
-    const Summary          &figures = results.figures;
+    HalfspaceResults        results = halfspace_results(scene, result);
+    if (scene.halfspace_bodies == ContactBodies::real)
+      set_pose_figures(body_pose(scene, *geometry, result), results.figures);
+    const Summary &figures = results.figures;
     if (!inputs.basic.empty())
       replace_file(inputs.basic, contact_input(result.problem, scene.title));
     if (!inputs.wheel_rail.empty())

@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/bodies/body_influence.h>
 #include <wheelrail/bodies/line_loads.h>
+#include <wheelrail/bodies/wave_panels.h>
 
 #include <gsl/gsl_interp.h>
 
@@ -13,37 +14,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// A wave of the inverse transform: wavenumber [1/m] and weight [1/m].
-    struct Wave
-    {
-      double k = 0, weight = 0;
-    };
-
-    // Gauss points of four on [0, 1]
-    constexpr std::array<double, 4> gauss_place{
-      {0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263}};
-    constexpr std::array<double, 4> gauss_weight{
-      {0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269}};
-
-
-    /// Points of (1/pi) times an integral over k from `low` to `high`: panels that grow by half from
-    /// `first` on and turn by at most three radians over the longest lag.
-    std::vector<Wave>
-    integral(const double low, const double high, const double first, const double longest)
-    {
-      std::vector<Wave> waves;
-      const double      widest = 3 / longest;
-      for (double k = low, width = first; k < high; width = std::min(1.5 * width, widest))
-        {
-          const double end = k + 1.2 * width > high ? high : k + width;
-          for (int g = 0; g < 4; ++g)
-            waves.push_back({k + gauss_place[g] * (end - k), gauss_weight[g] * (end - k) / M_PI});
-          k = end;
-        }
-      return waves;
-    }
-
-
     /// Adds the remainder of a table at a wave, between rows, to `sum`: cubic in log k, linear below the
     /// first wavenumber of a rail.
     std::vector<double>
@@ -258,7 +228,7 @@ namespace wheelrail
       for (unsigned int n = 0; n < table.harmonics; ++n)
         waves.push_back(
           {std::max<double>(n, BodyTable::least_wave) / radius, (n > 0 ? 1. : 0.5) / (M_PI * radius)});
-      for (Wave wave : integral(0, (table.harmonics - 0.5) / radius, 0.02 / radius, longest))
+      for (Wave wave : wave_panels(0, (table.harmonics - 0.5) / radius, 0.02 / radius, longest))
         {
           wave.weight *= -1;
           waves.push_back(wave);
@@ -354,7 +324,7 @@ namespace wheelrail
         add_unfolding(table, places, std::max<double>(h, BodyTable::least_wave) / radius, D);
         add_wave({h / radius, (h > 0 ? 1. : 0.5) / (M_PI * radius)}, D, lags, influence.by_lag);
       }
-    for (const Wave &wave : integral(first, last, table.wheel ? 3 / radius : 0.05, longest))
+    for (const Wave &wave : wave_panels(first, last, table.wheel ? 3 / radius : 0.05, longest))
       {
         std::vector<double> D = remainder_at(table, rows, wave.k / per_wave);
         turn(D, placement.turn);

@@ -129,6 +129,32 @@ namespace wheelrail
   } // namespace
 
 
+  Point2
+  profile_place(const Point2 &node, const bool wheel, const double nominal_radius)
+  {
+    return {-node.x, wheel ? nominal_radius - node.y : node.y};
+  }
+
+
+  std::vector<SurfaceRow>
+  rows_on_profile(const SectionMesh &mesh,
+                  const Curve       &profile,
+                  const bool         wheel,
+                  const double       nominal_radius,
+                  const unsigned int cells)
+  {
+    constexpr double        on_profile = 1e-5; // [m]
+    std::vector<SurfaceRow> rows;
+    for (const SurfaceRow &row : surface_rows(mesh, cells, wheel))
+      {
+        const Point2 place = profile_place(row.place, wheel, nominal_radius);
+        if (norm(profile.at(profile.closest(place)).position - place) <= on_profile)
+          rows.push_back(row);
+      }
+    return rows;
+  }
+
+
   BodyTable
   make_body_table(const SectionMesh &mesh,
                   const Curve       &profile,
@@ -137,22 +163,15 @@ namespace wheelrail
                   const double       nominal_radius,
                   const unsigned int cells)
   {
-    // rows that lie on the profile itself, not on what joins it to the rest of the section
-    constexpr double on_profile = 1e-5; // [m]
-
     BodyTable table;
     table.wheel          = wheel;
     table.shear_modulus  = elasticity.shear_modulus();
     table.poissons_ratio = elasticity.poissons_ratio;
-    WaveStiffness           stiffness(mesh, elasticity, wheel);
-    std::vector<SurfaceRow> rows;
-    for (const SurfaceRow &row : surface_rows(mesh, cells, wheel))
+    WaveStiffness                 stiffness(mesh, elasticity, wheel);
+    const std::vector<SurfaceRow> rows = rows_on_profile(mesh, profile, wheel, nominal_radius, cells);
+    for (const SurfaceRow &row : rows)
       {
-        const Point2 place{-row.place.x, wheel ? nominal_radius - row.place.y : row.place.y};
-        const double t = profile.closest(place);
-        if (norm(profile.at(t).position - place) > on_profile)
-          continue;
-        rows.push_back(row);
+        const double t = profile.closest(profile_place(row.place, wheel, nominal_radius));
         table.rows.push_back(
           {profile.length(0, t), wheel ? -row.angle : row.angle, row.width, row.radius, {}});
       }

@@ -90,6 +90,9 @@ namespace wheelrail
     /// The integrals over a row of the shape functions that move it along a, as (unknown, value).
     std::vector<std::pair<int, double>>
     row_load(const SurfaceRow &row, int a) const;
+    /// Displacements of all nodes under forces on the unknowns.
+    std::vector<Vector3>
+    solve(double k, const std::vector<double> &load);
 
     bool             wheel;
     SectionMesh      mesh;
@@ -227,13 +230,45 @@ namespace wheelrail
   }
 
 
-  std::vector<Point2>
-  WaveStiffness::growth(const double rate, const double density, const std::vector<SurfaceRow> &rows)
+  std::vector<Vector3>
+  WaveStiffness::Data::solve(const double k, const std::vector<double> &load)
   {
-    Data           &d   = *data_;
-    cholmod_factor *L   = d.factor(0);
-    cholmod_dense  *f   = cholmod_zeros(d.parts.size(), 1, CHOLMOD_REAL, &d.common);
-    auto           *rhs = static_cast<double *>(f->x);
+    cholmod_factor *L = factor(k);
+    cholmod_dense  *f = cholmod_zeros(load.size(), 1, CHOLMOD_REAL, &common);
+    std::copy(load.begin(), load.end(), static_cast<double *>(f->x));
+    cholmod_dense       *u      = cholmod_solve(CHOLMOD_A, L, f, &common);
+    const auto          *values = static_cast<const double *>(u->x);
+    std::vector<Vector3> of_nodes(parts.unknowns.size(), Vector3{});
+    for (std::size_t node = 0; node < of_nodes.size(); ++node)
+      for (const auto &[unknown, weight] : parts.unknowns[node])
+        for (int a = 0; a < 3; ++a)
+          of_nodes[node][a] += weight * values[3 * unknown + a];
+    cholmod_free_dense(&u, &common);
+    cholmod_free_dense(&f, &common);
+    cholmod_free_factor(&L, &common);
+    return of_nodes;
+  }
+
+
+  std::vector<Vector3>
+  WaveStiffness::displacements(const double                   k,
+                               const std::vector<SurfaceRow> &rows,
+                               const std::vector<Vector3>    &forces)
+  {
+    std::vector<double> load(size(), 0.);
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      for (int a = 0; a < 3; ++a)
+        for (const auto &[unknown, weight] : data_->row_load(rows[r], a))
+          load[unknown] += weight / rows[r].width * forces[r][a];
+    return data_->solve(k, load);
+  }
+
+
+  std::vector<Point2>
+  WaveStiffness::growth(const double rate, const double density)
+  {
+    const Data         &d = *data_;
+    std::vector<double> load(size(), 0.);
     for (const auto &cell : d.mesh.cells)
       for (int g = 0; g < 9; ++g)
         {
@@ -241,21 +276,32 @@ namespace wheelrail
           const double    r     = point.place.y;
           for (unsigned int n = 0; n < n_wave_nodes; ++n)
             for (const auto &[unknown, weight] : d.parts.unknowns[cell[n]])
-              rhs[3 * unknown + 1] += weight * point.value[n] * density * rate * rate * r * r * point.weight;
+              load[3 * unknown + 1] += weight * point.value[n] * density * rate * rate * r * r * point.weight;
         }
-    cholmod_dense      *u      = cholmod_solve(CHOLMOD_A, L, f, &d.common);
-    const auto         *values = static_cast<const double *>(u->x);
     std::vector<Point2> growth;
+    for (const Vector3 &u : data_->solve(0, load))
+      growth.push_back({u[0], u[1]});
+    return growth;
+  }
+
+
+  std::vector<Point2>
+  WaveStiffness::growth(const double rate, const double density, const std::vector<SurfaceRow> &rows)
+  {
+    const std::vector<Point2> nodes = growth(rate, density);
+    std::vector<Point2>       means;
     for (const SurfaceRow &row : rows)
       {
         Point2 mean;
-        for (const auto &[unknown, weight] : d.row_load(row, 0))
-          mean = mean + weight / row.width * Point2{values[unknown], values[unknown + 1]};
-        growth.push_back(mean);
+        for (const unsigned int e : row.edges)
+          {
+            const auto &edge    = data_->mesh.running[e];
+            const auto  weights = edge_integrals(data_->mesh, edge);
+            for (int n = 0; n < 3; ++n)
+              mean = mean + weights[n] / row.width * nodes[edge.node[n]];
+          }
+        means.push_back(mean);
       }
-    cholmod_free_dense(&u, &d.common);
-    cholmod_free_dense(&f, &d.common);
-    cholmod_free_factor(&L, &d.common);
-    return growth;
+    return means;
   }
 } // namespace wheelrail

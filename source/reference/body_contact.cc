@@ -131,8 +131,8 @@ namespace wheelrail
   void
   BodyContact::set_bodies()
   {
-    std::vector<AddedInfluence::Basis> bases;
-    BodyPlacement                      rail, wheel;
+    BodyPlacement rail, wheel;
+    bases_.clear();
     rail.turn    = geometry_.contact.rail.angle;
     wheel.turn   = geometry_.contact.wheel.angle;
     wheel.radius = geometry_.contact.rolling_radius;
@@ -140,7 +140,7 @@ namespace wheelrail
       {
         const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
         // x along the track, y along the rail's surface, n into the rail
-        bases.push_back({{0, c, s, 0, s, -c, 1, 0, 0}});
+        bases_.push_back({{0, c, s, 0, s, -c, 1, 0, 0}});
         rail.arcs.push_back(rows_[j].rail_arc);
         wheel.arcs.push_back(rows_[j].wheel_arc);
         rail.angles.push_back(rows_[j].angle);
@@ -148,13 +148,13 @@ namespace wheelrail
       }
     wheel.angles      = rail.angles;
     wheel.lateral     = rail.lateral;
-    added_            = std::make_shared<AddedInfluence>(problem_.grid, bases);
+    added_            = std::make_shared<AddedInfluence>(problem_.grid, bases_);
     const double step = problem_.step > 0 ? problem_.step : problem_.grid.dx;
     for (const bool of_wheel : {false, true})
       {
-        const BodyTable     &table      = of_wheel ? tables_.wheel : tables_.rail;
-        const BodyPlacement &placement  = of_wheel ? wheel : rail;
-        const ContactRows    rows       = contact_rows(table, placement);
+        const BodyTable     &table     = of_wheel ? tables_.wheel : tables_.rail;
+        const BodyPlacement &placement = of_wheel ? wheel : rail;
+        const ContactRows   &rows = contact_rows_[of_wheel] = contact_rows(table, placement);
         const BodyInfluences influences = body_influences(table, placement, rows, problem_.grid, step);
         added_->add_body(influences.here, influences.ahead, step);
         if (of_wheel)
@@ -309,6 +309,32 @@ namespace wheelrail
   }
 
 
+  BodyLoads
+  BodyContact::loads(const bool on_wheel) const
+  {
+    const HalfspaceGrid &grid = problem_.grid;
+    const ContactRows   &rows = contact_rows_[on_wheel];
+    BodyLoads            loads{rows.first, {}, {}};
+    loads.forces.assign(rows.count, std::vector<Vector3>(grid.mx, Vector3{}));
+    for (int i = 0; i < grid.mx; ++i)
+      loads.along.push_back(grid.x(i));
+    const double side = on_wheel ? -1 : 1;
+    for (int j = 0; j < grid.my; ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        if (const int e = i + grid.mx * j; solution_.pressure[e] > 0)
+          {
+            const double t[3] = {solution_.traction_x[e], solution_.traction_y[e], solution_.pressure[e]};
+            Vector3      force{};
+            for (int axis = 0; axis < 3; ++axis)
+              for (int c = 0; c < 3; ++c)
+                force[axis] += side * grid.element_area() * bases_[j][3 * axis + c] * t[c];
+            for (int r = 0; r < rows.count; ++r)
+              add(loads.forces[r][i], rows.weights[std::size_t(j) * rows.count + r], force);
+          }
+    return loads;
+  }
+
+
   Point2
   BodyContact::force() const
   {
@@ -334,6 +360,7 @@ namespace wheelrail
     result.problem      = problem_;
     result.solution     = solution_;
     result.enlargements = enlargements_;
+    result.body_loads   = {loads(false), loads(true)};
     result.patch        = halfspace_patch(solution_);
     for (int j = 0; j <= problem_.grid.my; ++j)
       result.row_edges.push_back(row_at(problem_.grid.y(j) - 0.5 * problem_.grid.dy).place);

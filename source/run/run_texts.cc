@@ -152,12 +152,8 @@ namespace wheelrail
     query.contact = {model.geometry.frame.origin.x, model.geometry.frame.origin.y, axle.contact_along()};
     query.rim_inner_radius = scene.wheel.rim_inner_radius;
     const ContactPose pose = fit_pose(model.solid, query, communicator);
-    set_figure(summary, "rail_head_lateral_m", pose.rail_head.lateral);
-    set_figure(summary, "rail_head_roll_rad", pose.rail_head.roll);
-    set_figure(summary, "wheel_rim_lateral_m", pose.wheel_rim.lateral);
-    set_figure(summary, "wheel_rim_roll_rad", pose.wheel_rim.roll);
-    set_figure(
-      summary, "relative_lateral_m", pose.relative_lateral() + (scene.motion == "none" ? axle.aside() : 0));
-    set_figure(summary, "relative_roll_rad", pose.relative_roll());
+    set_pose_figures(pose, summary);
+    if (scene.motion == "none")
+      set_figure(summary, "relative_lateral_m", pose.relative_lateral() + axle.aside());
   }
 } // namespace wheelrail

@@ -37,9 +37,22 @@ namespace wheelrail
     static constexpr double least_wave = 0.3; ///< of a wheel, in place of 0, where a half-space is singular
   };
 
-  /// The table of a rail on its clamped foot or of a wheel on its bore. `profile`: its running surface in the
-  /// frame of the profile (x to the field side, y up), `nominal_radius` of a wheel [m]. The mesh has `cells`
-  /// cells a row. The remainder beside a row and on itself, where the elements err, is that of a cubic
+  /// A place of a section, whose x points to the track centre and, of a wheel, whose y is the distance from
+  /// the axle, in the frame of its profile (x to the field side, y up) [m].
+  Point2
+  profile_place(const Point2 &node, bool wheel, double nominal_radius);
+
+  /// Rows of `cells` cells of a section that lie on its running surface itself, not on what joins that to the
+  /// rest of the section. `profile`: the running surface; `nominal_radius` of a wheel [m].
+  std::vector<SurfaceRow>
+  rows_on_profile(const SectionMesh &mesh,
+                  const Curve       &profile,
+                  bool               wheel,
+                  double             nominal_radius,
+                  unsigned int       cells);
+
+  /// The table of a rail on its clamped foot or of a wheel on its bore. Of rows_on_profile(). The
+  /// remainder beside a row and on itself, where the elements err, is that of a cubic
   /// through the rows two and three away. Throws RunError as WaveStiffness does.
   BodyTable
   make_body_table(const SectionMesh &mesh,

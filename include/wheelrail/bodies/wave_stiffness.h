@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/base/vector3.h>
 #include <wheelrail/bodies/section_mesh.h>
 #include <wheelrail/material/elasticity.h>
 
@@ -43,8 +44,18 @@ namespace wheelrail
     std::vector<double>
     compliance(double k, const std::vector<SurfaceRow> &rows);
 
-    /// Radial displacement (outwards) of each row of a wheel that turns at `rate` [rad/s] with `density`
-    /// [kg/m3], and how much each moves along x: under the centrifugal force rho rate^2 r [m].
+    /// Displacements (x, y, w) of all nodes of the section under forces (x, y, and i times z) on the rows,
+    /// each spread evenly over its row: of a wave of 1 N for each metre along a rail [m/(N/m)], for each
+    /// radian around a wheel [m/(N/rad)]. Throws RunError as compliance() does.
+    std::vector<Vector3>
+    displacements(double k, const std::vector<SurfaceRow> &rows, const std::vector<Vector3> &forces);
+
+    /// Displacements (x, and outwards) of all nodes of a wheel that turns at `rate` [rad/s] with `density`
+    /// [kg/m3]: under the centrifugal force rho rate^2 r [m].
+    std::vector<Point2>
+    growth(double rate, double density);
+
+    /// The same in the mean over each row.
     std::vector<Point2>
     growth(double rate, double density, const std::vector<SurfaceRow> &rows);
 

@@ -72,6 +72,9 @@ namespace wheelrail
     std::vector<double>
     wheel_rise() const;
 
+    BodyLoads
+    loads(bool on_wheel) const;
+
     /// Force on the wheel: along X, upwards [N].
     Point2
     force() const;
@@ -89,6 +92,9 @@ namespace wheelrail
     std::vector<double> own_slip_; ///< rigid slip along the track without the tread's stretch
     std::vector<Point2> growth_;   ///< of each row [m]
     std::vector<double> rise_;     ///< of the last round [m]
+
+    std::array<ContactRows, 2>         contact_rows_; ///< of the tables of rail and wheel
+    std::vector<AddedInfluence::Basis> bases_;
 
     std::shared_ptr<AddedInfluence>   added_;
     std::shared_ptr<HalfspaceKernels> kernels_, wheel_kernels_;

@@ -23,6 +23,14 @@ namespace wheelrail
     unsigned int cells  = 1;     ///< across a row
   };
 
+  /// The sections of both bodies as the tables have them.
+  struct BodySections
+  {
+    SectionMesh rail, wheel;
+  };
+  BodySections
+  body_sections(const Scene &scene, const SceneGeometry &geometry, const BodyTableSizes &sizes = {});
+
   /// Both tables, made or as they are kept in a folder (kept_tables.h). Throws InputError and RunError as
   /// sections and tables do.
   BodyTables

@@ -8,6 +8,7 @@
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/scene/scene.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,14 @@ namespace wheelrail
     double creepage     = 0;     ///< at the rolling radius of 2D-Geo, positive driving
     bool   along_track  = false; ///< `longitudinal` counts along the track, else along the wheelset
     bool   slides       = false; ///< as a whole, so that friction bounds the force
+  };
+
+  /// Forces on a body in contact, gathered on rows of its running surface as a BodyTable has them.
+  struct BodyLoads
+  {
+    int                               first = 0; ///< row
+    std::vector<double>               along;     ///< places along the track from the first contact point [m]
+    std::vector<std::vector<Vector3>> forces;    ///< along X, Y, Z on each row at each place [N]
   };
 
   /// The half-space solution of wheel and rail. Tractions, forces and creepages of `solution` are those on
@@ -48,8 +57,9 @@ namespace wheelrail
       0; ///< of the first contact point, from which places along the rail count, ahead of the axle [m]
     std::optional<ContactReference> reference; ///< of wheel and rail; none where the distance is given
     std::string made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
-    double      time         = 0; ///< computing time [s]
-    int         enlargements = 0; ///< of the grid, until the contact did not touch its edge
+    double      time         = 0;        ///< computing time [s]
+    int         enlargements = 0;        ///< of the grid, until the contact did not touch its edge
+    std::array<BodyLoads, 2> body_loads; ///< of true bodies: on the rail, on the wheel
     /// Patches beside this one, in planes of their own. What stands above is of one patch each.
     std::vector<WheelRailSolution> others;
   };

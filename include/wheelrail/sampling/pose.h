@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/output/summary.h>
 #include <wheelrail/solid/solid.h>
 
 #include <functional>
@@ -14,6 +15,19 @@ namespace wheelrail
     double vertical = 0; ///< along Y [m]
     double roll     = 0; ///< about Z, from X to Y [rad]
     int    nodes    = 0; ///< that the fit used
+  };
+
+  /// Sums of a least-squares fit of (u_x, u_y) = (lateral - roll dy, vertical + roll dx).
+  struct RigidFit
+  {
+    double n = 0, x = 0, y = 0, xx_yy = 0, u = 0, v = 0, moment = 0;
+
+    /// A place at (dx, dy) from the contact point that moves by (ux, uy).
+    void
+    add(double dx, double dy, double ux, double uy, double weight = 1);
+
+    RigidPart
+    solve(int nodes) const;
   };
 
   /// Rail head and wheel rim at the contact, fitted (least squares) to the nodes of a slab of the
@@ -50,6 +64,15 @@ namespace wheelrail
     double slab             = 0.010; ///< half thickness along Z [m]
     double keep_away        = 0.022; ///< nodes nearer to the contact point are left out [m]
   };
+
+  /// Whether a part of head or rim that moves as a whole reaches there: (dx, dy) from the contact point, at
+  /// this distance from the axle [m].
+  bool
+  fits_pose(const PoseQuery &query, Body body, double dx, double dy, double from_axle);
+
+  /// Puts it into a summary, as rail_head_lateral_m and the like.
+  void
+  set_pose_figures(const ContactPose &pose, Summary &summary);
 
   /// Collective.
   ContactPose

@@ -1,0 +1,33 @@
+#include <wheelrail/bodies/wave_panels.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    // Gauss points of four on [0, 1]
+    constexpr std::array<double, 4> gauss_place{
+      {0.0694318442029737, 0.3300094782075719, 0.6699905217924281, 0.9305681557970263}};
+    constexpr std::array<double, 4> gauss_weight{
+      {0.1739274225687269, 0.3260725774312731, 0.3260725774312731, 0.1739274225687269}};
+  } // namespace
+
+
+  std::vector<Wave>
+  wave_panels(const double low, const double high, const double first, const double longest)
+  {
+    std::vector<Wave> waves;
+    const double      widest = 3 / longest;
+    for (double k = low, width = first; k < high; width = std::min(1.5 * width, widest))
+      {
+        const double end = k + 1.2 * width > high ? high : k + width;
+        for (int g = 0; g < 4; ++g)
+          waves.push_back({k + gauss_place[g] * (end - k), gauss_weight[g] * (end - k) / M_PI});
+        k = end;
+      }
+    return waves;
+  }
+} // namespace wheelrail
