@@ -8,6 +8,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/read_file.h>
+#include <wheelrail/model/model.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/staggered_starts.h>
@@ -86,6 +87,43 @@ namespace
       "too many are refused");
   }
 
+  /// An irregularity of the rail stays at its place of the rail wherever the wheel starts.
+  void
+  test_irregular()
+  {
+    Scene one                    = scene("irregular");
+    one.rolling_distance         = 80e-3;
+    one.irregularities[0].kind   = IrregularKind::dent;
+    one.irregularities[0].place  = 60e-3;
+    one.irregularities[0].length = 30e-3;
+    one.irregularities[0].width  = 30e-3;
+    one.irregularities[0].depth  = 0.1e-3;
+    check(StaggeredStarts(one, make_geometry(one)).offset(2) == 0, "all wheels meet a dent after one way");
+    one.start_offset               = 20e-3; // no whole number of blocks
+    const SceneGeometry   geometry = make_geometry(one);
+    const SweepPlan       plan     = sweep_plan(one, geometry);
+    const RunningSurface &rail     = geometry.surfaces.rail;
+    const double          farther  = plan.start_block * plan.block_length();
+    check_near(
+      1e3 * (rail.at(0, 60e-3 - farther).n - rail.smooth(0).n), -0.1, 1e-6, "depth at its middle [mm]");
+    one.start_offset            = 0;
+    one.staggered_starts        = 2;
+    one.irregularities[0].place = 35e-3;
+    std::string said;
+    try
+      {
+        const StaggeredStarts on_it(one, make_geometry(one));
+      }
+    catch (const InputError &error)
+      {
+        said = error.what();
+      }
+    check(said.find("Run/Staggered starts = 2: a start ") == 0 &&
+            said.find("farther along: Irregularity 1/Place = 35 mm: the wheel starts on the rail") !=
+              std::string::npos,
+          "no start on a dent: " + said);
+  }
+
   double
   figure(const Scene &of, const std::string &key)
   {
@@ -153,6 +191,7 @@ main(int argc, char **argv)
 {
   Parallel parallel(argc, argv);
   test_places();
+  test_irregular();
   test_light_wheel(parallel.rank == 0);
   return parallel.report();
 }

@@ -52,15 +52,16 @@ namespace wheelrail
          "What it lies on; auto: the wheel for flats, polygons and files .slcw, else the rail."},
         {{"auto", IrregularBody::automatic}, {"rail", IrregularBody::rail}, {"wheel", IrregularBody::wheel}},
         field_of(k, &I::body)));
-      list.push_back(
-        length_entry({section,
-                      "Place",
-                      "Along the track from the contact point of the start, where its middle lies (of a "
-                      "corrugation or polygon: a crest; of a file: its origin). On the wheel: the place "
-                      "along the track where it comes into contact in rolling."},
-                     "mm",
-                     B::between("-10 m", "10 m"),
-                     field_of(k, &I::place)));
+      list.push_back(length_entry(
+        {section,
+         "Place",
+         "Along the track from the contact point of the start, where its middle lies (of a "
+         "corrugation or polygon: a crest; of a file: its origin). On the wheel: the place "
+         "along the track where it comes into contact in rolling. A wheel with a Run/Start offset "
+         "meets those of the rail as much earlier."},
+        "mm",
+        B::between("-10 m", "10 m"),
+        field_of(k, &I::place)));
       const auto lateral = field_of(k, &I::lateral);
       list.push_back(with_word(
         length_entry({section,

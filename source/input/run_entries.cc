@@ -131,7 +131,7 @@ namespace wheelrail
                      "Places on the rail, each at least a patch farther along than the one before, "
                      "at which passages start: the first wheel at the first, where it leaves a pit, "
                      "those after it at the others in turn; auto: two where the way has room for "
-                     "them, else one."},
+                     "them, else one, and one over irregularities."},
                     1,
                     100,
                     field(&S::staggered_starts)),

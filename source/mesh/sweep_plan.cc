@@ -3,6 +3,7 @@
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/mesh/block_length.h>
 #include <wheelrail/mesh/rail_section.h>
 #include <wheelrail/mesh/sweep_plan.h>
 
@@ -126,7 +127,7 @@ namespace wheelrail
   {
     const ContactGeometry &contact = profiles.contact;
     SweepPlan              plan;
-    plan.levels                       = std::max(0L, std::lround(std::log2(sizes.coarse / sizes.cell)));
+    plan.levels                       = mesh_levels(sizes.cell, sizes.coarse);
     const double        block         = sizes.cell * std::pow(2., plan.levels);
     const FrameProfile &wheel_heights = profiles.wheel_heights(), &rail_heights = profiles.rail_heights();
     plan.strip =
@@ -136,7 +137,7 @@ namespace wheelrail
             contact, wheel_heights, rail_heights, sizes.approach, sizes.fine_margin, block, sizes.across);
     plan.surfaces = surfaces_of_strip(profiles, plan.strip, sizes.cell);
 
-    plan.sectors             = std::lround(2 * M_PI * contact.rolling_radius / block);
+    plan.sectors             = blocks_around(contact.rolling_radius, sizes.cell, sizes.coarse);
     const double     spacing = plan.block_length();
     const double     part    = sizes.impacts ? 1 : kik_piotrowski;
     const Range      start   = overlap_along(profiles, part * sizes.approach, sizes.fine_margin);

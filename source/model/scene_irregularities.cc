@@ -3,6 +3,7 @@
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/geometry/roughness.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/mesh/block_length.h>
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/roughness_file.h>
 #include <wheelrail/profiles/slices_file.h>
@@ -136,10 +137,15 @@ namespace wheelrail
         const double lateral = std::isfinite(data.lateral) ? data.lateral
                                : wheel                     ? contact.wheel_x
                                                            : contact.rail_x;
-        const Place  at{
+        // on the rail places stay where they are when the wheel starts farther along
+        const double start =
+          wheel ? 0
+                : start_in_blocks(
+                    scene.start_offset, contact.rolling_radius, scene.cell_size, scene.coarse_cell_size);
+        const Place at{
           wheel,
           contact.rolling_radius,
-          {data.place, lateral, data.length, data.width, data.true_depth(contact.rolling_radius)}};
+          {data.place - start, lateral, data.length, data.width, data.true_depth(contact.rolling_radius)}};
         try
           {
             Irregularity shape  = make_shape(scene, data, profiles, at);

@@ -3,6 +3,7 @@
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/output/summary.h>
@@ -146,7 +147,10 @@ namespace wheelrail
       one.passage_jump          = 0;
       one.staggered_starts      = 1;
       one.start_offset          = starts_.offset(k);
-      one.folder                = passage_folder(scene_.folder, k);
+      if (one.irregular() && one.evaluate_at > 0) // the same place of the rail in all passages
+        one.evaluate_at =
+          std::max(0.5 * one.averaging_distance, one.evaluate_at - (starts_.offset(k) - starts_.offset(1)));
+      one.folder = passage_folder(scene_.folder, k);
       if (k > 1)
         one.rail_from = passage_folder(scene_.folder, k - 1);
       RunOptions of_one      = options_;
@@ -169,7 +173,9 @@ namespace wheelrail
       });
       try
         {
-          return run_simulation(one, wheel.geometry, of_one);
+          SceneGeometry geometry = wheel.geometry;
+          add_irregularities(one, geometry); // as seen from where this wheel starts
+          return run_simulation(one, geometry, of_one);
         }
       catch (const RunError &error)
         {

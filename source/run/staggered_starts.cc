@@ -2,8 +2,10 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/irregularity_checks.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/run/staggered_starts.h>
 
 #include <algorithm>
@@ -11,6 +13,25 @@
 
 namespace wheelrail
 {
+  namespace
+  {
+    /// Throws InputError where a wheel that starts farther along would stand on an irregularity.
+    void
+    require_smooth_start(Scene scene, SceneGeometry geometry, const double place)
+    {
+      if (!scene.irregular())
+        return;
+      scene.start_offset = place;
+      add_irregularities(scene, geometry);
+      Findings found;
+      check_irregular_run(scene, geometry, expected_patch(scene, geometry), found);
+      if (!found.errors.empty())
+        throw InputError(entry_text(scene, "Run", "Staggered starts") + ": a start " + rounded_mm(place) +
+                         " farther along: " + found.errors.front());
+    }
+  } // namespace
+
+
   StaggeredStarts::StaggeredStarts(const Scene &scene, const SceneGeometry &geometry)
     : places_{scene.start_offset}
   {
@@ -27,7 +48,7 @@ namespace wheelrail
     };
     unsigned int n = scene.staggered_starts;
     if (n == 0)
-      n = fits(2, 2 * length) ? 2 : 1;
+      n = !scene.irregular() && fits(2, 2 * length) ? 2 : 1; // irregularities are met at one distance
     else if (!fits(n, length))
       throw InputError(
         entry_text(scene, "Run", "Staggered starts") + ": each start lies " + rounded_mm(step) +
@@ -35,7 +56,10 @@ namespace wheelrail
         "have rolled over; take fewer, or a longer " +
         path_entry(scene) + " and Track/Rail length");
     for (unsigned int k = 1; k < n; ++k)
-      places_.push_back(scene.start_offset + k * step);
+      {
+        places_.push_back(scene.start_offset + k * step);
+        require_smooth_start(scene, geometry, places_.back());
+      }
   }
 
 
