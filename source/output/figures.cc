@@ -87,6 +87,8 @@ namespace wheelrail
       {"foot_deflection", "m", "rail's foot sinks", "where it sinks most; mean over its width", "mm", 1e3, 3, false, nullptr},
       {"largest_pad_force", "N", "largest force of a pad", "over the whole distance", "kN", 1e-3, 2, false, nullptr},
       {"largest_pad_pull", "N", "largest pull of a pad", "over the whole distance; a clip holds it", "kN", 1e-3, 3, false, nullptr},
+      {"pinned_pinned", "Hz", "pinned-pinned frequency", "a wave of the unsupported rail is two bays long", "Hz", 1, 0, false, nullptr},
+      {"contact_resonance", "Hz", "contact resonance", "a rigid wheel on the spring of the contact on the rail", "Hz", 1, 0, false, nullptr},
       {"patches", "", "separate patches", "", "", 1, 0, true, nullptr},
       {"largest_swing", "", "largest fluctuation of a result", "means over 2 mm, relative", "%", 1e2, 2, false, nullptr},
       {"largest_drift", "", "largest drift of a result", "over the averaging distance, beyond noise", "%", 1e2, 2, false, nullptr},

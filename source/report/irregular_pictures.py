@@ -61,6 +61,19 @@ def spectrum(times, values):
     return frequency[1:], density[1:]
 
 
+#: of the summary: name, label
+RESONANCES = [("pinned_pinned_Hz", "pinned-pinned"), ("contact_resonance_Hz", "contact resonance")]
+
+
+def mark_resonances(run, axes):
+    for name, label in RESONANCES:
+        frequency = (run.summary or {}).get(name)
+        if frequency:
+            axes.axvline(frequency, color=style.GREY, linewidth=0.9, linestyle=":")
+            axes.text(frequency, 0.03, f"{label} {frequency:.0f} Hz ", rotation=90, va="bottom", ha="right", fontsize=7,
+                      color=style.GREY, transform=axes.get_xaxis_transform())
+
+
 def draw_spectra(run):
     known = [(name, unit) for name, unit in (("vertical_force", "N"), ("axle_acceleration", "m/s$^2$"),
                                              ("rail_velocity", "m/s")) if name in run.history]
@@ -72,6 +85,7 @@ def draw_spectra(run):
         one.set_ylabel(f"{name.replace('_', ' ')}\n[{unit}/Hz$^{{1/2}}$]")
         one.grid(True, which="both", linewidth=0.4)
         one.set_xlim(right=2e4)
+        mark_resonances(run, one)
     axes[-1].set_xlabel("frequency [Hz]")
     axes[0].set_title("Spectra (Welch)")
     return [("Spectra of force, axle-box acceleration and rail velocity", style.save(run, figure, "spectra"))]

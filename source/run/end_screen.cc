@@ -122,6 +122,8 @@ namespace wheelrail
         impact.line("acceleration of the axle box",
                     down.shown(-get_figure(summary, down.key())) + " to " + up.shown(most),
                     up.unit);
+      impact.figure("pinned_pinned");
+      impact.figure("contact_resonance");
     }
 
     /// Where the patch lies, as an engineer on the track would measure it; empty where it is not known.

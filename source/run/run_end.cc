@@ -6,6 +6,7 @@
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/model/section_file.h>
+#include <wheelrail/receptance/track_resonances.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
 #include <wheelrail/reference/run_reference.h>
@@ -214,6 +215,17 @@ namespace wheelrail
       if (!warning.empty())
         warnings.push_back(warning);
     return warnings;
+  }
+
+
+  void
+  add_resonances(const Scene &scene, const SceneGeometry &geometry, const Model &model, Summary &summary)
+  {
+    const double unsprung = model.wheel_load / scene.gravity - model.axle.sprung_mass;
+    const auto   track    = track_resonances(scene, geometry, unsprung, model.wheel_load);
+    if (std::isfinite(track.pinned_pinned))
+      set_figure(summary, "pinned_pinned_Hz", track.pinned_pinned);
+    set_figure(summary, "contact_resonance_Hz", track.contact);
   }
 
 

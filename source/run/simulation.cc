@@ -319,6 +319,8 @@ namespace wheelrail
         for (const std::string &warning : judge(scene_, geometry_, summary))
           log_.warning(warning);
       on_root(communicator_, [&]() {
+        if (finished && scene_.irregular())
+          add_resonances(scene_, geometry_, run.model, summary);
         write_summary(summary, scene_.folder + "/summary.json");
         write_wear(run.recorder.wear(scene_), scene_.folder + "/wear.csv");
       });
