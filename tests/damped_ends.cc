@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <complex>
+#include <iostream>
 #include <string>
 #include <vector>
 

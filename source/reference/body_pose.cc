@@ -6,6 +6,7 @@
 #include <wheelrail/reference/body_tables.h>
 
 #include <cmath>
+#include <vector>
 
 namespace wheelrail
 {

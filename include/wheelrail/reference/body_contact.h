@@ -6,6 +6,7 @@
 #include <wheelrail/reference/body_tables.h>
 #include <wheelrail/reference/halfspace_case.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
