@@ -12,6 +12,7 @@
 
 #include "parallel.h"
 #include "small_scene.h"
+#include "stands_on.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +25,6 @@ using namespace test;
 
 namespace
 {
-  /// The rail of a model stands on this in place of the clamped foot.
-  TrackSupport &
-  put_on(Model &model, const TrackData &data)
-  {
-    model.parts[0] = std::make_unique<TrackSupport>(data, MPI_COMM_WORLD);
-    return dynamic_cast<TrackSupport &>(*model.parts[0]);
-  }
-
   /// 60E1 upright, long enough for a load in its middle.
   Model
   long_rail()

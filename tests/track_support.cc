@@ -11,6 +11,7 @@
 #include "checkpoint_everywhere.h"
 #include "parallel.h"
 #include "small_scene.h"
+#include "stands_on.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,14 +53,6 @@ namespace
     const PadDamping quarter = constant_loss(0.25);
     const auto stiffness     = [&](const double f) { return quarter.dynamic_stiffness(2 * M_PI * f).real(); };
     check_near(stiffness(1261) / stiffness(449), 1.175, 0.01, "a constant 0.25 stiffens by causality");
-  }
-
-  /// The rail of a model stands on this in place of the clamped foot.
-  TrackSupport &
-  put_on(Model &model, const TrackData &data)
-  {
-    model.parts[0] = std::make_unique<TrackSupport>(data, MPI_COMM_WORLD);
-    return dynamic_cast<TrackSupport &>(*model.parts[0]);
   }
 
   struct Track

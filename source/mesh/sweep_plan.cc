@@ -139,16 +139,19 @@ namespace wheelrail
 
     plan.sectors             = blocks_around(contact.rolling_radius, sizes.cell, sizes.coarse);
     const double     spacing = plan.block_length();
-    const double     part    = sizes.impacts ? 1 : kik_piotrowski;
+    const bool       impacts = profiles.surfaces.irregular();
+    const double     part    = impacts ? 1 : kik_piotrowski;
     const Range      start   = overlap_along(profiles, part * sizes.approach, sizes.fine_margin);
     const Range      overlap{std::min(start.s0, sizes.along.s0), std::max(start.s1, sizes.along.s1)};
     constexpr double free_rail = 0.1;
     // pressure must not come to the outer two stations (Contact::at_border()), and stations lie up to a cell
     // within the stretch that is wanted
-    const double margin  = std::max(sizes.fine_margin, 3 * sizes.cell);
-    plan.reach           = std::max(-overlap.s0, overlap.s1) + margin;
-    plan.around_block    = {overlap.s0 - std::max(sizes.impacts ? least_behind : 0, margin),
-                            spacing + overlap.s1 + std::max(sizes.impacts ? least_ahead : 0, margin)};
+    const double margin = std::max(sizes.fine_margin, 3 * sizes.cell);
+    plan.reach          = std::max(-overlap.s0, overlap.s1) + margin;
+    // of cells that move over irregular surfaces, at least
+    constexpr double ahead = 7.5e-3, behind = 12.5e-3;
+    plan.around_block    = {overlap.s0 - std::max(impacts ? behind : 0, margin),
+                            spacing + overlap.s1 + std::max(impacts ? ahead : 0, margin)};
     plan.fine            = {sizes.ahead.s0 - plan.reach, sizes.distance + sizes.ahead.s1 + plan.reach};
     plan.fine_depth      = sizes.fine_depth;
     const Range rail     = {0.5 * (sizes.distance - sizes.rail_length),

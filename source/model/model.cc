@@ -243,7 +243,6 @@ namespace wheelrail
         if (sample.scene.wheel_load > 0)
           planned.wheel_load = std::max(planned.wheel_load, sample.scene.wheel_load);
       sizes.approach    = expected_approach(planned, geometry.contact.rolling_radius);
-      sizes.impacts     = scene.irregular();
       sizes.distance    = scene.mesh_distance();
       sizes.rail_length = scene.rail_length;
       sizes.start       = scene.start_offset;

@@ -100,7 +100,7 @@ namespace wheelrail
             lowest_s_ = s;
           }
       }
-    if (!surfaces_.rail.irregularities().empty() || !surfaces_.wheel.irregularities().empty())
+    if (surfaces_.irregular())
       sample_irregular();
   }
 

@@ -144,8 +144,7 @@ namespace wheelrail
   bool
   Recorder::irregular() const
   {
-    const RunningSurfaces &surfaces = model_.contact->surfaces();
-    return !surfaces.rail.irregularities().empty() || !surfaces.wheel.irregularities().empty();
+    return model_.contact->surfaces().irregular();
   }
 
 

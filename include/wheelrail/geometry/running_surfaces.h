@@ -35,6 +35,13 @@ namespace wheelrail
       return body == Body::rail ? rail : wheel;
     }
 
+    /// Whether one of them has irregularities.
+    bool
+    irregular() const
+    {
+      return !rail.irregularities().empty() || !wheel.irregularities().empty();
+    }
+
     /// Takes all heights from tables over [s0, s1] [m].
     void
     tabulate(double s0, double s1);

@@ -50,7 +50,6 @@ namespace wheelrail
     double fine_depth  = 0;     ///< of the finest cells below the running surface
     double fine_margin = 0;     ///< of finest cells around the expected patch
     double approach    = 0;     ///< of wheel and rail under the load, expected
-    bool   impacts     = false; ///< irregular surfaces, whose impacts spread the patch
     double distance    = 0;     ///< that the wheel rolls
     bool   moving      = false; ///< the finest cells move with the wheel
     double rail_length = 0;     ///< its middle lies under that of the rolled stretch, without `start`
@@ -63,19 +62,16 @@ namespace wheelrail
     Range ahead;  ///< how far the contact moves along besides the way
   };
 
-  /// Least margins of finest cells that move with the wheel over irregular surfaces, ahead of the contact and
-  /// behind it [m].
-  constexpr double least_ahead = 7.5e-3, least_behind = 12.5e-3;
-
   /// Lays out the sections, the strip of finest cells, and the stations along rail and wheel. The finest
   /// cells cover the rolled stretch and, before and behind it, the reach of the undeformed wheel
-  /// (overlap_along(), at kik_piotrowski of the approach, with impacts at the whole of it) and the margin, at
-  /// least three cells. Those that move cover the way through one block in place of the whole stretch; at the
-  /// start they reach no further than those that do not move. Blocks of the rail are even under the stretch
-  /// and a metre beyond it; from there on each is a quarter longer than the one before, up to four times as
-  /// long; a rail that the wheel starts farther along has the same blocks, all of them as much nearer to the
-  /// start. Throws InputError when the rail is too short for them or a section cannot be divided, RunError
-  /// when a block would be folded.
+  /// (overlap_along(), at kik_piotrowski of the approach) and the margin, at least three cells. On irregular
+  /// surfaces, whose impacts spread the patch, the whole approach counts, and cells that move reach farther.
+  /// Those that move cover the way through one block in place of the whole stretch; at the start they reach
+  /// no further than those that do not move. Blocks of the rail are even under the stretch and a metre beyond
+  /// it; from there on each is a quarter longer than the one before, up to four times as long; a rail that
+  /// the wheel starts farther along has the same blocks, all of them as much nearer to the start. Throws
+  /// InputError when the rail is too short for them or a section cannot be divided, RunError when a block
+  /// would be folded.
   SweepPlan
   make_sweep_plan(const TouchingProfiles &profiles, const WheelDimensions &wheel, const SweepSizes &sizes);
 } // namespace wheelrail
