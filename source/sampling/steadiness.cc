@@ -22,7 +22,7 @@ namespace wheelrail
       width,    ///< and across it
       shear,    ///< friction times peak pressure
       one,      ///< shares
-      t_gamma   ///< half of the friction bound at half saturation
+      t_gamma   ///< force times creepage, each at its scale
     };
 
     /// A result of the summary that is a mean of the rows.
@@ -109,7 +109,7 @@ namespace wheelrail
             case ScaleOf::one:
               return 1;
             case ScaleOf::t_gamma:
-              return 0.5 * bound * creep.half_saturation();
+              return bound * creep.half_saturation(); // no better known than its factors
           }
         return 1;
       }
@@ -124,7 +124,7 @@ namespace wheelrail
         if (result.scale == ScaleOf::creepage)
           return moved;
         if (result.scale == ScaleOf::t_gamma)
-          return 2 * std::abs(force_) / (friction_ * normal_) * (1 + moved);
+          return std::abs(force_) / (friction_ * normal_) * (1 + moved);
         return result.of_torque;
       }
 
