@@ -101,6 +101,7 @@ namespace wheelrail
     {
       Points<W> points;
       evaluate_points<W>(call, batch, points);
+      fetch_ahead<W>(call, batch);
       Simd<W> viscous(0.);
       if (call.viscosity.time_step > 0)
         viscous = viscous_stress<W>(call, batch, points, energy);

@@ -106,19 +106,6 @@ namespace wheelrail
       extra.copy_to(old + W, stdx::vector_aligned);
     }
 
-    /// Asks for the packed data of the next batch, so that they arrive while this one is worked on (beyond
-    /// the last batch this asks for nothing of use, and does no harm). Elastic bodies gain a quarter from it;
-    /// plastic ones gain nothing, so they do not ask.
-    template <int W>
-    inline void
-    fetch_next(const double *data, const std::uint32_t *nodes)
-    {
-      for (int k = 0; k < ElementBlocks::fields * W; k += 8) // lines of eight numbers
-        __builtin_prefetch(data + ElementBlocks::fields * W + k);
-      for (int k = 0; k < 8 * W; k += 16)
-        __builtin_prefetch(nodes + 8 * W + k);
-    }
-
     /// The work of one batch.
     template <int W, bool with_energy, typename Law>
     inline void
@@ -144,8 +131,7 @@ namespace wheelrail
       if (call.viscosity.time_step > 0)
         add_viscosity<W>(call, batch, g, E, S, energy);
       force_of_stress<W>(g, F, S, P);
-      if constexpr (!has_history<Law>)
-        fetch_next<W>(g.data, nodes);
+      fetch_ahead<W>(call, batch);
       hourglass_forces<W>(g, FA, q, Q, P, G);
       apply_forces<W>(g, nodes, P, G, call.force);
     }

@@ -3,6 +3,7 @@
 #include <wheelrail/solid/kernel.h>
 #include <wheelrail/solid/lanes.h>
 
+#include <cstddef>
 #include <type_traits>
 
 namespace wheelrail
@@ -24,7 +25,37 @@ namespace wheelrail
     BulkViscosity  viscosity;
     Law            law;
     double         viscous_impedance; ///< bulk viscosity coefficient x density x wave speed [Pa s/m]
+    std::size_t    history;           ///< numbers that one batch remembers
   };
+
+  /// Asks for `n` numbers from `first` on, a cache line of 64 bytes at a time. Always inline: GCC takes a
+  /// function that only asks for memory for one without effect, and drops the call.
+  template <typename T>
+  [[gnu::always_inline]] inline void
+  fetch(const T *first, const std::size_t n)
+  {
+    for (std::size_t k = 0; k < n; k += 64 / sizeof(T))
+      __builtin_prefetch(first + k);
+  }
+
+  /// Asks for what the batch after the next needs, so that it arrives while others are worked on (beyond the
+  /// last batch this asks for nothing of use, and does no harm).
+  template <int W, typename Law>
+  [[gnu::always_inline]] inline void
+  fetch_ahead(const KernelCall<Law> &call, const std::size_t batch)
+  {
+    const ElementBlocks &blocks = call.blocks;
+    const std::size_t    ahead  = batch + 2;
+    fetch(blocks.data.data() + ahead * blocks.rows * W, blocks.rows * W);
+    fetch(blocks.nodes.data() + ahead * 8 * W, 8 * W);
+    fetch(blocks.viscous.data() + ahead * 2 * W, 2 * W);
+    if constexpr (has_history<Law>)
+      if (ahead < blocks.flowed.size() && blocks.flowed[ahead])
+        {
+          fetch(blocks.history.data() + ahead * call.history, call.history);
+          fetch(blocks.plastic_work.data() + ahead * W, W);
+        }
+  }
 
   /// Calls Kernel::batch<W, with_energy>(call, batch, lane_energy) for every batch and adds the
   /// energies. The kind is chosen once, so that the kernel has no branches for it.
@@ -80,7 +111,8 @@ namespace wheelrail
                                                          viscosity,
                                                          law,
                                                          viscosity.coefficient * material.density *
-                                                           material.wave_speed()};
+                                                           material.wave_speed(),
+                                                         std::size_t(blocks.history_rows()) * blocks.width};
       with_energy ? batches_of_law<Kernel, true>(call, energy) : batches_of_law<Kernel, false>(call, energy);
     };
     std::visit(run, blocks.law);

@@ -10,10 +10,9 @@
 
 namespace wheelrail
 {
-  /// Elements in a batch unless asked otherwise. Twice as many (AVX-512) are a tenth faster in the
-  /// caches, but from main memory up to a third slower: a core overlaps the loads of the next batch with
-  /// the arithmetic of this one only as far as its window reaches. See doc/theory/element.md.
-  constexpr int kernel_width = native_width < 4 ? native_width : 4;
+  /// Elements in a batch unless asked otherwise: 8 where the machine has AVX-512, else 4 or 2. See
+  /// doc/theory/element.md.
+  constexpr int kernel_width = native_width < 8 ? native_width : 8;
 
   /// Geometry of one hexahedron, all in the reference configuration.
   ///

@@ -15,33 +15,44 @@ namespace wheelrail
   template <int W>
   using V3 = Simd<W>[3];
 
-  /// Loads the node vectors of W elements and turns them into one vector a component.
+  /// Loads the node vectors of four elements and turns them into one vector a component.
+  inline void
+  gather_four(const double *array, const std::uint32_t *node, V3<4> &value)
+  {
+    const Four r0           = *reinterpret_cast<const Four *>(array + 4 * node[0]);
+    const Four r1           = *reinterpret_cast<const Four *>(array + 4 * node[1]);
+    const Four r2           = *reinterpret_cast<const Four *>(array + 4 * node[2]);
+    const Four r3           = *reinterpret_cast<const Four *>(array + 4 * node[3]);
+    const Four t0           = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
+    const Four t1           = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+    const Four t2           = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
+    const Four t3           = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
+    const Four component[3] = {__builtin_shufflevector(t0, t2, 0, 1, 4, 5),
+                               __builtin_shufflevector(t1, t3, 0, 1, 4, 5),
+                               __builtin_shufflevector(t0, t2, 2, 3, 6, 7)};
+    for (int i = 0; i < 3; ++i)
+      value[i].copy_from(reinterpret_cast<const double *>(&component[i]), std::experimental::vector_aligned);
+  }
+
+  /// Loads the node vectors of W elements and turns them into one vector a component. Eight lanes are joined
+  /// in registers: a core cannot hand on two stores of halves to the load of the whole, and waits.
   template <int W>
   inline void
   gather(const double *array, const std::uint32_t *node, V3<W> &value)
   {
-    alignas(64) double buffer[3][W];
-    if constexpr (W >= 4)
-      for (int l = 0; l < W; l += 4)
-        {
-          const Four r0                            = *reinterpret_cast<const Four *>(array + 4 * node[l]);
-          const Four r1                            = *reinterpret_cast<const Four *>(array + 4 * node[l + 1]);
-          const Four r2                            = *reinterpret_cast<const Four *>(array + 4 * node[l + 2]);
-          const Four r3                            = *reinterpret_cast<const Four *>(array + 4 * node[l + 3]);
-          const Four t0                            = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
-          const Four t1                            = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
-          const Four t2                            = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
-          const Four t3                            = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
-          *reinterpret_cast<Four *>(&buffer[0][l]) = __builtin_shufflevector(t0, t2, 0, 1, 4, 5);
-          *reinterpret_cast<Four *>(&buffer[1][l]) = __builtin_shufflevector(t1, t3, 0, 1, 4, 5);
-          *reinterpret_cast<Four *>(&buffer[2][l]) = __builtin_shufflevector(t0, t2, 2, 3, 6, 7);
-        }
-    else
-      for (int l = 0; l < W; ++l)
+    if constexpr (W == 4)
+      gather_four(array, node, value);
+    else if constexpr (W == 8)
+      {
+        V3<4> low, high;
+        gather_four(array, node, low);
+        gather_four(array, node + 4, high);
         for (int i = 0; i < 3; ++i)
-          buffer[i][l] = array[4 * node[l] + i];
-    for (int i = 0; i < 3; ++i)
-      value[i].copy_from(buffer[i], std::experimental::vector_aligned);
+          value[i] = std::experimental::concat(low[i], high[i]);
+      }
+    else
+      for (int i = 0; i < 3; ++i)
+        value[i] = Simd<W>([&](const auto l) { return array[4 * node[l] + i]; });
   }
 
   /// Subtracts the lanes from the node vectors, one element after the other since neighbours in a
