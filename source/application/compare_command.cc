@@ -89,15 +89,36 @@ namespace wheelrail
       return name == "vertical_force" || name == "longitudinal_force";
     }
 
-    /// A limit as the table shows it, in the unit of the figure: "5 %", "5 % or 0.15".
+    /// The unit of a difference of two values of a figure, behind a number: " mm", of parts " points".
+    std::string
+    unit_of_difference(const Figure &figure)
+    {
+      const std::string unit = figure.unit;
+      return unit.empty() ? "" : unit == "%" ? " points" : " " + unit;
+    }
+
+    /// A limit as the table shows it, in the unit of the figure: "5 %", "5 % or 0.15 1e-3", "0.5 mm".
     std::string
     limit_text(const Limit &limit, const Figure &figure)
     {
       std::string shown = limit.share > 0 ? text("%g", 100 * limit.share) + " %" : "";
       if (limit.amount > 0)
         shown += (shown.empty() ? "" : " or ") + text("%g", figure.factor * limit.amount) +
-                 (*figure.unit ? " " : "") + figure.unit;
+                 unit_of_difference(figure);
       return shown;
+    }
+
+    /// A difference as the table shows it: in the unit of the figure where its limit is an amount, else over
+    /// the value of the half-spaces, or over the load.
+    std::string
+    difference_text(double amount, double relative, const Limit &limit, bool of_load, const Figure &figure)
+    {
+      const bool in_units = limit.share == 0 && limit.amount > 0;
+      if (!std::isfinite(in_units ? amount : relative))
+        return "-";
+      if (in_units)
+        return text("%+.*f", figure.decimals, figure.factor * amount) + unit_of_difference(figure);
+      return text("%+.2f", 100 * relative) + " %" + (of_load ? " of load" : "");
     }
 
     nlohmann::ordered_json
@@ -188,20 +209,18 @@ namespace wheelrail
           const Limit       limit       = of_load ? load_limit : own_limit;
           const double      off         = of_load ? std::abs(difference) : std::abs(fe - hs);
           const double      most = of_load ? limit.share : std::max(limit.share * std::abs(hs), limit.amount);
-          const bool        beyond  = most > 0 && off > most;
-          const std::string percent = std::isfinite(difference)
-                                        ? text("%+.2f", 100 * difference) + " %" + (of_load ? " of load" : "")
-                                        : "-",
-                            bound   = limit_text(limit, figure) + (of_load ? " of load" : "");
+          const bool        beyond = most > 0 && off > most;
+          const std::string apart  = difference_text(fe - hs, difference, limit, of_load, figure),
+                            bound  = limit_text(limit, figure) + (of_load ? " of load" : "");
           print_row(label,
                     figure.unit,
                     figure.shown(fe),
                     figure.shown(hs),
-                    percent,
+                    apart,
                     bound + (beyond ? "  beyond" : ""),
                     out);
           if (beyond)
-            comparison.beyond.push_back(label + " by " + percent + " (limit " + bound + ")");
+            comparison.beyond.push_back(label + " by " + apart + " (limit " + bound + ")");
           set_figure(run, reference.figures + figure.key(), hs);
           set_figure(run, std::string(reference.differences) + name, difference);
           comparison.table.push_back({{"key", figure.key()},
@@ -214,6 +233,7 @@ namespace wheelrail
                                       {reference.json, number(hs)},
                                       {"relative_difference", number(difference)},
                                       {"relative_to", relative_to},
+                                      {"difference", apart},
                                       {"limit", bound},
                                       {"beyond", beyond}});
         }

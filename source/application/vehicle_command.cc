@@ -173,6 +173,7 @@ namespace wheelrail
     print_worst(const FigureTable &table, const std::vector<VehicleWheel> &wheels, std::ostream &out)
     {
       const auto &abscissa = table.columns[1];
+      const bool  along    = table.keys[1] == "given_distance_m";
       for (const VehicleWheel &wheel : wheels)
         for (const char *const name : {"max_pressure", "t_gamma", "largest_von_mises"})
           {
@@ -188,14 +189,15 @@ namespace wheelrail
             char text[200];
             std::snprintf(text,
                           sizeof(text),
-                          "  %s wheel, worst row by %-24s %10s %-4s row %zu (%s = %.6g)\n",
+                          "  %s wheel, worst row by %-24s %10s %-4s row %zu, %s %.6g %s\n",
                           wheel.left ? "left" : "right",
                           figure.label,
                           figure.shown((*column)[worst]).c_str(),
                           figure.unit,
                           worst + 1,
-                          table.keys[1].c_str(),
-                          abscissa[worst]);
+                          along ? "distance" : "time",
+                          abscissa[worst],
+                          along ? "m" : "s");
             out << text;
           }
     }

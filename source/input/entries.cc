@@ -127,11 +127,16 @@ namespace wheelrail
     std::vector<Candidate> candidates;
     if (name.size() > 200) // resembles nothing
       return {};
+    const bool known_section = !section.empty() && section_exists(section);
     for (const Entry &entry : entries())
       {
-        const unsigned int distance = edit_distance(entry.name, name);
-        if (distance <= std::max<std::size_t>(2, name.size() / 3))
-          candidates.push_back({distance, entry.section != section, entry.path()});
+        const unsigned int distance  = edit_distance(entry.name, name);
+        const bool         elsewhere = entry.section != section;
+        // a short name in its right section is a word of the user's own, no slip of an entry elsewhere
+        const std::size_t most =
+          elsewhere && known_section ? name.size() / 6 : std::max<std::size_t>(2, name.size() / 3);
+        if (distance <= most)
+          candidates.push_back({distance, elsewhere, entry.path()});
       }
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate &a, const Candidate &b) {
       return a.distance != b.distance ? a.distance < b.distance : a.elsewhere < b.elsewhere;

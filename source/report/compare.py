@@ -55,7 +55,9 @@ def make_views(run, pair):
 
 
 def difference_of(figure):
-    """The difference as a text: of the half-spaces' value, or of what the figure says it is relative to."""
+    """The difference as a text: as the screen shows it, or of the half-spaces' value in files of earlier versions."""
+    if figure.get("difference"):
+        return figure["difference"].replace("-", "\u2212") if figure["difference"] != "-" else ""
     difference = figure.get("relative_difference")
     if not page.is_number(difference):
         return ""
@@ -74,7 +76,7 @@ def table(figures, title="half-spaces", key="halfspace"):
         rows.append(f"<tr><td>{html.escape(figure['label'])}</td><td class=number>{shown(figure['fe'])}</td>"
                     f"<td class=number>{shown(figure['fe_std'])}</td><td class=number>{shown(figure[key])}</td>"
                     f'<td>{page.unit_text(figure)}</td><td class="number{kind}">{difference_of(figure)}</td>'
-                    f"<td>{html.escape(limit)}</td></tr>")
+                    f"<td>{html.escape(limit.replace(' 1e-3', '\u00b710\u207b\u00b3'))}</td></tr>")
     return "\n".join(rows + ["</table></div>"])
 
 

@@ -25,6 +25,8 @@ class Fields:
         self.state = np.rint(patch["state"][cut]).astype(int)
         self.slip = np.hypot(patch["slip_along"][cut], patch["slip_lateral"][cut]) if "slip_along" in patch else None
         self.loaded = loaded[cut]
+        span = getattr(patch, "span", None)
+        self.span = None if span is None else (1e3 * span[0], 1e3 * span[1])  # first and last place s of the patch
         self.area = patch["area"][cut] if "area" in patch else np.ones_like(self.pressure)
         self.edge = self.edge_level(patch, cut)
 

@@ -1,4 +1,4 @@
-"""Pictures over the rolled distance: forces, energy error, creepage, figures of the patch."""
+"""Pictures over the rolled distance: forces, energy error, creepage, results of the patch."""
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -20,8 +20,12 @@ def plain(name):
     return name.replace("_", " ")
 
 
+#: titles of force_groups(): what carries the load, and the rest, which is much smaller
+FORCE_TITLES = ("Normal and vertical forces", "Longitudinal and lateral forces")
+
+
 def force_groups(history):
-    """Names of the large forces and of the others, those that are there."""
+    """Names of the forces that carry the load and of the others, those that are there."""
     names = [name for name, values in history.items() if values.unit == "N" and np.isfinite(values).any()]
     large = [name for name in names if name in ("normal_force", "vertical_force", "axle_vertical_force", "wheel_load")]
     return [group for group in (large, [name for name in names if name not in large]) if group]
@@ -115,7 +119,7 @@ def groups(run):
         return {}
     x = 1e3 * run.history["rolled_distance"]
     shown = {}
-    for title, group in zip(("Large forces on the wheel", "Small forces on the wheel"), force_groups(run.history)):
+    for title, group in zip(FORCE_TITLES, force_groups(run.history)):
         shown[title] = ("force [kN]", [(plain(name), x, 1e-3 * run.history[name], mean_of(run, name, 1e-3)) for name in group])
     columns = [(name, x, run.history[name]) for name in ("creepage", "energy_error") if name in run.history]
     if run.data.has("patch_history.h5"):

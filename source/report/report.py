@@ -37,6 +37,8 @@ import wheelset
 COVERED = {"pressure_surface", "shear_surface", "pressure_contour", "shear_contour", "cut_aa", "cut_bb", "forces",
            "energy_error", "creepage"}
 BROAD = {"sheet", "shear_instants"}
+MEANS = ("means over the averaging distance, with their standard deviation (\u00b1) and the standard error of the mean "
+         "(mean \u00b1)")
 
 
 def parse_arguments(arguments):
@@ -80,7 +82,7 @@ def make_parts(run, pictures, shown):
                      "G.C.: side of the gauge corner (track centre), F.S.: field side. AA and BB: the planes along and "
                      f"across the rail through the first contact point of the rigid profiles.{place} Maps and cuts show "
                      "nodes at that instant; the results above are "
-                     f"{'those of the solution' if run.is_halfspace else 'means over the averaging distance'}.</p>")
+                     f"{'those of the solution' if run.is_halfspace else MEANS}.</p>")
     if shown:
         parts += [page.views_html(shown)]
     if pictures:

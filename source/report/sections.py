@@ -115,8 +115,10 @@ def draw_patch(axes, sections, span, color=style.RED, label=None):
 
 
 def patch_span(fields):
-    """First and last place s of the patch [mm]: those of its edge line."""
+    """First and last place s of the patch [mm]: those of the results, or else of the edge line that is drawn."""
     import views
 
+    if fields.span is not None:
+        return fields.span
     s = [value for value in views.edge_lines(fields)[0] if value is not None]
     return (min(s), max(s)) if s else (fields.lateral[fields.loaded].min(), fields.lateral[fields.loaded].max())

@@ -23,22 +23,22 @@ import sections
 import style
 import views
 
-#: figures of a picture: title, (key, factor), unit
+#: what a picture shows: title, (key, factor), unit
 PICTURES = [
     ("Motion", [("given_lateral_shift_m", 1e3, "lateral shift [mm]"), ("given_yaw_rad", 1e3, "yaw [mrad]"),
                 ("given_load_N", 1e-3, "load [kN]"), ("given_load_right_N", 1e-3, "load, right [kN]"),
                 ("given_load_left_N", 1e-3, "load, left [kN]"), ("given_radius_m", 1, "radius [m], 0: straight")]),
-    ("Forces on the wheel", [("longitudinal_force_N", 1e-3, "longitudinal [kN]"), ("lateral_force_N", 1e-3, "lateral [kN]"),
-                             ("vertical_force_N", 1e-3, "vertical [kN]"),
+    ("Forces on the wheel", [("longitudinal_force_N", 1e-3, "longitudinal force [kN]"), ("lateral_force_N", 1e-3, "lateral force [kN]"),
+                             ("vertical_force_N", 1e-3, "vertical force [kN]"),
                              ("lateral_over_vertical", 1, "lateral / vertical, Y/Q")]),
-    ("Axle with both wheels", [("axle_lateral_force_N", 1e-3, "lateral, sum [kN]"),
+    ("Axle with both wheels", [("axle_lateral_force_N", 1e-3, "sum of lateral forces [kN]"),
                                ("axle_yaw_moment_Nm", 1e-3, "steering moment [kN m]")]),
-    ("Creepages and spin", [("reference_creepage", 1e3, "creepage [1e-3]"),
-                            ("reference_lateral_creepage", 1e3, "lateral [1e-3]"),
+    ("Creepages and spin", [("reference_creepage", 1e3, "longitudinal creepage [10\u207b\u00b3]"),
+                            ("reference_lateral_creepage", 1e3, "lateral creepage [10\u207b\u00b3]"),
                             ("reference_spin_per_m", 1, "spin [1/m]")]),
-    ("Patch", [("max_pressure_Pa", 1e-6, "peak pressure [MPa]"), ("contact_area_m2", 1e6, "area [mm2]"),
+    ("Patch", [("max_pressure_Pa", 1e-6, "peak pressure [MPa]"), ("contact_area_m2", 1e6, "contact area [mm\u00b2]"),
                ("reference_lateral_m", 1e3, "place on the rail [mm]")]),
-    ("Wear", [("t_gamma_N", 1, "wear number T-gamma [N]"), ("stick_fraction", 100, "stick [%]")]),
+    ("Wear", [("t_gamma_N", 1, "wear number T-gamma [N]"), ("stick_fraction", 100, "sticking part [%]")]),
 ]
 #: how the wheels are drawn: colour, whether dashed, name
 SIDES = {"right_": (style.BLUE, False, "right wheel"), "left_": (style.RED, True, "left wheel"), "": (style.BLUE, False, "")}
@@ -76,7 +76,7 @@ BAND = [("max_pressure_Pa", 1e-6, "peak pressure [MPa]"), ("t_gamma_N", 1, "wear
 
 
 def on_heads(table, side, key, where):
-    """Largest value of a figure over all rows at each place of the outline of a head; nan where no patch lies."""
+    """Largest value of a result over all rows at each place of the outline of a head; nan where no patch lies."""
     place, half = 1e3 * table[side + "reference_lateral_m"], 0.5e3 * table[side + "patch_lateral_m"]
     angle = table[side + "reference_angle_rad"] if side + "reference_angle_rad" in table else np.zeros_like(place)
     values, x = table[side + key], where[:, 0]
@@ -191,7 +191,7 @@ def worst_rows(table, x, label, most):
             values = table.get(side + key)
             if values is None or not np.isfinite(values).any():
                 continue
-            for row in np.argsort(-np.nan_to_num(values, nan=-np.inf))[:most]:
+            for row in np.argsort(-np.nan_to_num(values, nan=-np.inf), kind="stable")[:most]:
                 if np.isfinite(values[row]):
                     lines.append(f"<tr><td>{side.strip('_')}</td><td>{text}</td><td class=number>{row + 1}</td>"
                                  f"<td class=number>{x[row]:g}</td><td class=number>{factor * values[row]:.1f}</td>"

@@ -25,29 +25,29 @@ import style
 MOST_STATES = 6
 #: over the traffic: name of the picture, title, (column, factor, label)
 HISTORIES = [
-    ("depth", "Worn off", [("rail_depth_m", 1e3, "deepest on the rail [mm]"), ("wheel_depth_m", 1e3, "deepest on the wheel [mm]"),
-                           ("rail_section_m2", 1e6, "section of the rail [mm2]"),
-                           ("wheel_section_m2", 1e6, "section of the wheel [mm2]")]),
-    ("limits", "What limits are set for", [("rail_height_loss_m", 1e3, "height lost at the rail's axis [mm]"),
-                                           ("rail_side_wear_m", 1e3, "gauge side [mm]"),
-                                           ("flange_height_m", 1e3, "flange height Sh [mm]"),
-                                           ("flange_thickness_m", 1e3, "flange thickness Sd [mm]"),
-                                           ("flange_gradient_m", 1e3, "flange gradient qR [mm]")]),
+    ("depth", "Worn off", [("rail_depth_m", 1e3, "deepest on\nthe rail [mm]"), ("wheel_depth_m", 1e3, "deepest on\nthe wheel [mm]"),
+                           ("rail_section_m2", 1e6, "section of the\nrail [mm\u00b2]"),
+                           ("wheel_section_m2", 1e6, "section of the\nwheel [mm\u00b2]")]),
+    ("limits", "Measures that have limits (EN 15313)", [("rail_height_loss_m", 1e3, "height lost at\nthe rail's axis [mm]"),
+                                           ("rail_side_wear_m", 1e3, "gauge side of\nthe rail [mm]"),
+                                           ("flange_height_m", 1e3, "flange height\nSh [mm]"),
+                                           ("flange_thickness_m", 1e3, "flange thickness\nSd [mm]"),
+                                           ("flange_gradient_m", 1e3, "flange gradient\nqR [mm]")]),
     ("contact", "Contact", [("mean_peak_pressure_Pa", 1e-6, "peak pressure,\nmean of the mix [MPa]"),
-                            ("largest_peak_pressure_Pa", 1e-6, "largest [MPa]"),
-                            ("mean_t_gamma_N", 1, "T-gamma, mean [N]"), ("largest_t_gamma_N", 1, "largest [N]"),
+                            ("largest_peak_pressure_Pa", 1e-6, "peak pressure,\nlargest [MPa]"),
+                            ("mean_t_gamma_N", 1, "T-gamma, mean [N]"), ("largest_t_gamma_N", 1, "T-gamma, largest [N]"),
                             ("equivalent_conicity", 1, "equivalent conicity\nat 3 mm")]),
     ("damage", "Crack damage, 1: cracks", [("rail_damage", 1, "rail, after Burstow"), ("rail_net_cracks", 1, "rail, net of\ncracks and wear"),
                                            ("wheel_damage", 1, "wheel, after Burstow"), ("wheel_net_cracks", 1, "wheel, net")]),
 ]
 #: of the table at the top: column, factor, label, unit, digits
-FIGURES = [("rail_section_m2", 1e6, "rail: section lost", "mm2", 2), ("rail_height_loss_m", 1e3, "rail: height lost at its axis", "mm", 3),
+FIGURES = [("rail_section_m2", 1e6, "rail: section lost", "mm\u00b2", 2), ("rail_height_loss_m", 1e3, "rail: height lost at its axis", "mm", 3),
            ("rail_side_wear_m", 1e3, "rail: gauge side, 14 mm below the new top", "mm", 3),
            ("rail_damage", 1, "rail: largest damage", "1: cracks", 3), ("rail_net_cracks", 1, "rail: net of cracks and wear", "1: cracks", 3),
-           ("rail_ground_section_m2", 1e6, "rail: section ground off", "mm2", 2), ("wheel_section_m2", 1e6, "wheel: section lost", "mm2", 2),
+           ("rail_ground_section_m2", 1e6, "rail: section ground off", "mm\u00b2", 2), ("wheel_section_m2", 1e6, "wheel: section lost", "mm\u00b2", 2),
            ("flange_height_m", 1e3, "wheel: flange height Sh", "mm", 2), ("flange_thickness_m", 1e3, "wheel: flange thickness Sd, 10 mm below the tread", "mm", 2),
            ("flange_gradient_m", 1e3, "wheel: flange gradient qR", "mm", 2), ("wheel_damage", 1, "wheel: largest damage", "1: cracks", 3), ("wheel_net_cracks", 1, "wheel: net of cracks and wear", "1: cracks", 3),
-           ("wheel_turned_section_m2", 1e6, "wheel: section turned off", "mm2", 2),
+           ("wheel_turned_section_m2", 1e6, "wheel: section turned off", "mm\u00b2", 2),
            ("equivalent_conicity", 1, "equivalent conicity at 3 mm", "", 3),
            ("mean_peak_pressure_Pa", 1e-6, "peak pressure, mean of the mix", "MPa", 1), ("mean_t_gamma_N", 1, "T-gamma, mean of the mix", "N", 2)]
 
@@ -102,11 +102,11 @@ def draw_history(table, over, label, title, rows, path):
     rows = [row for row in rows if np.isfinite(table[row[0]]).any() and np.ptp(table[row[0]][np.isfinite(table[row[0]])]) > 0]
     if not rows:
         return None
-    figure, all_axes = plt.subplots(len(rows), 1, figsize=(7.5, 1 + 1.6 * len(rows)), sharex=True, squeeze=False,
+    figure, all_axes = plt.subplots(len(rows), 1, figsize=(7.5, 1 + 1.9 * len(rows)), sharex=True, squeeze=False,
                                     constrained_layout=True)
     for axes, (key, factor, text) in zip(all_axes[:, 0], rows):
         axes.plot(over, factor * table[key], ".-", color=style.COLORS[0], linewidth=1.2)
-        axes.set_ylabel(text, fontsize=8)
+        axes.set_ylabel(text, fontsize=10)
         axes.grid(True, alpha=0.4)
     all_axes[-1, 0].set_xlabel(label)
     all_axes[0, 0].set_title(title)
@@ -148,7 +148,8 @@ def make_page(folder):
     pictures += [draw_history(table, over, label, title, rows, os.path.join(pictures_folder, name + ".png"))
                  for name, title, rows in HISTORIES]
     given = inputs.table(inputs.wear_rows(inputs.read(folder)))
-    parts = [f"<p>{len(over) - 1} steps, {html.escape(label)}: {over[-1]:.4g}.</p>", remarks(folder),
+    what, unit = label.rstrip("]").split(" [")
+    parts = [f"<p>{len(over) - 1} steps, {html.escape(what)} {over[-1]:.4g} {unit}.</p>", remarks(folder),
              f"<div class=top><div><h2>Inputs</h2>{given}</div>" if given else "<div class=top>",
              f"<div><h2>Key results</h2>{figures(table)}</div></div>", "<h2>Pictures</h2>",
              page.pictures_html([picture for picture in pictures if picture], broad=("rail", "wheel"))]

@@ -95,7 +95,10 @@ def text(value):
 
 
 class Group(dict):
-    """The datasets or groups of a group of HDF5 by their names, and its `attributes`."""
+    """The datasets or groups of a group of HDF5 by their names, and its `attributes`. `span` of a tick of the patch:
+    its first and last lateral place [m] by the edge line of the program; None where that is not known."""
+
+    span = None
 
     def __init__(self, group):
         super().__init__((name, read(group[name])) for name in group)
@@ -121,10 +124,10 @@ def open_file(path, made_by):
 
 class Ticks(collections.abc.Sequence):
     """The ticks of a file, first to last: ticks[0], ticks[-1], len(ticks), for tick in ticks. Each is a Group, read
-    when it is asked for."""
+    when it is asked for. `span_of`: gives the span of the patch from the attributes of a tick."""
 
-    def __init__(self, path, made_by):
-        self.path = path
+    def __init__(self, path, made_by, span_of=lambda attributes: None):
+        self.path, self._span_of = path, span_of
         with open_file(path, made_by) as file:
             self.names = sorted(name for name in file if name.startswith("tick_"))
             self.attributes = {name: text(value) for name, value in file.attrs.items()}
@@ -132,7 +135,9 @@ class Ticks(collections.abc.Sequence):
 
     def _read_tick(self, name):
         with h5py.File(self.path, "r") as file:
-            return Group(file[name])
+            group = Group(file[name])
+        group.span = self._span_of(group.attributes)
+        return group
 
     def __len__(self):
         return len(self.names)
@@ -141,6 +146,13 @@ class Ticks(collections.abc.Sequence):
         if isinstance(number, slice):
             return [self[k] for k in range(*number.indices(len(self)))]
         return self._read(self.names[number])
+
+
+def _span(middle, width):
+    """First and last place of a patch; None without numbers or without a patch."""
+    if middle is None or width is None or not width > 0 or not np.isfinite(middle):
+        return None
+    return middle - 0.5 * width, middle + 0.5 * width
 
 
 class Run:
@@ -200,7 +212,20 @@ class Run:
     def patch(self):
         """The contact patch tick by tick, arrays [along, lateral]; of a folder of halfspace its one solution."""
         only_halfspace = self.has("halfspace.h5") and not self.has("patch.h5")
-        return self.halfspace if only_halfspace else Ticks(self.path("patch.h5"), "a run")
+        return self.halfspace if only_halfspace else Ticks(self.path("patch.h5"), "a run", self._span_of_run)
+
+    def _span_of_run(self, attributes):
+        """From the row of the history of the patch that is nearest to a tick."""
+        place = attributes.get("rolled_distance_m")
+        if place is None or not self.has("patch_history.h5") or not len(self.patch_history["rolled_distance"]):
+            return None
+        row = np.argmin(np.abs(self.patch_history["rolled_distance"] - place))
+        return _span(*(float(self.patch_history[name][row]) for name in ("patch_centre_lateral", "patch_lateral")))
+
+    def _span_of_halfspace(self, _attributes):
+        prefix = "halfspace_" if self.has("patch.h5") else ""
+        summary = self.summary if self.has("summary.json") else {}
+        return _span(*(summary.get(f"{prefix}{name}_m") for name in ("patch_centre_lateral", "patch_lateral")))
 
     @functools.cached_property
     def slices(self):
@@ -215,7 +240,7 @@ class Run:
     @functools.cached_property
     def halfspace(self):
         """The half-space solution as one tick in the form of `patch`."""
-        return Ticks(self.path("halfspace.h5"), CALL + " compare")
+        return Ticks(self.path("halfspace.h5"), CALL + " compare", self._span_of_halfspace)
 
     def halfspace_patch(self, number):
         """The second, third ... patch of a half-space solution with several, each in its own plane."""

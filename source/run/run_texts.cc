@@ -40,11 +40,15 @@ namespace wheelrail
       log.line("note: " + note);
     log.value("output", scene.folder);
     log.value("ranks", std::to_string(ranks));
-    log.value("contact point",
-              text("rail x = %.3f mm, wheel x = %.3f mm (positive to the field side), angle %.3f degrees",
-                   1e3 * g.rail_x,
-                   1e3 * g.wheel_x,
-                   g.angle * 180 / M_PI));
+    log.value(
+      "contact point",
+      text("of the rigid profiles: %.3f mm to the %s side of the rail's axis, %.3f mm to the %s side of "
+           "the running circle, angle %.3f degrees",
+           1e3 * std::abs(g.rail_x),
+           g.rail_x > 0 ? "field" : "gauge",
+           1e3 * std::abs(g.wheel_x),
+           g.wheel_x > 0 ? "field" : "gauge",
+           g.angle * 180 / M_PI));
     log.value("rolling radius", text("%.4f mm", 1e3 * g.rolling_radius));
     log.value("mesh", mesh_text(q));
     log.value("cell sizes",
@@ -68,10 +72,11 @@ namespace wheelrail
            1e3 * s.place[2],
            s.lowered_by_edges ? ", lowered since free edges vibrate faster" : "",
            s.of_parts > 1e-3 ? text(", by %.1f %% by pads and ballast", 100 * s.of_parts).c_str() : ""));
-    log.value("contact",
-              text("penalty %.3g N/m3 (f = %g) on the nodes of the rail; added surface mass keeps the step",
-                   model.contact->law().stiffness,
-                   scene.penalty_scale));
+    log.value(
+      "contact",
+      text("penalty %.3g N/m3 (penalty scale %g) on the nodes of the rail; added surface mass keeps the step",
+           model.contact->law().stiffness,
+           scene.penalty_scale));
     for (const std::string &note : profile_notes)
       log.value("profile", note);
     for (const std::string &warning : warnings)
