@@ -61,6 +61,8 @@ namespace wheelrail
                                "contact_area",
                                "patches",
                                "reference_lateral",
+                               "patch_centre_from_axis",
+                               "patch_centre_from_gauge_face",
                                "rolling_radius",
                                "subsurface_von_mises"})
         {
@@ -76,7 +78,8 @@ namespace wheelrail
           if (any)
             print_row(figure.label, figure.unit, values, out);
         }
-      out << "  Lateral forces count to the track centre, places from the running circle to it.\n";
+      out << "  Lateral forces are positive to the track centre, and so are places from the running circle "
+             "and the axis.\n";
     }
 
     void

@@ -82,6 +82,8 @@ namespace wheelrail
                                 "reference_lateral_creepage",
                                 "reference_spin_per_m",
                                 "reference_lateral_m",
+                                "patch_centre_from_axis_m",
+                                "patch_centre_from_gauge_face_m",
                                 "rolling_radius_m",
                                 "t_gamma_N",
                                 "max_pressure_Pa",

@@ -75,7 +75,8 @@ def draw_head(run, cases):
         axes.plot(*points.T, color=plt.cm.viridis_r(norm(fields.pressure.max())), linewidth=5, solid_capstyle="butt", zorder=3)
         axes.plot([middle[0], points[30, 0]], [middle[1], points[30, 1]], color=style.GREY, linewidth=0.5, zorder=2)
         end = points[np.argmin(points[:, 0])]
-        axes.annotate(case.label, end, (5, 0), textcoords="offset points", fontsize=8, va="center")
+        axes.annotate(case.label, end, (5, 0), textcoords="offset points", fontsize=8, va="center", zorder=4,
+                      bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.85, "pad": 0.6})
         top = max(top, points[:, 1].max())
     axes.set_ylim(axes.get_ylim()[0], max(top + 4, 8))
     axes.set_title("Where the patches lie on the rail head", pad=22)

@@ -29,7 +29,7 @@ def draw_surface(run, fields, values, label, title, name):
     bar = figure.colorbar(surface, cax=figure.add_axes([0.95, 0.22, 0.022, 0.5]))
     bar.set_label(label)
     bar.set_ticks(style.round_levels(0, top, 8))
-    return style.save(run, figure, name)
+    return style.save(run, figure, name, pad=0.5)
 
 
 def new_map(scale):

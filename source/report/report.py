@@ -37,8 +37,8 @@ import wheelset
 COVERED = {"pressure_surface", "shear_surface", "pressure_contour", "shear_contour", "cut_aa", "cut_bb", "forces",
            "energy_error", "creepage"}
 BROAD = {"sheet", "shear_instants"}
-MEANS = ("means over the averaging distance, with their standard deviation (\u00b1) and the standard error of the mean "
-         "(mean \u00b1)")
+MEANS = ("nodes at that instant; the results above are means over the averaging distance, with their standard deviation "
+         "(\u00b1) and the standard error of the mean (mean \u00b1)")
 
 
 def parse_arguments(arguments):
@@ -81,8 +81,7 @@ def make_parts(run, pictures, shown):
         parts.append("<p>Tractions act on the rail. Maps show the right-hand rail from above, rolling direction up. "
                      "G.C.: side of the gauge corner (track centre), F.S.: field side. AA and BB: the planes along and "
                      f"across the rail through the first contact point of the rigid profiles.{place} Maps and cuts show "
-                     "nodes at that instant; the results above are "
-                     f"{'those of the solution' if run.is_halfspace else MEANS}.</p>")
+                     f"{'elements; the results above are those of the solution' if run.is_halfspace else MEANS}.</p>")
     if shown:
         parts += [page.views_html(shown)]
     if pictures:

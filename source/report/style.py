@@ -70,9 +70,10 @@ def legend_beside(axes):
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1), borderaxespad=0)
 
 
-def save(run, figure, name):
-    """Saves a figure under pictures/; the tight box keeps every label inside."""
+def save(run, figure, name, pad=0.12):
+    """Saves a figure under pictures/; the tight box keeps every label inside, but for those of three-dimensional axes,
+    which need a wider pad [inch]."""
     path = os.path.join(run.pictures_folder, name + ".png")
-    figure.savefig(path, bbox_inches="tight", pad_inches=0.12)
+    figure.savefig(path, bbox_inches="tight", pad_inches=pad)
     plt.close(figure)
     return path

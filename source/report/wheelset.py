@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Makes the page of a wheelset on its rails: both wheels seen along the way, and their figures side by side.
+"""Makes the page of a wheelset on its rails: both wheels seen along the track, and their results side by side.
 
 Usage: wheelset.py FOLDER
 
