@@ -130,7 +130,7 @@ namespace wheelrail
                      "Staggered starts",
                      "Places on the rail, each at least a patch farther along than the one before, "
                      "at which passages start: the first wheel at the first, where it leaves a pit, "
-                     "those after it at the others in turn; auto: two where the way has room for "
+                     "those after it at the others in turn; auto: two where the path has room for "
                      "them, else one, and one over irregularities."},
                     1,
                     100,
