@@ -27,10 +27,12 @@
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/wear_mix.h>
+#include <wheelrail/reference/wheelset_contact.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/scene/one_wheel.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -65,8 +67,7 @@ namespace wheelrail
       require_none(found.errors, input);
       passing_wheels(input.scene, *checked.geometry); // throws where their list cannot be read
       print_note(drive_note(options, input), out);
-      for (const std::string &note : checked.geometry->notes)
-        print_note(note, out);
+      print_notes(checked.geometry->notes, out);
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
       out << file_of(options) << ": all entries are valid"
@@ -89,6 +90,20 @@ namespace wheelrail
           "leave it out");
     }
 
+    /// What was found in the profile files of both sides; of a file that both sides have, once.
+    WheelsetProfiles
+    profiles_with_notes(const Scene &scene, std::ostream &out)
+    {
+      WheelsetProfiles                profiles = read_wheelset_profiles(scene);
+      const std::vector<std::string> &right    = profiles.right.notes;
+      print_notes(right, out);
+      if (scene.both_wheels)
+        for (const std::string &note : profiles.left.notes)
+          if (std::find(right.begin(), right.end(), note) == right.end())
+            print_note(note, out);
+      return profiles;
+    }
+
     int
     halfspaces_of_wheelset(const po::variables_map        &options,
                            const SceneInput               &input,
@@ -104,7 +119,7 @@ namespace wheelrail
         out << "warning: " << warning << "\n";
       print_note(drive_note(options, input), out);
       return run_wheelset_command(
-        input.scene, read_wheelset_profiles(input.scene), !options.count("no-pictures"), out);
+        input.scene, profiles_with_notes(input.scene, out), !options.count("no-pictures"), out);
     }
 
     int
@@ -200,6 +215,8 @@ namespace wheelrail
     std::optional<SceneGeometry> geometry;
     if (needs_profiles(input.scene) || !file("contact-wheel-rail-input").empty())
       geometry = require_touching(input);
+    if (geometry)
+      print_notes(geometry->notes, out);
     for (const std::string &warning : found.warnings)
       out << "warning: " << warning << "\n";
     if (file("creep-curve").rfind("longitudinal", 0) != 0) // which runs over what drives
@@ -244,8 +261,7 @@ namespace wheelrail
     const MotionFile motion =
       read_vehicle_file(options["motion"].as<std::string>(),
                         options.count("columns") ? options["columns"].as<std::string>() : "");
-    for (const std::string &note : motion.notes)
-      print_note(note, out);
+    print_notes(motion.notes, out);
     SceneInput input = file_input_of(options);
     require_one_scene(input);
     input.scene.motion = "none"; // the rows of the command take its place
@@ -261,7 +277,7 @@ namespace wheelrail
       throw InputError(
         "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
     return run_vehicle_command(
-      input.scene, read_wheelset_profiles(input.scene), motion, !options.count("no-pictures"), out);
+      input.scene, profiles_with_notes(input.scene, out), motion, !options.count("no-pictures"), out);
   }
 
 

@@ -88,6 +88,14 @@ namespace wheelrail
   }
 
 
+  void
+  print_notes(const std::vector<std::string> &notes, std::ostream &out)
+  {
+    for (const std::string &note : notes)
+      print_note(note, out);
+  }
+
+
   std::string
   roll_straight(const po::variables_map &options, Scene &scene)
   {

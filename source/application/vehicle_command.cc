@@ -261,9 +261,9 @@ namespace wheelrail
     char text[160];
     std::snprintf(text,
                   sizeof(text),
-                  "%zu rows of %zu wheel(s) in %.1f s, %.3f s a row\n",
+                  "%zu rows of %s in %.1f s, %.3f s a row and wheel\n",
                   motion.rows(),
-                  wheels.size(),
+                  wheels.size() == 1 ? "one wheel" : "both wheels",
                   seconds,
                   seconds / (motion.rows() * wheels.size()));
     out << text;

@@ -45,6 +45,10 @@ namespace wheelrail
   void
   print_note(const std::string &note, std::ostream &out);
 
+  /// Prints several of them, a line each.
+  void
+  print_notes(const std::vector<std::string> &notes, std::ostream &out);
+
   /// The scene that a run computes of --row: straight on. Returns a note on a curve that is left out, or
   /// nothing.
   std::string
