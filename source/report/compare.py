@@ -71,12 +71,12 @@ def table(figures, title="half-spaces", key="halfspace"):
     for figure in figures:
         def shown(value):
             return page.number(value, figure["factor"], figure["decimals"]) if page.is_number(value) else ""
-        limit = figure.get("limit", "")
+        limit = figure.get("limit", "").replace(" 1e-3", "\u00b710\u207b\u00b3")
         kind = "" if not limit or not difference_of(figure) else " bad" if figure["beyond"] else " good"
         rows.append(f"<tr><td>{html.escape(figure['label'])}</td><td class=number>{shown(figure['fe'])}</td>"
                     f"<td class=number>{shown(figure['fe_std'])}</td><td class=number>{shown(figure[key])}</td>"
                     f'<td>{page.unit_text(figure)}</td><td class="number{kind}">{difference_of(figure)}</td>'
-                    f"<td>{html.escape(limit.replace(' 1e-3', '\u00b710\u207b\u00b3'))}</td></tr>")
+                    f"<td>{html.escape(limit)}</td></tr>")
     return "\n".join(rows + ["</table></div>"])
 
 
