@@ -318,5 +318,5 @@ def make_report(folder):
               "</div><div><h2>Key results</h2>", key_results(family), "</div></div>", links(family)]
     parts += [f"<p class=remark>{html.escape(sentence)}</p>" for sentence in family.remarks]
     parts += ["<h2>Pictures</h2>", page.pictures_html(pictures, (), {"passages", "residual_depth"})]
-    title = os.path.basename(os.path.abspath(folder)) + ": passages"
+    title = summary.get("title") or os.path.basename(os.path.abspath(folder)) + ": passages"
     return family, len(pictures), page.write(os.path.join(folder, "report.html"), title, parts, [], "")
