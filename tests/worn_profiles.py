@@ -134,8 +134,10 @@ def run(ranks, alone=None):
     check_notes(log, "log")
     with open("run/summary.json") as file:
         found = json.load(file)
-    rail, wheel = (float(x) for x in
-                   re.search(r"contact point +rail x = (\S+) mm, wheel x = (\S+) mm", log).groups())
+    rail, rail_side, wheel, wheel_side = re.search(
+        r"contact point .*: (\S+) mm to the (\S+) side of the rail's axis, (\S+) mm to the (\S+) side", log).groups()
+    rail, wheel = (float(x) if side == "field" else -float(x)
+                   for x, side in ((rail, rail_side), (wheel, wheel_side)))
     point = contact_of(execute("geometry", "worn.prm", "--shifts", "0")[1])
     check_near(wheel, point[0], 6e-4, "contact point on the wheel as by geometry [mm]")
     check_near(rail, point[1], 6e-4, "contact point on the rail as by geometry [mm]")
