@@ -107,6 +107,10 @@ class Track:
         s = self.spread(x)
         return load * (s @ self.flexible.solve(s))
 
+    def deeper_between(self, load):
+        """How much deeper a standing load sinks half way between two sleepers than over one [m]."""
+        return self.give(self.start, load) - self.give(self.start + BAY / 2, load)
+
     def travelling(self, deflected):
         """Velocities of a deflection that moves along; a sleeper follows as pad and ballast share it."""
         v = np.zeros(self.size)
@@ -160,13 +164,12 @@ def main():
     # wheel and half axle are what turns acceleration into force
     wheel, load = np.polyfit(smooth(rolled, rises, at), curves["run"], 1)
 
-    def more(stiffer):
-        track = Track(stiffer)
-        return track.give(track.start, load) - track.give(track.start + BAY / 2, load)
-
-    stiffer = brentq(lambda x: more(x) - float(sys.argv[2]), 0.8, 1.8, xtol=1e-2) if len(sys.argv) > 2 else 1.0
+    stiffer = 1.0
+    if len(sys.argv) > 2:
+        stiffer = brentq(lambda x: Track(x).deeper_between(load) - float(sys.argv[2]), 0.8, 1.8, xtol=1e-2)
     track = Track(stiffer)
-    print(f"wheel {wheel:.0f} kg, load {1e-3 * load:.2f} kN, EI x {stiffer:.2f}, give {1e6 * more(stiffer):.1f} um")
+    print(f"wheel {wheel:.0f} kg, load {1e-3 * load:.2f} kN, EI x {stiffer:.2f}, "
+          f"give {1e6 * track.deeper_between(load):.1f} um")
     for name, travels in (("beam, deflection travels", True), ("beam, at rest", False)):
         place, pressed = roll(track, wheel, load, at[-1] + 0.02, travels)
         curves[name] = smooth(place, pressed, at)
