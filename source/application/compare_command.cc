@@ -220,7 +220,8 @@ namespace wheelrail
                     bound + (beyond ? "  beyond" : ""),
                     out);
           if (beyond)
-            comparison.beyond.push_back(label + " by " + apart + " (limit " + bound + ")");
+            comparison.beyond.push_back(
+              std::string(label).append(" by ").append(apart).append(" (limit ").append(bound).append(")"));
           set_figure(run, reference.figures + figure.key(), hs);
           set_figure(run, std::string(reference.differences) + name, difference);
           comparison.table.push_back({{"key", figure.key()},
