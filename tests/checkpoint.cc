@@ -116,7 +116,7 @@ namespace
   Scene
   copy(const Scene &from, const std::string &name)
   {
-    const Scene to = scene(name);
+    Scene to = scene(name);
     on_disk([&]() {
       fs::remove_all(to.folder);
       fs::copy(from.folder, to.folder);
@@ -128,7 +128,7 @@ namespace
   Scene
   interrupted_run()
   {
-    const Scene base = scene("base");
+    Scene base = scene("base");
     check(run(base, false, 200) == 3, "an interrupted run ends with exit code 3");
     const Summary summary = read_summary(base.folder + "/summary.json");
     check(!summary.finished && summary.stop_reason == "interrupted" && summary.time_steps == 200,

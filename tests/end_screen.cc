@@ -108,6 +108,19 @@ main()
              "            acceleration of the axle box    -237.6 to 305.5 m/s2",
              "and how the axle box is shaken");
 
+  Summary halfspaces = finished_run();
+  set_figure(halfspaces, "contact_angle_rad", 47.7e-3);
+  set_figure(halfspaces, "archard_depth_m", 17.345e-9);
+  set_figure(halfspaces, "reference_lateral_m", 4.2e-3);
+  const std::vector<std::string> still = halfspace_screen(halfspaces);
+  check(still.size() <= 30 && still.size() > 12, std::to_string(still.size()) + " lines of half-spaces");
+  check_text(still[0], "  verdict: with care", "half-spaces say their verdict first, too");
+  check_text(still[place_of(still, "contact angle")],
+             "  pose      contact angle                          47.70 mrad",
+             "and how their plane lies");
+  check(place_of(still, "wear depth") < still.size() && place_of(still, "reference") == still.size(),
+        "the wear of a passage, and no reference point");
+
   Summary stopped;
   stopped.stop_reason                 = "interrupted";
   const std::vector<std::string> part = end_screen(stopped, "out");

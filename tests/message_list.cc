@@ -171,6 +171,7 @@ namespace
 
   /// Messages that need a machine in a state that a test cannot make without harm, input that the entries do
   /// not accept, or minutes of computing; the tests of runs bring some of them about.
+  // long messages stand in two pieces: NOLINTBEGIN(bugprone-suspicious-missing-comma)
   const std::vector<std::string> hard_to_test = {
     "/usr/bin/python3 cannot be started; install the Debian packages python3, python3-h5py and "
     "python3-matplotlib",
@@ -194,6 +195,7 @@ namespace
     // its forces are those of the bodies themselves
     " % of the forces are left, and residual stresses stay unknown",
   };
+  // NOLINTEND(bugprone-suspicious-missing-comma)
 
   bool
   is_internal(const Message &message)

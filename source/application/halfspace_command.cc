@@ -12,6 +12,7 @@
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/several_patches.h>
 #include <wheelrail/reference/wheel_rail_input.h>
+#include <wheelrail/run/end_screen.h>
 
 #include <cmath>
 #include <cstdio>
@@ -106,7 +107,10 @@ namespace wheelrail
     out << text;
     if (const std::string note = resolution_note(scene, result.solution); !note.empty())
       out << "note: " << note << '\n';
-    print_summary(figures, out);
+    if (!figures.title.empty())
+      out << figures.title << '\n';
+    for (const std::string &line : halfspace_screen(figures))
+      out << line << '\n';
     if (!result.others.empty())
       print_patches(figures, result.others.size() + 1, out);
     print_stresses(results.stresses, out);
@@ -115,7 +119,7 @@ namespace wheelrail
     write_halfspace_folder(scene, result, results, folder.string());
     if (!given)
       write_sections(*geometry, scene.track, (folder / "sections.json").string());
-    out << "Results in " << folder.string() << std::endl;
+    out << "Results in " << folder.string() << ", all figures in its summary.json" << std::endl;
     if (draws)
       draw_results("halfspace.py", folder.string());
     return figures.finished ? 0 : 2;

@@ -71,7 +71,7 @@ namespace wheelrail
     void
     turn(std::vector<double> &D, const double angle)
     {
-      const std::size_t n = std::size_t(std::sqrt(double(D.size())) + 0.5);
+      const std::size_t n = std::size_t(std::lround(std::sqrt(double(D.size()))));
       const double      c = std::cos(angle), s = std::sin(angle);
       for (std::size_t i = 0; i < n; i += 3)
         for (std::size_t j = 0; j < n; ++j)
@@ -195,7 +195,7 @@ namespace wheelrail
              const std::vector<double> &lags,
              std::vector<double>       &by_lag)
     {
-      const std::size_t   n    = std::size_t(std::sqrt(double(D.size())) + 0.5);
+      const std::size_t   n    = std::size_t(std::lround(std::sqrt(double(D.size()))));
       std::vector<double> even = D, odd = D;
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j)

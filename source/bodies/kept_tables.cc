@@ -141,7 +141,7 @@ namespace wheelrail
       const char *const value = std::getenv(name);
       return std::string(value ? value : "");
     };
-    if (const std::string own = variable("WHEELRAIL_CACHE"); !own.empty())
+    if (std::string own = variable("WHEELRAIL_CACHE"); !own.empty())
       return own;
     if (const std::string cache = variable("XDG_CACHE_HOME"); !cache.empty())
       return cache + "/wheelrail";

@@ -111,6 +111,7 @@ namespace wheelrail
                         const std::vector<InfluencePair> &pairs)
   {
     const int                        nx = products.columns(), ny = products.rows();
+    const int                        middle_x = nx / 2, middle_y = ny / 2;
     std::vector<std::vector<double>> tables(pairs.size(), std::vector<double>(std::size_t(nx) * ny));
     sweep_corners(
       grid,
@@ -118,7 +119,7 @@ namespace wheelrail
       ahead,
       primitives,
       [&](const int i, const int j, const auto &ff, const auto &fn, const auto &nf, const auto &nn) {
-        const bool itself = j == ny / 2 && std::abs((i - nx / 2) * grid.dx + ahead) < grid.dx / 2;
+        const bool itself = j == middle_y && std::abs((i - middle_x) * grid.dx + ahead) < grid.dx / 2;
         const auto c      = between(constants, ff, fn, nf, nn, itself);
         for (std::size_t k = 0; k < pairs.size(); ++k)
           tables[k][i + std::size_t(nx) * j] = c[pairs[k].a][pairs[k].b];

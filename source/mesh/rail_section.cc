@@ -193,7 +193,7 @@ namespace wheelrail
       // the underside, and the neck between its two halves
       const CurveStretch field_under(rail.outline, rail.field.head_corner, rail.field.neck);
       const CurveStretch gauge_under(rail.outline, rail.gauge.neck, rail.gauge.head_corner);
-      const Side         neck = builder.straight(field_neck, gauge_neck, web);
+      Side               neck = builder.straight(field_neck, gauge_neck, web);
       builder.patch("underside of the head, field side",
                     builder.along(field_corner, field_neck, field_under, left),
                     low_left,
@@ -218,8 +218,7 @@ namespace wheelrail
       // as tall as wide: the chords of taller blocks bridge the hollow fillets and make the web stiffer
       // (doc/theory/mesh.md)
       const unsigned int rows = block_count(field.length(), web_thickness / rail.web_columns);
-      const Side         bottom =
-        builder.straight(builder.corner(field(0)), builder.corner(gauge(0)), rail.web_columns);
+      Side bottom = builder.straight(builder.corner(field(0)), builder.corner(gauge(0)), rail.web_columns);
       builder.patch("web",
                     bottom,
                     neck,

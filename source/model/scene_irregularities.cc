@@ -56,8 +56,8 @@ namespace wheelrail
       constexpr double least_step = 2e-6;
       if (is_slices_file(data.file))
         return from_slices(scene, data, profiles, at);
-      const HeightGrid   grid  = read_height_file(data.file);
-      const Irregularity shape = grid_irregularity(
+      const HeightGrid grid  = read_height_file(data.file);
+      Irregularity     shape = grid_irregularity(
         grid, at.size.place, std::isfinite(data.lateral) ? data.lateral : 0, at.circumference());
       if (const double end = largest_end(grid); end > least_step && !shape.endless)
         throw InputError(data.file + ": the heights begin or end with a step of " + in_mm(end, 1e6) +

@@ -26,16 +26,6 @@ namespace wheelrail
       return value;
     }
 
-    void
-    print_line(std::ostream      &stream,
-               const std::string &label,
-               const std::string &value,
-               const std::string &unit)
-    {
-      stream << "  " << label << std::string(label.size() < 36 ? 36 - label.size() : 1, ' ')
-             << std::string(value.size() < 12 ? 12 - value.size() : 0, ' ') << value
-             << (unit.empty() ? "" : " ") << unit << '\n';
-    }
     /// The text that stands under a key of the file, or null.
     std::string *
     text_of(Summary &summary, const std::string &key)
@@ -159,31 +149,5 @@ namespace wheelrail
       else if (item.value().is_null())
         set_figure(summary, item.key(), Summary::none);
     return summary;
-  }
-
-  void
-  print_summary(const Summary &summary, std::ostream &stream)
-  {
-    if (!summary.title.empty())
-      stream << summary.title << '\n';
-    stream << "  " << verdict_line(summary) << '\n';
-    for (const Figure &figure : all_figures())
-      {
-        const double value = get_figure(summary, figure.key());
-        if (std::isfinite(value))
-          print_line(stream, figure.label, figure.shown(value), figure.unit);
-      }
-    for (const auto &figure : summary.further)
-      if (std::isfinite(figure.second) && !figure_with_key(figure.first))
-        {
-          char text[64];
-          std::snprintf(text, sizeof(text), "%.6g", figure.second);
-          print_line(stream, figure.first, text, "");
-        }
-    print_line(stream, "finished", summary.finished ? "yes" : "no", "");
-    if (!summary.stop_reason.empty())
-      stream << "  " << summary.stop_reason << '\n';
-    if (!summary.note.empty())
-      stream << "  " << summary.note << '\n';
   }
 } // namespace wheelrail

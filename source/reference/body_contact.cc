@@ -274,6 +274,8 @@ namespace wheelrail
     for (int j = 0; j <= problem_.grid.my; ++j)
       result.row_edges.push_back(row_at(problem_.grid.y(j) - 0.5 * problem_.grid.dy).place);
     result.measures     = measure_patch(result.patch);
+    result.centre       = row_at(result.measures.centre_lateral).place;
+    result.rail         = geometry_.contact.rail;
     result.lateral      = force().x;
     result.vertical     = force().y;
     result.roll         = geometry_.contact.roll;

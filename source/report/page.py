@@ -69,7 +69,7 @@ def is_number(value):
 def unit_text(figure):
     """The unit of a figure as it is printed in a page."""
     return {"mm2": "mm\u00b2", "um2": "\u00b5m\u00b2", "N/mm2": "N/mm\u00b2", "ug/m/mm2": "\u00b5g/m/mm\u00b2", "um": "\u00b5m",
-            "1e-3": "10\u207b\u00b3", "1e-6": "10\u207b\u2076"}.get(figure["unit"], figure["unit"])
+            "m/s2": "m/s\u00b2", "1e-3": "10\u207b\u00b3", "1e-6": "10\u207b\u2076"}.get(figure["unit"], figure["unit"])
 
 
 def label_text(figure):

@@ -156,6 +156,11 @@ namespace wheelrail
       contact.figure("creepage");
       contact.figure("stick_fraction");
       contact.figure("t_gamma");
+    }
+
+    void
+    add_stresses(const Summary &summary, Lines &lines)
+    {
       Group stresses("stresses", summary, lines);
       stresses.figure("max_shear_traction");
       stresses.figure("max_von_mises");
@@ -165,6 +170,31 @@ namespace wheelrail
           stresses.figure("max_plastic_strain");
           stresses.figure("max_residual_von_mises");
         }
+    }
+
+    /// What half-spaces and true bodies know beyond a run's patch: in which plane it lies, how the bodies
+    /// moved.
+    void
+    add_pose(const Summary &summary, Lines &lines)
+    {
+      Group pose("pose", summary, lines);
+      for (const char *name : {"contact_angle",
+                               "spin",
+                               "rail_head_lateral",
+                               "rail_head_roll",
+                               "wheel_rim_lateral",
+                               "wheel_rim_roll",
+                               "relative_lateral",
+                               "relative_roll"})
+        pose.figure(name);
+    }
+
+    void
+    add_wear(const Summary &summary, Lines &lines)
+    {
+      Group wear("wear", summary, lines);
+      wear.figure("archard_depth");
+      wear.figure("burstow_damage");
     }
 
     void
@@ -192,6 +222,7 @@ namespace wheelrail
     add_impact(summary, lines);
     add_forces(summary, lines);
     add_contact(summary, lines);
+    add_stresses(summary, lines);
     add_cost(summary, lines);
     if (!summary.note.empty())
       lines.push_back("  " + summary.note);
@@ -200,6 +231,25 @@ namespace wheelrail
       "  next: " +
       (summary.finished ? own_call() + " compare " + where + " (against half-spaces), " : std::string()) +
       own_call() + " report " + where + " (pictures and a page)");
+    return lines;
+  }
+
+
+  std::vector<std::string>
+  halfspace_screen(const Summary &summary)
+  {
+    Lines lines;
+    add_verdict(summary, lines);
+    add_forces(summary, lines);
+    add_contact(summary, lines);
+    add_pose(summary, lines);
+    Group("stresses", summary, lines).figure("max_shear_traction");
+    add_wear(summary, lines);
+    const Figure &elements = figure_named("elements"), &time = figure_named("wall_time");
+    lines.push_back("  cost      " + elements.shown(summary.elements) + " elements in contact, " +
+                    time.shown(summary.wall_time) + " " + time.unit);
+    if (!summary.note.empty())
+      lines.push_back("  " + summary.note);
     return lines;
   }
 } // namespace wheelrail

@@ -93,7 +93,7 @@ namespace wheelrail
     {
       if (scene.until_steady())
         return "roll farther (Run/Longest distance)";
-      if (scene.motion != "none" || scene.several_passages())
+      if (scene.motion != "none" || scene.several_passages() || scene.irregular())
         return "roll farther (Run/Rolling distance)";
       return "roll until steady (Run/Rolling distance = until steady)";
     }

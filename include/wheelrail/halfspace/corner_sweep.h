@@ -20,10 +20,11 @@ namespace wheelrail
                 const Visit             &visit)
   {
     const int                               nx = products.columns(), ny = products.rows();
+    const int                               middle_x = nx / 2, middle_y = ny / 2;
     std::vector<decltype(corner(0.0, 0.0))> near(nx + 1), far(nx + 1); // corners with less and with more y
     const auto                              corners = [&](const int j, auto &row) {
       for (int i = 0; i <= nx; ++i)
-        row[i] = corner((i - nx / 2 - 0.5) * grid.dx + ahead, (j - ny / 2 - 0.5) * grid.dy);
+        row[i] = corner((i - middle_x - 0.5) * grid.dx + ahead, (j - middle_y - 0.5) * grid.dy);
     };
     corners(0, far);
     for (int j = 0; j < ny; ++j)

@@ -8,7 +8,7 @@ namespace wheelrail
   struct Summary;
 
   /// A figure of a run: what it is called in summary.json and how it is shown. This is the only place of
-  /// labels, units and signs; print_summary(), the command `compare` and the pages take theirs from here.
+  /// labels, units and signs; screens, the command `compare` and the pages take theirs from here.
   struct Figure
   {
     const char *name;       ///< "max_pressure": the key without its unit

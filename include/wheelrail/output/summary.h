@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,9 +92,4 @@ namespace wheelrail
   /// it is missing or no JSON object.
   Summary
   read_summary(const std::string &path);
-
-  /// Prints the figures as a table of label, value and unit (MPa, mm, kN: for reading; see
-  /// output/figures.h), then the others by their keys, leaving out those that are NaN.
-  void
-  print_summary(const Summary &summary, std::ostream &stream);
 } // namespace wheelrail

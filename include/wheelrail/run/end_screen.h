@@ -12,4 +12,10 @@ namespace wheelrail
   /// figures stand in summary.json.
   std::vector<std::string>
   end_screen(const Summary &summary, const std::string &folder);
+
+  /// The same of a contact of half-spaces or true bodies: verdict, forces, contact, how the plane of contact
+  /// lies and the bodies moved, stresses, wear of one passage, cost; at most 30 lines. Reference point, work
+  /// and grid stand in summary.json alone.
+  std::vector<std::string>
+  halfspace_screen(const Summary &summary);
 } // namespace wheelrail
