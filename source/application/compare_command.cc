@@ -283,6 +283,8 @@ namespace wheelrail
           const WheelRailSolution result = solve_wheel_rail(scene, geometry, load, {});
           Summary                 bodies = halfspace_summary(scene, result);
           set_pose_figures(body_pose(scene, geometry, result), bodies);
+          // those of half-spaces under the tractions of the bodies: bending adds little near the patch
+          set_stress_below(largest_stress_below(halfspace_stresses(result).slices, scene.cell_size), bodies);
           out << "\nThe same against this wheel and this rail as elastic bodies, nothing fitted"
               << (scene.rail_material.yields() || scene.wheel_material.yields() ? "; they do not yield" : "")
               << "\n";
