@@ -116,7 +116,7 @@ main()
   check(still.size() <= 30 && still.size() > 12, std::to_string(still.size()) + " lines of half-spaces");
   check_text(still[0], "  verdict: with care", "half-spaces say their verdict first, too");
   check_text(still[place_of(still, "contact angle")],
-             "  pose      contact angle                          47.70 mrad",
+             "  position  contact angle                          47.70 mrad",
              "and how their plane lies");
   check(place_of(still, "wear depth") < still.size() && place_of(still, "reference") == still.size(),
         "the wear of a passage, and no reference point");

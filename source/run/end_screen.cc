@@ -177,7 +177,7 @@ namespace wheelrail
     void
     add_pose(const Summary &summary, Lines &lines)
     {
-      Group pose("pose", summary, lines);
+      Group pose("position", summary, lines);
       for (const char *name : {"contact_angle",
                                "spin",
                                "rail_head_lateral",
