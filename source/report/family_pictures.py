@@ -1,8 +1,10 @@
 """Pictures of a family of runs, as a study makes them: all cases with the same scales, finite elements and half-spaces
 side by side or one above the other.
 
-draw_all(run, cases) takes what has `pictures_folder` and a list of Case; it returns a list of (caption, path).
+calls(run, cases) takes what has `pictures_folder` and a list of Case; what it returns draws one picture each.
 """
+
+import functools
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -210,14 +212,14 @@ def draw_stresses(run, cases, plane, kind):
              style.save(run, figure, name))]
 
 
-def draw_all(run, cases):
-    """All pictures of the family."""
-    pictures = draw_head(run, cases) + draw_forces(run, cases)
-    for panel, name in zip(maps.PANELS, ("family_pressure", "family_shear", "family_states")):
-        pictures += draw_maps(run, cases, panel, name)
-    for plane in ("AA", "BB"):
-        pictures += draw_cuts(run, cases, plane)
-    for plane in ("AA", "BB"):
-        for kind in ("von Mises", "shear"):
-            pictures += draw_stresses(run, cases, plane, kind)
-    return pictures
+def calls(run, cases):
+    """A call for each picture of the family, in their order; each gives a list of (caption, path). Those that take
+    longest come last."""
+    def each(draw, *arguments):
+        return functools.partial(draw, run, cases, *arguments)
+
+    return [each(draw_head), each(draw_forces)] + \
+           [each(draw_maps, panel, name)
+            for panel, name in zip(maps.PANELS, ("family_pressure", "family_shear", "family_states"))] + \
+           [each(draw_cuts, plane) for plane in ("AA", "BB")] + \
+           [each(draw_stresses, plane, kind) for plane in ("AA", "BB") for kind in ("von Mises", "shear")]

@@ -123,7 +123,7 @@ def main(arguments):
                 if not page_stamp.is_current(study):
                     import study_page  # plotting takes a second to load
 
-                    study_page.write(study, failures)
+                    study_page.write(study, failures, min(cores(), options.jobs * options.ranks))
                     page_stamp.write(study)
                 page = "; the page is " + study.path("study.html")
             study_table.show(study)

@@ -1,5 +1,6 @@
 """The one page of a study: curves of the main figures over what varies, in a single HTML file."""
 
+import functools
 import html
 import os
 import sys
@@ -8,6 +9,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "report"))
 
+import drawing
 import family_pictures
 import inputs
 import page
@@ -100,7 +102,9 @@ def save(study, figure, name):
 
 
 def draw_errors(study, x, curves):
-    """Wall time of the runs over their difference from half-spaces: a picture for each figure."""
+    """Wall time of the runs over their difference from half-spaces where the mesh varies: a picture for each figure."""
+    if not any(axis["entry"].startswith("Mesh/") for axis in study.axes):
+        return []
     summaries = [study.summaries(case)[0] or {} for case in study.cases]
     pictures = []
     for name in ERRORS:
@@ -185,18 +189,23 @@ def inputs_of(study, members):
     return ""
 
 
-def write(study, failures):
-    """Draws the pictures and writes study.html; returns its path."""
+def write(study, failures, processes):
+    """Draws the pictures, by so many processes, and writes study.html; returns its path."""
     os.makedirs(study.path("pictures"), exist_ok=True)
     columns = {column.key: column for column in study_table.columns_of(study)}
     states = [study.state(case, failures) for case in study.cases]
     x, curves = Axis(study, 0), curves_of(study)
-    pictures = [picture for picture in (draw_curves(study, columns, key, x, curves) for key in CURVES) if picture]
-    errors = draw_errors(study, x, curves) if any(axis["entry"].startswith("Mesh/") for axis in study.axes) else []
     members = members_of(study)
-    family = family_pictures.draw_all(Place(study), members)
     script = page.plotly_script()
-    shown = study_views.make(columns, CURVES, x, curves, members) if script else []
+    of_curves = [functools.partial(draw_curves, study, columns, key, x, curves) for key in CURVES]
+    of_errors = functools.partial(draw_errors, study, x, curves)
+    of_family = family_pictures.calls(Place(study), members)
+    with drawing.Drawing([*of_curves, of_errors, *of_family], processes) as drawn:
+        shown = study_views.make(columns, CURVES, x, curves, members) if script else []
+        results = drawn.results()
+    pictures = [picture for picture in results[:len(CURVES)] if picture]
+    errors = results[len(CURVES)]
+    family = [picture for pictures_of in results[len(CURVES) + 1:] for picture in pictures_of]
     varied = ", ".join(axis["entry"] for axis in study.axes)
     parts = verdicts(study) + [f"<p>{len(study.cases)} cases over {html.escape(varied)}; from {html.escape(study.plan['file'])}, "
              f"version {html.escape(study.version)}.</p>"]
