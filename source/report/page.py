@@ -66,10 +66,21 @@ def is_number(value):
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
+def printed_unit(unit):
+    """A unit as it is printed in a page."""
+    return {"mm2": "mm\u00b2", "um2": "\u00b5m\u00b2", "N/mm2": "N/mm\u00b2", "ug/m/mm2": "\u00b5g/m/mm\u00b2", "um": "\u00b5m",
+            "m/s2": "m/s\u00b2", "1e-3": "10\u207b\u00b3", "1e-6": "10\u207b\u2076"}.get(unit, unit)
+
+
 def unit_text(figure):
     """The unit of a figure as it is printed in a page."""
-    return {"mm2": "mm\u00b2", "um2": "\u00b5m\u00b2", "N/mm2": "N/mm\u00b2", "ug/m/mm2": "\u00b5g/m/mm\u00b2", "um": "\u00b5m",
-            "m/s2": "m/s\u00b2", "1e-3": "10\u207b\u00b3", "1e-6": "10\u207b\u2076"}.get(figure["unit"], figure["unit"])
+    return printed_unit(figure["unit"])
+
+
+def printed_header(header):
+    """The head of a column, "contact area [mm2]", with its unit as it is printed."""
+    label, bracket, unit = header.partition(" [")
+    return label + bracket + (printed_unit(unit[:-1]) + "]" if bracket else "")
 
 
 def label_text(figure):

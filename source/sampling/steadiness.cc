@@ -177,7 +177,7 @@ namespace wheelrail
   double
   KnownResult::error() const
   {
-    return std::sqrt(noise * noise + balance * balance + drift * drift);
+    return std::hypot(noise, balance, std::max(drift, trend));
   }
 
 
@@ -214,6 +214,8 @@ namespace wheelrail
         const double length = std::string(one.figure) == "lateral_force"
                                 ? std::max(basis.slowest, scales.lateral_length())
                                 : basis.slowest;
+        // means over blocks of a short stretch do not see what moves slower than it (doc/theory/accuracy.md)
+        result.trend = std::abs(trend.slope) * scales.patch_length();
         if (std::abs(trend.slope) > 2 * trend.slope_error)
           result.drift = std::abs(trend.slope) * length;
         found.results.push_back(result);

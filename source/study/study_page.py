@@ -137,7 +137,7 @@ def table(study, columns, states):
     axes = study_table.axis_columns(study)
     shown = [columns[prefix + key] for key in study_table.SHOWN for prefix in ("", "halfspace_") if prefix + key in columns]
     decimals = {figure["key"]: figure["decimals"] for figure in study.figures}
-    heads = [head for head, _ in axes] + ["verdict"] + [column.header for column in shown]
+    heads = [head for head, _ in axes] + ["verdict"] + [page.printed_header(column.header) for column in shown]
     rows = ["<table><tr>" + "".join(f"<th>{html.escape(head)}</th>" for head in heads) + "</tr>"]
     for row, state in enumerate(states):
         cells = [f"<td class=number>{html.escape(texts[row])}</td>" for _, texts in axes]
