@@ -177,7 +177,7 @@ namespace wheelrail
   double
   KnownResult::error() const
   {
-    return std::hypot(noise, balance, std::max(drift, trend));
+    return std::hypot(noise, balance, trend);
   }
 
 
@@ -214,10 +214,11 @@ namespace wheelrail
         const double length = std::string(one.figure) == "lateral_force"
                                 ? std::max(basis.slowest, scales.lateral_length())
                                 : basis.slowest;
-        // means over blocks of a short stretch do not see what moves slower than it (doc/theory/accuracy.md)
-        result.trend = std::abs(trend.slope) * scales.patch_length();
+        // blocks of a stretch do not see what moves slower than it: its slope, known or not, is in the error
+        // (doc/theory/accuracy.md); a run is kept going by slopes that are known alone
+        result.trend = std::abs(trend.slope) * length;
         if (std::abs(trend.slope) > 2 * trend.slope_error)
-          result.drift = std::abs(trend.slope) * length;
+          result.drift = result.trend;
         found.results.push_back(result);
       }
     return found;

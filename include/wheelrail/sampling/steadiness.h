@@ -38,12 +38,12 @@ namespace wheelrail
     double      scale    = 0;     ///< that it is judged by
     double      noise    = 0;     ///< standard_error() of means over cells
     double      balance  = 0;     ///< what the balances of load and torque leave open
-    double      drift    = 0;     ///< slope that is known, times the length over which it may go on
-    double      trend    = 0;     ///< slope, known or not, times one patch length
+    double      trend    = 0;     ///< slope times the length over which it may go on
+    double      drift    = 0;     ///< the same of a slope that stands out of the noise, else 0
     bool        of_patch = false; ///< its rows are those of the patch
     bool        settles  = false; ///< is asked for in settled_after, too
 
-    /// The standard error that is reported: noise, balance, and the larger one of drift and trend.
+    /// The standard error that is reported: noise, balance and trend.
     double
     error() const;
   };
