@@ -147,7 +147,8 @@ main()
   Faults slope;
   slope.slope = 0.3; // 0.03 % a mm, 1 % over the way in which the wheel's slowest mode turns by a radian
   refused(slope, "slope of the contact area");
-  // a slope that does not stand out of the noise: the error of the mean holds what it changes in a patch length
+  // a slope that does not stand out of the noise: the error of the mean holds what it changes in a patch
+  // length
   const KnownResult area = result(calm, "contact_area");
   check(area.drift == 0 && area.trend > 0 && area.error() > area.trend && area.error() > area.noise,
         "no slope of the area is known, and what it may come to is in its error");
