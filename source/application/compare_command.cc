@@ -1,4 +1,5 @@
 #include <wheelrail/application/compare_command.h>
+#include <wheelrail/application/compared_figures.h>
 #include <wheelrail/application/halfspace_results.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
@@ -21,11 +22,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -33,214 +31,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// What the difference of a figure is held against.
-    struct Limit
-    {
-      double share  = 0; ///< of the value of the half-spaces; 0: no limit
-      double amount = 0; ///< by itself [SI]; the wider one of both counts
-    };
-
-    /// A figure of the table.
-    struct Compared
-    {
-      const char *name;
-      Limit       limit;
-    };
-
-    // differences that cells of 1 mm, the penalty and the noise of a run explain, with room of about two
-    // (doc/manual/compare.md)
-    constexpr Limit load_limit{0.01, 0}; ///< of the lateral force of a straight wheelset: of the load
-
-    /// The figures of the table; the first two are given to the half-spaces.
-    const Compared compared[] = {{"vertical_force", {}},
-                                 {"longitudinal_force", {}},
-                                 {"normal_force", {0.01, 0}},
-                                 {"lateral_force", {0.05, 0}},
-                                 {"max_pressure", {0.05, 0}},
-                                 {"max_pressure_fitted", {}},
-                                 {"contact_area", {0.05, 0}},
-                                 {"patch_lateral", {0.05, 0}},
-                                 {"patch_longitudinal", {0.05, 0}},
-                                 {"max_shear_traction", {0.05, 0}},
-                                 {"creepage", {0.05, 0.15e-3}},
-                                 {"t_gamma", {0.08, 2}},
-                                 {"archard_section", {}},
-                                 {"archard_depth", {}},
-                                 {"stick_fraction", {0, 0.05}},
-                                 {"surface_von_mises", {}},
-                                 {"von_mises_below_cell", {0.05, 0}},
-                                 {"von_mises_below_cell_depth", {0, 0.5e-3}}};
-
-    /// Of a wheelset with yaw besides.
-    const Compared compared_with_yaw[] = {{"yaw_moment", {}},
-                                          {"reference_creepage", {}},
-                                          {"reference_lateral_creepage", {}},
-                                          {"reference_spin", {}}};
-
-    /// Of true bodies besides: where they turn and move to is their own result.
-    const Compared compared_with_bodies[] = {{"rail_head_lateral", {}},
-                                             {"rail_head_roll", {}},
-                                             {"wheel_rim_lateral", {}},
-                                             {"wheel_rim_roll", {}}};
-
-    bool
-    is_given(const std::string &name)
-    {
-      return name == "vertical_force" || name == "longitudinal_force";
-    }
-
-    /// The unit of a difference of two values of a figure, behind a number: " mm", of parts " points".
-    std::string
-    unit_of_difference(const Figure &figure)
-    {
-      const std::string unit = figure.unit;
-      return unit.empty() ? "" : unit == "%" ? " points" : " " + unit;
-    }
-
-    /// A limit as the table shows it, in the unit of the figure: "5 %", "5 % or 0.15 1e-3", "0.5 mm".
-    std::string
-    limit_text(const Limit &limit, const Figure &figure)
-    {
-      std::string shown = limit.share > 0 ? text("%g", 100 * limit.share) + " %" : "";
-      if (limit.amount > 0)
-        shown += (shown.empty() ? "" : " or ") + text("%g", figure.factor * limit.amount) +
-                 unit_of_difference(figure);
-      return shown;
-    }
-
-    /// A difference as the table shows it: in the unit of the figure where its limit is an amount, else over
-    /// the value of the half-spaces, or over the load.
-    std::string
-    difference_text(double amount, double relative, const Limit &limit, bool of_load, const Figure &figure)
-    {
-      const bool in_units = limit.share == 0 && limit.amount > 0;
-      if (!std::isfinite(in_units ? amount : relative))
-        return "-";
-      if (in_units)
-        return text("%+.*f", figure.decimals, figure.factor * amount) + unit_of_difference(figure);
-      return text("%+.2f", 100 * relative) + " %" + (of_load ? " of load" : "");
-    }
-
-    nlohmann::ordered_json
-    number(const double value)
-    {
-      return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
-    }
-
-    bool
-    has_yaw(const Summary &run)
-    {
-      return std::isfinite(get_figure(run, "yaw_rad"));
-    }
-
-    /// Whether a figure counts over the vertical load: the lateral force of a straight wheelset, which is
-    /// small beside it and may be about zero.
-    bool
-    over_load(const std::string &name, const Summary &run)
-    {
-      return name == "lateral_force" && !has_yaw(run);
-    }
-
-    double
-    relative_difference(const double fe, const double hs, const double base)
-    {
-      return base > 0 ? (fe - hs) / base : Summary::none;
-    }
-
-    /// What a run is compared with: the head of its column, and what stands before the keys of its figures
-    /// and of the differences.
-    struct Reference
-    {
-      const char *title, *figures, *differences;
-      const char *json; ///< the key of its value in compare.json
-    };
-    constexpr Reference half_spaces{"half-space", "halfspace_", "relative_difference_", "halfspace"},
-      true_bodies{"true bodies", "bodies_", "bodies_relative_difference_", "bodies"};
-
-    /// One row on the screen.
-    void
-    print_row(const std::string &label,
-              const char        *unit,
-              const std::string &fe,
-              const std::string &hs,
-              const std::string &difference,
-              const std::string &limit,
-              std::ostream      &out)
-    {
-      char row[240];
-      std::snprintf(row,
-                    sizeof(row),
-                    "  %-40s %-5s %11s %12s %22s  %s\n",
-                    label.c_str(),
-                    unit,
-                    fe.c_str(),
-                    hs.c_str(),
-                    difference.c_str(),
-                    limit.c_str());
-      out << row;
-    }
-
-    /// What a table of figures says.
-    struct Comparison
-    {
-      nlohmann::ordered_json   table = nlohmann::ordered_json::array(); ///< for compare.json
-      std::vector<std::string> beyond; ///< the figures that differ by more than their limit, with both
-    };
-
-    /// Prints the table and adds the figures to the run's summary.
-    Comparison
-    compare_figures(Summary &run, const Summary &halfspace, const Reference &reference, std::ostream &out)
-    {
-      Comparison comparison;
-      print_row("", "", "finite el.", reference.title, "difference", "limit", out);
-      std::vector<Compared> rows(std::begin(compared), std::end(compared));
-      if (has_yaw(run))
-        rows.insert(rows.end(), std::begin(compared_with_yaw), std::end(compared_with_yaw));
-      if (std::isfinite(get_figure(halfspace, "rail_head_roll_rad")))
-        rows.insert(rows.end(), std::begin(compared_with_bodies), std::end(compared_with_bodies));
-      for (const auto &[name, own_limit] : rows)
-        {
-          const Figure     &figure = figure_named(name);
-          const std::string label  = std::string(figure.label) + (is_given(name) ? " (given)" : "");
-          const double      fe = get_figure(run, figure.key()), hs = get_figure(halfspace, figure.key());
-          const bool        of_load = over_load(name, run);
-          const double difference = relative_difference(fe, hs, of_load ? run.vertical_force : std::abs(hs));
-          const char *const relative_to = of_load ? "load" : "";
-          const Limit       limit       = of_load ? load_limit : own_limit;
-          const double      off         = of_load ? std::abs(difference) : std::abs(fe - hs);
-          const double      most = of_load ? limit.share : std::max(limit.share * std::abs(hs), limit.amount);
-          const bool        beyond = most > 0 && off > most;
-          const std::string apart  = difference_text(fe - hs, difference, limit, of_load, figure),
-                            bound  = limit_text(limit, figure) + (of_load ? " of load" : "");
-          print_row(label,
-                    figure.unit,
-                    figure.shown(fe),
-                    figure.shown(hs),
-                    apart,
-                    bound + (beyond ? "  beyond" : ""),
-                    out);
-          if (beyond)
-            comparison.beyond.push_back(
-              std::string(label).append(" by ").append(apart).append(" (limit ").append(bound).append(")"));
-          set_figure(run, reference.figures + figure.key(), hs);
-          set_figure(run, std::string(reference.differences) + name, difference);
-          comparison.table.push_back({{"key", figure.key()},
-                                      {"label", label},
-                                      {"unit", figure.unit},
-                                      {"factor", figure.factor},
-                                      {"decimals", figure.decimals},
-                                      {"fe", number(fe)},
-                                      {"fe_std", number(get_figure(run, figure.key("_std")))},
-                                      {reference.json, number(hs)},
-                                      {"relative_difference", number(difference)},
-                                      {"relative_to", relative_to},
-                                      {"difference", apart},
-                                      {"limit", bound},
-                                      {"beyond", beyond}});
-        }
-      return comparison;
-    }
-
     /// Throws RunError for figures that no run of the scene gives: then the file was changed, and half-spaces
     /// under such loads would take hours.
     void
@@ -303,20 +93,20 @@ namespace wheelrail
     nlohmann::ordered_json
     trust_json(const Measures &measures)
     {
-      return {{"peak_difference", number(measures.peak_difference)},
-              {"bodies_peak_difference", number(measures.bodies_difference)},
-              {"cells_over_shorter_extent", number(measures.cells)},
-              {"cells_across_peak", number(measures.cells_across_peak)},
-              {"penetration_over_approach", number(measures.penetration)},
-              {"force_std_over_load", number(measures.unsteadiness)},
-              {"largest_drift", number(measures.drift)},
-              {"torque_miss", number(measures.torque_miss)},
-              {"turn_across_patch_rad", number(measures.turn)},
-              {"pose_effect_on_peak", number(measures.pose_effect)},
-              {"max_plastic_strain", number(measures.plastic_strain)},
-              {"patches", number(measures.patches)},
-              {"penalty_part_of_peak_difference", number(measures.penalty_part())},
-              {"mesh_part_of_peak_difference", number(measures.mesh_part())}};
+      return {{"peak_difference", json_number(measures.peak_difference)},
+              {"bodies_peak_difference", json_number(measures.bodies_difference)},
+              {"cells_over_shorter_extent", json_number(measures.cells)},
+              {"cells_across_peak", json_number(measures.cells_across_peak)},
+              {"penetration_over_approach", json_number(measures.penetration)},
+              {"force_std_over_load", json_number(measures.unsteadiness)},
+              {"largest_drift", json_number(measures.drift)},
+              {"torque_miss", json_number(measures.torque_miss)},
+              {"turn_across_patch_rad", json_number(measures.turn)},
+              {"pose_effect_on_peak", json_number(measures.pose_effect)},
+              {"max_plastic_strain", json_number(measures.plastic_strain)},
+              {"patches", json_number(measures.patches)},
+              {"penalty_part_of_peak_difference", json_number(measures.penalty_part())},
+              {"mesh_part_of_peak_difference", json_number(measures.mesh_part())}};
     }
   } // namespace
 
