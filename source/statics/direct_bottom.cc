@@ -3,6 +3,7 @@
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/forest.h>
 #include <wheelrail/statics/direct_bottom.h>
+#include <wheelrail/statics/joined_solver.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -14,7 +15,7 @@ namespace wheelrail
                              const LocalMesh                  &mesh,
                              const PerBody<ElementBlocks>     &blocks,
                              const std::vector<unsigned char> &held,
-                             const AlignedVector<double>      &ground)
+                             const StaticGround               &ground)
     : mesh_(mesh)
     , communicator_(forest.communicator())
   {
@@ -32,11 +33,11 @@ namespace wheelrail
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
       if (mesh.owned[n])
         {
-          const Body          body = mesh.node_body[n];
-          const SweptGrid    &grid = forest.grid(body);
-          const std::uint64_t key  = mesh.node_key[n];
-          const Vector3       springs =
-            ground.empty() ? Vector3{} : Vector3{ground[4 * n], ground[4 * n + 1], ground[4 * n + 2]};
+          const Body          body    = mesh.node_body[n];
+          const SweptGrid    &grid    = forest.grid(body);
+          const std::uint64_t key     = mesh.node_key[n];
+          const double       *spring  = ground.springs.empty() ? nullptr : &ground.springs[4 * n];
+          const Vector3       springs = spring ? Vector3{spring[0], spring[1], spring[2]} : Vector3{};
           known.push_back({{body, grid.n_corners() * grid.section_of_key(key) + grid.corner_of_key(key)},
                            held[n],
                            springs});
@@ -66,6 +67,25 @@ namespace wheelrail
                                             held_here[body],
                                             ground_here[body]);
       }
+    join(ground.joined);
+  }
+
+
+  /// What joins nodes of the rail becomes part of its solver.
+  void
+  DirectBottom::join(const StaticSprings &joined)
+  {
+    std::unique_ptr<SweptSolver> &rail = solver_[Body::rail];
+    if (!rail || joined.size() == 0)
+      return;
+    std::vector<JoinedRows> terms(joined.size());
+    for (std::size_t k = 0; k < terms.size(); ++k)
+      terms[k].stiffness = joined.stiffness()[k];
+    for (const StaticSprings::Part &part : joined.parts())
+      if (const Place place = place_[part.node]; place.body == Body::rail)
+        for (int i = 0; i < 3; ++i)
+          terms[part.spring].weights.emplace_back(3 * std::size_t(place.slot) + i, part.weight[i]);
+    rail = std::make_unique<JoinedSolver>(std::move(rail), std::move(terms), x_[Body::rail].size());
   }
 
 

@@ -2,24 +2,49 @@
 #include <wheelrail/statics/direct_bottom.h>
 #include <wheelrail/statics/iterative_bottom.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
 namespace wheelrail
 {
+  namespace
+  {
+    /// Springs of single nodes that hold as much as the ground when all nodes move alike.
+    AlignedVector<double>
+    even_springs(const StaticGround &ground, const LocalMesh &mesh, MPI_Comm communicator)
+    {
+      AlignedVector<double> even = ground.springs;
+      if (ground.joined.size() == 0)
+        return even;
+      for (int i = 0; i < 3; ++i)
+        {
+          StaticVector moved(mesh, communicator), force(mesh, communicator);
+          for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+            moved.data()[4 * n + i] = 1;
+          ground.joined.add_product(1, moved.data(), force.data());
+          for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+            even[4 * n + i] = std::max(0., even[4 * n + i] + force.data()[4 * n + i]);
+        }
+      return even;
+    }
+  } // namespace
+
+
   std::unique_ptr<StaticBottom>
   make_static_bottom(const Forest                     &forest,
                      const LocalMesh                  &mesh,
                      const PerBody<ElementBlocks>     &blocks,
                      const std::vector<unsigned char> &held,
-                     const AlignedVector<double>      &ground)
+                     const StaticGround               &ground)
   {
     constexpr double most_memory = 1e9; // blocks of 8 mm take 0.7 of it, of 16 mm 0.05
     const double     memory =
       swept_solver_memory(forest.grid(Body::rail)) + swept_solver_memory(forest.grid(Body::wheel));
     if (memory < most_memory)
       return std::make_unique<DirectBottom>(forest, mesh, blocks, held, ground);
-    return std::make_unique<IterativeBottom>(mesh, blocks, held, ground, forest.communicator());
+    return std::make_unique<IterativeBottom>(
+      mesh, blocks, held, even_springs(ground, mesh, forest.communicator()), forest.communicator());
   }
 
 

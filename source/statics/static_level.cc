@@ -101,7 +101,7 @@ namespace wheelrail
   StaticLevel::StaticLevel(const LocalMesh                  &mesh,
                            PerBody<ElementBlocks>           &blocks,
                            const std::vector<unsigned char> &held,
-                           AlignedVector<double>             ground,
+                           StaticGround                      ground,
                            MPI_Comm                          communicator)
     : mesh_(mesh)
     , blocks_(blocks)
@@ -159,13 +159,14 @@ namespace wheelrail
   }
 
 
-  /// y += factor x ground springs x x on the free nodes.
+  /// y += factor x ground x on the free nodes.
   void
   StaticLevel::add_ground(const double factor, const StaticVector &x, double *y) const
   {
-    for (std::size_t k = 0; k < ground_.size(); ++k)
+    for (std::size_t k = 0; k < ground_.springs.size(); ++k)
       if (!held_[k / 4])
-        y[k] += factor * ground_[k] * x.data()[k];
+        y[k] += factor * ground_.springs[k] * x.data()[k];
+    ground_.joined.add_product(factor, x.data(), y);
   }
 
 
@@ -174,10 +175,7 @@ namespace wheelrail
   {
     elastic_product(x, y);
     add_ground(1, x, y.data());
-    std::vector<double> force = springs_.stretch(x.data());
-    for (std::size_t k = 0; k < force.size(); ++k)
-      force[k] *= springs_.stiffness()[k];
-    springs_.add(force, y.data());
+    springs_.add_product(1, x.data(), y.data());
   }
 
 
@@ -189,10 +187,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < force_.size(); ++k)
       to[k] += 1 / tiny * force_[k];
     add_ground(-1, x, to);
-    std::vector<double> force = springs_.stretch(x.data());
-    for (std::size_t k = 0; k < force.size(); ++k)
-      force[k] *= -springs_.stiffness()[k];
-    springs_.add(force, to);
+    springs_.add_product(-1, x.data(), to);
   }
 
 
@@ -242,8 +237,8 @@ namespace wheelrail
       }
     sum_(sum_a.data());
     sum_(sum_b.data());
-    for (std::size_t k = 0; k < ground_.size(); ++k)
-      sum_a[k] += ground_[k];
+    for (std::size_t k = 0; k < ground_.springs.size(); ++k)
+      sum_a[k] += ground_.springs[k];
     inverse_.resize(mesh_.n_nodes());
     for (std::size_t n = 0; n < mesh_.n_nodes(); ++n)
       {

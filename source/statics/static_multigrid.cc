@@ -100,29 +100,30 @@ namespace wheelrail
   StaticMultigrid::StaticMultigrid(const Forest                     &forest,
                                    Solid                            &solid,
                                    const std::vector<unsigned char> &held,
-                                   const AlignedVector<double>      &ground)
+                                   const StaticGround               &ground)
     : communicator_(forest.communicator())
     , coarse_(coarse_levels(forest, solid.mesh))
   {
     held_.push_back(held);
     blocks_.reserve(coarse_.size());
-    PerBody<ElementBlocks> *blocks  = &solid.blocks;
-    const LocalMesh        *mesh    = &solid.mesh;
-    AlignedVector<double>   springs = ground;
-    levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), springs, communicator_));
+    PerBody<ElementBlocks> *blocks = &solid.blocks;
+    const LocalMesh        *mesh   = &solid.mesh;
+    StaticGround            here   = ground;
+    levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), here, communicator_));
     for (const CoarseLevel &coarse : coarse_)
       {
         if (&coarse != &coarse_.front())
-          levels_.push_back(
-            std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), springs, communicator_));
-        if (!springs.empty())
-          springs = coarse_springs(coarse, *mesh, springs, communicator_);
+          levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), here, communicator_));
         held_.push_back(coarse_held(coarse, held_.back(), communicator_));
+        if (!here.springs.empty())
+          here.springs = coarse_springs(coarse, *mesh, here.springs, communicator_);
+        if (here.joined.size() > 0)
+          here.joined = here.joined.coarsened(coarse, held_.back());
         blocks_.push_back(coarse_blocks(coarse.mesh, solid.blocks));
         blocks = &blocks_.back();
         mesh   = &coarse.mesh;
       }
-    bottom_ = make_static_bottom(forest, *mesh, *blocks, held_.back(), springs);
+    bottom_ = make_static_bottom(forest, *mesh, *blocks, held_.back(), here);
   }
 
 

@@ -2,6 +2,7 @@
 #include <wheelrail/statics/static_parts.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace wheelrail
 {
@@ -22,6 +23,18 @@ namespace wheelrail
     MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, communicator);
     if (any == 0)
       springs_.clear();
+  }
+
+
+  std::vector<JoinedNodes>
+  StaticParts::joined() const
+  {
+    std::vector<JoinedNodes> all;
+    if (!springs_.empty())
+      for (const auto &part : parts_)
+        for (JoinedNodes &term : part->joined())
+          all.push_back(std::move(term));
+    return all;
   }
 
 

@@ -73,6 +73,23 @@ namespace wheelrail
   }
 
 
+  StaticSprings::StaticSprings(const std::vector<JoinedNodes>   &joined,
+                               const LocalMesh                  &mesh,
+                               const std::vector<unsigned char> &held,
+                               MPI_Comm                          communicator)
+    : communicator_(communicator)
+  {
+    PartList list(mesh);
+    for (unsigned int k = 0; k < joined.size(); ++k)
+      {
+        stiffness_.push_back(joined[k].stiffness);
+        for (const auto &[node, weight] : joined[k].nodes)
+          list.add(k, node, weight);
+      }
+    take(std::move(list.parts), mesh, held);
+  }
+
+
   StaticSprings
   StaticSprings::coarsened(const CoarseLevel &coarse, const std::vector<unsigned char> &held) const
   {
@@ -139,6 +156,16 @@ namespace wheelrail
       if (const unsigned int n = local_[k]; n != none)
         for (int i = 0; i < 3; ++i)
           y[4 * n + i] += parts_[k].weight[i] * forces[parts_[k].spring];
+  }
+
+
+  void
+  StaticSprings::add_product(const double factor, const double *x, double *y) const
+  {
+    std::vector<double> force = stretch(x);
+    for (std::size_t k = 0; k < force.size(); ++k)
+      force[k] *= factor * stiffness_[k];
+    add(force, y);
   }
 
 

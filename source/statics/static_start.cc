@@ -13,24 +13,11 @@ namespace wheelrail
 {
   namespace
   {
-    /// How exactly the linear system of a Newton step is worth solving: no better than the last step let
-    /// expect of this one (Eisenstat and Walker 1996, their second choice).
-    class StepTolerance
-    {
-    public:
-      /// `norm`: of what is out of balance before the step.
-      double
-      next(const double norm)
-      {
-        constexpr double loosest = 0.1, tightest = 1e-3;
-        const double     fallen = before_ > 0 ? norm / before_ : 1;
-        before_                 = norm;
-        return std::clamp(0.9 * fallen * fallen, tightest, loosest);
-      }
+    /// How far the linear system of a Newton step is solved: a step of a tenth leaves the next one half as
+    /// much again to do, one of a thousandth is lost to tractions that change.
+    constexpr double linear = 0.05;
 
-    private:
-      double before_ = 0;
-    };
+    constexpr int most_rounds = 20; ///< of tractions and pressures in turn
 
     constexpr double nearly =
       1e-4; ///< of the wheel load: less than what the passing of cells excites in a run
@@ -56,24 +43,26 @@ namespace wheelrail
                         StaticResult &result)
     {
       constexpr int most_steps = 60;
-      // rounds of tractions still to come: they change the pressures that bound them
-      int            rounds  = frictionless ? 0 : 12;
-      StaticBalance  balance = search.balance();
-      StepTolerance  step_tolerance;
-      StaticProgress progress;
+      // what may be out of balance when tractions are renewed: the first ones ask for the stretch of the
+      // tread under pressure alone, later ones only have to follow the pressures that bound them
+      constexpr double balanced = 1e-3, nearby = 0.05;
+      int              rounds  = frictionless ? 0 : most_rounds; // of tractions, still to come
+      StaticBalance    balance = search.balance();
+      StaticProgress   progress;
       for (int step = 0;; ++step)
         {
           const double residual = balance.residual.linfty_norm() / result.wheel_load;
           const double missing  = result.wheel_load - balance.sums.force[1];
           const bool settled = residual < tolerance && std::abs(missing) < 5 * tolerance * result.wheel_load;
-          if (settled || (rounds > 0 && residual < 1e-3))
+          if (settled || (rounds > 0 && residual < (rounds == most_rounds ? balanced : nearby)))
             {
               const bool changed = rounds > 0 && search.renew_tractions();
               if (settled && !changed)
                 return balance;
               --rounds;
-              balance  = search.balance();
-              progress = StaticProgress();
+              result.tractions_settled = !changed || rounds > 0;
+              balance                  = search.balance();
+              progress                 = StaticProgress();
             }
           const bool   close = residual < nearly && std::abs(missing) < 10 * nearly * result.wheel_load;
           const double norm  = std::hypot(balance.residual.l2_norm(), missing);
@@ -98,7 +87,7 @@ namespace wheelrail
             throw RunError(
               "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
               "Mesh/Solution cell size");
-          balance = search.search_along(search.newton_step(balance, step_tolerance.next(norm)), balance);
+          balance             = search.search_along(search.newton_step(balance, linear), balance);
           result.newton_steps = step + 1;
         }
     }
@@ -168,6 +157,9 @@ namespace wheelrail
       report(
         "static start: the half-space solver did not reach its tolerance; the tractions of the start are "
         "less exact");
+    else if (!result.tractions_settled)
+      report("static start: pressures and tractions still changed each other after " +
+             std::to_string(most_rounds) + " rounds; the first millimetres of rolling settle them");
     return result;
   }
 } // namespace wheelrail

@@ -1,4 +1,5 @@
 #include <deal.II/base/tensor.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/track/track_support.h>
@@ -223,18 +224,42 @@ namespace wheelrail
   }
 
 
-  /// Pad and ballast one behind the other, so that a rail that sinks evenly is met exactly.
   void
   TrackSupport::add_springs(double *stiffness) const
   {
-    Vector3 spring = data_.pad;
-    if (sleepers_move())
-      for (int i = 0; i < 3; ++i)
-        spring[i] *= data_.ballast[i] / (data_.pad[i] + data_.ballast[i]);
     for (const Bearing &at : bearings_)
       for (int i = 0; i < 3; ++i)
         for (int a = 0; a < 3; ++a)
-          stiffness[4 * at.node + i] += at.share * spring[a] * axes_[a][i] * axes_[a][i];
+          stiffness[4 * at.node + i] += at.share * data_.pad[a] * axes_[a][i] * axes_[a][i];
+  }
+
+
+  /// A sleeper gives way by give x (sum of the pads' forces). With give = L L^T (Cholesky) that is one term
+  /// for each column of L.
+  std::vector<JoinedNodes>
+  TrackSupport::joined() const
+  {
+    std::vector<JoinedNodes> terms(3 * give_.size());
+    std::vector<Vector3>     columns;
+    for (const auto &give : give_)
+      {
+        dealii::FullMatrix<double> whole(3, 3, give.data()), root(3, 3);
+        root.cholesky(whole);
+        for (int k = 0; k < 3; ++k)
+          columns.push_back({root(0, k), root(1, k), root(2, k)});
+      }
+    for (JoinedNodes &term : terms)
+      term.stiffness = -1;
+    for (const Bearing &at : bearings_)
+      if (!terms.empty() && at.owned > 0)
+        for (unsigned int k = 3 * at.sleeper; k < 3 * at.sleeper + 3; ++k)
+          {
+            Vector3 force = turned(columns[k]);
+            for (int a = 0; a < 3; ++a)
+              force[a] *= at.share * data_.pad[a];
+            terms[k].nodes.emplace_back(at.node, turned_back(force));
+          }
+    return terms;
   }
 
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -29,6 +30,14 @@ namespace wheelrail
     /// those of all ranks.
     std::vector<std::uint32_t> nodes;
     std::vector<double>        values; ///< of these nodes, equally many each
+  };
+
+  /// Nodes that a part joins: a force of the size stiffness x sum of (weight . displacement) along the
+  /// weights of all of them. Of the nodes only those that this rank owns.
+  struct JoinedNodes
+  {
+    double                                        stiffness; ///< [N/m], may be negative
+    std::vector<std::pair<unsigned int, Vector3>> nodes;
   };
 
   /// What a part tells of itself at a full step, a column of the run's history.
@@ -131,12 +140,21 @@ namespace wheelrail
         force[k] -= pull[k];
     }
 
-    /// Adds a spring along each axis of a node that is about as stiff as the part there, 4 numbers a node
-    /// [N/m], for the preconditioner: the nearer, the fewer steps. Without any, static solutions ask no part
+    /// Adds a spring along each axis of a node, 4 numbers a node [N/m], for the preconditioner: the nearer
+    /// these and joined() come to the stiffness, the fewer steps. Without any, static solutions ask no part
     /// for its stiffness.
     virtual void
     add_springs(double *) const
     {
+    }
+
+    /// What an unknown of the part's own, in equilibrium with many nodes, takes off those springs: terms of
+    /// low rank, of which the preconditioner's coarsest level takes account exactly. Alike in number and
+    /// order on all ranks; with add_springs() positive semidefinite.
+    virtual std::vector<JoinedNodes>
+    joined() const
+    {
+      return {};
     }
 
     /// After a static solution: brings the part's own unknowns into equilibrium with the displacements and

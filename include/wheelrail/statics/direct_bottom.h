@@ -24,7 +24,7 @@ namespace wheelrail
                  const LocalMesh                  &mesh,
                  const PerBody<ElementBlocks>     &blocks,
                  const std::vector<unsigned char> &held,
-                 const AlignedVector<double>      &ground = {});
+                 const StaticGround               &ground = {});
 
     void
     set_springs(const StaticSprings &springs) override;
@@ -41,6 +41,8 @@ namespace wheelrail
       unsigned int slot;
     };
 
+    void
+    join(const StaticSprings &joined);
     void
     find_responses();
     void

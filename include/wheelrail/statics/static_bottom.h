@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/solid/element_blocks.h>
-#include <wheelrail/statics/static_springs.h>
+#include <wheelrail/statics/static_ground.h>
 
 #include <array>
 #include <cstdint>
@@ -30,15 +30,16 @@ namespace wheelrail
   };
 
   /// A direct solver where its factors take less than a gigabyte, an iterative one beyond. `blocks`: elements
-  /// of rail and wheel, of which material and form count. `held`: 1 for nodes of the mesh that do not move;
-  /// `ground`: springs along the axes of the nodes, 4 numbers each [N/m], or empty: the direct solver leaves
-  /// out those of the wheel. Forest and mesh must outlive the object. Collective.
+  /// of rail and wheel, of which material and form count. `held`: 1 for nodes of the mesh that do not move.
+  /// The direct solver leaves out what holds the wheel to the ground, the iterative one takes springs of
+  /// single nodes that hold as much when all nodes move alike. Forest and mesh must outlive the object.
+  /// Collective.
   std::unique_ptr<StaticBottom>
   make_static_bottom(const Forest                     &forest,
                      const LocalMesh                  &mesh,
                      const PerBody<ElementBlocks>     &blocks,
                      const std::vector<unsigned char> &held,
-                     const AlignedVector<double>      &ground);
+                     const StaticGround               &ground);
 
   /// Stiffness of springs between pairs of nodes (numbers over all ranks), 3 x 3, row-major [N/m].
   using SpringBlocks = std::map<std::pair<std::uint32_t, std::uint32_t>, std::array<double, 9>>;

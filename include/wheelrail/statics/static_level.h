@@ -3,7 +3,7 @@
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/solid.h>
 #include <wheelrail/statics/band_cholesky.h>
-#include <wheelrail/statics/static_springs.h>
+#include <wheelrail/statics/static_ground.h>
 
 #include <array>
 #include <vector>
@@ -21,12 +21,11 @@ namespace wheelrail
   {
   public:
     /// `blocks`: elements of rail and wheel on this mesh, taken as elastic. `held`: 1 for nodes that do not
-    /// move. Both and the mesh must outlive the level. `ground`: springs along the axes of the nodes, 4
-    /// numbers each [N/m], or empty. Collective.
+    /// move. Both and the mesh must outlive the level. Collective.
     StaticLevel(const LocalMesh                  &mesh,
                 PerBody<ElementBlocks>           &blocks,
                 const std::vector<unsigned char> &held,
-                AlignedVector<double>             ground,
+                StaticGround                      ground,
                 MPI_Comm                          communicator);
 
     /// Takes these springs, none at first. Collective.
@@ -97,7 +96,7 @@ namespace wheelrail
     const LocalMesh                   &mesh_;
     PerBody<ElementBlocks>            &blocks_;
     const std::vector<unsigned char>   held_;
-    const AlignedVector<double>        ground_;
+    const StaticGround                 ground_;
     MPI_Comm                           communicator_;
     SharedSum                          sum_;
     AlignedVector<double>              tiny_;    ///< the displacement that the kernel sees

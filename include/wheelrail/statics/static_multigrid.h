@@ -16,13 +16,12 @@ namespace wheelrail
   class StaticMultigrid
   {
   public:
-    /// `held`: 1 for nodes of the solid's mesh that do not move; `ground`: springs along the axes of its
-    /// nodes, 4 numbers each [N/m], or empty. The solid must outlive the object and keep its elements.
-    /// Collective.
+    /// `held`: 1 for nodes of the solid's mesh that do not move; `ground`: on that mesh. The solid must
+    /// outlive the object and keep its elements. Collective.
     StaticMultigrid(const Forest                     &forest,
                     Solid                            &solid,
                     const std::vector<unsigned char> &held,
-                    const AlignedVector<double>      &ground = {});
+                    const StaticGround               &ground = {});
 
     /// Collective.
     void

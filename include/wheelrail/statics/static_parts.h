@@ -37,6 +37,10 @@ namespace wheelrail
       return springs_;
     }
 
+    /// What takes of those springs, of all parts.
+    std::vector<JoinedNodes>
+    joined() const;
+
     /// Adds the forces of the parts in the present position of the solid, but for the steady loads.
     /// Collective.
     void

@@ -3,6 +3,7 @@
 #include <wheelrail/base/vector3.h>
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/mesh/coarse_levels.h>
+#include <wheelrail/solid/part.h>
 #include <wheelrail/statics/static_vector.h>
 
 #include <cstdint>
@@ -10,8 +11,8 @@
 
 namespace wheelrail
 {
-  /// The contact springs on one mesh: stretch = B x with the displacements x of the nodes, energy
-  /// sum stiffness stretch^2 / 2. All ranks know all springs.
+  /// Springs between nodes of one mesh, those of the contact or what parts join: stretch = B x with the
+  /// displacements x of the nodes, energy sum stiffness stretch^2 / 2. All ranks know all springs.
   class StaticSprings
   {
   public:
@@ -32,6 +33,12 @@ namespace wheelrail
                   const std::vector<unsigned char>   &held,
                   MPI_Comm                            communicator);
 
+    /// What parts join, on the finest mesh. Collective.
+    StaticSprings(const std::vector<JoinedNodes>   &joined,
+                  const LocalMesh                  &mesh,
+                  const std::vector<unsigned char> &held,
+                  MPI_Comm                          communicator);
+
     /// The same springs as the trial functions of the next coarser level stretch them. Collective.
     StaticSprings
     coarsened(const CoarseLevel &coarse, const std::vector<unsigned char> &held) const;
@@ -43,6 +50,10 @@ namespace wheelrail
     /// y += B^T forces on all nodes of the rank.
     void
     add(const std::vector<double> &forces, double *y) const;
+
+    /// y += factor x B^T stiffness B x. Collective.
+    void
+    add_product(double factor, const double *x, double *y) const;
 
     std::size_t
     size() const

@@ -31,10 +31,11 @@ namespace wheelrail
     double  creepage   = 0;  ///< predicted, at the rolling radius of 2D-Geo
     Vector3 contact_force{}; ///< on the wheel [N]
     int     newton_steps = 0, cg_steps = 0;
-    int     flow_steps = 0;     ///< of bodies that yield, after the elastic ones
-    double  residual   = 0;     ///< largest nodal force out of balance over the wheel load
-    bool    converged  = true;  ///< else what is out of balance is small, or the patch is at the border
-    bool    at_border  = false; ///< the patch touches the border of the fine cells
+    int     flow_steps        = 0;    ///< of bodies that yield, after the elastic ones
+    double  residual          = 0;    ///< largest nodal force out of balance over the wheel load
+    bool    converged         = true; ///< else what is out of balance is small, or the patch is at the border
+    bool    at_border         = false; ///< the patch touches the border of the fine cells
+    bool    tractions_settled = true;  ///< else pressures and tractions still changed each other at the end
   };
 
   /// Static equilibrium of both bodies on the parts of the scene (all but contact and axle) under contact,

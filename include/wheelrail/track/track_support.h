@@ -59,6 +59,8 @@ namespace wheelrail
     add_stiffness(const Solid &solid, const double *x, double *y) const override;
     void
     add_springs(double *stiffness) const override;
+    std::vector<JoinedNodes>
+    joined() const override;
     void
     start(const Solid &solid) override;
 
