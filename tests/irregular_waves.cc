@@ -36,9 +36,10 @@ namespace
   constexpr int    n_frequencies = int(4000 * period);
   constexpr double shallow = 5e-6, first_crest = 15e-3;
 
-  /// A free wheel at 100 km/h on cells of 2 mm.
+  /// A free wheel at 100 km/h on cells of 2 mm, on a clamped rail or one on pads all along, 300 MN/m each 0.6
+  /// m.
   Scene
-  waves_scene(const double wavelength, const double depth)
+  waves_scene(const double wavelength, const double depth, const bool on_pads)
   {
     Scene scene;
     scene.title                        = "waves of " + std::to_string(std::lround(1e3 * wavelength)) + " mm";
@@ -58,6 +59,13 @@ namespace
     scene.irregularities[0].length     = wavelength * std::max(1., std::floor(80e-3 / wavelength + 0.5));
     scene.irregularities[0].depth      = depth;
     scene.rolling_distance             = first_crest + scene.irregularities[0].length + 2e-3;
+    if (on_pads)
+      {
+        scene.title += " on pads";
+        scene.support.kind        = RailSupport::continuous_pads;
+        scene.support.damped_ends = 2.5;
+        scene.rail_length         = 8;
+      }
     return scene;
   }
 
@@ -314,15 +322,15 @@ namespace
 
   /// `deep`: the one of the lengths whose waves are computed twice as deep, too; the first is the longest.
   void
-  test_waves(const std::vector<double> &lengths, const double deep)
+  test_waves(const std::vector<double> &lengths, const double deep, const bool on_pads)
   {
-    const Scene         longest   = waves_scene(lengths.front(), 0.01e-6);
+    const Scene         longest   = waves_scene(lengths.front(), 0.01e-6, on_pads);
     const SceneGeometry geometry  = make_geometry(longest);
     const double        load      = make_model(longest, geometry, MPI_COMM_SELF).wheel_load;
     const Signal        still     = rolled(longest);
     const Curve         compliant = compliance(longest, geometry, load, read_summary("waves/summary.json"));
     for (const double length : lengths)
-      test_wave(waves_scene(length, shallow), load, compliant, still, length == deep);
+      test_wave(waves_scene(length, shallow, on_pads), load, compliant, still, length == deep);
   }
 } // namespace
 
@@ -330,6 +338,7 @@ int
 main(int argc, char **argv)
 {
   Parallel parallel(argc, argv);
-  test_waves({0.2, 0.08, 0.04, 0.02}, 0.04);
+  test_waves({0.2, 0.08, 0.04, 0.02}, 0.04, false);
+  test_waves({0.08, 0.04}, 0, true);
   return parallel.report();
 }

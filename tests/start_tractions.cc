@@ -23,29 +23,54 @@ namespace
   const HalfspaceSteels steel;
 
 
-  FrameProfile
-  flat_profile(const ContactFrame &frame)
+  /// Straight lines across the track: one, inclined by that of the frame, or two sides of a ridge, inclined
+  /// by
+  /// +-`side` to the horizontal, with heights 0 at X = +-`middle`.
+  struct Outline
   {
-    Segment line;
-    line.name  = "line";
-    line.start = {0.03 * std::cos(frame.angle), -0.03 * std::sin(frame.angle)};
-    line.end   = {-line.start.x, -line.start.y};
-    return FrameProfile(Curve({line}), Placement(), frame);
-  }
+    double side = 0, middle = 0;
+
+    double
+    height(const double X) const
+    {
+      return -std::tan(side) * (std::abs(X) - middle);
+    }
+
+    FrameProfile
+    profile(const ContactFrame &frame) const
+    {
+      const double x = 0.03 * std::cos(frame.angle), y = -0.03 * std::sin(frame.angle);
+      Segment      line;
+      line.name  = "line";
+      line.start = {x, y};
+      line.end   = {-x, -y};
+      if (side == 0)
+        return FrameProfile(Curve({line}), Placement(), frame);
+      Segment other = line;
+      other.name    = "other";
+      line.start    = {x, -height(x)};
+      line.end      = {0, -height(0)};
+      other.start   = line.end;
+      other.end     = {-x, -height(x)};
+      return FrameProfile(Curve({line, other}), Placement(), frame);
+    }
+  };
 
   /// A cone on a plane, both inclined by `angle` (a cylinder when it is zero), with rail nodes moved so
-  /// that the pressure is elliptic with semi-axes `along` and `across` [m].
+  /// that the pressure is elliptic with semi-axes `along` and `across` [m]; on a ridge on both sides.
   Contact
   elliptic_contact(const double       along,
                    const double       across,
-                   const double       angle = 0,
-                   const FrictionLaw &law   = {friction})
+                   const double       angle   = 0,
+                   const FrictionLaw &law     = {friction},
+                   const Outline     &outline = {})
   {
-    constexpr double spacing = 2.5e-4;
+    constexpr double spacing  = 2.5e-4;
+    const double     inclined = std::cos(angle + outline.side);
     Lattice          lattice;
     lattice.first_station = -static_cast<int>(along / spacing) - 6;
     lattice.n_along       = 1 - 2 * lattice.first_station;
-    lattice.n_lateral     = 2 * static_cast<int>(across / spacing) + 9;
+    lattice.n_lateral     = 2 * static_cast<int>((across + outline.middle) / spacing) + 9;
     lattice.spacing_along = lattice.spacing_lateral = spacing;
     lattice.s_begin                                 = -0.5 * (lattice.n_lateral - 1) * spacing;
 
@@ -53,9 +78,10 @@ namespace
     WheelPose       pose;
     surfaces.frame.angle = angle;
     pose.nominal_radius = surfaces.rolling_radius = surfaces.forward_radius = radius;
-    surfaces.rail    = RunningSurface(flat_profile(surfaces.frame), surfaces.frame, Placement());
-    surfaces.wheel   = RunningSurface(flat_profile(surfaces.frame), surfaces.frame, pose, radius);
-    surfaces.outline = SectionHeights(flat_profile(surfaces.frame));
+    const FrameProfile profile                                              = outline.profile(surfaces.frame);
+    surfaces.rail    = RunningSurface(profile, surfaces.frame, Placement());
+    surfaces.wheel   = RunningSurface(profile, surfaces.frame, pose, radius);
+    surfaces.outline = SectionHeights(profile);
     surfaces.tabulate(-0.02, 0.02);
     const std::size_t n = std::size_t(lattice.n_along) * lattice.n_lateral;
     Surface           body[2];
@@ -63,7 +89,7 @@ namespace
       {
         body[b].lattice = lattice;
         body[b].body    = b == 0 ? Body::rail : Body::wheel;
-        body[b].area.assign(n, spacing * spacing);
+        body[b].area.assign(n, spacing * spacing / std::cos(outline.side));
         body[b].owner.assign(n, 0);
         body[b].local.resize(n);
         std::iota(body[b].local.begin(), body[b].local.end(), b * int(n));
@@ -72,13 +98,12 @@ namespace
           for (unsigned int j = 0; j < lattice.n_lateral; ++j)
             {
               const double z = (lattice.first_station + int(i)) * spacing, s = lattice.s_begin + j * spacing,
-                           ahead = z / radius;
-              const double r     = radius - s * std::sin(angle);
+                           ahead = z / radius, X = s * std::cos(angle),
+                           Y = outline.side == 0 ? s * std::sin(angle) : outline.height(X), r = radius - Y;
               if (b == 0)
-                body[b].reference.push_back({s * std::cos(angle), s * std::sin(angle), z});
+                body[b].reference.push_back({X, Y, z});
               else
-                body[b].reference.push_back(
-                  {s * std::cos(angle), radius - r * std::cos(ahead), r * std::sin(ahead)});
+                body[b].reference.push_back({X, radius - r * std::cos(ahead), r * std::sin(ahead)});
             }
       }
     Contact contact(surfaces, {stiffness, 0, law, {}}, along + 0.01, MPI_COMM_SELF);
@@ -86,15 +111,19 @@ namespace
     std::vector<double> displacement(8 * n, 0.), velocity(8 * n, 0.);
     contact.gather(displacement.data(), velocity.data());
     contact.evaluate(0);
-    for (int round = 0; round < 3; ++round) // the closest points move with the nodes
+    for (int round = 0; round < 16; ++round) // the closest points move with the nodes
       {
         for (std::size_t k = 0; k < n; ++k)
           {
-            const Vector3 &X = body[0].reference[k];
-            const double   inside =
-              1 - std::pow(X[2] / along, 2) - std::pow(X[0] / std::cos(angle) / across, 2);
+            const Vector3 &X      = body[0].reference[k];
+            const double   middle = std::copysign(outline.middle, X[0]),
+                         inside =
+                           1 - std::pow(X[2] / along, 2) - std::pow((X[0] - middle) / inclined / across, 2);
             const double gap = inside > 0 ? -largest_pressure * std::sqrt(inside) / stiffness : 1e-6;
-            displacement[4 * k + 1] += (contact.nodes()[k].gap - gap) / std::cos(angle);
+            if (contact.nodes()[k].gap < 0.1) // else nothing is above
+              displacement[4 * k + 1] += (contact.nodes()[k].gap - gap) / inclined;
+            if (outline.side > 0 && std::abs(X[0]) < 2e-3) // what is nearest jumps over the ridge
+              displacement[4 * k + 1] = -1e-3;
           }
         contact.gather(displacement.data(), velocity.data());
         contact.evaluate(0);
@@ -212,6 +241,40 @@ namespace
     check_near(start.creepage, 0, 1e-4, "spin: no creepage without force");
   }
 
+  /// Two patches on the sides of a ridge, in planes of their own: each has the tractions that it would have
+  /// alone, and the creepage is that of both.
+  void
+  several_planes()
+  {
+    constexpr double a = 5e-3, b = 3e-3, side = 0.4;
+    const Contact    one = elliptic_contact(a, b, side),
+                  both   = elliptic_contact(a, b, 0, {friction}, {side, 8e-3});
+    const double bound   = friction * normal_force(both);
+    check_near(bound / (2 * friction * normal_force(one)), 1, 2e-3, "ridge: twice the load of one side");
+    for (const double creepage : {0.2e-3, 1e-3, 3e-3})
+      check_near(start_tractions_at_creepage(both, creepage, steel, {velocity}).force /
+                   start_tractions_at_creepage(one, creepage, steel, {velocity}).force,
+                 2,
+                 0.01,
+                 "ridge: force of both sides over that of one at the creepage " + std::to_string(creepage));
+    for (const double share : {-0.3, 0.6})
+      {
+        const auto start = start_tractions(both, share * bound, steel, {velocity});
+        check_near(start.force / bound, share, 1e-5, "ridge: the wanted force is met");
+        check_near(start.creepage / start_tractions(one, 0.5 * share * bound, steel, {velocity}).creepage,
+                   1,
+                   0.01,
+                   "ridge: creepage over that of one side with half the force");
+        double lateral = 0;
+        for (std::size_t k = 0; k < start.traction.size(); ++k)
+          lateral += both.rail().area[k] * start.traction[k][0];
+        check_near(lateral / bound, 0, 1e-3, "ridge: lateral forces of both sides balance");
+      }
+    const auto beyond = start_tractions(both, 1.2 * bound, steel, {velocity});
+    check(beyond.saturated, "ridge: a force beyond the bound is flagged");
+    check_near(beyond.force / bound, 0.98, 2e-3, "ridge: and the bound less two per cent is given");
+  }
+
   /// A tread that is longer than the head turns slower by as much under the same tractions; a rail that was
   /// stretched before the wheel came does not count.
   void
@@ -326,6 +389,7 @@ main(int argc, char **argv)
   linear_theory(3e-3, 6e-3, 3.81);
   wanted_force();
   spin();
+  several_planes();
   stretched_tread();
   falling_friction();
   return parallel.report();

@@ -28,10 +28,11 @@ namespace wheelrail
   /// Steady shear tractions for a given longitudinal force [N, on the wheel], exact for two half-spaces
   /// under the pressures of `contact` (Kalker 1990; doc/theory/halfspace.md): every lateral strip slides with
   /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
-  /// turning wheel (together: creepage and spin), and with the yaw of the wheel. Elements of at most 0.35 mm,
-  /// an odd number a lattice node. The friction law is that of the contact, at the slip velocities of rolling
-  /// with its velocity. Wanted forces are cut to 98 % of full slip at rest, and with friction that falls
-  /// with speed to the largest that it carries (to 1 %); a law that is zero at rest starts without tractions.
+  /// turning wheel (together: creepage and spin), and with the yaw of the wheel. Patches in several planes
+  /// (start_grids()) have one creepage. Elements of at most 0.35 mm, an odd number a lattice node. The
+  /// friction law is that of the contact, at the slip velocities of rolling with its velocity. Wanted forces
+  /// are cut to 98 % of full slip at rest, and with friction that falls with speed to the largest that it
+  /// carries (to 1 %); a law that is zero at rest starts without tractions.
   /// A tread that is stretched more than the head runs backwards against it by as much.
   StartTractions
   start_tractions(const Contact         &contact,
