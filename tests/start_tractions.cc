@@ -368,13 +368,14 @@ namespace
         const auto constant = start_tractions(elliptic_contact(a, b), -problem.fx, steel, {velocity});
         check(start.creepage > 1.01 * constant.creepage, name + "more creepage than with friction at rest");
 
-        const auto most    = start_tractions(contact, friction * load, steel, {velocity});
-        double     largest = 0;
-        for (double creepage = start.creepage; creepage < 8 * start.creepage; creepage *= 1.35)
-          largest =
-            std::max(largest, start_tractions_at_creepage(contact, creepage, steel, {velocity}).force);
-        check(most.saturated && largest < 0.97 * friction * load,
-              name + "the force at full slip is beyond it");
+        // half the size, since this takes many solutions
+        const Contact small   = elliptic_contact(0.5 * a, 0.5 * b, 0, law);
+        const double  bound   = friction * normal_force(small);
+        const auto    most    = start_tractions(small, bound, steel, {velocity});
+        double        largest = 0;
+        for (double creepage = 0.5 * most.creepage; creepage < 3 * most.creepage; creepage *= 1.2)
+          largest = std::max(largest, start_tractions_at_creepage(small, creepage, steel, {velocity}).force);
+        check(most.saturated && largest < 0.97 * bound, name + "the force at full slip is beyond it");
         check_near(most.force / largest, 1, 0.02, name + "the largest force over all creepages");
       }
   }
