@@ -302,7 +302,10 @@ namespace
         before[k]               = {0, 0, of_old_rail * rail[k][2]};
       }
     for (std::size_t k = 0; k < wheel.size(); ++k)
-      displacement[4 * (rail.size() + k) + 2] = of_tread * wheel[k][2];
+      {
+        const double arc                        = radius * std::asin(wheel[k][2] / radius);
+        displacement[4 * (rail.size() + k) + 2] = (1 + of_tread) * arc - wheel[k][2];
+      }
     contact.gather(displacement.data(), still.data());
     contact.evaluate(0);
     check(normal_force(contact) > 0, "stretched surfaces: still in contact");

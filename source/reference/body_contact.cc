@@ -134,6 +134,33 @@ namespace wheelrail
 
 
   double
+  BodyContact::stretch_of_tread() const
+  {
+    const HalfspaceGrid &grid = problem_.grid;
+    std::vector<double>  slip(grid.size(), 0.);
+    added_->add_slip({{nullptr, nullptr, &solution_.pressure}}, {{&slip, nullptr, nullptr}});
+    // the slope of least squares of a displacement is the mean of its derivative, with weights that vanish at
+    // both ends of a row
+    double sum = 0, weights = 0;
+    for (int j = 0; j < grid.my; ++j)
+      {
+        int first = grid.mx, last = -1;
+        for (int i = 0; i < grid.mx; ++i)
+          if (solution_.pressure[i + grid.mx * j] > 0)
+            first = std::min(first, i), last = i;
+        for (int i = first; i <= last; ++i)
+          {
+            const int    e      = i + grid.mx * j;
+            const double weight = (i - first + 0.5) * (last - i + 0.5);
+            sum += weight * (slip[e] - rise_[e] / rows_[j].slice.radius);
+            weights += weight;
+          }
+      }
+    return weights > 0 ? sum / weights : 0;
+  }
+
+
+  double
   BodyContact::solve_round(const WheelRailLoad &load)
   {
     const HalfspaceGrid &grid  = problem_.grid;
@@ -169,7 +196,9 @@ namespace wheelrail
       solution_ = solve_carried(problem_, kernels_, &guess);
     if (!first && solution_.within_friction)
       problem_.xi = solution_.xi;
-    rise_         = wheel_rise();
+    rise_ = wheel_rise();
+    if (first)
+      tread_stretch_ = stretch_of_tread();
     double change = before.empty() ? 1 : 0;
     for (std::size_t e = 0; e < before.size(); ++e)
       if (solution_.pressure[e] > 0)
@@ -266,11 +295,12 @@ namespace wheelrail
   BodyContact::result() const
   {
     WheelRailSolution result;
-    result.problem      = problem_;
-    result.solution     = solution_;
-    result.enlargements = enlargements_;
-    result.body_loads   = {loads(false), loads(true)};
-    result.patch        = halfspace_patch(solution_);
+    result.problem       = problem_;
+    result.solution      = solution_;
+    result.enlargements  = enlargements_;
+    result.body_loads    = {loads(false), loads(true)};
+    result.tread_stretch = tread_stretch_;
+    result.patch         = halfspace_patch(solution_);
     for (int j = 0; j <= problem_.grid.my; ++j)
       result.row_edges.push_back(row_at(problem_.grid.y(j) - 0.5 * problem_.grid.dy).place);
     result.measures     = measure_patch(result.patch);

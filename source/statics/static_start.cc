@@ -137,7 +137,8 @@ namespace wheelrail
       balance = elastic_equilibrium(search, without_friction, 2e-6, result);
     }
     // flow raises the creepage, though the tractions of its lower pressures would need less
-    result.creepage = search.tractions.creepage;
+    result.creepage      = search.tractions.creepage;
+    result.tread_stretch = search.stretch();
     if (without_friction)
       result.creepage = loads.rate_held ? loads.creepage : 0;
     if (!result.at_border && (solid.blocks.rail.plastic() || solid.blocks.wheel.plastic()))

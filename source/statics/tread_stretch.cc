@@ -1,5 +1,6 @@
 #include <wheelrail/statics/tread_stretch.h>
 
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -8,16 +9,22 @@ namespace wheelrail
 {
   namespace
   {
-    /// Of the wheel at the closest point of a rail node [m].
-    Vector3
-    facing_displacement(const Contact &contact, const FacetPoint &foot)
+    /// How far the wheel's steel at the closest point of a rail node stands ahead of where a surface that is
+    /// rolled out flat would have it [m].
+    double
+    facing_ahead(const Contact &contact, const FacetPoint &foot)
     {
       const Lattice &lattice = contact.wheel().lattice;
-      Vector3        sum{};
+      const double   r       = contact.surfaces().rolling_radius;
+      double         sum     = 0;
       for (int a = 0; a < 2; ++a)
         for (int b = 0; b < 2; ++b)
-          sum = sum + (a == 1 ? foot.xi : 1 - foot.xi) * (b == 1 ? foot.eta : 1 - foot.eta) *
-                        contact.displacement(Body::wheel, lattice.index(foot.i + a, foot.j + b));
+          {
+            const std::size_t k = lattice.index(foot.i + a, foot.j + b);
+            const double      z = contact.wheel().reference[k][2];
+            sum += (a == 1 ? foot.xi : 1 - foot.xi) * (b == 1 ? foot.eta : 1 - foot.eta) *
+                   (z + contact.displacement(Body::wheel, k)[2] - r * std::asin(z / r));
+          }
       return sum;
     }
   } // namespace
@@ -55,8 +62,7 @@ namespace wheelrail
             if (node.pressure <= 0)
               continue;
             const Vector3 rail = contact.displacement(Body::rail, k) - rail_before[k];
-            line.emplace_back(i * lattice.spacing_along,
-                              facing_displacement(contact, node.foot)[2] - rail[2]);
+            line.emplace_back(i * lattice.spacing_along, facing_ahead(contact, node.foot) - rail[2]);
             place += line.back().first;
             apart += line.back().second;
           }

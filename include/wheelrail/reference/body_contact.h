@@ -73,6 +73,10 @@ namespace wheelrail
     std::vector<double>
     wheel_rise() const;
 
+    /// tread_stretch() of a solution for pressure alone.
+    double
+    stretch_of_tread() const;
+
     BodyLoads
     loads(bool on_wheel) const;
 
@@ -93,6 +97,7 @@ namespace wheelrail
     std::vector<double> own_slip_; ///< rigid slip along the track without the tread's stretch
     std::vector<Point2> growth_;   ///< of each row [m]
     std::vector<double> rise_;     ///< of the last round [m]
+    double              tread_stretch_ = 0;
 
     std::array<ContactRows, 2>         contact_rows_; ///< of the tables of rail and wheel
     std::vector<AddedInfluence::Basis> bases_;

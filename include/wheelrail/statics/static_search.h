@@ -76,6 +76,13 @@ namespace wheelrail
     bool
     renew_tractions();
 
+    /// tread_stretch() that the tractions take account of.
+    double
+    stretch() const
+    {
+      return stretch_;
+    }
+
     /// Sets the tractions in the contact, bounded by its pressures.
     void
     set_tractions();

@@ -11,10 +11,12 @@ namespace wheelrail
   std::vector<Vector3>
   rail_displacements(const Contact &contact);
 
-  /// How much more the tread is stretched along the track in the patch than the head [-]: of d u_z / d z of
-  /// the wheel less that of the rail, the slope of least squares over the loaded nodes, lines of nodes along
-  /// the track with means of their own. Half-spaces of one material are stretched alike by pressure; bodies
-  /// of finite size are not, and a wheel whose tread is longer turns slower by as much
+  /// How much more the tread is stretched along the track in the patch than the head [-]: of the place of the
+  /// wheel's steel along the track over its arc, less d u_z / d z of the rail, the slope of least squares
+  /// over the loaded nodes, lines of nodes along the track with means of their own. The arc z + z^3/(6 r^2)
+  /// is what the wheel's turning counts: with z in its place the flattening of the surface would count as
+  /// stretch, z^2/(2 r^2) or 0.13e-4 in the main scene. Half-spaces of one material are stretched alike by
+  /// pressure; bodies of finite size are not, and a wheel whose tread is longer turns slower by as much
   /// (doc/theory/bodies.md). To be asked under pressure alone: tractions stretch both surfaces, too, which
   /// the half-space theory of the start knows. `rail_before`: what the rail began with, as the residual shape
   /// that earlier wheels left stands still in the steel and is no velocity.
