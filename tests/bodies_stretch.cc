@@ -3,10 +3,10 @@
 // true bodies and by the static start of a run.
 
 #include <wheelrail/reference/body_contact.h>
-#include <wheelrail/run/run_start.h>
 
 #include "messages.h"
 #include "parallel.h"
+#include "silent_start.h"
 
 #include <iostream>
 #include <string>
@@ -26,12 +26,7 @@ namespace
     const BodyTables    tables   = make_body_tables(scene, geometry, "tables");
     const double bodies = solve_bodies(scene, geometry, scene_load(scene, geometry), tables).tread_stretch;
     Model        model  = make_model(scene, geometry, MPI_COMM_SELF);
-    const StaticResult start = static_start(*model.forest,
-                                            model.solid,
-                                            *model.contact,
-                                            model.parts,
-                                            static_loads(scene, model),
-                                            [](const std::string &) {});
+    const StaticResult start = silent_start(scene, model);
     std::cout << "        " << what << ": " << 1e4 * bodies << "e-4 by true bodies, "
               << 1e4 * start.tread_stretch << "e-4 by the static start" << std::endl;
     check_relative(start.tread_stretch, bodies, limit, what + ": stretch of the tread beyond the head");

@@ -4,12 +4,12 @@
 // a rigid mass on Hertz's spring.
 #include "parallel.h"
 #include "reduced_impact.h"
+#include "silent_start.h"
 #include "small_scene.h"
 
 #include <wheelrail/dynamics/rolling.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/reference/irregular_places.h>
-#include <wheelrail/run/run_start.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +81,8 @@ namespace
     const Scene         scene    = drop_scene();
     const SceneGeometry geometry = make_geometry(scene);
     Model               model    = make_model(scene, geometry, MPI_COMM_SELF);
-    const StaticLoads   loads    = static_loads(scene, model);
-    const StaticResult  start    = static_start(
-      *model.forest, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
-    const ReducedWheel wheel = reduced(scene, geometry, model, -start.lift);
+    const StaticResult  start    = silent_start(scene, model);
+    const ReducedWheel  wheel    = reduced(scene, geometry, model, -start.lift);
     std::cout << "        unsprung " << wheel.unsprung << " kg, load " << wheel.load << " N, lowered "
               << -1e6 * start.lift << " um, of which Hertz "
               << 1e6 * wheel.approach(wheel.load) - 1e6 * wheel.compliance * wheel.load << " um\n";

@@ -4,6 +4,7 @@
 // spring that its contact is at rest, and against the two masses on Hertz's spring.
 #include "parallel.h"
 #include "reduced_impact.h"
+#include "silent_start.h"
 #include "stopped_runs.h"
 
 #include <wheelrail/model/model.h>
@@ -51,10 +52,8 @@ namespace
   wheel_of(const Scene &scene, const SceneGeometry &geometry)
   {
     Model              model = make_model(scene, geometry, MPI_COMM_SELF);
-    const StaticLoads  loads = static_loads(scene, model);
-    const StaticResult start = static_start(
-      *model.forest, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
-    ReducedWheel wheel;
+    const StaticResult start = silent_start(scene, model);
+    ReducedWheel       wheel;
     wheel.load            = model.wheel_load;
     wheel.unsprung        = model.wheel_load / scene.gravity - scene.sprung_mass;
     wheel.suspension      = scene.suspension_stiffness;

@@ -3,6 +3,7 @@
 // Finite elements at rest on a rounded wheel flat of 0.9 mm: peak pressure, area and drop of the wheel
 // against half-spaces.
 #include "parallel.h"
+#include "silent_start.h"
 
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
@@ -59,12 +60,7 @@ namespace
     const Scene         scene    = flat_scene(cell, pitch);
     const SceneGeometry geometry = make_geometry(scene);
     Model               model    = make_model(scene, geometry, MPI_COMM_SELF);
-    const StaticResult  start    = static_start(*model.forest,
-                                            model.solid,
-                                            *model.contact,
-                                            model.parts,
-                                            static_loads(scene, model),
-                                            [](const std::string &) {});
+    const StaticResult  start    = silent_start(scene, model);
     check(start.converged && !start.at_border, "the start converges within the fine cells");
     const Axle          axle(model.axle, start.lift, 0, MPI_COMM_SELF);
     const PatchMeasures patch = measure_patch(patch_fields(*model.contact, axle, 0));

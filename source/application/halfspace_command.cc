@@ -107,8 +107,6 @@ namespace wheelrail
     out << text;
     if (const std::string note = resolution_note(scene, result.solution); !note.empty())
       out << "note: " << note << '\n';
-    if (!figures.title.empty())
-      out << figures.title << '\n';
     for (const std::string &line : halfspace_screen(figures))
       out << line << '\n';
     if (!result.others.empty())

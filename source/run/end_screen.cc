@@ -209,15 +209,19 @@ namespace wheelrail
                       ", energy error " + shown("energy_error") + ", " + shown("elements") + " elements, " +
                       shown("time_steps") + " steps, " + shown("peak_memory") + " of memory");
     }
+
+    Lines
+    title_of(const Summary &summary)
+    {
+      return summary.title.empty() ? Lines{} : Lines{summary.title};
+    }
   } // namespace
 
 
   std::vector<std::string>
   end_screen(const Summary &summary, const std::string &folder)
   {
-    Lines lines;
-    if (!summary.title.empty())
-      lines.push_back(summary.title);
+    Lines lines = title_of(summary);
     add_verdict(summary, lines);
     add_impact(summary, lines);
     add_forces(summary, lines);
@@ -238,7 +242,7 @@ namespace wheelrail
   std::vector<std::string>
   halfspace_screen(const Summary &summary)
   {
-    Lines lines;
+    Lines lines = title_of(summary);
     add_verdict(summary, lines);
     add_forces(summary, lines);
     add_contact(summary, lines);
