@@ -114,7 +114,8 @@ main()
   set_figure(halfspaces, "reference_lateral_m", 4.2e-3);
   const std::vector<std::string> still = halfspace_screen(halfspaces);
   check(still.size() <= 30 && still.size() > 12, std::to_string(still.size()) + " lines of half-spaces");
-  check_text(still[0], "  verdict: with care", "half-spaces say their verdict first, too");
+  check_text(still[0], "a run", "half-spaces begin with the title, too");
+  check_text(still[1], "  verdict: with care", "and their verdict");
   check_text(still[place_of(still, "contact angle")],
              "  position  contact angle                          47.70 mrad",
              "and how their plane lies");
