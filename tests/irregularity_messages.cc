@@ -292,6 +292,15 @@ namespace
         }
       return out.str();
     };
+    write("dent.prm",
+          "include scene.prm\nset Title = dent\nsubsection Irregularity 1\n  set Kind = dent\n  set Place = "
+          "50 mm\n"
+          "  set Length = 20 mm\n  set Width = 20 mm\n  set Depth = 0.1 mm\nend\nsubsection Track\n"
+          "  set Support = sleepers\nend\nsubsection Half-space\n  set Element size = 1 mm\nend\n");
+    const std::string at_start = command({"halfspace", "dent.prm", "--no-pictures"});
+    holds(at_start,
+          "note: at the start of the path alone, and the irregular surfaces as they are there; --places");
+    holds(at_start, "note: without Track/Support: the contact of steady rolling does not depend on it");
     holds(command({"halfspace", "scene.prm", "--places", "0, 1 mm", "--pitch", "0, 1 deg"}),
           "--places, --pitch and --creep-curve are different tables: give one of them");
     holds(

@@ -68,6 +68,17 @@ namespace wheelrail
           out << line;
         }
     }
+
+    /// What of the scene this contact does not see, though a run would.
+    void
+    print_left_out(const Scene &scene, std::ostream &out)
+    {
+      if (scene.irregular())
+        out << "note: at the start of the path alone, and the irregular surfaces as they are there; --places "
+               "goes along the path\n";
+      if (scene.support.kind != RailSupport::clamped_foot)
+        out << "note: without Track/Support: the contact of steady rolling does not depend on it\n";
+    }
   } // namespace
 
 
@@ -81,6 +92,8 @@ namespace wheelrail
     const bool          given = distance_is_given(scene);
     const WheelRailLoad load  = given ? WheelRailLoad() : scene_load(scene, *geometry);
     print_head(scene, load.force, out);
+    if (!given)
+      print_left_out(scene, out);
     const WheelRailSolution result  = given ? solve_given_distance(scene, geometry)
                                             : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
     HalfspaceResults        results = halfspace_results(scene, result);
