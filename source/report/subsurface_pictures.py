@@ -43,7 +43,9 @@ def panel(axes, cut, kind, top, title, view):
     colors = "viridis" if kind == "von Mises" else "RdBu_r"
     for body, position, depth, values in cut.bodies:
         image = axes.contourf(position, depth, values[kind].T, levels=levels, cmap=colors, extend="neither")
-        axes.contour(position, depth, values[kind].T, levels=levels, colors="black", linewidths=0.25, alpha=0.5)
+        crossed = [level for level in levels if np.nanmin(values[kind]) < level < np.nanmax(values[kind])]
+        if crossed:  # none without stress, while the wheel is off the rail
+            axes.contour(position, depth, values[kind].T, levels=crossed, colors="black", linewidths=0.25, alpha=0.5)
         axes.text(0.01, 0.97 if body == "wheel" else 0.03, body, transform=axes.transAxes, weight="bold",
                   va="top" if body == "wheel" else "bottom", color=style.GREY,
                   bbox=dict(facecolor="white", edgecolor="none", alpha=0.7, pad=1))
