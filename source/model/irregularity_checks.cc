@@ -93,6 +93,10 @@ namespace wheelrail
                                  (body == Body::rail && one.end < -0.5 * patch.length)))
               found.warnings.push_back(entry_text(scene, one.name, "Place") +
                                        ": the wheel does not come there within " + path_text(scene));
+            else if (!one.endless && one.end + 0.5 * patch.length > scene.mesh_distance())
+              found.warnings.push_back(entry_text(scene, one.name, "Place") + ": it ends at " +
+                                       rounded_mm(one.end) + ", where the patch is still on it after " +
+                                       path_text(scene) + "; the largest force may come later");
             check_across(scene,
                          one,
                          body == Body::rail ? geometry.contact.rail_x : geometry.contact.wheel_x,
