@@ -109,6 +109,10 @@ namespace
     check(test::message_of([&]() { read_vehicle_file(near.path()); }).find("perhaps yaw is meant") !=
             std::string::npos,
           "a name like a known one is refused");
+    const File swapped("time [s];laod [kN]\n0;1\n");
+    check(test::message_of([&]() { read_vehicle_file(swapped.path()); }).find("perhaps load is meant") !=
+            std::string::npos,
+          "two letters swapped count as one");
 
     std::ofstream("names.csv") << "# there; here\ny_ws;-lateral shift [mm]\n";
     check_near(value(read_vehicle_file(more.path(), "names.csv"), Q::lateral_shift),

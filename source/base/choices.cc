@@ -59,17 +59,22 @@ namespace wheelrail
   edit_distance(const std::string &a, const std::string &b)
   {
     const auto lower = [](const char c) { return std::tolower(static_cast<unsigned char>(c)); };
+    const auto alike = [&](const std::size_t i, const std::size_t j) { return lower(a[i]) == lower(b[j]); };
 
-    std::vector<unsigned int> row(b.size() + 1), above(b.size() + 1);
+    std::vector<unsigned int> row(b.size() + 1), above(b.size() + 1), second(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)
       above[j] = static_cast<unsigned int>(j);
     for (std::size_t i = 1; i <= a.size(); ++i)
       {
         row[0] = static_cast<unsigned int>(i);
         for (std::size_t j = 1; j <= b.size(); ++j)
-          row[j] = std::min(
-            {row[j - 1] + 1, above[j] + 1, above[j - 1] + (lower(a[i - 1]) == lower(b[j - 1]) ? 0u : 1u)});
-        std::swap(row, above);
+          {
+            row[j] = std::min({row[j - 1] + 1, above[j] + 1, above[j - 1] + (alike(i - 1, j - 1) ? 0u : 1u)});
+            if (i > 1 && j > 1 && alike(i - 1, j - 2) && alike(i - 2, j - 1))
+              row[j] = std::min(row[j], second[j - 2] + 1);
+          }
+        second.swap(above); // the row before the last
+        above.swap(row);
       }
     return above[b.size()];
   }

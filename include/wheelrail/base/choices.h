@@ -24,8 +24,8 @@ namespace wheelrail
   std::string
   perhaps(const std::string &text, const std::vector<std::string> &choices);
 
-  /// Number of single-letter insertions, deletions and replacements between two texts, case
-  /// ignored (Levenshtein, 1966).
+  /// Number of single-letter insertions, deletions, replacements and swaps of neighbours between two texts,
+  /// case ignored (Damerau, 1964; no letter changed twice).
   unsigned int
   edit_distance(const std::string &a, const std::string &b);
 } // namespace wheelrail
