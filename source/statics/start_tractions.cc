@@ -102,12 +102,6 @@ namespace wheelrail
             planes_.emplace_back(contact, grid, bodies, motion);
       }
 
-      bool
-      empty() const
-      {
-        return planes_.empty();
-      }
-
       void
       roll(const double creepage)
       {
@@ -124,6 +118,8 @@ namespace wheelrail
       bool
       drive(const double force)
       {
+        if (planes_.empty())
+          return true;
         if (planes_.size() == 1)
           {
             StartPlane &plane                      = planes_.front();
@@ -132,7 +128,7 @@ namespace wheelrail
             plane.solve();
             return plane.solution.within_friction && plane.solution.tangential_converged;
           }
-        const double close = 1e-6 * std::abs(bound());
+        const double close = 1e-6 * bound();
         // from the creepage of the last force on
         const CreepageFound found = find_creepage(
           [&](const double creepage) {
@@ -147,7 +143,7 @@ namespace wheelrail
                });
       }
 
-      /// Tractions of the elements as means over the nodes.
+      /// Tractions of the elements as means over the nodes; none without patches.
       StartTractions
       tractions() const
       {
@@ -214,15 +210,6 @@ namespace wheelrail
       double                  creepage_ = 0; ///< last found
     };
 
-    StartTractions
-    without_tractions(const Contact &contact, const double creepage)
-    {
-      StartTractions result;
-      result.creepage = creepage;
-      result.traction.assign(contact.nodes().size(), {0, 0, 0});
-      return result;
-    }
-
     /// The solution with the largest force up to the one wanted that friction falling with the slip
     /// carries, to one per cent of the bound at rest: bisection from the force that it carries at any speed.
     StartTractions
@@ -256,10 +243,10 @@ namespace wheelrail
                               const StartMotion     &motion)
   {
     StartPlanes planes(contact, bodies, motion);
-    if (planes.empty())
-      return without_tractions(contact, creepage);
     planes.roll(creepage);
-    return planes.tractions();
+    StartTractions result = planes.tractions();
+    result.creepage       = creepage;
+    return result;
   }
 
 
@@ -279,9 +266,7 @@ namespace wheelrail
     const double   force = std::clamp(longitudinal_force, -bound, bound);
     StartPlanes    planes(contact, bodies, motion);
     StartTractions result;
-    if (planes.empty())
-      result = without_tractions(contact, 0);
-    else if (friction.steepest_fall() > 0)
+    if (friction.steepest_fall() > 0)
       result = drive_with_falling_friction(
         planes, force, std::min(std::abs(force), full_slip * friction.at_speed * load));
     else
