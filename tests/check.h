@@ -56,13 +56,6 @@ namespace test
   constexpr bool sanitized = false;
 #endif
 
-  /// The time [s] that a piece of work may take here: `seconds`, or more in a build with sanitizers.
-  inline double
-  seconds_allowed(const double seconds)
-  {
-    return sanitized ? 20 * seconds : seconds;
-  }
-
   /// Passes when both texts are equal; prints both when they are not.
   inline bool
   check_text(const std::string &value, const std::string &expected, const std::string &text)

@@ -1,5 +1,5 @@
 // Placement and 2D-Geo: contact points against the reference tables for all shifts and both roll
-// modes, profiles in the contact frame, interpenetration, refused shifts, speed.
+// modes, profiles in the contact frame, interpenetration, refused shifts.
 
 #include "check.h"
 #include "reference_table.h"
@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <sstream>
 
 using namespace wheelrail;
@@ -183,24 +182,6 @@ namespace
                1,
                0.05,
                "distance near the point is kappa s^2 / 2, ratio");
-
-    const auto start = std::clock();
-    double     sum   = 0;
-    for (int i = 0; i < 100000; ++i)
-      sum += undeformed_distance(w, r, -0.02 + 4e-7 * i);
-    const auto middle = std::clock();
-    for (int i = 0; i < 10; ++i)
-      sum += find_contact(rail, wheel, TrackDimensions(), {1e-4 * i, RollMode::from_contact}).rolling_radius;
-    const auto end = std::clock();
-    check(std::isfinite(sum), "speed loops give numbers");
-    check_near(static_cast<double>(middle - start) / CLOCKS_PER_SEC,
-               0,
-               test::seconds_allowed(1),
-               "100 000 undeformed distances [s]");
-    check_near(static_cast<double>(end - middle) / CLOCKS_PER_SEC / 10,
-               0,
-               test::seconds_allowed(0.2),
-               "one contact with roll [s]");
   }
 
   void

@@ -1,7 +1,7 @@
 // label: fast
 
 // Curves and standard profiles: elements against the tables of the standards, joints, section
-// properties against the catalogue, curve operations against each other, speed.
+// properties against the catalogue, curve operations against each other.
 
 #include "check.h"
 #include "reference_table.h"
@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <string>
 
 using namespace wheelrail;
@@ -200,7 +199,7 @@ namespace
   }
 
   void
-  test_length_and_speed()
+  test_length()
   {
     const Curve tread = wheel_profile("S1002").tread;
     // Arc length of zone B by Richardson extrapolation of inscribed polygons, as an independent way.
@@ -219,24 +218,6 @@ namespace
         b = sum;
       }
     check_near(tread.length(2, 3) / (b + (b - a) / 3), 1, 1e-12, "length of zone B against polygons, ratio");
-
-    const auto start = std::clock();
-    double     sum   = 0;
-    for (int i = 0; i < 100000; ++i)
-      sum += tread.at(9e-5 * i).position.y;
-    const auto middle = std::clock();
-    for (int i = 0; i < 100000; ++i)
-      sum += tread.closest({0.06 - 1.2e-6 * i, 0.001});
-    const auto end = std::clock();
-    check(std::isfinite(sum), "speed loops give numbers");
-    check_near(static_cast<double>(middle - start) / CLOCKS_PER_SEC,
-               0,
-               test::seconds_allowed(1),
-               "100 000 evaluations of S1002 [s]");
-    check_near(static_cast<double>(end - middle) / CLOCKS_PER_SEC,
-               0,
-               test::seconds_allowed(2),
-               "100 000 closest points of S1002 [s]");
   }
 
   /// A cone's radius is linear, and its root and flank join without a kink.
@@ -305,7 +286,7 @@ main()
   test_curve(rail_profile("54E1").outline, "54E1 outline");
   test_curve(rail_profile("60E1").head, "60E1 head");
   test_curve(wheel_profile("S1002").tread, "S1002");
-  test_length_and_speed();
+  test_length();
   test_cones();
   test_errors();
   return report();

@@ -159,8 +159,9 @@ namespace
     const double moved    = waves.response(standing, on_foot, on_head, 0).real();
     check_relative(moved, 1.246e-8, 0.03, "deflection of the foot on 50 MN/m2 over Timoshenko's beam");
     // sections stay plane and across the rail where it bends over some metres: the foot goes along by its
-    // depth below the neutral axis (80.95 mm, EN 13674-1) times the slope
-    const auto   soft = waves.waves(2 * M_PI, 0, {0., 0.5e6, 0.});
+    // depth below the neutral axis (80.95 mm, EN 13674-1) times the slope; at 10 Hz, since much below the
+    // wave along the rail drowns in rounding
+    const auto   soft = waves.waves(2 * M_PI * 10, 0, {0., 0.5e6, 0.});
     const double step = 0.1, at = 1.5;
     const double slope =
       (waves.response(soft, on_foot, on_head, at + step) - waves.response(soft, on_foot, on_head, at - step))
@@ -168,7 +169,7 @@ namespace
       (2 * step);
     check_relative(waves.response(soft, along_foot, on_head, at).real() / slope,
                    80.95e-3,
-                   0.05, // shear turns sections less than the rail slopes
+                   0.02, // shear turns sections less than the rail slopes
                    "motion of the foot along the rail over the slope of the rail");
     for (const double frequency : {50., 300., 1000., 3000.})
       {
