@@ -165,6 +165,31 @@ namespace
     check(out.str().find("nan") == std::string::npos, "no nan in it");
     check_near(get_figure(read_summary(path), "relative_difference_max_pressure"), 0, 1e-3, "its peak");
   }
+
+  /// A wheel that flies where the means are taken.
+  void
+  test_off_the_rail()
+  {
+    Scene scene;
+    scene.irregularities[0].kind  = IrregularKind::dent;
+    scene.irregularities[0].place = 0.04;
+    scene.irregularities[0].depth = 0.1e-3;
+    write_run(scene, {});
+    const std::string path = (folder / "summary.json").string();
+    Summary           run  = read_summary(path);
+    set_figure(run, "wheel_load_N", 80e3);
+    set_figure(run, "vertical_force_N", 500);
+    write_summary(run, path);
+    std::ostringstream out;
+    check_text(
+      test::message_of([&]() {
+        execute({"compare", folder.string()}, {}, out);
+      }),
+      "The file \"" + path +
+        "\" holds means of a wheel off the rail, which has no patch to be compared; compute it again with "
+        "Run/Evaluate at = largest force.",
+      "a wheel off the rail");
+  }
 } // namespace
 
 int
@@ -175,5 +200,6 @@ main()
   test_pose_is_used();
   test_changed_figures();
   test_frictionless();
+  test_off_the_rail();
   return test::report();
 }

@@ -36,6 +36,9 @@ namespace
                "stretch of its "
                "means by itself; write Evaluate at = end, or a Rolling distance in mm",
                "a place of the means with a run until steady");
+    check_set("Run/Evaluate at = largest force",
+              "--set: Run/Evaluate at = largest force: on smooth surfaces the largest force is chance; write "
+              "Evaluate at = end, or add an Irregularity");
     const auto prepared = [](const std::string &window) {
       return message_of([&]() {
         require_computable(

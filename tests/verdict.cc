@@ -151,6 +151,38 @@ namespace
     check(judge_run(Scene(), m).grade() == Grade::with_care, "without a reference care is needed");
   }
 
+  /// Over irregular surfaces: means where the wheel flies, and a force that still rises at the end.
+  void
+  test_way()
+  {
+    Scene scene;
+    scene.irregularities[0].kind = IrregularKind::dent;
+    Summary run;
+    run.patch_lateral = run.patch_longitudinal = 12e-3;
+    run.max_pressure = run.max_pressure_fitted = 1e9;
+    run.energy_error                           = 1e-3;
+    run.vertical_force                         = 120e3;
+    run.rolled_distance                        = 0.12;
+    set_figure(run, "wheel_load_N", 80e3);
+    set_figure(run, "largest_vertical_force_at_m", 0.072);
+    set_figure(run, "cells_across_peak", 6);
+    check_text(judge_run(scene, measures_of_run(scene, run)).doubts(), "", "a run over a dent is trusted");
+    set_figure(run, "largest_vertical_force_at_m", 0.1198);
+    check_text(judge_run(scene, measures_of_run(scene, run)).doubts(),
+               "The largest vertical force acts at the end of the path, 119.8 mm, so that a larger one may "
+               "come behind it; roll farther (Run/Rolling distance).",
+               "a force that still rises");
+    set_figure(run, "largest_vertical_force_at_m", 0.072);
+    run.vertical_force     = 0.8e3;
+    run.patch_longitudinal = 0;
+    const Verdict verdict  = judge_run(scene, measures_of_run(scene, run));
+    check_text(verdict.doubts(),
+               "The wheel carries 1.0 % of its load where the means are taken: it is off the rail there, and "
+               "they say nothing of the contact; take Run/Evaluate at = largest force.",
+               "a wheel off the rail, and nothing of its cells");
+    check(verdict.grade() == Grade::with_care, "is no fault of the run");
+  }
+
   void
   test_words()
   {
@@ -338,6 +370,7 @@ main()
 {
   test_rules();
   test_without_reference();
+  test_way();
   test_words();
   test_agreement();
   test_run();

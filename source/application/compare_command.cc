@@ -49,6 +49,11 @@ namespace wheelrail
           "The file \"" + path +
           "\" lacks one of vertical_force_N, longitudinal_force_N and max_pressure_Pa: the run did "
           "not get so far that its patch could be compared.");
+      if (measures_of_run(scene, run).off_rail())
+        throw RunError(
+          "The file \"" + path +
+          "\" holds means of a wheel off the rail, which has no patch to be compared; compute it "
+          "again with Run/Evaluate at = largest force.");
       const double load = 100 * expected_load(scene);
       require("vertical_force_N", 1e-6 * load, load);
       require("longitudinal_force_N", -load, load);

@@ -352,11 +352,15 @@ namespace wheelrail
       found.errors.push_back(
         entry_text(scene, "Run", "Averaging distance") + ": longer than " + path_text(scene) +
         "; the mean is taken over the last part of the run, so at most that is possible");
-    else if (scene.evaluate_at > 0 && scene.until_steady())
+    else if (scene.evaluate_at != 0 && scene.until_steady())
       found.errors.push_back(
         entry_text(scene, "Run", "Evaluate at") +
         ": a run with Run/Rolling distance = until steady finds the stretch of its means by itself; write "
         "Evaluate at = end, or a Rolling distance in mm");
+    else if (scene.evaluate_at == Scene::at_largest_force && !scene.irregular())
+      found.errors.push_back(
+        entry_text(scene, "Run", "Evaluate at") +
+        ": on smooth surfaces the largest force is chance; write Evaluate at = end, or add an Irregularity");
     else if (scene.evaluate_at > 0 &&
              (scene.evaluate_at - 0.5 * scene.averaging_distance < -1e-9 ||
               scene.evaluate_at + 0.5 * scene.averaging_distance > scene.path() + 1e-9))

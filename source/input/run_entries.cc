@@ -171,16 +171,22 @@ namespace wheelrail
       "mm",
       B::above("0 mm", "10 m"),
       field(&S::averaging_distance)));
-    list.push_back(with_word(length_entry({"Run",
-                                           "Evaluate at",
-                                           "Middle of that stretch, as rolled distance; end: it is the last "
-                                           "one of the run. A place needs a Rolling distance that is given."},
-                                          "mm",
-                                          B::above("0 mm", "10 m"),
-                                          field(&S::evaluate_at)),
-                             "end",
-                             0,
-                             field(&S::evaluate_at)));
+    list.push_back(
+      with_word(with_word(length_entry({"Run",
+                                        "Evaluate at",
+                                        "Middle of that stretch, as rolled distance; end: it is the last one "
+                                        "of the run; largest force: around the largest vertical force of a "
+                                        "run over irregular surfaces. A place needs a Rolling distance that "
+                                        "is given."},
+                                       "mm",
+                                       B::above("0 mm", "10 m"),
+                                       field(&S::evaluate_at)),
+                          "largest force",
+                          S::at_largest_force,
+                          field(&S::evaluate_at)),
+                "end",
+                0,
+                field(&S::evaluate_at)));
     list.push_back(
       choice_entry<StartState>({"Run",
                                 "Start",

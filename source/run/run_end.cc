@@ -203,10 +203,10 @@ namespace wheelrail
     set_patch_place(head_place(geometry.contact.rail, scene.track, place), summary);
     measures.place   = place_in_words(place.x);
     measures.made_up = made_up_part(geometry, place);
-    if (scene.motion == "none")
-      compare_peak(scene, geometry, summary, measures);
-    else
+    if (scene.motion != "none")
       compare_peak_on_way(scene, geometry, summary, measures);
+    else if (!measures.off_rail())
+      compare_peak(scene, geometry, summary, measures);
     const Verdict verdict = judge_run(scene, measures);
     set_verdict(summary, verdict);
     std::vector<std::string> warnings;

@@ -229,11 +229,18 @@ namespace wheelrail
   {
     const double rolled =
                    state_.history.columns.empty() ? 0 : column(state_.history, "rolled_distance").back(),
-                 length = scene.averaging_distance, end = scene.evaluate_at + 0.5 * length;
+                 length = scene.averaging_distance;
     if (scene.until_steady())
       if (const Steadiness known = steadiness(scene); known.steady())
         return known.stretch;
-    if (scene.evaluate_at > 0 && rolled >= end * (1 - 1e-9))
+    double middle = scene.evaluate_at;
+    if (middle == Scene::at_largest_force && rolled > 0)
+      {
+        const auto &force = column(state_.history, "vertical_force");
+        const auto  top   = std::max_element(force.begin(), force.end()) - force.begin();
+        middle            = std::max(column(state_.history, "rolled_distance")[top], 0.5 * length);
+      }
+    if (const double end = middle + 0.5 * length; middle > 0 && rolled >= end * (1 - 1e-9))
       return {end - length, end};
     return {rolled - length, rolled};
   }

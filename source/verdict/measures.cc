@@ -43,11 +43,20 @@ namespace wheelrail
     m.settled_after = figure("settled_after_m");
     if (std::isnan(m.settled_after) && std::isfinite(m.means_from))
       m.settled_after = std::numeric_limits<double>::infinity();
-    m.energy_error = run.energy_error;
+    m.energy_error     = run.energy_error;
+    const double share = run.vertical_force / figure("wheel_load_N");
     if (scene.motion == "none" && !scene.irregular())
-      m.load_miss = run.vertical_force / figure("wheel_load_N") - 1;
+      m.load_miss = share - 1;
     if (!scene.irregular())
       m.torque_miss = figure("torque_miss");
+    else
+      {
+        m.load_share = share;
+        m.force_at   = figure("largest_vertical_force_at_m");
+        m.path_end   = run.rolled_distance;
+      }
+    if (m.off_rail())
+      m.cells = m.cells_across_peak = Measures::none;
     m.peak_pressure = run.max_pressure;
     if (run.max_plastic_strain > 0)
       m.plastic_strain = run.max_plastic_strain;

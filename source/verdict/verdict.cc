@@ -149,6 +149,24 @@ namespace wheelrail
               roll_on(scene) + ", where friction can carry the torque.");
     }
 
+    /// Over irregular surfaces: whether the means are those of a contact, and the largest force is known.
+    void
+    judge_way(const Measures &m, Verdict &verdict)
+    {
+      constexpr double short_way = 0.5e-3; // what the force still rises over [m]
+      if (m.off_rail())
+        add(verdict,
+            Grade::with_care,
+            "the wheel carries " + percent(m.load_share) +
+              " of its load where the means are taken: it is off the rail there, and they say nothing of the "
+              "contact; take Run/Evaluate at = largest force.");
+      if (m.force_at > m.path_end - short_way)
+        add(verdict,
+            Grade::with_care,
+            "the largest vertical force acts at the end of the path, " + text("%.1f mm", 1e3 * m.force_at) +
+              ", so that a larger one may come behind it; roll farther (Run/Rolling distance).");
+    }
+
     /// What no steel bears, and what nobody has measured.
     void
     judge_place(const Measures &m, Verdict &verdict)
@@ -251,7 +269,9 @@ namespace wheelrail
     Verdict verdict;
     judge_place(measures, verdict);
     judge_resolution(scene, measures, verdict);
-    if (!scene.irregular()) // over irregular surfaces nothing is steady
+    if (scene.irregular())
+      judge_way(measures, verdict);
+    else
       judge_steadiness(scene, measures, verdict);
     judge_balances(scene, measures, verdict);
     find_limits(scene, measures, verdict);

@@ -187,6 +187,8 @@ namespace wheelrail
     double prepared_distance = 0; ///< the mesh is made for rolling that far [m], 0: the rolling distance
 
     // Run
+    static constexpr double at_largest_force = -1; ///< for evaluate_at: around the largest vertical force
+
     StartState   start              = StartState::steady_rolling;
     double       rolling_distance   = 0.06; ///< [m], 0: until steady
     double       longest_distance   = 0.06; ///< of a run until steady [m]

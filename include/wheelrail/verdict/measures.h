@@ -28,6 +28,11 @@ namespace wheelrail
     double      means_from     = none; ///< where the means begin [m]
     std::string swing_of, drift_of;    ///< the figures with the largest ones
 
+    // over irregular surfaces, where nothing is steady
+    double load_share = none; ///< vertical force of the stretch of the means over the wheel load
+    double force_at   = none; ///< where the largest vertical force of the path acts [m]
+    double path_end   = none; ///< [m]
+
     // balances
     double energy_error = none; ///< over strain plus dissipated energy
     double load_miss    = none; ///< mean vertical force over static load, less 1
@@ -48,6 +53,13 @@ namespace wheelrail
     double patches           = 1;    ///< separate ones of the run, where the half-spaces have not as many
     std::vector<std::string> beyond; ///< other figures that differ by more than their limit, in words
     std::string              no_reference; ///< why there are no half-spaces to compare with; empty: there are
+
+    /// Whether the wheel hardly touches the rail where the means are taken, so that its patch is no measure.
+    bool
+    off_rail() const
+    {
+      return load_share < 0.1;
+    }
 
     /// What the penalty contact takes from the peak, about: a layer of springs between the bodies. 0.85 p/(1
     /// + p) of the penetration p fits the runs of doc/theory/accuracy.md (f = 10: 0.7 %, f = 0.1: a third).
