@@ -303,7 +303,8 @@ namespace wheelrail
         output_->residual(*left);
       Summary summary = summary_of(run.parts(), tally, output_->stress());
       if (finished)
-        set_stress_below(output_->stress_below(), summary);
+        if (!scene_.irregular()) // they are those of the end of the path
+          set_stress_below(output_->stress_below(), summary);
       if (left)
         add_residual(*left, summary);
       summary.program_version = options_.program_version;

@@ -272,7 +272,13 @@ namespace wheelrail
     fill_grid(summary, known.stretch);
     fill_settling(summary, known);
     if (irregular())
-      add_impact_figures(state_.history, model_.wheel_load, summary);
+      {
+        add_impact_figures(state_.history, model_.wheel_load, summary);
+        summary.max_von_mises = mean_over(column(state_.history, "rolled_distance"),
+                                          column(state_.history, "max_von_mises"),
+                                          known.stretch)
+                                  .mean;
+      }
     add_track_figures(state_.history, known.stretch, summary);
   }
 
