@@ -235,7 +235,7 @@ namespace wheelrail
   }
 
 
-  bool
+  double
   StaticSearch::renew_tractions()
   {
     if (tractions.traction.empty()) // so far pressure alone
@@ -253,9 +253,11 @@ namespace wheelrail
     lateral_force_              = whole[0];
     for (std::size_t k = 0; k < drag_.size(); ++k)
       drag_[k] -= pressures[k];
-    return std::abs(tractions.creepage - before.creepage) > 1e-5 * std::abs(tractions.creepage) ||
-           std::abs(tractions.force - before.force) > 1e-5 * wheel_load() ||
-           std::abs((lateral_force_ - before_lateral) * std::sin(loads_.yaw)) > 1e-5 * wheel_load();
+    const double least = 1e-300; // of a creepage that is 0
+    return std::max(
+      {std::abs(tractions.creepage - before.creepage) / std::max(std::abs(tractions.creepage), least),
+       std::abs(tractions.force - before.force) / wheel_load(),
+       std::abs((lateral_force_ - before_lateral) * std::sin(loads_.yaw)) / wheel_load()});
   }
 
 

@@ -43,9 +43,12 @@ namespace wheelrail
                         StaticResult &result)
     {
       constexpr int most_steps = 60;
-      // what may be out of balance when tractions are renewed: the first ones ask for the stretch of the
-      // tread under pressure alone, later ones only have to follow the pressures that bound them
+      // what may be out of balance at a node when tractions are renewed: the first ones ask for the stretch
+      // of the tread under pressure alone, later ones only have to follow the pressures that bound them
       constexpr double balanced = 1e-3, nearby = 0.05;
+      // and of the wheel load: two patches that trade a tenth of it would trade their tractions for ever
+      constexpr double loaded = 3e-3, unchanged = 1e-5;
+      double           change  = loaded;
       int              rounds  = frictionless ? 0 : most_rounds; // of tractions, still to come
       StaticBalance    balance = search.balance();
       StaticProgress   progress;
@@ -54,9 +57,11 @@ namespace wheelrail
           const double residual = balance.residual.linfty_norm() / result.wheel_load;
           const double missing  = result.wheel_load - balance.sums.force[1];
           const bool settled = residual < tolerance && std::abs(missing) < 5 * tolerance * result.wheel_load;
-          if (settled || (rounds > 0 && residual < (rounds == most_rounds ? balanced : nearby)))
+          if (settled || (rounds > 0 && residual < (rounds == most_rounds ? balanced : nearby) &&
+                          std::abs(missing) < std::min(loaded, 2 * change) * result.wheel_load))
             {
-              const bool changed = rounds > 0 && search.renew_tractions();
+              change             = rounds > 0 ? search.renew_tractions() : 0;
+              const bool changed = change > unchanged;
               if (settled && !changed)
                 return balance;
               --rounds;

@@ -37,10 +37,9 @@ namespace wheelrail
     SectionWaves(const WaveMatrices &matrices, const std::vector<SectionForce> &forces);
 
     /// Of the angular frequency w [rad/s]; Im w < 0 is what a response has that is faded by exp(Im w t).
-    /// Below some 5 Hz the wave along a rail without springs, k^2 = w^2 rho / E, drowns in the rounding of the
-    /// eigenvalues.
-    /// `springs`: for each force the stiffness for each metre of the body of springs that act as it does
-    /// [N/m2]; empty: none.
+    /// Below some 5 Hz the wave along a rail without springs, k^2 = w^2 rho / E, drowns in the rounding of
+    /// the eigenvalues. `springs`: for each force the stiffness for each metre of the body of springs that
+    /// act as it does [N/m2]; empty: none.
     std::vector<Wave>
     waves(std::complex<double> w, double loss, const std::vector<std::complex<double>> &springs = {}) const;
 

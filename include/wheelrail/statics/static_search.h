@@ -71,9 +71,9 @@ namespace wheelrail
     StaticBalance
     search_along(const StaticStep &step, const StaticBalance &start);
 
-    /// Tractions for the present pressures as loads, and the rate of turning that goes with them. Whether
-    /// creepage or force have changed by more than 1e-5.
-    bool
+    /// Tractions for the present pressures as loads, and the rate of turning that goes with them. By how much
+    /// they have changed: the creepage over itself, or the force over the wheel load, whatever is more.
+    double
     renew_tractions();
 
     /// tread_stretch() that the tractions take account of.
