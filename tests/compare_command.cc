@@ -166,6 +166,24 @@ namespace
     check_near(get_figure(read_summary(path), "relative_difference_max_pressure"), 0, 1e-3, "its peak");
   }
 
+  /// Another folder than that of a run, and a word that is none of the bodies.
+  void
+  test_refused()
+  {
+    std::ostringstream out;
+    const std::string  other = (folder / "pictures").string();
+    check_text(test::message_of([&]() {
+                 execute({"compare", other}, {}, out);
+               }),
+               "The folder " + other + " holds no summary.json; give the output folder of a run.",
+               "a folder without a run");
+    check_text(test::message_of([&]() {
+                 execute({"compare", folder.string(), "--bodies", "reel"}, {}, out);
+               }),
+               "--bodies reel: half-spaces or real is accepted",
+               "a misspelt word");
+  }
+
   /// A wheel that flies where the means are taken.
   void
   test_off_the_rail()
@@ -201,5 +219,6 @@ main()
   test_changed_figures();
   test_frictionless();
   test_off_the_rail();
+  test_refused();
   return test::report();
 }

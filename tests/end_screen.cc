@@ -108,6 +108,16 @@ main()
              "            acceleration of the axle box    -237.6 to 305.5 m/s2",
              "and how the axle box is shaken");
 
+  set_figure(run, "foot_deflection_m", 0.512e-3);
+  set_figure(run, "largest_pad_force_N", 41.23e3);
+  const std::vector<std::string> on_pads = end_screen(run, "out");
+  check_text(on_pads[place_of(on_pads, "foot sinks")],
+             "  track     rail's foot sinks                      0.512 mm",
+             "how far the foot sinks on its pads");
+  check_text(on_pads[place_of(on_pads, "force of a pad")],
+             "            largest force of a pad                 41.23 kN",
+             "and what they carry");
+
   Summary halfspaces = finished_run();
   set_figure(halfspaces, "contact_angle_rad", 47.7e-3);
   set_figure(halfspaces, "archard_depth_m", 17.345e-9);

@@ -111,6 +111,10 @@ namespace
                "x.prm:1: subsection Contct: no such subsection; the nearest is Contact",
                "a misspelt subsection");
     check_set(
+      "Irregularity 10/Kind = dent",
+      "--set: Irregularity 10/Kind: no such subsection; there are Irregularity 1 to 9, and a file may "
+      "hold more (Kind = file)");
+    check_set(
       "Sleepers/Spacing = 600 mm",
       "--set: Sleepers/Spacing: no such subsection; there are Profiles, Track, Wheelset, Contact, Rail "
       "material, Wheel material, Mesh, Run, Output, Half-space, Irregularity 1, Irregularity 2, Irregularity "

@@ -37,6 +37,9 @@ main()
   check_text(warning({"Track/Pad stiffness = 100 MN/m"}),
              "Track/Pad stiffness = 100 MN/m: without effect, since Track/Support = clamped foot",
              "pads below a clamped foot");
+  check_text(warning({"Track/Sleeper spacing = 700 mm"}),
+             "Track/Sleeper spacing = 700 mm: without effect, since Track/Support = clamped foot",
+             "sleepers below it");
   check_text(warning({"Track/Support = continuous pads", "Track/Sleeper mass = 200 kg"}),
              "Track/Sleeper mass = 200 kg: without effect, since Track/Support = continuous pads stands on "
              "rigid ground",

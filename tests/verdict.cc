@@ -362,6 +362,12 @@ namespace
       "Only 5 elements lie across the contact: the peak pressure may be off by 5 % and more; take a smaller "
       "Half-space/Element size.",
       "few elements");
+    m.cells = 20;
+    m.turn  = 0.51;
+    check_text(judge_halfspaces(m).doubts(),
+               "The surfaces turn by 29 degrees across the contact, as in the flange root, which half-spaces "
+               "do not know: the peak pressure may be off by 10 % and more; take Half-space/Bodies = real.",
+               "the flange root");
   }
 } // namespace
 

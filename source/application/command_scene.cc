@@ -21,7 +21,12 @@ namespace wheelrail
     if (options.count("set"))
       sets = options["set"].as<std::vector<std::string>>();
     if (options.count("bodies"))
-      sets.push_back("Half-space/Bodies = " + options["bodies"].as<std::string>());
+      {
+        const std::string bodies = options["bodies"].as<std::string>();
+        if (bodies != "real" && bodies != "half-spaces")
+          throw InputError("--bodies " + bodies + ": half-spaces or real is accepted");
+        sets.push_back("Half-space/Bodies = " + bodies);
+      }
     return sets;
   }
 

@@ -128,6 +128,8 @@ namespace wheelrail
       throw InputError(folder +
                        ": half-spaces, which have no run to be compared with; compare needs the "
                        "output folder of a run");
+    if (!std::filesystem::exists(path / "summary.json"))
+      throw InputError("The folder " + folder + " holds no summary.json; give the output folder of a run.");
     Summary    run   = read_summary((path / "summary.json").string());
     SceneInput input = read_scene((path / "parameters.prm").string(), sets);
     use_kept_profiles(input.scene, folder);

@@ -95,6 +95,9 @@ namespace wheelrail
   {
     const std::vector<std::string> names   = section_names();
     const std::string              nearest = nearest_choice(section, names);
+    if (section.rfind("Irregularity ", 0) == 0)
+      return "no such subsection; there are Irregularity 1 to " + std::to_string(most_irregularities) +
+             ", and a file may hold more (Kind = file)";
     if (!nearest.empty())
       return "no such subsection; the nearest is " + nearest;
     return "no such subsection; there are " + join(names, ", ");

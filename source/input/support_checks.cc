@@ -34,6 +34,15 @@ namespace wheelrail
                                entry_text(scene, "Track", "Rail length") +
                                ", and a rail needs two at least; take a longer rail or a shorter spacing");
     }
+
+    bool
+    of_pads_or_sleepers(const std::string &entry)
+    {
+      for (const char *begin : {"Pad ", "Sleeper ", "First sleeper", "Ballast "})
+        if (entry.rfind(begin, 0) == 0)
+          return true;
+      return false;
+    }
   } // namespace
 
 
@@ -63,10 +72,10 @@ namespace wheelrail
                              "; take shorter ones or a longer rail");
     if (support.kind == RailSupport::clamped_foot)
       {
-        for (const char *name :
-             {"Pad stiffness", "Pad lateral stiffness", "Pad longitudinal stiffness", "Pad loss factor"})
-          if (const Entry *entry = find_entry("Track", name); entry->get(scene) != entry->default_text)
-            found.warnings.push_back(entry_text(scene, "Track", name) + ": without effect, since " +
+        for (const Entry &entry : entries())
+          if (entry.section == "Track" && of_pads_or_sleepers(entry.name) &&
+              entry.get(scene) != entry.default_text)
+            found.warnings.push_back(entry_text(scene, "Track", entry.name) + ": without effect, since " +
                                      entry_text(scene, "Track", "Support"));
         return;
       }

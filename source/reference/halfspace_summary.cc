@@ -42,23 +42,25 @@ namespace wheelrail
 
     /// Of the patch, without the others.
     Verdict
-    judge_patch(const WheelRailSolution &result)
+    judge_patch(const Scene &scene, const WheelRailSolution &result)
     {
       Measures measures;
       measures.cells         = elements_across(result.solution);
       measures.peak_pressure = result.solution.peak_pressure;
       measures.made_up       = result.made_up;
+      if (scene.halfspace_bodies == ContactBodies::half_spaces)
+        measures.turn = result.turn;
       if (result.reference)
         measures.place = place_in_words(result.reference->place.x);
       return judge_halfspaces(measures);
     }
 
     Verdict
-    judge_patches(const WheelRailSolution &result)
+    judge_patches(const Scene &scene, const WheelRailSolution &result)
     {
-      Verdict verdict = judge_patch(result);
+      Verdict verdict = judge_patch(scene, result);
       for (const WheelRailSolution &other : result.others)
-        for (const Finding &finding : judge_patch(other).findings)
+        for (const Finding &finding : judge_patch(scene, other).findings)
           verdict.findings.push_back(finding);
       return verdict;
     }
@@ -210,7 +212,7 @@ namespace wheelrail
     if (result.others.empty())
       {
         set_quotient(patches.front());
-        set_verdict(patches.front(), judge_patches(result));
+        set_verdict(patches.front(), judge_patches(scene, result));
         return patches.front();
       }
     for (const WheelRailSolution &other : result.others)
@@ -221,7 +223,7 @@ namespace wheelrail
     add_up(patches, total);
     total.wall_time = result.time;
     set_quotient(total);
-    set_verdict(total, judge_patches(result));
+    set_verdict(total, judge_patches(scene, result));
     set_figure(total, "patches", patches.size());
     for (std::size_t k = 0; k < patches.size(); ++k)
       add_patch(patches[k], k + 1, total);

@@ -156,7 +156,7 @@ def main(arguments):
             if options.csv:
                 print(f"{len(tables.write_all(run))} tables in {os.path.join(run.folder, 'csv')}")
     except (run_data.ReportError, OSError) as error:
-        print(error, file=sys.stderr)
+        print(f"error: {error}", file=sys.stderr)
         return 1
     for sentence in run.remarks:
         print(sentence)

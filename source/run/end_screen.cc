@@ -172,6 +172,15 @@ namespace wheelrail
         }
     }
 
+    /// What rests on pads or sleepers.
+    void
+    add_track(const Summary &summary, Lines &lines)
+    {
+      Group track("track", summary, lines);
+      for (const char *name : {"foot_deflection", "largest_pad_force", "largest_pad_pull"})
+        track.figure(name);
+    }
+
     /// What half-spaces and true bodies know beyond a run's patch: in which plane it lies, how the bodies
     /// moved.
     void
@@ -227,6 +236,7 @@ namespace wheelrail
     add_forces(summary, lines);
     add_contact(summary, lines);
     add_stresses(summary, lines);
+    add_track(summary, lines);
     add_cost(summary, lines);
     if (!summary.note.empty())
       lines.push_back("  " + summary.note);

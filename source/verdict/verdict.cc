@@ -293,6 +293,14 @@ namespace wheelrail
           "only %.0f elements lie across the contact: the peak pressure may be off by 5 %% and more; take a "
           "smaller Half-space/Element size.",
           measures.cells));
+    if (measures.turn >= most_turn)
+      add(
+        verdict,
+        Grade::with_care,
+        text(
+          "the surfaces turn by %.0f degrees across the contact, as in the flange root, which half-spaces do "
+          "not know: the peak pressure may be off by 10 %% and more; take Half-space/Bodies = real.",
+          measures.turn * 180 / M_PI));
     return verdict;
   }
 
