@@ -41,20 +41,23 @@ def shown_as(run, name, values):
 
 
 def mean_of(run, name, factor):
-    """Mean of a column over the averaging distance in shown units and the distance from which on it is taken [mm];
-    None where the summary does not have both."""
+    """Mean of a column in shown units, and begin and end of the stretch over which it is taken [mm]; None where the
+    summary does not have the first two."""
     summary = run.summary or {}
     known = next((figure for figure in run.figures if figure["std_key"].split("_std")[0] == name), None)
     value, begin = summary.get(known["key"]) if known else None, summary.get("means_from_m")
-    return (factor * value, 1e3 * begin) if page.is_number(value) and page.is_number(begin) else None
+    if not (page.is_number(value) and page.is_number(begin)):
+        return None
+    end = summary.get("means_to_m")  # unknown to earlier versions
+    return factor * value, 1e3 * begin, 1e3 * (end if page.is_number(end) else run.history["rolled_distance"][-1])
 
 
-def draw_mean(axes, mean, x, color):
-    """A dashed line over the averaging distance, with its value."""
+def draw_mean(axes, mean, color):
+    """A dashed line over the stretch of the mean, with its value."""
     if mean is None:
         return
-    axes.plot([mean[1], x[-1]], [mean[0], mean[0]], color=color, linewidth=1.6, linestyle=(0, (4, 2)))
-    axes.annotate(f"mean {mean[0]:.2f}", (x[-1], mean[0]), (-4, 4), textcoords="offset points", ha="right", va="bottom",
+    axes.plot(mean[1:], [mean[0], mean[0]], color=color, linewidth=1.6, linestyle=(0, (4, 2)))
+    axes.annotate(f"mean {mean[0]:.2f}", (mean[2], mean[0]), (-4, 4), textcoords="offset points", ha="right", va="bottom",
                   fontsize=8, color=color)
 
 
@@ -66,7 +69,7 @@ def draw_forces(run, x, label):
     for axes, group in zip(rows[:, 0], groups):
         for name, color in zip(group, style.COLORS):
             axes.plot(x, 1e-3 * run.history[name], color=color, linewidth=1.2, label=plain(name))
-            draw_mean(axes, mean_of(run, name, 1e-3), x, color)
+            draw_mean(axes, mean_of(run, name, 1e-3), color)
         axes.set_ylabel("force [kN]")
         axes.grid(True)
         axes.margins(x=0)
@@ -103,7 +106,7 @@ def draw_single(run, x, label, name):
     title, axis_label, factor = shown_as(run, name, run.history[name])
     figure, axes = plt.subplots(figsize=(7.6, 2.9))
     axes.plot(x, factor * run.history[name], color=style.BLUE, linewidth=1.2)
-    draw_mean(axes, mean_of(run, name, factor), x, style.RED)
+    draw_mean(axes, mean_of(run, name, factor), style.RED)
     axes.axhline(0, color=style.GREY, linewidth=0.7)
     axes.grid(True)
     axes.margins(x=0)

@@ -78,14 +78,13 @@ def choose_tick(ticks, wanted):
     return int(wanted)
 
 
-def usual_tick(run):
-    """Number of the tick that is drawn where none is asked for: the last, but over irregular surfaces that nearest to
-    the largest force."""
-    numbers = [int(name[5:]) for name in run.patches.names]
-    place = (run.summary or {}).get("largest_vertical_force_at_m")
-    if place is None or len(numbers) == 0:
-        return choose_tick(run.patches, "last")
-    return min(numbers, key=lambda k: abs(tick_of(run.patches, k).attributes["rolled_distance_m"] - place))
+def usual_tick(ticks, summary):
+    """Number among the ticks of that which is drawn where none is asked for: the last, but over irregular surfaces that
+    nearest to the largest force."""
+    place = (summary or {}).get("largest_vertical_force_at_m")
+    if place is None:
+        return len(ticks) - 1
+    return min(range(len(ticks)), key=lambda k: abs(ticks[k].attributes["rolled_distance_m"] - place))
 
 
 def tick_of(ticks, number):
@@ -98,8 +97,8 @@ def load_patch(run, wanted):
     run.patches = run.try_to(lambda: run.data.patch, "The pictures of the contact patch are left out.")
     if run.patches is None:
         return
-    run.instants = [usual_tick(run)] if wanted is None else \
-        [choose_tick(run.patches, text.strip()) for text in wanted.split(",")]
+    numbers = [choose_tick(run.patches, text.strip()) for text in (wanted or "last").split(",")]
+    run.instants = [int(run.patches.names[usual_tick(run.patches, run.summary)][5:])] if wanted is None else numbers
     run.tick = run.instants[-1]
     run.patch = tick_of(run.patches, run.tick)
     missing = {"along", "lateral", "pressure", "shear_along", "shear_lateral", "state"} - set(run.patch)

@@ -274,7 +274,7 @@ async function drawCurves(view) {
       hovertemplate: `%{x}${unit}: %{y}<extra>%{fullData.name}</extra>`}));
     group.curves.forEach((curve, k) => {
       if (!curve.mean) return;
-      traces.push({x: [curve.mean[1], curve.x[curve.x.length - 1]], y: [curve.mean[0], curve.mean[0]], name: `mean of ${curve.name}`, mode: "lines",
+      traces.push({x: [curve.mean[1], curve.mean[2]], y: [curve.mean[0], curve.mean[0]], name: `mean of ${curve.name}`, mode: "lines",
         line: {color: COLORS[(curve.color ?? k) % COLORS.length], width: 2.5, dash: "dash"}, hovertemplate: "mean %{y}<extra>%{fullData.name}</extra>"});
     });
     return Plotly.react(plotOf(view), traces, {font: FONT, height: 380, margin: {l: 70, r: 20, t: 20, b: 50}, legend: {orientation: "h", y: -0.2}, showlegend: true,

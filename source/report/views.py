@@ -127,7 +127,7 @@ def slice_views(ticks, names=("AA", "BB", "AA_peak", "BB_peak"), digits=6, most_
 
 def curve_views(run, groups):
     """Histories; `groups`: title -> (label of the axis, [(name, distance in mm, values, mean)]); the mean is that of
-    the summary with the distance from which it is taken, or None."""
+    the summary with begin and end of the stretch over which it is taken, or None."""
     shown = [{"title": title, "label": label,
               "curves": [{"name": name, "x": plain(x), "y": plain(y), **({} if mean is None else {"mean": plain(mean)})}
                          for name, x, y, mean in curves]}

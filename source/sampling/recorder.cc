@@ -269,6 +269,7 @@ namespace wheelrail
                  .mean);
     set_figure(summary, "energy_error", column(state_.history, "energy_error").back());
     set_figure(summary, "means_from_m", std::max(0., known.stretch.s0));
+    set_figure(summary, "means_to_m", known.stretch.s1);
     fill_grid(summary, known.stretch);
     fill_settling(summary, known);
     if (irregular())
