@@ -181,11 +181,15 @@ namespace wheelrail
             const auto *const column = table.find((wheel.left ? "left_" : "right_") + figure.key());
             if (!column)
               continue;
+            const auto known = [&](const std::size_t row) { // of a row that was solved
+              return wheel.faults[row].empty() && std::isfinite((*column)[row]);
+            };
             std::size_t worst = 0;
-            for (std::size_t row = 0; row < column->size(); ++row)
-              if (!(std::isfinite((*column)[worst]) && (*column)[worst] >= (*column)[row]) &&
-                  std::isfinite((*column)[row]))
+            for (std::size_t row = 1; row < column->size(); ++row)
+              if (known(row) && !(known(worst) && (*column)[worst] >= (*column)[row]))
                 worst = row;
+            if (!known(worst))
+              continue;
             char text[200];
             std::snprintf(text,
                           sizeof(text),
@@ -219,8 +223,8 @@ namespace wheelrail
               why.push_back("row " + std::to_string(row + 1) + ", " + (wheel.left ? "left" : "right") +
                             " wheel: " + doubt);
           }
-      out << "verdict: " << of_grade[2] << " rows trusted, " << of_grade[1] << " with care, " << of_grade[0]
-          << " not trusted\n";
+      out << "verdict: " << of_grade[2] << " rows" << (wheels.size() > 1 ? " of both wheels" : "")
+          << " trusted, " << of_grade[1] << " with care, " << of_grade[0] << " not trusted\n";
       for (std::size_t k = 0; k < why.size() && k < 5; ++k)
         out << why[k] << '\n';
       if (why.size() > 5)

@@ -79,8 +79,10 @@ namespace wheelrail
       const double rolled = run.axle.travelled();
       if (!run.scene.until_steady())
         {
-          summary.ended         = "distance";
-          summary.ended_because = "Run/Rolling distance is rolled";
+          summary.ended = "distance";
+          summary.ended_because =
+            std::string(run.scene.rolling_distance == 0 ? "Run/Longest distance" : "Run/Rolling distance") +
+            " is rolled";
           return;
         }
       const Steadiness known = run.recorder.steadiness(run.scene);
