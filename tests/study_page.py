@@ -28,8 +28,8 @@ import page_stamp  # noqa: E402
 def check_figures(page, row_of):
     """The curves hold the rows of the table."""
     names = plot(page, "view-figures", "plot.data.map(trace => trace.name).join()")
-    check(names == "Finite elements,Half-spaces", f"curves: {names}")
-    for number, kind in enumerate(("", ", half-spaces")):
+    check(names == "Finite elements,Half-spaces,True bodies", f"curves: {names}")
+    for number, kind in enumerate(("", ", half-spaces", ", true bodies")):
         shown = plot(page, "view-figures", f"plot.data[{number}].y")
         wanted = row_of(f"peak pressure{kind} [MPa]")
         check(len(shown) == len(wanted) == 2 and all(close(a, b) for a, b in zip(shown, wanted)),

@@ -175,9 +175,10 @@ class Study:
             time.sleep(0.1)
 
     def summaries(self, case):
-        """The figures of the run and of the half-spaces, each None where there are none."""
+        """The figures of the run, of the half-spaces and of the true bodies, each None where there are none."""
         run = read_json(self.path(case["name"], "summary.json")) if self.compute != "halfspace" else None
         if self.compute == "halfspace":
-            return None, read_json(self.path(case["name"] + "-halfspace", "summary.json"))
-        halfspace = {key[10:]: value for key, value in (run or {}).items() if key.startswith("halfspace_")}
-        return run, halfspace or None
+            return None, read_json(self.path(case["name"] + "-halfspace", "summary.json")), None
+        others = [{key[len(prefix):]: value for key, value in (run or {}).items() if key.startswith(prefix)}
+                  for prefix in ("halfspace_", "bodies_")]
+        return run, others[0] or None, others[1] or None

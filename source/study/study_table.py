@@ -37,6 +37,22 @@ SHOWN = (IMPACT + ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa"
          + WHEELSET)
 
 
+# before the keys of results, and what they are those of; the first is the run's, or what a study computes alone
+SOURCES = {"": "Finite elements", "halfspace_": "Half-spaces", "bodies_": "True bodies"}
+
+
+def source_tail(prefix):
+    """What stands behind the label of a result of half-spaces or true bodies."""
+    return ", " + SOURCES[prefix].lower() if prefix else ""
+
+
+def of_all(header):
+    """The header of a column without what it is that of."""
+    for prefix in SOURCES:
+        header = header.replace(source_tail(prefix), "") if prefix else header
+    return header
+
+
 class Column:
     """Values of all cases, NaN where there is none; shown in `unit` times `factor`."""
 
@@ -92,17 +108,17 @@ def number(value):
 
 
 def columns_of(study):
-    """All columns with at least one value, runs and half-spaces beside each other."""
+    """All columns with at least one value, runs, half-spaces and true bodies beside each other."""
     pairs = [study.summaries(case) for case in study.cases]
     columns = []
     for figure in study.figures:
-        for index, tail, prefix in ((0, "", ""), (1, ", half-spaces", "halfspace_")):
+        for index, prefix in enumerate(SOURCES):
             values = [number((pair[index] or {}).get(figure["key"])) for pair in pairs]
-            if not np.isfinite(values).any() or (index == 1 and figure["key"] in COSTS):
+            if not np.isfinite(values).any() or (index > 0 and figure["key"] in COSTS):
                 continue
             std, error = ([number((pair[index] or {}).get(figure.get(name))) for pair in pairs] for name in ("std_key", "error_key"))
             of_wheelset = figure["key"].startswith(("axle_", "right_", "left_"))
-            columns.append(Column(prefix + figure["key"], header(figure["label"] + (not of_wheelset) * tail, figure["unit"]),
+            columns.append(Column(prefix + figure["key"], header(figure["label"] + (not of_wheelset) * source_tail(prefix), figure["unit"]),
                                   si_unit(figure), figure["factor"], values, std if np.isfinite(std).any() else None,
                                   error if np.isfinite(error).any() else None))
     return columns
@@ -191,12 +207,13 @@ def show(study):
     rows += [[cells[row] for _, cells in axes] + [verdict(study.summaries(case))[0] or "-"]
              for row, case in enumerate(study.cases)]
     for key in SHOWN:
-        for column in (columns.get(key), columns.get("halfspace_" + key)):
+        for prefix in SOURCES:
+            column = columns.get(prefix + key)
             if column is None:
                 continue
             figure = next(figure for figure in study.figures if figure["key"] == key)
             beside = column.key != key and key in columns
-            rows[0].append("half- spaces" if beside else column.header)
+            rows[0].append({"halfspace_": "half- spaces", "bodies_": "true bodies"}[prefix] if beside else column.header)
             for row in range(len(study.cases)):
                 value = column.values[row] * column.factor
                 rows[row + 1].append(f"{value:.{figure['decimals']}f}" if np.isfinite(value) else "-")

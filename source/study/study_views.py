@@ -4,10 +4,15 @@ slider over them, cuts through them, stresses below the contact."""
 import numpy as np
 
 import family_pictures
+import study_table
 import views
 
 # what a page under 5 MB holds of nine cases: digits of the patches; planes, depths and digits of the stresses below
 PATCH_DIGITS, PLANES, DEPTHS, DIGITS = 5, ("AA", "BB"), 26, 4
+
+
+#: how the curves of finite elements, half-spaces and true bodies are told apart
+STYLES = {"": {}, "halfspace_": {"dash": "dash", "symbol": "square-open"}, "bodies_": {"dash": "dot", "symbol": "triangle-up-open"}}
 
 
 def curve_view(columns, keys, x, curves):
@@ -15,15 +20,15 @@ def curve_view(columns, keys, x, curves):
     groups = []
     for key in keys:
         shown, label = [], None
-        for column, who, style in ((columns.get(key), "Finite elements", {}),
-                                   (columns.get("halfspace_" + key), "Half-spaces", {"dash": "dash", "symbol": "square-open"})):
+        for prefix, who in study_table.SOURCES.items():
+            column, style = columns.get(prefix + key), STYLES[prefix]
             if column is None or not np.any(column.values[np.isfinite(column.values)]):
                 continue
-            label = column.header.replace(", half-spaces", "")
+            label = study_table.of_all(column.header)
             for number, (name, rows) in enumerate(curves.items()):
                 rows = sorted((row for row in rows if np.isfinite(column.values[row])), key=lambda row: x.places[row])
                 places = [x.texts[row] for row in rows] if x.words else views.plain(x.places[rows])
-                color = number if len(curves) > 1 else (1 if style else 0)
+                color = number if len(curves) > 1 else list(STYLES).index(prefix)
                 shown.append({"name": f"{name}, {who.lower()}" if name else who, "x": places, "color": color,
                               "y": views.plain(column.values[rows] * column.factor), **style})
         if shown:
