@@ -42,7 +42,7 @@ namespace wheelrail
                         const double  tolerance,
                         StaticResult &result)
     {
-      constexpr int most_steps = 60;
+      constexpr int most_steps = 90;
       // what may be out of balance at a node when tractions are renewed: the first ones ask for the stretch
       // of the tread under pressure alone, later ones only have to follow the pressures that bound them
       constexpr double balanced = 1e-3, nearby = 0.05;
@@ -56,9 +56,12 @@ namespace wheelrail
         {
           const double residual = balance.residual.linfty_norm() / result.wheel_load;
           const double missing  = result.wheel_load - balance.sums.force[1];
-          const bool settled = residual < tolerance && std::abs(missing) < 5 * tolerance * result.wheel_load;
-          if (settled || (rounds > 0 && residual < (rounds == most_rounds ? balanced : nearby) &&
-                          std::abs(missing) < std::min(loaded, 2 * change) * result.wheel_load))
+          // a patch that hangs over the lattice may come to rest without the load
+          const bool still   = residual < tolerance;
+          const bool settled = still && std::abs(missing) < 5 * tolerance * result.wheel_load;
+          const bool carried = residual < (rounds == most_rounds ? balanced : nearby) &&
+                               std::abs(missing) < std::min(loaded, 2 * change) * result.wheel_load;
+          if (settled || (rounds > 0 && (carried || still)))
             {
               change             = rounds > 0 ? search.renew_tractions() : 0;
               const bool changed = change > unchanged;
