@@ -36,7 +36,7 @@ def main(picture):
         axes.plot(seconds, errors, "o-", label=name)
     for row, second in zip(table, seconds):
         axes.annotate(row["cells"], (second, 4.2), ha="center", fontsize="small")
-    axes.set(xscale="log", xlabel="wall time on two cores [s]", ylabel="off the true bodies [%]", xlim=(4.5, 600), ylim=(0, 4.6))
+    axes.set(xscale="log", xlabel="wall time on two cores [s]", ylabel="off the true bodies [%]", xlim=(2.5, 400), ylim=(0, 4.6))
     axes.grid(alpha=0.3)
     axes.set_xticks(seconds, [f"{second:g}" for second in seconds])
     axes.minorticks_off()

@@ -72,6 +72,22 @@ namespace
     check_relative(1e3 * pose.wheel_rim.roll, 0.97, 0.03, "wheel rim turned");
   }
 
+  /// The outer wheel of a curve of 300 m slides on its flange, where pressure and tractions creep on as long
+  /// as tractions are solved no better than what they depend on is known.
+  void
+  test_curve()
+  {
+    const Case flange({"Half-space/Element size = 0.4 mm",
+                       "Wheelset/Lateral shift = -5.2 mm",
+                       "Wheelset/Yaw = -4 mrad",
+                       "Wheelset/Wheel load = 84.732 kN",
+                       "Wheelset/Velocity = 60 km/h",
+                       "Wheelset/Traction coefficient = 0"});
+    const auto slides = flange.solve();
+    check(slides.solution.converged(), "flange in a curve: converged, " + slides.solution.not_reached);
+    check_relative(slides.vertical, 84.732e3, 2e-4, "it carries the load");
+  }
+
   /// A run of 1 mm cells on blocks of 8 mm, 38.7 mm rolled, has a lateral force of 1.068 kN, which comes to
   /// that of steady rolling only over some 0.4 m. Under the lateral creepage that makes this force the bodies
   /// stand as in the run.
@@ -272,6 +288,7 @@ main()
   test_kept();
   test_threads();
   test_scenes();
+  test_curve();
   test_pose_of_run();
   return test::report();
 }

@@ -17,10 +17,12 @@ main()
 {
   for (const std::string shift : {"0 mm", "-5.5 mm"})
     {
-      const Scene scene =
-        scene_from_text(
-          "", "x.prm", {"Wheelset/Lateral shift = " + shift, "Half-space/Element size = 0.5 mm"})
-          .scene;
+      const Scene scene = scene_from_text("",
+                                          "x.prm",
+                                          {"Wheelset/Lateral shift = " + shift,
+                                           "Wheelset/Traction coefficient = 0.25",
+                                           "Half-space/Element size = 0.5 mm"})
+                            .scene;
       const SceneGeometry geometry = make_geometry(scene);
       const WheelRailLoad load     = scene_load(scene, geometry);
       BodyTableSizes      fine;

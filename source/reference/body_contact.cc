@@ -213,15 +213,17 @@ namespace wheelrail
   void
   BodyContact::carry(const WheelRailLoad &load)
   {
-    constexpr int    most_rounds = 40, most_enlargements = 6;
+    constexpr int    usual_rounds = 10, most_rounds = 40, most_enlargements = 6;
     constexpr double load_settled = 1e-4;
     const double     tolerance    = problem_.tangential_tolerance;
     double           change = 1e3, missed = 1;
     for (rounds_ = 0; rounds_ < most_rounds; ++rounds_)
       {
-        // tractions are solved as well as what they depend on is known
-        problem_.tangential_tolerance = std::clamp(1e-3 * change * tolerance / 1e-5, tolerance, 1e-3);
-        change                        = solve_round(load);
+        // tractions are solved as well as what they depend on is known; where both creep on, as on a flange
+        // that slides, they are solved to the end
+        problem_.tangential_tolerance =
+          rounds_ < usual_rounds ? std::clamp(1e-3 * change * tolerance / 1e-5, tolerance, 1e-3) : tolerance;
+        change = solve_round(load);
         if (solution_.touches_grid_edge && enlargements_ < most_enlargements)
           {
             reached_ *= 1.5;

@@ -76,9 +76,11 @@ namespace wheelrail
       lines.push_back("  verdict: " + verdict_of(summary));
       if (!summary.finished)
         {
-          lines.push_back("    - It did not finish: " +
-                          (summary.stop_reason.empty() ? "no reason is known" : summary.stop_reason) +
-                          "; this is what it has.");
+          const std::size_t end = summary.stop_reason.find_last_not_of(" ."); // of sentences
+          lines.push_back(
+            "    - It did not finish: " +
+            (end == std::string::npos ? "no reason is known" : summary.stop_reason.substr(0, end + 1)) +
+            "; this is what it has.");
           return;
         }
       const Lines reasons = sentences_of(summary.doubts);
