@@ -1,8 +1,11 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/geometry/contact_geometry.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -166,31 +169,20 @@ namespace wheelrail
           (*at_zero > 0 ? f_low : f_high) = *value;
         }
 
-      // Illinois variant of the false position, which keeps the bracket.
-      for (int i = 0; i < 100 && high - low > 1e-16; ++i)
-        {
-          double middle = high - f_high * (high - low) / (f_high - f_low);
-          if (!(middle > low && middle < high))
-            middle = 0.5 * (low + high);
-          const auto value = difference(middle);
-          if (!value)
-            return {};
-          if (std::abs(*value) < 1e-17 || middle == low || middle == high)
-            return middle;
-          if (*value > 0)
-            {
-              high   = middle;
-              f_high = *value;
-              f_low *= 0.5;
-            }
-          else
-            {
-              low   = middle;
-              f_low = *value;
-              f_high *= 0.5;
-            }
-        }
-      return 0.5 * (low + high);
+      if (f_low == 0 || f_high == 0)
+        return f_low == 0 ? low : high;
+      bool       known = true; // both wheels touch at every roll that was tried
+      const auto value = [&](const double roll) {
+        const auto found = difference(roll);
+        known            = known && found;
+        return found.value_or(0.); // which ends the search
+      };
+      std::uintmax_t steps = 100;
+      const auto     root  = boost::math::tools::toms748_solve(
+        value, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>(52), steps);
+      if (!known)
+        return {};
+      return 0.5 * (root.first + root.second);
     }
 
     /// Fills what is known of the contact at X, where wheel and rail have a common tangent.
@@ -320,10 +312,10 @@ namespace wheelrail
         roll = roll_from_contact(pair, pose);
       if (!roll)
         return "no roll of the wheelset lets both wheels touch their rails";
-      ContactGeometry   other;
-      const std::string here  = touch(pair, pose, *roll, contact),
-                        there = touch(pair, mirrored(pose), -*roll, other);
-      contact.other_radius    = other.rolling_radius;
+      ContactGeometry other;
+      std::string     here  = touch(pair, pose, *roll, contact);
+      std::string     there = touch(pair, mirrored(pose), -*roll, other);
+      contact.other_radius  = other.rolling_radius;
       if (!here.empty() || there.empty())
         return here;
       return "at the other wheel of the wheelset (shift of opposite sign) " + there;

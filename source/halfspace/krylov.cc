@@ -1,27 +1,33 @@
 #include <wheelrail/halfspace/krylov.h>
 
-#include <cmath>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
 
 namespace wheelrail
 {
   namespace
   {
-    double
-    dot(const std::vector<double> &a, const std::vector<double> &b)
-    {
-      double sum = 0;
-      for (std::size_t k = 0; k < a.size(); ++k)
-        sum += a[k] * b[k];
-      return sum;
-    }
+    using Vector = dealii::Vector<double>;
 
-    void
-    add(const double factor, const std::vector<double> &a, std::vector<double> &b)
+    /// A map as deal.II's solvers call it.
+    struct Applied
     {
-      for (std::size_t k = 0; k < a.size(); ++k)
-        b[k] += factor * a[k];
-    }
+      const LinearMap            &map;
+      mutable std::vector<double> from, to;
+
+      void
+      vmult(Vector &result, const Vector &argument) const
+      {
+        from.assign(argument.begin(), argument.end());
+        map(from, to);
+        std::copy(to.begin(), to.end(), result.begin());
+      }
+    };
   } // namespace
+
 
   int
   solve_gmres(const LinearMap           &A,
@@ -32,62 +38,25 @@ namespace wheelrail
               std::vector<double>       &x,
               double                    &reached)
   {
+    const Vector load(b.begin(), b.end());
+    Vector       solution(load.size());
+    const double norm = load.l2_norm();
     x.assign(b.size(), 0.);
-    reached           = 0;
-    const double norm = std::sqrt(dot(b, b));
+    reached = 0;
     if (norm == 0)
       return 0;
-    std::vector<std::vector<double>> basis(1, b), h; // h[k]: column k of the triangle
-    for (double &v : basis[0])
-      v /= norm;
-    std::vector<double> cosine, sine, rest(1, norm), z;
-    int                 k = 0;
-    for (; k < max_iterations && std::abs(rest[k]) > tolerance * norm; ++k)
+    dealii::SolverControl       control(max_iterations, tolerance * norm, false, false);
+    dealii::SolverGMRES<Vector> solver(control,
+                                       dealii::SolverGMRES<Vector>::AdditionalData(max_iterations + 2, true));
+    try
       {
-        std::vector<double> w, column(k + 2);
-        // GMRES, preconditioned from the right (Saad and Schultz 1986): Arnoldi's basis by modified
-        // Gram-Schmidt
-        M(basis[k], z);
-        A(z, w);
-        for (int i = 0; i <= k; ++i)
-          {
-            column[i] = dot(w, basis[i]);
-            add(-column[i], basis[i], w);
-          }
-        const double length = std::sqrt(dot(w, w));
-        // Givens' rotations keep the triangle
-        for (int i = 0; i < k; ++i)
-          {
-            const double upper = cosine[i] * column[i] + sine[i] * column[i + 1];
-            column[i + 1]      = -sine[i] * column[i] + cosine[i] * column[i + 1];
-            column[i]          = upper;
-          }
-        const double diagonal = std::hypot(column[k], length);
-        if (diagonal == 0)
-          break;
-        cosine.push_back(column[k] / diagonal);
-        sine.push_back(length / diagonal);
-        column[k] = diagonal;
-        column.pop_back();
-        h.push_back(std::move(column));
-        rest.push_back(-sine[k] * rest[k]);
-        rest[k] *= cosine[k];
-        if (length > 0)
-          for (double &v : w)
-            v /= length;
-        basis.push_back(std::move(w));
+        solver.solve(Applied{A, {}, {}}, solution, load, Applied{M, {}, {}});
       }
-    std::vector<double> y(rest.begin(), rest.begin() + k), sum(b.size(), 0.);
-    for (int i = k - 1; i >= 0; --i)
+    catch (const dealii::SolverControl::NoConvergence &) // the residual tells
       {
-        y[i] /= h[i][i];
-        for (int j = 0; j < i; ++j)
-          y[j] -= h[i][j] * y[i];
-        add(y[i], basis[i], sum);
       }
-    if (k > 0)
-      M(sum, x);
-    reached = std::abs(rest[k]) / norm;
-    return k;
+    std::copy(solution.begin(), solution.end(), x.begin());
+    reached = control.last_value() / norm;
+    return static_cast<int>(control.last_step());
   }
 } // namespace wheelrail

@@ -5,6 +5,12 @@
 #include <cmath>
 #include <map>
 
+extern "C"
+{
+  void
+  dsterf_(const int *, double *, double *, int *);
+}
+
 namespace wheelrail
 {
   namespace
@@ -72,28 +78,16 @@ namespace wheelrail
             }
     }
 
-    /// Largest eigenvalue of a symmetric tridiagonal matrix, by bisection with Sturm's sequence.
+    /// Largest eigenvalue of a symmetric tridiagonal matrix; 0 of an empty one.
     double
-    largest_eigenvalue_of(const std::vector<double> &diagonal, const std::vector<double> &beside)
+    largest_eigenvalue_of(std::vector<double> diagonal, std::vector<double> beside)
     {
-      double low = 0, high = 0;
-      for (std::size_t i = 0; i < diagonal.size(); ++i)
-        high = std::max(high,
-                        diagonal[i] + (i > 0 ? std::abs(beside[i - 1]) : 0) +
-                          (i < beside.size() ? std::abs(beside[i]) : 0));
-      while (high - low > 1e-3 * high)
-        {
-          const double at    = 0.5 * (low + high);
-          double       pivot = 1;
-          bool         below = true; // all eigenvalues lie below
-          for (std::size_t i = 0; i < diagonal.size() && below; ++i)
-            {
-              pivot = at - diagonal[i] - (i > 0 ? beside[i - 1] * beside[i - 1] / pivot : 0);
-              below = pivot > 0;
-            }
-          (below ? high : low) = at;
-        }
-      return high;
+      if (diagonal.empty())
+        return 0;
+      const int n    = static_cast<int>(diagonal.size());
+      int       code = 0;
+      dsterf_(&n, diagonal.data(), beside.data(), &code); // they come in ascending order
+      return diagonal.back();
     }
   } // namespace
 
