@@ -58,6 +58,16 @@ namespace
                         [&](const std::string &line) { return line.find(part) != std::string::npos; }) -
            lines.begin();
   }
+
+  /// The first line that holds `part` is this one.
+  void
+  check_line(const std::vector<std::string> &lines,
+             const std::string              &part,
+             const std::string              &expected,
+             const std::string              &text)
+  {
+    check_text(lines[place_of(lines, part)], expected, text);
+  }
 } // namespace
 
 int
@@ -73,9 +83,8 @@ main()
   check_text(lines[1], "  verdict: with care", "the verdict comes first");
   check_text(lines[2], "    - Reason 0 is off by 3.2 %; do this.", "its reasons follow, one a line");
   check_text(lines[5], "    - 6 more in summary.json.", "of many reasons the first");
-  check_text(lines[place_of(lines, "Y/Q")],
-             "            Y/Q                                  -0.0200",
-             "lateral over vertical force");
+  check_line(
+    lines, "Y/Q", "            Y/Q                                  -0.0200", "lateral over vertical force");
   const std::vector<std::string> order = {
     "verdict", "vertical force Q", "peak pressure", "von Mises", "energy error", "next: "};
   for (std::size_t k = 1; k < order.size(); ++k)
@@ -98,23 +107,28 @@ main()
   set_figure(run, "axle_acceleration_up_m_per_s2", 305.5);
   set_figure(run, "axle_acceleration_down_m_per_s2", 237.6);
   const std::vector<std::string> irregular = end_screen(run, "out");
-  check_text(irregular[place_of(irregular, "largest vertical force")],
+  check_line(irregular,
+             "largest vertical force",
              "  impact    largest vertical force                242.40 kN at 72.3 mm",
              "a run over irregular surfaces says the largest force and where it acts");
-  check_text(irregular[place_of(irregular, "at 76.1 mm")],
+  check_line(irregular,
+             "at 76.1 mm",
              "            largest von Mises stress              1461.1 MPa at 76.1 mm",
              "and the largest stress of the whole way");
-  check_text(irregular[place_of(irregular, "axle box")],
+  check_line(irregular,
+             "axle box",
              "            acceleration of the axle box    -237.6 to 305.5 m/s2",
              "and how the axle box is shaken");
 
   set_figure(run, "foot_deflection_m", 0.512e-3);
   set_figure(run, "largest_pad_force_N", 41.23e3);
   const std::vector<std::string> on_pads = end_screen(run, "out");
-  check_text(on_pads[place_of(on_pads, "foot sinks")],
+  check_line(on_pads,
+             "foot sinks",
              "  track     rail's foot sinks                      0.512 mm",
              "how far the foot sinks on its pads");
-  check_text(on_pads[place_of(on_pads, "force of a pad")],
+  check_line(on_pads,
+             "force of a pad",
              "            largest force of a pad                 41.23 kN",
              "and what they carry");
 
@@ -126,7 +140,8 @@ main()
   check(still.size() <= 30 && still.size() > 12, std::to_string(still.size()) + " lines of half-spaces");
   check_text(still[0], "a run", "half-spaces begin with the title, too");
   check_text(still[1], "  verdict: with care", "and their verdict");
-  check_text(still[place_of(still, "contact angle")],
+  check_line(still,
+             "contact angle",
              "  position  contact angle                          47.70 mrad",
              "and how their plane lies");
   check(place_of(still, "wear depth") < still.size() && place_of(still, "reference") == still.size(),

@@ -2,6 +2,7 @@
 // label: long
 // Runs over irregular surfaces: the same hollow as an offset of the contact and in the mesh, on rail and
 // wheel; energy, what the history shows; smooth surfaces in files; small waves.
+#include "between_rows.h"
 #include "parallel.h"
 #include "stopped_runs.h"
 
@@ -38,12 +39,7 @@ namespace
     double
     force_at(const double distance) const
     {
-      const auto &along = column("rolled_distance"), &force = column("vertical_force");
-      const auto  right = std::lower_bound(along.begin(), along.end(), distance) - along.begin();
-      if (right == 0 || right == static_cast<long>(along.size()))
-        return right == 0 ? force.front() : force.back();
-      const double part = (distance - along[right - 1]) / (along[right] - along[right - 1]);
-      return force[right - 1] + part * (force[right] - force[right - 1]);
+      return between_rows(column("rolled_distance"), column("vertical_force"), distance);
     }
 
     /// Largest deviation of a column from its first value.

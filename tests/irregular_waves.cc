@@ -2,6 +2,7 @@
 // label: long
 // Corrugation so shallow that all is linear: the force of a run against the receptances of wheel and rail by
 // a hammer, the spring of the contact, and how far the wheel sinks at rest; twice the depth, twice the force.
+#include "between_rows.h"
 #include "parallel.h"
 #include "stopped_runs.h"
 
@@ -180,16 +181,6 @@ namespace
     return {*find_column(history, "rolled_distance"), *find_column(history, "vertical_force")};
   }
 
-  double
-  value(const Signal &signal, const double x)
-  {
-    const auto        after = std::upper_bound(signal.along.begin(), signal.along.end(), x);
-    const std::size_t i =
-      std::clamp<std::ptrdiff_t>(after - signal.along.begin(), 1, signal.along.size() - 1);
-    const double part = (x - signal.along[i - 1]) / (signal.along[i] - signal.along[i - 1]);
-    return signal.force[i - 1] + part * (signal.force[i] - signal.force[i - 1]);
-  }
-
   /// Amplitude and phase over the last whole wave, by the Fourier coefficient of it [N].
   Complex
   amplitude(const Signal &signal, const Scene &scene)
@@ -199,7 +190,8 @@ namespace
                  from    = first_crest + scene.irregularities[0].length - lambda;
     Complex sum          = 0;
     for (int k = 0; k < n; ++k)
-      sum += value(signal, from + k * lambda / n) * std::exp(Complex(0, -2 * M_PI * k / n)) * (2. / n);
+      sum += between_rows(signal.along, signal.force, from + k * lambda / n) *
+             std::exp(Complex(0, -2 * M_PI * k / n)) * (2. / n);
     return sum;
   }
 
@@ -227,7 +219,9 @@ namespace
     constexpr double    step = 10e-6;
     std::vector<double> sunk;
     for (double t = 0; t < period; t += step)
-      sunk.push_back(scene.velocity * t < drop.along.back() ? value(drop, scene.velocity * t) : 0);
+      sunk.push_back(scene.velocity * t < drop.along.back()
+                       ? between_rows(drop.along, drop.force, scene.velocity * t)
+                       : 0);
     Curve force;
     for (int k = 0; k < n_frequencies; ++k)
       {
@@ -253,7 +247,7 @@ namespace
   {
     Signal result = a;
     for (std::size_t k = 0; k < a.along.size(); ++k)
-      result.force[k] -= value(b, a.along[k]);
+      result.force[k] -= between_rows(b.along, b.force, a.along[k]);
     return result;
   }
 

@@ -3,6 +3,8 @@
 // A rigid wheel on a spring that is its contact at rest: what the finite elements have to come to where waves
 // in the bodies matter little.
 
+#include "between_rows.h"
+
 #include <wheelrail/reference/irregular_places.h>
 
 #include <algorithm>
@@ -142,10 +144,7 @@ namespace test
     double
     at(const std::size_t k, const double place) const
     {
-      const auto   after = std::upper_bound(places_.begin(), places_.end(), place);
-      const auto   i     = std::clamp<std::ptrdiff_t>(after - places_.begin(), 1, places_.size() - 1);
-      const double part  = std::clamp((place - places_[i - 1]) / (places_[i] - places_[i - 1]), 0., 1.);
-      return lowered_[k][i - 1] + part * (lowered_[k][i] - lowered_[k][i - 1]);
+      return between_rows(places_, lowered_[k], place);
     }
 
     double

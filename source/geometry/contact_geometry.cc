@@ -169,8 +169,6 @@ namespace wheelrail
           (*at_zero > 0 ? f_low : f_high) = *value;
         }
 
-      if (f_low == 0 || f_high == 0)
-        return f_low == 0 ? low : high;
       bool       known = true; // both wheels touch at every roll that was tried
       const auto value = [&](const double roll) {
         const auto found = difference(roll);

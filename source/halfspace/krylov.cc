@@ -35,14 +35,12 @@ namespace wheelrail
               const std::vector<double> &b,
               const double               tolerance,
               const int                  max_iterations,
-              std::vector<double>       &x,
-              double                    &reached)
+              std::vector<double>       &x)
   {
     const Vector load(b.begin(), b.end());
     Vector       solution(load.size());
     const double norm = load.l2_norm();
     x.assign(b.size(), 0.);
-    reached = 0;
     if (norm == 0)
       return 0;
     dealii::SolverControl       control(max_iterations, tolerance * norm, false, false);
@@ -52,11 +50,10 @@ namespace wheelrail
       {
         solver.solve(Applied{A, {}, {}}, solution, load, Applied{M, {}, {}});
       }
-    catch (const dealii::SolverControl::NoConvergence &) // the residual tells
+    catch (const dealii::SolverControl::NoConvergence &) // Newton's next residual tells
       {
       }
     std::copy(solution.begin(), solution.end(), x.begin());
-    reached = control.last_value() / norm;
     return static_cast<int>(control.last_step());
   }
 } // namespace wheelrail

@@ -39,8 +39,7 @@ namespace wheelrail
           if (steps == max_steps)
             return false;
           system.linearise(t, slip, steps == 0, rhs);
-          double reached;
-          state.krylov_iterations += solve_gmres(A, M, rhs, krylov_tolerance, max_krylov, step, reached);
+          state.krylov_iterations += solve_gmres(A, M, rhs, krylov_tolerance, max_krylov, step);
           ++state.newton_steps;
           for (std::size_t k = 0; k < t.size(); ++k)
             t[k] += step[k];

@@ -32,22 +32,22 @@ class Case:
         alone = wheelrail.load(halfspace_folder) if halfspace_folder else None
         compared = self.run is not None and self.run.has("halfspace.h5")
         self.halfspace = self.run if compared else alone
-        summary = (self.run or alone).summary if (self.run or alone).has("summary.json") else {}
-        shown = functools.partial(self.shown, summary)
-        self.patches = {FINITE: shown(self.run, "patch.h5", "patch"), HALF: shown(self.halfspace, "halfspace.h5", "halfspace")}
+        self.summary = (self.run or alone).summary if (self.run or alone).has("summary.json") else {}
+        self.patches = {FINITE: self.shown(self.run, "patch.h5", "patch"),
+                        HALF: self.shown(self.halfspace, "halfspace.h5", "halfspace")}
         name = "halfspace_slices.h5" if compared else "slices.h5"
         folders = [data.folder for data in (self.run, alone) if data is not None]
         self.sections = next((where for where in map(sections.load, folders) if where is not None), None)
-        self.slices = {FINITE: shown(self.run, "slices.h5", "slices"), HALF: shown(self.halfspace, name, "halfspace_slices")}
-        self.friction = summary.get("friction_coefficient")
+        self.slices = {FINITE: self.shown(self.run, "slices.h5", "slices"),
+                       HALF: self.shown(self.halfspace, name, "halfspace_slices")}
+        self.friction = self.summary.get("friction_coefficient")
 
-    @staticmethod
-    def shown(summary, data, name, attribute):
+    def shown(self, data, name, attribute):
         """The output step that stands for a case; None where there is none."""
         if data is None or not data.has(name):
             return None
         ticks = getattr(data, attribute)
-        return ticks[run_data.usual_tick(ticks, summary)] if len(ticks) else None
+        return ticks[run_data.usual_tick(ticks, self.summary)] if len(ticks) else None
 
     def fields(self, kind):
         """The patch for maps; None where nothing is loaded."""

@@ -65,10 +65,15 @@ def spectrum(times, values):
 RESONANCES = [("pinned_pinned_Hz", "pinned-pinned"), ("contact_resonance_Hz", "contact resonance")]
 
 
+def resonances(run):
+    """Label and frequency of those that are known [Hz]."""
+    found = [(label, (run.summary or {}).get(name)) for name, label in RESONANCES]
+    return [(label, frequency) for label, frequency in found if frequency]
+
+
 def mark_resonances(run, axes):
-    for name, label in RESONANCES:
-        frequency = (run.summary or {}).get(name)
-        if frequency and axes.get_xlim()[0] < frequency < axes.get_xlim()[1]:
+    for label, frequency in resonances(run):
+        if axes.get_xlim()[0] < frequency < axes.get_xlim()[1]:
             axes.axvline(frequency, color=style.GREY, linewidth=0.9, linestyle=":")
             axes.text(frequency, 0.03, f"{label} {frequency:.0f} Hz ", rotation=90, va="bottom", ha="right", fontsize=7,
                       color=style.GREY, transform=axes.get_xaxis_transform())
@@ -89,10 +94,9 @@ def draw_spectra(run):
     axes[-1].set_xlabel("frequency [Hz]")
     axes[0].set_title("Spectra (Welch)")
     caption = "Spectra of force, axle-box acceleration and rail velocity"
-    for key, label in RESONANCES:
-        value = (run.summary or {}).get(key)
-        if value and value < axes[0].get_xlim()[0]:
-            caption += f"; the {label} of {value:.0f} Hz is below what so short a way resolves"
+    for label, frequency in resonances(run):
+        if frequency < axes[0].get_xlim()[0]:
+            caption += f"; the {label} of {frequency:.0f} Hz is below what so short a way resolves"
     return [(caption, style.save(run, figure, "spectra"))]
 
 

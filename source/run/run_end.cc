@@ -3,6 +3,7 @@
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/head_place.h>
 #include <wheelrail/geometry/made_up_part.h>
+#include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/model/section_file.h>
@@ -79,10 +80,8 @@ namespace wheelrail
       const double rolled = run.axle.travelled();
       if (!run.scene.until_steady())
         {
-          summary.ended = "distance";
-          summary.ended_because =
-            std::string(run.scene.rolling_distance == 0 ? "Run/Longest distance" : "Run/Rolling distance") +
-            " is rolled";
+          summary.ended         = "distance";
+          summary.ended_because = path_entry(run.scene) + " is rolled";
           return;
         }
       const Steadiness known = run.recorder.steadiness(run.scene);

@@ -7,6 +7,14 @@
 
 namespace wheelrail
 {
+  double
+  place_of_largest_force(const History &history)
+  {
+    const auto &force = column(history, "vertical_force");
+    return column(history, "rolled_distance")[std::max_element(force.begin(), force.end()) - force.begin()];
+  }
+
+
   void
   add_impact_figures(const History &history, const double load, Summary &summary)
   {
@@ -18,7 +26,7 @@ namespace wheelrail
       return;
     const auto [least, largest] = std::minmax_element(force->begin(), force->end());
     set_figure(summary, "largest_vertical_force_N", *largest);
-    set_figure(summary, "largest_vertical_force_at_m", (*along)[largest - force->begin()]);
+    set_figure(summary, "largest_vertical_force_at_m", place_of_largest_force(history));
     set_figure(summary, "least_vertical_force_N", *least);
     set_figure(summary, "least_vertical_force_at_m", (*along)[least - force->begin()]);
     set_figure(summary, "impact_factor", *largest / load);

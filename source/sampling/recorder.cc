@@ -235,11 +235,7 @@ namespace wheelrail
         return known.stretch;
     double middle = scene.evaluate_at;
     if (middle == Scene::at_largest_force && rolled > 0)
-      {
-        const auto &force = column(state_.history, "vertical_force");
-        const auto  top   = std::max_element(force.begin(), force.end()) - force.begin();
-        middle            = std::max(column(state_.history, "rolled_distance")[top], 0.5 * length);
-      }
+      middle = std::max(place_of_largest_force(state_.history), 0.5 * length);
     if (const double end = middle + 0.5 * length; middle > 0 && rolled >= end * (1 - 1e-9))
       return {end - length, end};
     return {rolled - length, rolled};
@@ -261,12 +257,11 @@ namespace wheelrail
         if (!irregular()) // else nothing is steady that a mean could belong to
           set_figure(summary, figure.key("_error"), result.error());
       }
-    set_figure(summary,
-               "creepage_work_N",
-               mean_over(column(state_.history, "rolled_distance"),
-                         column(state_.history, "creepage_work"),
-                         known.stretch)
-                 .mean);
+    const auto mean = [&](const char *name) {
+      return mean_over(column(state_.history, "rolled_distance"), column(state_.history, name), known.stretch)
+        .mean;
+    };
+    set_figure(summary, "creepage_work_N", mean("creepage_work"));
     set_figure(summary, "energy_error", column(state_.history, "energy_error").back());
     set_figure(summary, "means_from_m", std::max(0., known.stretch.s0));
     set_figure(summary, "means_to_m", known.stretch.s1);
@@ -275,10 +270,7 @@ namespace wheelrail
     if (irregular())
       {
         add_impact_figures(state_.history, model_.wheel_load, summary);
-        summary.max_von_mises = mean_over(column(state_.history, "rolled_distance"),
-                                          column(state_.history, "max_von_mises"),
-                                          known.stretch)
-                                  .mean;
+        summary.max_von_mises = mean("max_von_mises");
       }
     add_track_figures(state_.history, known.stretch, summary);
   }

@@ -16,6 +16,9 @@ import os
 import socket
 import time
 
+#: before the keys of results, and what they are those of; the first is the run's, or what a study computes alone
+SOURCES = {"": "Finite elements", "halfspace_": "Half-spaces", "bodies_": "True bodies"}
+
 
 class StudyError(Exception):
     """Something that the user has to change; the text is a sentence."""
@@ -179,6 +182,6 @@ class Study:
         run = read_json(self.path(case["name"], "summary.json")) if self.compute != "halfspace" else None
         if self.compute == "halfspace":
             return None, read_json(self.path(case["name"] + "-halfspace", "summary.json")), None
-        others = [{key[len(prefix):]: value for key, value in (run or {}).items() if key.startswith(prefix)}
-                  for prefix in ("halfspace_", "bodies_")]
-        return run, others[0] or None, others[1] or None
+        others = [{key[len(prefix):]: value for key, value in (run or {}).items() if key.startswith(prefix)} or None
+                  for prefix in SOURCES if prefix]
+        return run, *others

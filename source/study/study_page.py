@@ -16,6 +16,7 @@ import page
 import style
 import study_table
 import study_views
+from study_folder import SOURCES
 
 import matplotlib.pyplot as plt  # after style, which chooses the backend
 
@@ -74,25 +75,25 @@ def draw_curves(study, columns, key, x, curves):
     """Finite elements with dots and lines, half-spaces and true bodies with open marks and broken lines; the path, or None
     without figures."""
     marks = {"": ("o", "-", None), "halfspace_": ("s", "--", "white"), "bodies_": ("^", ":", "white")}
-    pair = [(columns.get(prefix + key), who, *marks[prefix]) for prefix, who in study_table.SOURCES.items()]
+    pair = [(columns.get(prefix + key), who, own, *marks[prefix]) for (prefix, who), own in zip(SOURCES.items(), style.COLORS)]
     pair = [part for part in pair if part[0] is not None]
     if not pair or not any(np.any(column.values) for column, *_ in pair if np.isfinite(column.values).any()):
         return None
     figure, axes = plt.subplots(figsize=(6.4, 4.0))
     for color, (name, rows) in zip(np.tile(style.COLORS, 1 + len(curves) // len(style.COLORS)), curves.items()):
-        for column, who, mark, line, face in pair:
+        for column, who, alone, mark, line, face in pair:
             rows_here = [row for row in rows if np.isfinite(column.values[row])]
             rows_here.sort(key=lambda row: x.places[row])
-            own = color if len(curves) > 1 or who == "Finite elements" else style.RED if who == "Half-spaces" else style.GREEN
+            own = color if len(curves) > 1 else alone
             label = who if not name else f"{name}, {who.lower()}" if len(pair) > 1 else name
             axes.plot(x.places[rows_here], column.values[rows_here] * column.factor, mark + line, color=own,
                       markerfacecolor=face or own, markersize=5, linewidth=1.3, label=label)
     x.dress(axes)
-    axes.set_ylabel(study_table.of_all(pair[0][0].header))
+    axes.set_ylabel(pair[0][0].title)
     axes.grid(True)
     if len(pair) > 1 or len(curves) > 1:
         axes.legend(fontsize=8)
-    label = study_table.of_all(pair[0][0].header).split(" [")[0]
+    label = pair[0][0].title.split(" [")[0]
     return label[0].upper() + label[1:], save(study, figure, key)
 
 
@@ -137,8 +138,7 @@ def draw_errors(study, x, curves):
 def table(study, columns, states):
     """The cases with their main figures; who has none says why."""
     axes = study_table.axis_columns(study)
-    shown = [columns[prefix + key] for key in study_table.SHOWN for prefix in study_table.SOURCES if prefix + key in columns]
-    decimals = {figure["key"]: figure["decimals"] for figure in study.figures}
+    shown = [columns[prefix + key] for key in study_table.SHOWN for prefix in SOURCES if prefix + key in columns]
     heads = [head for head, _ in axes] + ["verdict"] + [page.printed_header(column.header) for column in shown]
     rows = ["<table><tr>" + "".join(f"<th>{html.escape(head)}</th>" for head in heads) + "</tr>"]
     for row, state in enumerate(states):
@@ -148,8 +148,7 @@ def table(study, columns, states):
         cells.append(f'<td class={page.VERDICT_CLASS.get(word, "bad")} title="{html.escape(doubts)}">{html.escape(word)}</td>')
         for column in shown:
             value = column.values[row]
-            digits = decimals[column.key.replace("halfspace_", "").replace("bodies_", "")]
-            cells.append(f"<td class=number>{page.number(value, column.factor, digits) if np.isfinite(value) else ''}</td>")
+            cells.append(f"<td class=number>{page.number(value, column.factor, column.decimals) if np.isfinite(value) else ''}</td>")
         rows.append("<tr>" + "".join(cells) + "</tr>")
     return "\n".join(rows + ["</table>"])
 

@@ -20,7 +20,7 @@ except ImportError as error:
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "report"))
 
 import page
-from study_folder import replace
+from study_folder import SOURCES, replace
 
 # figures that say what a run cost; they are not the same from run to run, or from machine to machine
 COSTS = ["wall_time_s", "ranks", "peak_memory_bytes", "elements", "time_steps", "time_step_s", "element_updates_per_second"]
@@ -37,27 +37,16 @@ SHOWN = (IMPACT + ["max_pressure_Pa", "contact_area_m2", "max_shear_traction_Pa"
          + WHEELSET)
 
 
-# before the keys of results, and what they are those of; the first is the run's, or what a study computes alone
-SOURCES = {"": "Finite elements", "halfspace_": "Half-spaces", "bodies_": "True bodies"}
-
-
-def source_tail(prefix):
-    """What stands behind the label of a result of half-spaces or true bodies."""
-    return ", " + SOURCES[prefix].lower() if prefix else ""
-
-
-def of_all(header):
-    """The header of a column without what it is that of."""
-    for prefix in SOURCES:
-        header = header.replace(source_tail(prefix), "") if prefix else header
-    return header
-
-
 class Column:
-    """Values of all cases, NaN where there is none; shown in `unit` times `factor`."""
+    """Values of a figure for all cases, NaN where there is none, from one of SOURCES; shown times `factor`. `title` is the
+    header without what it is that of."""
 
-    def __init__(self, key, header, si, factor, values, std=None, error=None):
-        self.key, self.header, self.si, self.factor = key, header, si, factor
+    def __init__(self, figure, source, values, std=None, error=None):
+        of_wheelset = figure["key"].startswith(("axle_", "right_", "left_"))
+        tail = ", " + SOURCES[source].lower() if source and not of_wheelset else ""
+        self.key, self.title = source + figure["key"], header(figure["label"], figure["unit"])
+        self.header = header(figure["label"] + tail, figure["unit"])
+        self.si, self.factor, self.decimals = si_unit(figure), figure["factor"], figure["decimals"]
         self.values = np.array(values, dtype=float)
         self.std, self.error = std, error
 
@@ -117,9 +106,7 @@ def columns_of(study):
             if not np.isfinite(values).any() or (index > 0 and figure["key"] in COSTS):
                 continue
             std, error = ([number((pair[index] or {}).get(figure.get(name))) for pair in pairs] for name in ("std_key", "error_key"))
-            of_wheelset = figure["key"].startswith(("axle_", "right_", "left_"))
-            columns.append(Column(prefix + figure["key"], header(figure["label"] + (not of_wheelset) * source_tail(prefix), figure["unit"]),
-                                  si_unit(figure), figure["factor"], values, std if np.isfinite(std).any() else None,
+            columns.append(Column(figure, prefix, values, std if np.isfinite(std).any() else None,
                                   error if np.isfinite(error).any() else None))
     return columns
 
@@ -211,12 +198,11 @@ def show(study):
             column = columns.get(prefix + key)
             if column is None:
                 continue
-            figure = next(figure for figure in study.figures if figure["key"] == key)
             beside = column.key != key and key in columns
-            rows[0].append({"halfspace_": "half- spaces", "bodies_": "true bodies"}[prefix] if beside else column.header)
+            rows[0].append(SOURCES[prefix].lower().replace("-", "- ") if beside else column.header)
             for row in range(len(study.cases)):
                 value = column.values[row] * column.factor
-                rows[row + 1].append(f"{value:.{figure['decimals']}f}" if np.isfinite(value) else "-")
+                rows[row + 1].append(f"{value:.{column.decimals}f}" if np.isfinite(value) else "-")
     # headers of several lines, broken at blanks
     heads = [wrapped(head) for head in rows[0]]
     height = max(len(head) for head in heads)

@@ -4,8 +4,8 @@ slider over them, cuts through them, stresses below the contact."""
 import numpy as np
 
 import family_pictures
-import study_table
 import views
+from study_folder import SOURCES
 
 # what a page under 5 MB holds of nine cases: digits of the patches; planes, depths and digits of the stresses below
 PATCH_DIGITS, PLANES, DEPTHS, DIGITS = 5, ("AA", "BB"), 26, 4
@@ -20,11 +20,11 @@ def curve_view(columns, keys, x, curves):
     groups = []
     for key in keys:
         shown, label = [], None
-        for prefix, who in study_table.SOURCES.items():
+        for prefix, who in SOURCES.items():
             column, style = columns.get(prefix + key), STYLES[prefix]
             if column is None or not np.any(column.values[np.isfinite(column.values)]):
                 continue
-            label = study_table.of_all(column.header)
+            label = column.title
             for number, (name, rows) in enumerate(curves.items()):
                 rows = sorted((row for row in rows if np.isfinite(column.values[row])), key=lambda row: x.places[row])
                 places = [x.texts[row] for row in rows] if x.words else views.plain(x.places[rows])

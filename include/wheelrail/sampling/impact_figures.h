@@ -5,6 +5,10 @@
 
 namespace wheelrail
 {
+  /// The distance after which the vertical force was largest [m]; the history has rows.
+  double
+  place_of_largest_force(const History &history);
+
   /// Adds what a run over irregular surfaces is asked for, from its history: largest and least vertical force
   /// of the wheel with their places, the largest over the static `load` [N] (impact factor), the length
   /// rolled without contact (a vertical force below a thousandth of the load), and the largest accelerations
