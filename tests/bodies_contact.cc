@@ -273,9 +273,6 @@ namespace
     check_text(refused("Half-space/Spin = contact"),
                "--set: Half-space/Spin = contact: one spin for the whole contact" + other,
                "one spin with true bodies");
-    check_text(refused("Wheelset/Wheels = both"),
-               "--set: Wheelset/Wheels = both: two wheels on one axle" + other,
-               "both wheels with true bodies");
   }
 } // namespace
 

@@ -170,6 +170,7 @@ namespace wheelrail
          options.add_options()(
            "both-wheels", "compute the right and the left wheel, on one axle; as Wheelset/Wheels = both");
          add_traction_option(options);
+         add_bodies_option(options, "as the entry says");
          add_no_pictures_option(options);
        },
        act_vehicle},

@@ -278,7 +278,6 @@ namespace wheelrail
              "Half-space",
              "Extra inclination",
              "a position given by hand, where the bodies find their own");
-      refuse(scene.both_wheels, "Wheelset", "Wheels", "two wheels on one axle");
     }
   } // namespace
 

@@ -158,7 +158,8 @@ namespace wheelrail
       {"Half-space",
        "Bodies",
        "half-spaces: Kalker's theory, as the program CONTACT has it; real: this wheel, held at its bore, on "
-       "this rail, held at its foot, as elastic bodies. For halfspace, vehicle, wear and studies of these."},
+       "this rail, held at its foot, as elastic bodies; both wheels of an axle, too. For halfspace, vehicle, "
+       "wear and studies of these."},
       {{"half-spaces", ContactBodies::half_spaces}, {"real", ContactBodies::real}},
       field(&S::halfspace_bodies)));
     list.push_back(choice_entry<HalfspaceSpin>(

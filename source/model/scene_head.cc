@@ -173,6 +173,11 @@ namespace wheelrail
     head.push_back({"drive", what_drives(scene)});
     if (scene.motion != "none")
       head.push_back({"motion", "follows " + scene.motion + "; the values above are those at its start"});
+    if (of == HeadOf::halfspaces && scene.both_wheels)
+      head.push_back({"bodies",
+                      scene.halfspace_bodies == ContactBodies::real
+                        ? "these wheels and rails, each with its own elasticity"
+                        : "half-spaces"});
     if (of == HeadOf::halfspaces)
       head.push_back({"elements", "of " + in_mm(scene.halfspace_element_size)});
     else

@@ -1,8 +1,6 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/reference/axle_contact.h>
 #include <wheelrail/reference/load_search.h>
-#include <wheelrail/reference/several_patches.h>
-#include <wheelrail/reference/wheel_contacts.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,93 +14,6 @@ namespace wheelrail
 {
   namespace
   {
-    /// Way along the track for each angle that the wheel turns without creepage [m].
-    double
-    forward_radius(const WheelOnAxle &wheel)
-    {
-      return wheel.geometry.contact.rolling_radius * std::cos(wheel.geometry.contact.yaw);
-    }
-
-    /// One wheel while the axle is searched for.
-    class LoadedWheel
-    {
-    public:
-      /// `rate` [1/m] for the first guess.
-      LoadedWheel(const WheelOnAxle &wheel, const double rate)
-        : wheel_(wheel)
-        , search_(wheel.load)
-      {
-        const SectionOffsets offsets = scene_offsets(wheel.scene);
-        const ContactRegion  whole   = whole_region(wheel.geometry.contact);
-        PlaneContact         one(wheel.scene, wheel.geometry, offsets, whole);
-        WheelRailLoad        load;
-        load.force     = wheel.load;
-        load.vertical  = true;
-        load.rate_held = true;
-        load.creepage  = creepage(rate);
-        one.press(wheel.load / std::cos(whole.frame.angle));
-        // friction changes the force, and with it what touches, on a steep flange alone
-        const auto &further = wheel.geometry.contact.further;
-        if (std::any_of(further.begin(), further.end(), [&](const FurtherPoint &point) {
-              return std::abs(point.frame.angle - whole.frame.angle) >= same_plane;
-            }))
-          one.carry(load);
-        contacts_ = std::make_unique<WheelContacts>(
-          wheel.scene, wheel.geometry, offsets, separate_regions(wheel.geometry, offsets, one), one);
-      }
-
-      /// Under the force that is to be tried now, if it is another one.
-      void
-      press()
-      {
-        if (pressed_ != search_.pressed())
-          contacts_->press(search_.pressed(), true);
-        pressed_ = search_.pressed();
-      }
-
-      /// Of the contacts at a pitch rate, that keeps the wheel turning so [N m].
-      double
-      roll(const double rate)
-      {
-        contacts_->roll(creepage(rate));
-        return contacts_->torque();
-      }
-
-      /// Whether what it was pressed with carries its load.
-      bool
-      carried()
-      {
-        return search_.carried(contacts_->vertical());
-      }
-
-      /// By how much the load was missed, over the load.
-      double
-      missed() const
-      {
-        return std::abs(search_.missed());
-      }
-
-      WheelRailSolution
-      result(const bool within_friction, const std::string &not_found) const
-      {
-        WheelRailSolution result = contacts_->result(within_friction, not_found);
-        name_made_up(wheel_.geometry, result);
-        return result;
-      }
-
-    private:
-      double
-      creepage(const double rate) const
-      {
-        return rate * forward_radius(wheel_) - 1;
-      }
-
-      const WheelOnAxle             &wheel_;
-      LoadSearch                     search_;
-      double                         pressed_ = 0; ///< [N]
-      std::unique_ptr<WheelContacts> contacts_;
-    };
-
     /// What came of a round of the search.
     struct Round
     {
@@ -111,20 +22,15 @@ namespace wheelrail
       bool   carried = true; ///< whether each wheel carries its load
     };
 
-    /// Presses all wheels anew and rolls them with a pitch rate [1/m].
+    /// Rolls all wheels with a pitch rate [1/m].
     Round
-    roll_all(const std::vector<std::unique_ptr<LoadedWheel>> &wheels,
-             const double                                     rate,
-             const unsigned int                               threads)
+    roll_all(const std::vector<std::unique_ptr<AxleWheel>> &wheels,
+             const double                                   rate,
+             const unsigned int                             threads)
     {
       std::vector<double> torques(wheels.size());
       parallel_for(
-        wheels.size(),
-        [&](const std::size_t k) {
-          wheels[k]->press();
-          torques[k] = wheels[k]->roll(rate);
-        },
-        threads);
+        wheels.size(), [&](const std::size_t k) { torques[k] = wheels[k]->roll(rate); }, threads);
       Round round;
       for (std::size_t k = 0; k < wheels.size(); ++k)
         {
@@ -174,20 +80,22 @@ namespace wheelrail
     constexpr double settled      = 0.05; // of the load, from where on the creepage is sought
     const auto       begin        = std::chrono::steady_clock::now();
     // the rate at which the wheels roll freely in the mean, weighted with their loads
-    const double loads = right.load + left.load,
-                 mean_radius =
-                   loads > 0 ? (right.load * forward_radius(right) + left.load * forward_radius(left)) / loads
-                             : forward_radius(right);
+    const double loads       = right.load + left.load,
+                 mean_radius = loads > 0 ? (right.load * right.geometry.contact.forward_radius +
+                                            left.load * left.geometry.contact.forward_radius) /
+                                             loads
+                                         : right.geometry.contact.forward_radius;
     AxleSolution axle;
-    axle.rate = drive.rate_held ? (1 + drive.creepage) / forward_radius(right) : 1 / mean_radius;
+    axle.rate =
+      drive.rate_held ? (1 + drive.creepage) / right.geometry.contact.forward_radius : 1 / mean_radius;
     std::vector<const WheelOnAxle *> loaded;
     for (const WheelOnAxle *wheel : {&right, &left})
       if (wheel->load > 0)
         loaded.push_back(wheel);
-    std::vector<std::unique_ptr<LoadedWheel>> wheels(loaded.size());
+    std::vector<std::unique_ptr<AxleWheel>> wheels(loaded.size());
     parallel_for(
       wheels.size(),
-      [&](const std::size_t k) { wheels[k] = std::make_unique<LoadedWheel>(*loaded[k], axle.rate); },
+      [&](const std::size_t k) { wheels[k] = make_axle_wheel(*loaded[k], axle.rate); },
       threads);
     // loads and creepage are found together: what one changes of the other fades from round to round
     CreepageSearch search(axle.rate * mean_radius - 1);

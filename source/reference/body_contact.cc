@@ -293,6 +293,23 @@ namespace wheelrail
   }
 
 
+  WheelsetForces
+  BodyContact::forces_on_wheelset() const
+  {
+    std::vector<RowOfElements> rows;
+    for (const Row &row : rows_)
+      rows.push_back({row.place, row.angle});
+    return wheelset_forces(sections_, rows, solution_);
+  }
+
+
+  double
+  BodyContact::torque() const
+  {
+    return -dot(forces_on_wheelset().moment, geometry_.contact.axis.direction);
+  }
+
+
   WheelRailSolution
   BodyContact::result() const
   {
@@ -329,13 +346,10 @@ namespace wheelrail
     result.angle /= sum;
     result.spin = std::sin(wheel_angle / sum) / geometry_.contact.rolling_radius;
     // the reference point is the centre of pressure
-    const Row                  centre = row_at(y / sum);
-    std::vector<RowOfElements> rows;
-    for (const Row &row : rows_)
-      rows.push_back({row.place, row.angle});
+    const Row centre = row_at(y / sum);
     result.reference = reference_at(sections_,
                                     {x / sum, y / sum, centre.place, result.angle, centre.slice},
-                                    wheelset_forces(sections_, rows, solution_),
+                                    forces_on_wheelset(),
                                     motion_,
                                     solution_);
     return result;

@@ -139,11 +139,13 @@ namespace wheelrail
       return {near, yaw};
     }
 
+    /// For the search of a pose: half-spaces of larger elements, which are near enough to true bodies, too.
     Scene
     coarser(const Scene &scene)
     {
       Scene coarse                  = scene;
       coarse.halfspace_element_size = std::max(0.8e-3, scene.halfspace_element_size);
+      coarse.halfspace_bodies       = ContactBodies::half_spaces;
       return coarse;
     }
 
@@ -164,7 +166,7 @@ namespace wheelrail
           }
     }
 
-    /// `fine` and `coarse`: the wheelset with the elements of its scene, and with larger ones.
+    /// `fine` and `coarse`: the wheelset with bodies and elements of its scene, and see coarser().
     WheelsetSolution
     solve_balanced(const Scene &scene, const PosedWheelset &fine, const PosedWheelset &coarse)
     {
@@ -199,9 +201,11 @@ namespace wheelrail
           root              = find_pair_root(*root, search, missed(fine), missed(coarse));
         }
       // a search that ends well ends in the pose that it tried last, with the elements of the scene
-      const bool       balanced = root && root->found;
-      WheelsetSolution found    = root && !balanced ? fine.solve(root->at) : std::move(*last);
-      if (!balanced)
+      const bool       ends_well = root && root->found;
+      WheelsetSolution found     = root && !ends_well ? fine.solve(root->at) : std::move(*last);
+      // forces of a narrow patch jump by some 1e-4 where elements come into contact
+      constexpr double nearly = 1e-3;
+      if (!ends_well && !(root && std::max(std::abs(root->left[0]), std::abs(root->left[1])) < nearly))
         tell_unbalanced(found);
       return found;
     }

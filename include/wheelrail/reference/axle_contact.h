@@ -1,19 +1,11 @@
 #pragma once
 
-#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/axle_wheel.h>
 
 #include <optional>
 
 namespace wheelrail
 {
-  /// One wheel of a wheelset on its rail. A left one is seen as its mirror image (Wheelset/Side).
-  struct WheelOnAxle
-  {
-    Scene         scene;
-    SceneGeometry geometry;
-    double        load = 0; ///< vertical [N]; 0: it does not touch
-  };
-
   /// What turns an axle.
   struct AxleDrive
   {
@@ -37,11 +29,11 @@ namespace wheelrail
   void
   sum_up(AxleSolution &axle);
 
-  /// Solves the steady rolling of a wheelset in its given pose with half-spaces: each wheel carries its load,
-  /// both have the one pitch rate at which the torques of their contacts add up to that of the drive. On a
-  /// curved path (Track/Radius) the rails come with different speeds. The wheels may touch their rails in
-  /// several places (WheelContacts). Where friction cannot carry the torque, the wheels lock or spin up. On
-  /// two threads each has one wheel.
+  /// Solves the steady rolling of a wheelset in its given pose, with half-spaces or with the true bodies
+  /// (Half-space/Bodies): each wheel carries its load, both have the one pitch rate at which the torques of
+  /// their contacts add up to that of the drive. On a curved path (Track/Radius) the rails come with
+  /// different speeds. The wheels may touch their rails in several places. Where friction cannot carry the
+  /// torque, the wheels lock or spin up. On two threads each has one wheel.
   AxleSolution
   solve_axle(const WheelOnAxle &right,
              const WheelOnAxle &left,

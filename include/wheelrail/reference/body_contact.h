@@ -28,6 +28,10 @@ namespace wheelrail
     void
     carry(const WheelRailLoad &load);
 
+    /// That keeps the wheel turning as it rolled last [N m].
+    double
+    torque() const;
+
     /// In the form of half-spaces; lateral coordinates are the arc along the rail's profile from the first
     /// contact point [m].
     WheelRailSolution
@@ -79,6 +83,10 @@ namespace wheelrail
 
     BodyLoads
     loads(bool on_wheel) const;
+
+    /// Of the elements, on the wheelset.
+    WheelsetForces
+    forces_on_wheelset() const;
 
     /// Force on the wheel: along X, upwards [N].
     Point2

@@ -43,9 +43,9 @@ namespace wheelrail
   double
   half_base(const SceneGeometry &right, const SceneGeometry &left);
 
-  /// Solves both wheels with half-spaces (solve_axle(), or one by one with Wheelset/Axle = independent), each
-  /// with the scene of its own; a given torque of the axle [N m] takes the place of what drives the scenes.
-  /// Loads follow from the curve (curve_loads()).
+  /// Solves both wheels (solve_axle(), or one by one with Wheelset/Axle = independent), each with the scene
+  /// of its own, with half-spaces or the true bodies; a given torque of the axle [N m] takes the place of
+  /// what drives the scenes. Loads follow from the curve (curve_loads()).
   ///
   /// With Wheelset/Pose = equilibrium lateral shift and yaw are found such that
   ///
@@ -53,8 +53,9 @@ namespace wheelrail
   ///
   /// with the forces and the moment of the contacts on the wheelset, the springs of Lateral stiffness and Yaw
   /// stiffness, which are at rest at the Lateral shift and Yaw of the scene, and the force that the curve
-  /// asks for. The search starts where the rolling radii roll round the curve. Where none is found, the last
-  /// pose is returned, and its solutions say so. Throws InputError where the profiles do not touch.
+  /// asks for. The search starts where the rolling radii roll round the curve, with half-spaces. Where none
+  /// is found, the last pose is returned, and its solutions say so. Throws InputError where the profiles do
+  /// not touch.
   WheelsetSolution
   solve_wheelset(const Scene                 &right,
                  const Scene                 &left,
