@@ -310,6 +310,18 @@ namespace
       command(
         {"halfspace", "scene.prm", "--places", "0, 1 mm", "--set", "Half-space/Undeformed distance = hertz"}),
       "Half-space/Undeformed distance = hertz: --places needs wheel and rail; set it to profiles");
+    holds(command({"halfspace", "dent.prm", "--places", "0, 1 mm", "--bodies", "real"}),
+          "Half-space/Bodies = real: --places stands the wheel on irregular half-spaces; write half-spaces "
+          "there");
+    const std::string at_places = command({"halfspace",
+                                           "dent.prm",
+                                           "--places",
+                                           "0, 50 mm",
+                                           "--no-pictures",
+                                           "--set",
+                                           "Wheelset/Lateral shift = -6.5 mm"});
+    holds(at_places, "verdict: 0 places trusted, 2 with care, 0 not trusted");
+    holds(at_places, "place 50 mm: The surfaces turn by ");
   }
 } // namespace
 

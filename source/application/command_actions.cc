@@ -135,6 +135,9 @@ namespace wheelrail
       if (distance_is_given(scene))
         throw InputError(entry_text(scene, "Half-space", "Undeformed distance") + ": --" + option +
                          " needs wheel and rail; set it to profiles");
+      if (scene.halfspace_bodies == ContactBodies::real)
+        throw InputError(entry_text(scene, "Half-space", "Bodies") + ": --" + option +
+                         " stands the wheel on irregular half-spaces; write half-spaces there");
       return run_places_command(scene,
                                 *geometry,
                                 parse_irregular_places(options[option].as<std::string>(), pitch),

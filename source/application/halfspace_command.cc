@@ -127,6 +127,7 @@ namespace wheelrail
     print_stresses(results.stresses, out);
 
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
+    remove_earlier_results(folder);
     write_halfspace_folder(scene, result, results, folder.string());
     if (!given)
       write_sections(*geometry, scene.track, (folder / "sections.json").string());

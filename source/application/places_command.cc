@@ -1,6 +1,8 @@
 #include <wheelrail/application/halfspace_results.h>
 #include <wheelrail/application/places_command.h>
 #include <wheelrail/application/report_script.h>
+#include <wheelrail/application/row_verdicts.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
@@ -8,6 +10,8 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/tick_file.h>
 
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -68,6 +72,32 @@ namespace wheelrail
         }
     }
 
+    Grade
+    grade_of_place(const PlaceContact &contact)
+    {
+      return contact.fault.empty() ? contact.verdict.grade() : Grade::not_trusted;
+    }
+
+    /// Returns the number of places that could not be solved.
+    std::size_t
+    print_verdicts(const IrregularPlaces           &places,
+                   const std::vector<PlaceContact> &contacts,
+                   std::ostream                    &out)
+    {
+      std::size_t             faults = 0;
+      std::vector<RowVerdict> verdicts;
+      for (const PlaceContact &c : contacts)
+        {
+          faults += c.fault.empty() ? 0 : 1;
+          verdicts.push_back(
+            {places.pitch ? text("pitch %g deg", c.pitch * 180 / M_PI) : text("place %g mm", 1e3 * c.place),
+             grade_of_place(c),
+             c.fault.empty() ? c.verdict.doubts() : c.fault});
+        }
+      print_row_verdicts(verdicts, places.pitch ? "pitch angles" : "places", "places.csv", out);
+      return faults;
+    }
+
     FigureTable
     table_of(const std::vector<PlaceContact> &contacts)
     {
@@ -92,6 +122,7 @@ namespace wheelrail
       column("wheel_drop_m", "m", [](C c) { return c.drop; });
       column("normal_force_N", "N", [](C c) { return c.normal_force; });
       column("slope_force_N", "N", [](C c) { return c.slope_force; });
+      column("verdict", "1", [](C c) { return static_cast<double>(grade_of_place(c)); });
       return table;
     }
 
@@ -116,12 +147,7 @@ namespace wheelrail
     print_head(scene, load, out);
     const std::vector<PlaceContact> contacts = solve_places(scene, geometry, load, places);
     print_table(places, contacts, out);
-    int failed = 0;
-    for (const PlaceContact &c : contacts)
-      if (!c.fault.empty() && ++failed == 1)
-        out << "warning: at " << (places.pitch ? "pitch " : "place ")
-            << (places.pitch ? c.pitch * 180 / M_PI : 1e3 * c.place) << (places.pitch ? " deg: " : " mm: ")
-            << c.fault << '\n';
+    const std::size_t failed = print_verdicts(places, contacts, out);
 
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));

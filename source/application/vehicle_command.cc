@@ -1,4 +1,5 @@
 #include <wheelrail/application/report_script.h>
+#include <wheelrail/application/row_verdicts.h>
 #include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/damage/wear_figures.h>
@@ -206,30 +207,23 @@ namespace wheelrail
           }
     }
 
-    /// How many rows have which verdict, then why of the first few that are not trusted or to be taken with
-    /// care; returns the number of those without figures.
+    /// Returns the number of rows without figures.
     std::size_t
     print_verdicts(const std::vector<VehicleWheel> &wheels, std::ostream &out)
     {
-      std::size_t              of_grade[3] = {0, 0, 0}, faults = 0;
-      std::vector<std::string> why;
+      std::size_t             faults = 0;
+      std::vector<RowVerdict> verdicts;
       for (const VehicleWheel &wheel : wheels)
         for (std::size_t row = 0; row < wheel.rows.size(); ++row)
           {
-            ++of_grade[static_cast<int>(grade_of_row(wheel, row))];
             const bool fault = !wheel.faults[row].empty();
             faults += fault ? 1 : 0;
-            if (const std::string &doubt = fault ? wheel.faults[row] : wheel.rows[row].doubts; !doubt.empty())
-              why.push_back("row " + std::to_string(row + 1) + ", " + (wheel.left ? "left" : "right") +
-                            " wheel: " + doubt);
+            verdicts.push_back(
+              {"row " + std::to_string(row + 1) + ", " + (wheel.left ? "left" : "right") + " wheel",
+               grade_of_row(wheel, row),
+               fault ? wheel.faults[row] : wheel.rows[row].doubts});
           }
-      out << "verdict: " << of_grade[2] << " rows" << (wheels.size() > 1 ? " of both wheels" : "")
-          << " trusted, " << of_grade[1] << " with care, " << of_grade[0] << " not trusted\n";
-      for (std::size_t k = 0; k < why.size() && k < 5; ++k)
-        out << why[k] << '\n';
-      if (why.size() > 5)
-        out << "and " << why.size() - 5
-            << " more; the column verdict of vehicle.csv has 1 (with care) or 0 there\n";
+      print_row_verdicts(verdicts, wheels.size() > 1 ? "rows of both wheels" : "rows", "vehicle.csv", out);
       return faults;
     }
   } // namespace

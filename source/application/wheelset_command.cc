@@ -116,6 +116,7 @@ namespace wheelrail
     const Summary axle = wheelset_summary(
       scene, wheelset, wheels[0] ? &wheels[0]->figures : nullptr, wheels[1] ? &wheels[1]->figures : nullptr);
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
+    remove_earlier_results(folder);
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     for (const bool left : {false, true})
       if (wheels[left])

@@ -100,6 +100,11 @@ namespace wheelrail
               p * grid.element_area() * contact.sections.rail_slope_along(grid.y(j), grid.x(i));
       if (solution.touches_grid_edge)
         result.fault = "the contact reaches the edge of the grid";
+      Measures judged;
+      judged.cells         = elements_across(solution);
+      judged.peak_pressure = solution.peak_pressure;
+      judged.turn          = contact.turn_across(measures);
+      result.verdict       = judge_halfspaces(judged);
       return result;
     }
   } // namespace

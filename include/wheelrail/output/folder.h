@@ -60,4 +60,10 @@ namespace wheelrail
   /// "output/rolling" and "-halfspace" give "output/rolling-halfspace".
   std::filesystem::path
   folder_beside(const std::string &folder, const std::string &tail);
+
+  /// Removes what an earlier call wrote into a folder of the program's own (known by its parameters.prm), and
+  /// into those of its wheels: a solution of one wheel and one of a wheelset have other files, and a page
+  /// would show both. Tables of creep curves and places stay, as do other files.
+  void
+  remove_earlier_results(const std::filesystem::path &folder);
 } // namespace wheelrail

@@ -4,6 +4,7 @@
 #include <wheelrail/output/fields.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/scene/scene.h>
+#include <wheelrail/verdict/verdict.h>
 
 #include <string>
 #include <vector>
@@ -38,6 +39,7 @@ namespace wheelrail
     double      slope_force    = 0;    ///< on the wheel along the track, of the pressure on slopes [N]
     int         patches        = 0;    ///< areas that hang together
     std::string fault;                 ///< why it could not be solved; empty: it was
+    Verdict     verdict;               ///< of what was solved
     PatchFields patch;
   };
 
