@@ -313,6 +313,14 @@ namespace
     holds(command({"halfspace", "dent.prm", "--places", "0, 1 mm", "--bodies", "real"}),
           "Half-space/Bodies = real: --places stands the wheel on irregular half-spaces; write half-spaces "
           "there");
+    holds(
+      command({"halfspace", "scene.prm", "--creep-curve", "spin 0, 1 1/m", "--bodies", "real"}),
+      "Half-space/Bodies = real: --creep-curve \"spin ...\" gives the whole contact one spin, which bodies "
+      "of their own shape do not have; write half-spaces there");
+    holds(
+      command({"halfspace", "scene.prm", "--contact-input", "c.inp", "--bodies", "real"}),
+      "Half-space/Bodies = real: --contact-input writes the problem of two half-spaces; write half-spaces "
+      "there");
     const std::string at_places = command({"halfspace",
                                            "dent.prm",
                                            "--places",

@@ -122,6 +122,22 @@ namespace wheelrail
         input.scene, profiles_with_notes(input.scene, out), !options.count("no-pictures"), out);
     }
 
+    /// What true bodies do not have: one spin for the whole contact, and a problem that CONTACT could solve.
+    void
+    require_half_spaces(const po::variables_map &options, const Scene &scene)
+    {
+      if (scene.halfspace_bodies != ContactBodies::real)
+        return;
+      const std::string real = entry_text(scene, "Half-space", "Bodies");
+      if (options.count("creep-curve") && options["creep-curve"].as<std::string>().rfind("spin", 0) == 0)
+        throw InputError(real +
+                         ": --creep-curve \"spin ...\" gives the whole contact one spin, which bodies "
+                         "of their own shape do not have; write half-spaces there");
+      if (options.count("contact-input"))
+        throw InputError(real +
+                         ": --contact-input writes the problem of two half-spaces; write half-spaces there");
+    }
+
     int
     halfspaces_of_places(const po::variables_map &options,
                          const Scene             &scene,
@@ -226,6 +242,7 @@ namespace wheelrail
       print_note(drive_note(options, input), out);
     if (!file("places").empty() || !file("pitch").empty())
       return halfspaces_of_places(options, input.scene, geometry ? &*geometry : nullptr, out);
+    require_half_spaces(options, input.scene);
     if (!file("creep-curve").empty())
       return run_creep_curve_command(input.scene,
                                      geometry ? &*geometry : nullptr,
