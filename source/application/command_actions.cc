@@ -1,18 +1,14 @@
 #include <wheelrail/application/command_actions.h>
 #include <wheelrail/application/command_scene.h>
 #include <wheelrail/application/compare_command.h>
-#include <wheelrail/application/creep_curve_command.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
-#include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/material_command.h>
-#include <wheelrail/application/places_command.h>
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/scene_row.h>
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/application/wear_command.h>
-#include <wheelrail/application/wheelset_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
 #include <wheelrail/input/cross_checks.h>
@@ -32,15 +28,11 @@
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/scene/one_wheel.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
-#include <optional>
 #include <ostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -88,77 +80,6 @@ namespace wheelrail
         throw InputError(
           "the column cant shares the load of an axle between two wheels: give --both-wheels, or "
           "leave it out");
-    }
-
-    /// What was found in the profile files of both sides; of a file that both sides have, once.
-    WheelsetProfiles
-    profiles_with_notes(const Scene &scene, std::ostream &out)
-    {
-      WheelsetProfiles                profiles = read_wheelset_profiles(scene);
-      const std::vector<std::string> &right    = profiles.right.notes;
-      print_notes(right, out);
-      if (scene.both_wheels)
-        for (const std::string &note : profiles.left.notes)
-          if (std::find(right.begin(), right.end(), note) == right.end())
-            print_note(note, out);
-      return profiles;
-    }
-
-    int
-    halfspaces_of_wheelset(const po::variables_map        &options,
-                           const SceneInput               &input,
-                           const std::vector<std::string> &warnings,
-                           std::ostream                   &out)
-    {
-      for (const char *option :
-           {"contact-input", "contact-wheel-rail-input", "creep-curve", "places", "pitch"})
-        if (options.count(option))
-          throw InputError(std::string("--") + option + " takes one wheel; " +
-                           entry_text(input.scene, "Wheelset", "Wheels") + " asks for two: set it to one");
-      for (const std::string &warning : warnings)
-        out << "warning: " << warning << "\n";
-      print_note(drive_note(options, input), out);
-      return run_wheelset_command(
-        input.scene, profiles_with_notes(input.scene, out), !options.count("no-pictures"), out);
-    }
-
-    /// What true bodies do not have: one spin for the whole contact, and a problem that CONTACT could solve.
-    void
-    require_half_spaces(const po::variables_map &options, const Scene &scene)
-    {
-      if (scene.halfspace_bodies != ContactBodies::real)
-        return;
-      const std::string real = entry_text(scene, "Half-space", "Bodies");
-      if (options.count("creep-curve") && options["creep-curve"].as<std::string>().rfind("spin", 0) == 0)
-        throw InputError(real +
-                         ": --creep-curve \"spin ...\" gives the whole contact one spin, which bodies "
-                         "of their own shape do not have; write half-spaces there");
-      if (options.count("contact-input"))
-        throw InputError(real +
-                         ": --contact-input writes the problem of two half-spaces; write half-spaces there");
-    }
-
-    int
-    halfspaces_of_places(const po::variables_map &options,
-                         const Scene             &scene,
-                         const SceneGeometry     *geometry,
-                         std::ostream            &out)
-    {
-      if (options.count("places") + options.count("pitch") + options.count("creep-curve") > 1)
-        throw InputError("--places, --pitch and --creep-curve are different tables: give one of them");
-      const bool        pitch  = options.count("pitch") > 0;
-      const std::string option = pitch ? "pitch" : "places";
-      if (distance_is_given(scene))
-        throw InputError(entry_text(scene, "Half-space", "Undeformed distance") + ": --" + option +
-                         " needs wheel and rail; set it to profiles");
-      if (scene.halfspace_bodies == ContactBodies::real)
-        throw InputError(entry_text(scene, "Half-space", "Bodies") + ": --" + option +
-                         " stands the wheel on irregular half-spaces; write half-spaces there");
-      return run_places_command(scene,
-                                *geometry,
-                                parse_irregular_places(options[option].as<std::string>(), pitch),
-                                !options.count("no-pictures"),
-                                out);
     }
   } // namespace
 
@@ -214,47 +135,6 @@ namespace wheelrail
           scene, make_geometry(scene, profiles), (stem.empty() ? "" : stem + "_") + "profiles", out);
       }
     return code;
-  }
-
-
-  int
-  act_halfspace(const po::variables_map &options, const RunFunction &, std::ostream &out)
-  {
-    require_file(options, "halfspace");
-    const auto file = [&](const char *option) {
-      return options.count(option) ? options[option].as<std::string>() : std::string();
-    };
-    if (!file("beside").empty() && file("creep-curve").empty())
-      throw InputError("--beside draws points beside a creep curve: give --creep-curve, too");
-    const SceneInput input = one_scene_of(options);
-    const Findings   found = contact_checks(input.scene);
-    require_none(found.errors, input);
-    if (input.scene.both_wheels)
-      return halfspaces_of_wheelset(options, input, found.warnings, out);
-    std::optional<SceneGeometry> geometry;
-    if (needs_profiles(input.scene) || !file("contact-wheel-rail-input").empty())
-      geometry = require_touching(input);
-    if (geometry)
-      print_notes(geometry->notes, out);
-    for (const std::string &warning : found.warnings)
-      out << "warning: " << warning << "\n";
-    if (file("creep-curve").rfind("longitudinal", 0) != 0) // which runs over what drives
-      print_note(drive_note(options, input), out);
-    if (!file("places").empty() || !file("pitch").empty())
-      return halfspaces_of_places(options, input.scene, geometry ? &*geometry : nullptr, out);
-    require_half_spaces(options, input.scene);
-    if (!file("creep-curve").empty())
-      return run_creep_curve_command(input.scene,
-                                     geometry ? &*geometry : nullptr,
-                                     parse_creep_curve(file("creep-curve")),
-                                     file("beside"),
-                                     !options.count("no-pictures"),
-                                     out);
-    return run_halfspace_command(input.scene,
-                                 geometry ? &*geometry : nullptr,
-                                 {file("contact-input"), file("contact-wheel-rail-input")},
-                                 !options.count("no-pictures"),
-                                 out);
   }
 
 

@@ -23,27 +23,44 @@ namespace wheelrail
     {
       const fs::path    whole = path.extension() == ".part" ? path.stem() : path.filename();
       const std::string name = whole.string(), ending = whole.extension().string();
-      for (const char *own : {"summary.json",     "figures.json",  "log.txt",      "history.h5",
-                              "patch_history.h5", "patch.h5",      "halfspace.h5", "halfspace_slices.h5",
-                              "compare.json",     "compare.html",  "residual.h5",  "slices.h5",
-                              "report.html",      "rail.h5",       "passages.csv", "passages.h5",
-                              "sections.json",    "wear.csv",      "wheelset.csv", "wheelset.html",
-                              "input.prm",        "parameters.prm"})
+      for (const char *own : {"summary.json",
+                              "figures.json",
+                              "log.txt",
+                              "history.h5",
+                              "patch_history.h5",
+                              "patch.h5",
+                              "halfspace.h5",
+                              "halfspace_slices.h5",
+                              "compare.json",
+                              "compare.html",
+                              "residual.h5",
+                              "slices.h5",
+                              "report.html",
+                              "rail.h5",
+                              "passages.csv",
+                              "passages.h5",
+                              "input.prm",
+                              "parameters.prm"})
         if (name == own)
           return true;
       return ending == ".vtu" || ending == ".pvd" || name.rfind("checkpoint", 0) == 0 ||
              name.rfind("halfspace_patch_", 0) == 0;
     }
 
-    /// Pictures of a table that another call wrote beside the results.
-    bool
-    is_of_table(const fs::path &picture)
+    /// Pictures of results; not those of tables that another call wrote beside them.
+    void
+    add_pictures(const fs::path &folder, std::vector<fs::path> &own)
     {
-      return picture.filename() == "creep_curve.png" || picture.filename() == "places.png";
+      if (fs::is_directory(folder / "pictures"))
+        for (const auto &entry : fs::directory_iterator(folder / "pictures"))
+          if (const fs::path &path = entry.path(); path.extension() == ".png" &&
+                                                   path.filename() != "creep_curve.png" &&
+                                                   path.filename() != "places.png")
+            own.push_back(path);
     }
 
     void
-    remove_results(const fs::path &folder)
+    remove_earlier_run(const fs::path &folder)
     {
       std::vector<fs::path> own;
       for (const auto &entry : fs::directory_iterator(folder))
@@ -54,16 +71,13 @@ namespace wheelrail
           if (const std::string name = entry.path().filename().string();
               name.rfind("wheel_", 0) == 0 || name.rfind("rail_", 0) == 0 || name.rfind("motion_", 0) == 0)
             own.push_back(entry.path());
-      if (fs::is_directory(folder / "pictures"))
-        for (const auto &entry : fs::directory_iterator(folder / "pictures"))
-          if (entry.path().extension() == ".png" && !is_of_table(entry.path()))
-            own.push_back(entry.path());
+      add_pictures(folder, own);
       for (const fs::path &path : own)
         fs::remove_all(path);
       for (const auto &entry : fs::directory_iterator(folder))
         if (entry.path().filename().string().rfind("passage_", 0) == 0 &&
             fs::exists(entry.path() / "parameters.prm"))
-          remove_results(entry.path());
+          remove_earlier_run(entry.path());
     }
 
     /// What a run that was killed had not finished writing.
@@ -197,7 +211,7 @@ namespace wheelrail
   {
     on_root(communicator_, [&]() {
       if (!keep && fs::exists(folder_ + "/parameters.prm"))
-        remove_results(folder_);
+        remove_earlier_run(folder_);
       remove_unfinished_files(folder_);
       const std::string parameters_file = folder_ + "/parameters.prm";
       try
@@ -235,14 +249,31 @@ namespace wheelrail
   void
   remove_earlier_results(const std::filesystem::path &folder)
   {
-    std::error_code ignored; // what cannot be removed shows when it is written anew
+    constexpr const char *names[] = {"summary.json",
+                                     "figures.json",
+                                     "halfspace.h5",
+                                     "slices.h5",
+                                     "wear.csv",
+                                     "sections.json",
+                                     "report.html",
+                                     "wheelset.csv",
+                                     "wheelset.html",
+                                     "parameters.prm"};
+    std::error_code       ignored; // what cannot be removed shows when it is written anew
     for (const fs::path &part : {folder / "left", folder / "right", folder})
       if (fs::exists(part / "parameters.prm"))
         {
-          remove_results(part);
-          for (const fs::path &emptied : {part / "pictures", part})
-            fs::remove(emptied, ignored);
+          std::vector<fs::path> own;
+          for (const char *name : names)
+            own.push_back(part / name);
+          for (const auto &entry : fs::directory_iterator(part))
+            if (entry.path().filename().string().rfind("halfspace_patch_", 0) == 0)
+              own.push_back(entry.path());
+          add_pictures(part, own);
+          if (part != folder) // what is empty then goes, too
+            own.insert(own.end(), {part / "pictures", part});
+          for (const fs::path &path : own)
+            fs::remove(path, ignored);
         }
-    fs::create_directories(folder, ignored);
   }
 } // namespace wheelrail

@@ -117,13 +117,13 @@ namespace wheelrail
           }
       }
     found = found || nearly;
-    for (const auto &wheel : wheels)
+    for (std::size_t k = 0; k < wheels.size(); ++k)
       {
-        const bool of_right = wheel == wheels.front() && right.load > 0;
-        auto      &result   = of_right ? axle.right : axle.left;
-        result              = wheel->result(search.carried(),
-                               found ? "" : "The turning rate and the loads of the axle were not found. ");
-        result->time        = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        auto &result = loaded[k] == &right ? axle.right : axle.left;
+        result       = wheels[k]->result(
+          search.carried(), found ? "" : "The turning rate and the loads of the axle were not found. ");
+        name_made_up(loaded[k]->geometry, *result);
+        result->time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
       }
     sum_up(axle);
     return axle;

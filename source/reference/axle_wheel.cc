@@ -75,9 +75,7 @@ namespace wheelrail
       WheelRailSolution
       result(const bool within_friction, const std::string &not_found) const override
       {
-        WheelRailSolution result = contacts_->result(within_friction, not_found);
-        name_made_up(wheel_.geometry, result);
-        return result;
+        return contacts_->result(within_friction, not_found);
       }
 
     private:
@@ -128,7 +126,6 @@ namespace wheelrail
             result.solution.coupling_converged = false;
             result.solution.not_reached += not_found;
           }
-        name_made_up(wheel_.geometry, result);
         return result;
       }
 

@@ -40,21 +40,6 @@ namespace wheelrail
       set("yaw_moment_Nm", at.yaw_moment);
     }
 
-    /// Of the patch, without the others.
-    Verdict
-    judge_patch(const Scene &scene, const WheelRailSolution &result)
-    {
-      Measures measures;
-      measures.cells         = elements_across(result.solution);
-      measures.peak_pressure = result.solution.peak_pressure;
-      measures.made_up       = result.made_up;
-      if (scene.halfspace_bodies == ContactBodies::half_spaces)
-        measures.turn = result.turn;
-      if (result.reference)
-        measures.place = place_in_words(result.reference->place.x);
-      return judge_halfspaces(measures);
-    }
-
     Verdict
     judge_patches(const Scene &scene, const WheelRailSolution &result)
     {
@@ -199,6 +184,21 @@ namespace wheelrail
         }
     }
   } // namespace
+
+
+  Verdict
+  judge_patch(const Scene &scene, const WheelRailSolution &result)
+  {
+    Measures measures;
+    measures.cells         = elements_across(result.solution);
+    measures.peak_pressure = result.solution.peak_pressure;
+    measures.made_up       = result.made_up;
+    if (scene.halfspace_bodies == ContactBodies::half_spaces)
+      measures.turn = result.turn;
+    if (result.reference)
+      measures.place = place_in_words(result.reference->place.x);
+    return judge_halfspaces(measures);
+  }
 
 
   Summary

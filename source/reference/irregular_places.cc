@@ -81,18 +81,20 @@ namespace wheelrail
       press_down(contact, load);
       const HalfspaceSolution &solution = contact.solution;
       const HalfspaceGrid     &grid     = solution.grid;
-      result.patch                      = halfspace_patch(solution);
-      const PatchMeasures measures      = measure_patch(result.patch);
-      result.peak_pressure              = solution.peak_pressure;
-      result.width                      = measures.width;
-      result.length                     = measures.length;
-      result.centre_along               = measures.centre_of_pressure_along;
-      result.centre_lateral             = measures.centre_of_pressure_lateral;
-      result.approach                   = solution.approach;
-      result.drop                       = solution.approach + contact.sections.least_distance();
-      result.normal_force               = solution.fn;
-      result.area                       = solution.contact_elements * grid.element_area();
-      result.patches                    = count_patches(solution);
+      WheelRailSolution        whole    = contact.result();
+      name_made_up(geometry, whole);
+      result.verdict        = judge_patch(scene, whole);
+      result.patch          = whole.patch;
+      result.peak_pressure  = solution.peak_pressure;
+      result.width          = whole.measures.width;
+      result.length         = whole.measures.length;
+      result.centre_along   = whole.measures.centre_of_pressure_along;
+      result.centre_lateral = whole.measures.centre_of_pressure_lateral;
+      result.approach       = solution.approach;
+      result.drop           = solution.approach + contact.sections.least_distance();
+      result.normal_force   = solution.fn;
+      result.area           = solution.contact_elements * grid.element_area();
+      result.patches        = count_patches(solution);
       for (int j = 0; j < grid.my; ++j)
         for (int i = 0; i < grid.mx; ++i)
           if (const double p = solution.pressure[i + std::size_t(grid.mx) * j]; p > 0)
@@ -100,11 +102,6 @@ namespace wheelrail
               p * grid.element_area() * contact.sections.rail_slope_along(grid.y(j), grid.x(i));
       if (solution.touches_grid_edge)
         result.fault = "the contact reaches the edge of the grid";
-      Measures judged;
-      judged.cells         = elements_across(solution);
-      judged.peak_pressure = solution.peak_pressure;
-      judged.turn          = contact.turn_across(measures);
-      result.verdict       = judge_halfspaces(judged);
       return result;
     }
   } // namespace

@@ -8,12 +8,6 @@ namespace wheelrail
 {
   namespace
   {
-    double
-    largest(const Pair &a)
-    {
-      return std::max(std::abs(a[0]), std::abs(a[1]));
-    }
-
     Pair
     moved(const Pair &at, const double t, const Pair &step)
     {
@@ -75,6 +69,13 @@ namespace wheelrail
   } // namespace
 
 
+  double
+  larger_magnitude(const Pair &a)
+  {
+    return std::max(std::abs(a[0]), std::abs(a[1]));
+  }
+
+
   std::optional<PairRoot>
   find_pair_root(const PairRoot     &first,
                  const PairSearch   &search,
@@ -91,7 +92,7 @@ namespace wheelrail
     double                    part           = 1; // of the step that is tried
     double                    at_derivatives = std::numeric_limits<double>::infinity(); // what was left there
     constexpr double          worth          = 0.5; // less than that must be left for derivatives once more
-    while (!(root.found = largest(root.left) <= search.enough) && root.calls < search.most_calls)
+    while (!(root.found = larger_magnitude(root.left) <= search.enough) && root.calls < search.most_calls)
       {
         if (!slope)
           {
@@ -107,7 +108,7 @@ namespace wheelrail
         const Pair there = moved(root.at, part, *step);
         const auto value = function(there);
         ++root.calls;
-        if (value && largest(*value) < largest(root.left))
+        if (value && larger_magnitude(*value) < larger_magnitude(root.left))
           {
             mend(*slope, moved(there, -1, root.at), moved(*value, -1, root.left), search.step);
             root.at   = there;
@@ -117,11 +118,11 @@ namespace wheelrail
           }
         else if (part > 0.2)
           part /= 2;
-        else if (fresh || largest(root.left) > worth * at_derivatives)
+        else if (fresh || larger_magnitude(root.left) > worth * at_derivatives)
           break; // where the function jumps derivatives lead nowhere
         else
           {
-            at_derivatives = largest(root.left);
+            at_derivatives = larger_magnitude(root.left);
             slope.reset();
           }
       }

@@ -205,7 +205,7 @@ namespace wheelrail
       WheelsetSolution found     = root && !ends_well ? fine.solve(root->at) : std::move(*last);
       // forces of a narrow patch jump by some 1e-4 where elements come into contact
       constexpr double nearly = 1e-3;
-      if (!ends_well && !(root && std::max(std::abs(root->left[0]), std::abs(root->left[1])) < nearly))
+      if (!ends_well && !(root && larger_magnitude(root->left) < nearly))
         tell_unbalanced(found);
       return found;
     }

@@ -7,6 +7,7 @@
 #include <wheelrail/reference/contact_reference.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/scene/scene.h>
+#include <wheelrail/verdict/verdict.h>
 
 #include <array>
 #include <optional>
@@ -113,6 +114,10 @@ namespace wheelrail
   /// The same figures of a solution with friction.
   HalfspacePressure
   halfspace_pressure(const WheelRailSolution &result);
+
+  /// How far the pressure of a patch can be trusted, without the others.
+  Verdict
+  judge_patch(const Scene &scene, const WheelRailSolution &result);
 
   /// The figures of a solution under the names of a run's summary, in its signs. Of several patches forces,
   /// areas and work are sums, pressures and tractions the largest, and extents, places and creepages those of

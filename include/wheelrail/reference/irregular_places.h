@@ -4,7 +4,6 @@
 #include <wheelrail/output/fields.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/scene/scene.h>
-#include <wheelrail/verdict/verdict.h>
 
 #include <string>
 #include <vector>

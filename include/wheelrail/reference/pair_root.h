@@ -9,6 +9,10 @@ namespace wheelrail
   /// Two numbers that belong together: unknowns, or what is left over of two balances.
   using Pair = std::array<double, 2>;
 
+  /// The larger magnitude of both.
+  double
+  larger_magnitude(const Pair &a);
+
   /// Two functions of two unknowns, or nothing where they have no value.
   using PairFunction = std::function<std::optional<Pair>(const Pair &)>;
 

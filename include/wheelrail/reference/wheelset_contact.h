@@ -53,9 +53,9 @@ namespace wheelrail
   ///
   /// with the forces and the moment of the contacts on the wheelset, the springs of Lateral stiffness and Yaw
   /// stiffness, which are at rest at the Lateral shift and Yaw of the scene, and the force that the curve
-  /// asks for. The search starts where the rolling radii roll round the curve, with half-spaces. Where none
-  /// is found, the last pose is returned, and its solutions say so. Throws InputError where the profiles do
-  /// not touch.
+  /// asks for. The search starts where the rolling radii roll round the curve, with half-spaces, and
+  /// ends where less than 1e-4 of the load is left over, or no less than 1e-3 can be. Where none is found,
+  /// the last pose is returned, and its solutions say so. Throws InputError where the profiles do not touch.
   WheelsetSolution
   solve_wheelset(const Scene                 &right,
                  const Scene                 &left,

@@ -1,0 +1,123 @@
+#include <wheelrail/application/command_actions.h>
+#include <wheelrail/application/command_scene.h>
+#include <wheelrail/application/creep_curve_command.h>
+#include <wheelrail/application/halfspace_command.h>
+#include <wheelrail/application/places_command.h>
+#include <wheelrail/application/wheelset_command.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/input/cross_checks.h>
+#include <wheelrail/input/entries.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/reference/given_distance.h>
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    int
+    halfspaces_of_wheelset(const po::variables_map        &options,
+                           const SceneInput               &input,
+                           const std::vector<std::string> &warnings,
+                           std::ostream                   &out)
+    {
+      for (const char *option :
+           {"contact-input", "contact-wheel-rail-input", "creep-curve", "places", "pitch"})
+        if (options.count(option))
+          throw InputError(std::string("--") + option + " takes one wheel; " +
+                           entry_text(input.scene, "Wheelset", "Wheels") + " asks for two: set it to one");
+      for (const std::string &warning : warnings)
+        out << "warning: " << warning << "\n";
+      print_note(drive_note(options, input), out);
+      return run_wheelset_command(
+        input.scene, profiles_with_notes(input.scene, out), !options.count("no-pictures"), out);
+    }
+
+    /// What true bodies do not have: irregular surfaces, one spin for the whole contact, and a problem that
+    /// CONTACT could solve.
+    void
+    require_half_spaces(const po::variables_map &options, const Scene &scene)
+    {
+      if (scene.halfspace_bodies != ContactBodies::real)
+        return;
+      const auto refuse = [&](const std::string &option, const std::string &what) {
+        throw InputError(entry_text(scene, "Half-space", "Bodies") + ": --" + option + " " + what +
+                         "; write half-spaces there");
+      };
+      for (const char *option : {"places", "pitch"})
+        if (options.count(option))
+          refuse(option, "stands the wheel on irregular half-spaces");
+      if (options.count("creep-curve") && options["creep-curve"].as<std::string>().rfind("spin", 0) == 0)
+        refuse("creep-curve",
+               "\"spin ...\" gives the whole contact one spin, which bodies of their own shape do not have");
+      if (options.count("contact-input"))
+        refuse("contact-input", "writes the problem of two half-spaces");
+    }
+
+    int
+    halfspaces_of_places(const po::variables_map &options,
+                         const Scene             &scene,
+                         const SceneGeometry     *geometry,
+                         std::ostream            &out)
+    {
+      if (options.count("places") + options.count("pitch") + options.count("creep-curve") > 1)
+        throw InputError("--places, --pitch and --creep-curve are different tables: give one of them");
+      const bool        pitch  = options.count("pitch") > 0;
+      const std::string option = pitch ? "pitch" : "places";
+      if (distance_is_given(scene))
+        throw InputError(entry_text(scene, "Half-space", "Undeformed distance") + ": --" + option +
+                         " needs wheel and rail; set it to profiles");
+      return run_places_command(scene,
+                                *geometry,
+                                parse_irregular_places(options[option].as<std::string>(), pitch),
+                                !options.count("no-pictures"),
+                                out);
+    }
+  } // namespace
+
+
+  int
+  act_halfspace(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    require_file(options, "halfspace");
+    const auto file = [&](const char *option) {
+      return options.count(option) ? options[option].as<std::string>() : std::string();
+    };
+    if (!file("beside").empty() && file("creep-curve").empty())
+      throw InputError("--beside draws points beside a creep curve: give --creep-curve, too");
+    const SceneInput input = one_scene_of(options);
+    const Findings   found = contact_checks(input.scene);
+    require_none(found.errors, input);
+    if (input.scene.both_wheels)
+      return halfspaces_of_wheelset(options, input, found.warnings, out);
+    require_half_spaces(options, input.scene);
+    std::optional<SceneGeometry> geometry;
+    if (needs_profiles(input.scene) || !file("contact-wheel-rail-input").empty())
+      geometry = require_touching(input);
+    if (geometry)
+      print_notes(geometry->notes, out);
+    for (const std::string &warning : found.warnings)
+      out << "warning: " << warning << "\n";
+    if (file("creep-curve").rfind("longitudinal", 0) != 0) // which runs over what drives
+      print_note(drive_note(options, input), out);
+    if (!file("places").empty() || !file("pitch").empty())
+      return halfspaces_of_places(options, input.scene, geometry ? &*geometry : nullptr, out);
+    if (!file("creep-curve").empty())
+      return run_creep_curve_command(input.scene,
+                                     geometry ? &*geometry : nullptr,
+                                     parse_creep_curve(file("creep-curve")),
+                                     file("beside"),
+                                     !options.count("no-pictures"),
+                                     out);
+    return run_halfspace_command(input.scene,
+                                 geometry ? &*geometry : nullptr,
+                                 {file("contact-input"), file("contact-wheel-rail-input")},
+                                 !options.count("no-pictures"),
+                                 out);
+  }
+} // namespace wheelrail
