@@ -8,6 +8,8 @@
 
 #include <charconv>
 #include <cstddef>
+#include <filesystem>
+#include <string>
 
 namespace wheelrail
 {
@@ -94,6 +96,9 @@ namespace wheelrail
       refuse("without a load there is no contact; take another row");
     if (const auto *const torques = motion.find(MotionQuantity::torque))
       drive_with((*torques)[number - 1], at);
+    // that of the scene may tell another speed, load or curve
+    at.title = "Row " + std::to_string(number) + " of " +
+               std::filesystem::path(file_of_row(place)).filename().string();
     return at;
   }
 

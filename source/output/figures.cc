@@ -107,7 +107,7 @@ namespace wheelrail
       {"wheel_rim_roll", "rad", "wheel rim turned", "positive from X to Y", "mrad", 1e3, 3, false, nullptr},
       {"relative_lateral", "m", "wheel moved against the rail", "positive to the track centre", "mm", 1e3, 3, false, nullptr},
       {"relative_roll", "rad", "rail turned against the wheel", "positive when its top leans to the track centre", "mrad", 1e3, 3, false, nullptr},
-      {"approach", "m", "approach of the half-spaces", "", "mm", 1e3, 4, false, nullptr},
+      {"approach", "m", "approach of the two bodies", "", "mm", 1e3, 4, false, nullptr},
       {"traction_over_friction", "", "utilised friction, T/(mu N)", "below 1: partial slip", "", 1, 3, false, nullptr},
       {"spin", "per_m", "spin", "", "1/m", 1, 4, false, nullptr},
       {"yaw", "rad", "yaw of the wheelset", "positive: nose to the track centre", "mrad", 1e3, 3, false, nullptr},

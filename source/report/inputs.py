@@ -27,7 +27,21 @@ def read(folder):
 
 def _profiles(entry):
     wheel, rail = (os.path.basename(entry("Profiles/" + body)) for body in ("Wheel", "Rail"))
-    return f"{wheel} wheel on {rail} rail, inclination {entry('Track/Rail inclination').replace('/', ':')}"
+    text = f"{wheel} wheel on {rail} rail, inclination {entry('Track/Rail inclination').replace('/', ':')}"
+    left = [entry(f"Profiles/{body} left") for body in ("Wheel", "Rail")]
+    if entry("Wheelset/Wheels") == "both" and any(name not in ("as right", "") for name in left):
+        wheel, rail = (right if name in ("as right", "") else os.path.basename(name) for right, name in zip((wheel, rail), left))
+        text += f"; left {wheel} wheel on {rail} rail"
+    return text
+
+
+def _curve(entry):
+    """Radius, cant and what tells the load of the outer wheel."""
+    cant = entry("Track/Cant")
+    text = "radius " + entry("Track/Radius")
+    if cant not in ("none", ""):
+        text += f", cant {cant}, centre of gravity {entry('Wheelset/Centre of gravity height')} above the rails"
+    return text
 
 
 def _drive(entry):
@@ -92,13 +106,14 @@ def rows(entries, summary=None, of=FINITE):
     elif not given:
         found.append(("wheelset", f"lateral shift {entry('Wheelset/Lateral shift')}, yaw {entry('Wheelset/Yaw')}"))
     if entry("Track/Radius") not in ("straight", "") and of == HALF:
-        cant = entry("Track/Cant")
-        found.append(("curve", "radius " + entry("Track/Radius") + (f", cant {cant}" if cant not in ("none", "") else "")))
+        found.append(("curve", _curve(entry)))
     found += [("drive", _drive(entry)), ("friction", entry("Contact/Friction coefficient"))] + _irregularities(entries)
     if of == FINITE:
         found += [("steel", _steel(entry)), ("cells", entry("Mesh/Solution cell size")),
                   ("rolling distance", entry("Run/Rolling distance"))]
     else:
+        bodies = {"real": "true ones, the elasticity of this wheel and this rail"}
+        found.append(("bodies", bodies.get(entry("Half-space/Bodies"), "half-spaces")))
         found.append(("elements", entry("Half-space/Element size")))
     return [(label, text) for label, text in found if text]
 
@@ -112,7 +127,7 @@ def wear_rows(entries):
         return entries.get("Wear/" + name, "")
 
     mix = os.path.basename(entry("Mix"))
-    found = [row for row in rows(entries, of=HALF) if mix == "none" or row[0] in ("wheel and rail", "friction", "elements")]
+    found = [row for row in rows(entries, of=HALF) if mix == "none" or row[0] in ("wheel and rail", "friction", "bodies", "elements")]
     both = entry("Worn") == "both"
     found += [("traffic", "the scene alone" if mix == "none" else mix),
               ("wheels", "both of the wheelset" if entries.get("Wheelset/Wheels") == "both" else "one"),

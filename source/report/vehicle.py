@@ -211,7 +211,10 @@ def make_page(folder):
              draw_band(table, table[given], label, os.path.join(drawn, "band.png"))]
     script = page.plotly_script()
     shown = make_views(table, table[given], label) if script else []
-    entries = [row for row in inputs.rows(inputs.read(folder), of=inputs.HALF) if row[0] not in ("wheelset", "wheel load")]
+    # what the rows tell is not that of the scene
+    told = {"wheelset", "wheel load"} | {label for key, label in (("given_velocity_m_per_s", "speed"), ("given_radius_m", "curve"))
+                                         if key in table}
+    entries = [row for row in inputs.rows(inputs.read(folder), of=inputs.HALF) if row[0] not in told]
     entries.append(("rows", f"{len(table[given])}, {label.split(' [')[0]} {table[given][0]:g} to {table[given][-1]:g}"))
     parts = [*verdicts(table), "<div class=top><div><h2>Inputs</h2>", inputs.table(entries), "</div><div><h2>Key results: worst rows</h2>",
              worst_rows(table, table[given], label, 1), "</div></div>"]

@@ -101,7 +101,10 @@ def make_page(folder):
     picture = os.path.join(folder, "pictures", "wheelset.png")
     draw(read_lines(os.path.join(folder, "wheelset.csv")), picture)
     rows = [row for row in inputs.rows(inputs.read(folder), of=inputs.HALF) if row[0] != "wheel load"]
-    parts = [page.verdict_sentence(summary), "<div class=top><div><h2>Inputs</h2>", inputs.table(rows),
+    if page.is_number(summary.get("axle_load_N")):
+        rows.insert(1, ("load", f"{1e-3 * summary['axle_load_N']:.2f} kN on the axle"))
+    note = summary.get("note")
+    parts = [page.verdict_sentence(summary), f"<p>{html.escape(note)}</p>" if note else "", "<div class=top><div><h2>Inputs</h2>", inputs.table(rows),
              "</div><div><h2>Key results: axle</h2>", table_of_axle(summary, figures), "</div></div>", page.pictures_html([("Wheels on their rails", picture)], broad=("wheelset",)),
              "<h2>Wheels</h2>", table_of_wheels(summary, figures)]
     links = [f'<a href="{side}/report.html">{side}-hand wheel</a>' for side in ("left", "right")
