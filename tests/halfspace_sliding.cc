@@ -67,8 +67,9 @@ namespace
     check(std::isnan(driven.summary.creepage), "a wheel that spins up has no creepage of its own");
     check_near(driven.summary.stick_fraction, 0, 0, "nothing sticks");
     check_near(get_figure(driven.summary, "traction_over_friction"), 2.5, 1e-12, "kappa = T / mu");
+    check_text(driven.summary.verdict, "with care", "there is no steady rolling");
     check_text(
-      driven.summary.note,
+      driven.summary.doubts,
       "The whole patch slides: the wheel spins up, since friction does not carry what drives or brakes it.",
       "the summary says so");
 
@@ -79,7 +80,7 @@ namespace
                "braked beyond friction: its force, backwards");
     check_near(braked.summary.creepage, -1, 0, "the wheel is locked");
     check_text(
-      braked.summary.note,
+      braked.summary.doubts,
       "The whole patch slides: the wheel locks, since friction does not carry what drives or brakes it.",
       "the summary says so");
     check_near(braked.summary.max_pressure / driven.summary.max_pressure,
@@ -108,7 +109,7 @@ namespace
     const Case free("0.5", "0"), driven("0.5", "0.25"), braked("0.5", "-0.25");
     check_near(
       free.summary.longitudinal_force / free.summary.normal_force, 0, 1e-5, "free rolling: no force");
-    check(free.summary.stick_fraction > 0.5 && free.summary.note.empty(), "and most of the patch sticks");
+    check(free.summary.stick_fraction > 0.5 && free.summary.doubts.empty(), "and most of the patch sticks");
     check(driven.summary.creepage > 0 && braked.summary.creepage < 0, "driving and braking have their signs");
     check_near(
       driven.summary.longitudinal_force / -braked.summary.longitudinal_force, 1, 1e-3, "and equal forces");
@@ -116,9 +117,9 @@ namespace
       get_figure(braked.summary, "traction_over_friction"), -0.5, 1e-12, "kappa has the sign of the drive");
 
     const Case none("0", "0"), spun("0", "0.25");
-    check(none.summary.finished && none.summary.longitudinal_force == 0 && none.summary.note.empty(),
+    check(none.summary.finished && none.summary.longitudinal_force == 0 && none.summary.doubts.empty(),
           "no friction and no torque: pressure alone");
-    check(spun.summary.finished && spun.summary.longitudinal_force == 0 && !spun.summary.note.empty(),
+    check(spun.summary.finished && spun.summary.longitudinal_force == 0 && !spun.summary.doubts.empty(),
           "no friction and a torque: the wheel spins up");
     check(std::isnan(get_figure(spun.summary, "traction_over_friction")),
           "kappa is infinite, which no figure is");

@@ -368,6 +368,15 @@ namespace
                "The surfaces turn by 29 degrees across the contact, as in the flange root, which half-spaces "
                "do not know: the peak pressure may be off by 10 % and more; take Half-space/Bodies = real.",
                "the flange root");
+    m.turn         = 0.1;
+    m.shift_effect = 0.2;
+    check(judge_halfspaces(m).findings.empty(), "a peak that hardly depends on the shift");
+    m.shift_effect = 0.68;
+    check_text(judge_halfspaces(m).doubts(),
+               "The peak pressure changes by 68 % within the lateral shift by which wheel and rail give way "
+               "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know; take "
+               "Half-space/Bodies = real.",
+               "one that does");
   }
 } // namespace
 

@@ -7,6 +7,7 @@
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/pair_root.h>
 #include <wheelrail/reference/wheelset_contact.h>
+#include <wheelrail/reference/wheelset_figures.h>
 
 #include <cmath>
 #include <cstddef>
@@ -18,6 +19,7 @@
 using namespace wheelrail;
 using test::check;
 using test::check_near;
+using test::check_text;
 using test::conicity;
 
 namespace
@@ -227,6 +229,35 @@ namespace
           "the rails differ");
   }
 
+  /// What is told of the axle: a lifted wheel, and a lateral force above the limit of the track.
+  void
+  test_told()
+  {
+    const Scene      scene = test::cones();
+    WheelsetSolution wheelset;
+    wheelset.right.scene = wheelset.left.scene = scene;
+    wheelset.right.load                        = 160e3;
+    wheelset.axle.lateral                      = 60e3;
+    Summary wheel;
+    wheel.finished = true;
+    wheel.verdict  = "trusted";
+    check_text(wheelset_summary(scene, wheelset, &wheel, &wheel).verdict, "trusted", "both wheels roll");
+    check_text(wheelset_summary(scene, wheelset, &wheel, &wheel).note, "", "within 63.3 kN");
+    wheelset.axle.lateral = -70e3;
+    const Summary lifted  = wheelset_summary(scene, wheelset, &wheel, nullptr);
+    check_text(lifted.verdict, "with care", "one of them is lifted");
+    check_text(
+      lifted.doubts,
+      "The left-hand wheel is lifted: the curve asks for more than both wheels hold, and the vehicle "
+      "begins to tip over.",
+      "and which");
+    // (10 kN + P/3) of Prud'homme (1967)
+    check_text(lifted.note,
+               "The sum of the lateral forces, 70.0 kN, is above the limit after Prud'homme, 63.3 kN: the "
+               "track may be shifted.",
+               "the limit of the track");
+  }
+
   /// Y/Q = (tan(gamma) - mu) / (1 + mu tan(gamma)) where the flange slips down the rail as a whole.
   void
   test_nadal()
@@ -268,6 +299,7 @@ main()
   test_springs();
   test_single_wheel();
   test_different_rails();
+  test_told();
   test_nadal();
   return test::report();
 }

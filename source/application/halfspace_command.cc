@@ -11,6 +11,7 @@
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/several_patches.h>
+#include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/wheel_rail_input.h>
 #include <wheelrail/run/end_screen.h>
 
@@ -94,9 +95,11 @@ namespace wheelrail
     print_head(scene, load.force, out);
     if (!given)
       print_left_out(scene, out);
-    const WheelRailSolution result  = given ? solve_given_distance(scene, geometry)
-                                            : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
-    HalfspaceResults        results = halfspace_results(scene, result);
+    WheelRailSolution result = given ? solve_given_distance(scene, geometry)
+                                     : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
+    if (!given)
+      find_shift_effect(scene, *geometry, result);
+    HalfspaceResults results = halfspace_results(scene, result);
     if (scene.halfspace_bodies == ContactBodies::real)
       set_pose_figures(body_pose(scene, *geometry, result), results.figures);
     const Summary &figures = results.figures;

@@ -10,6 +10,7 @@
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/wheel_load.h>
 #include <wheelrail/reference/wheelset_figures.h>
 
@@ -103,13 +104,14 @@ namespace wheelrail
                        std::ostream           &out)
   {
     print_head(scene, static_wheel_load(scene, profiles.right.wheel), out);
-    const WheelsetSolution          wheelset = solve(scene, profiles);
+    WheelsetSolution                wheelset = solve(scene, profiles);
     std::optional<HalfspaceResults> wheels[2];
     parallel_for(2, [&](const std::size_t left) {
-      if (const auto &solution = left ? wheelset.axle.left : wheelset.axle.right)
+      if (auto &solution = left ? wheelset.axle.left : wheelset.axle.right)
         {
-          HalfspaceResults &results =
-            wheels[left].emplace(halfspace_results((left ? wheelset.left : wheelset.right).scene, *solution));
+          const WheelOnAxle &wheel = left ? wheelset.left : wheelset.right;
+          find_shift_effect(wheel.scene, wheel.geometry, *solution);
+          HalfspaceResults &results = wheels[left].emplace(halfspace_results(wheel.scene, *solution));
           set_wheel_figures(wheelset, left, results.figures);
         }
     });
@@ -138,8 +140,8 @@ namespace wheelrail
       draw_results("wheelset.py", folder.string());
     print_wheels(wheels, out);
     print_axle(axle, out);
-    if (!axle.stop_reason.empty())
-      out << axle.stop_reason << '\n';
+    if (!axle.note.empty())
+      out << axle.note << '\n';
     out << verdict_line(axle) << '\n';
     out << "Results in " << folder.string() << std::endl;
     return axle.finished ? 0 : 2;

@@ -63,7 +63,10 @@ namespace wheelrail
   std::string
   verdict_line(const Summary &summary)
   {
-    const std::string why = summary.finished ? summary.doubts : "it did not finish";
+    std::string why = summary.finished              ? summary.doubts
+                      : summary.stop_reason.empty() ? "it did not finish"
+                                                    : summary.stop_reason;
+    why.erase(why.find_last_not_of(' ') + 1);
     return "verdict: " + verdict_of(summary) + (why.empty() ? "" : ": " + why);
   }
 

@@ -40,13 +40,51 @@ namespace wheelrail
       set("yaw_moment_Nm", at.yaw_moment);
     }
 
+    /// From the least to the largest inclination that the patches reach [rad].
+    double
+    turn_across_all(const WheelRailSolution &result)
+    {
+      double least = result.angle - 0.5 * result.turn, largest = result.angle + 0.5 * result.turn;
+      for (const WheelRailSolution &other : result.others)
+        {
+          least   = std::min(least, other.angle - 0.5 * other.turn);
+          largest = std::max(largest, other.angle + 0.5 * other.turn);
+        }
+      return largest - least;
+    }
+
+    /// `turn`: of the surfaces across the contact [rad].
+    Verdict
+    judge_with(const Scene &scene, const WheelRailSolution &result, const double turn)
+    {
+      Measures measures;
+      measures.cells         = elements_across(result.solution);
+      measures.peak_pressure = result.solution.peak_pressure;
+      measures.made_up       = result.made_up;
+      measures.shift_effect  = result.shift_effect;
+      if (scene.halfspace_bodies == ContactBodies::half_spaces)
+        measures.turn = turn;
+      if (result.reference)
+        measures.place = place_in_words(result.reference->place.x);
+      Verdict verdict = judge_halfspaces(measures);
+      if (!result.solution.within_friction)
+        verdict.findings.push_back({Grade::with_care, sliding_note(-result.solution.fx)});
+      return verdict;
+    }
+
+    /// How patches share the load is a matter of pose, as where one reaches round the corner: all of them are
+    /// judged by the turn from one to the other.
     Verdict
     judge_patches(const Scene &scene, const WheelRailSolution &result)
     {
-      Verdict verdict = judge_patch(scene, result);
+      const double turn    = turn_across_all(result);
+      Verdict      verdict = judge_with(scene, result, turn);
       for (const WheelRailSolution &other : result.others)
-        for (const Finding &finding : judge_patch(scene, other).findings)
-          verdict.findings.push_back(finding);
+        for (const Finding &finding : judge_with(scene, other, turn).findings)
+          if (std::none_of(verdict.findings.begin(), verdict.findings.end(), [&](const Finding &told) {
+                return told.sentence == finding.sentence;
+              }))
+            verdict.findings.push_back(finding);
       return verdict;
     }
 
@@ -107,8 +145,6 @@ namespace wheelrail
       set_wear_figures(worn, scene.wear, summary);
       summary.finished    = s.converged() && !s.touches_grid_edge;
       summary.stop_reason = s.not_reached;
-      if (!s.within_friction)
-        summary.note = sliding_note(-s.fx);
       if (scene.drive == Drive::torque && scene.friction.at_rest > 0)
         set_figure(summary, "traction_over_friction", scene.traction_coefficient / scene.friction.at_rest);
       if (s.touches_grid_edge)
@@ -189,15 +225,7 @@ namespace wheelrail
   Verdict
   judge_patch(const Scene &scene, const WheelRailSolution &result)
   {
-    Measures measures;
-    measures.cells         = elements_across(result.solution);
-    measures.peak_pressure = result.solution.peak_pressure;
-    measures.made_up       = result.made_up;
-    if (scene.halfspace_bodies == ContactBodies::half_spaces)
-      measures.turn = result.turn;
-    if (result.reference)
-      measures.place = place_in_words(result.reference->place.x);
-    return judge_halfspaces(measures);
+    return judge_with(scene, result, result.turn);
   }
 
 

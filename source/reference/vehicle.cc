@@ -2,6 +2,7 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_stresses.h>
+#include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/vehicle.h>
 #include <wheelrail/reference/wheel_load.h>
 #include <wheelrail/reference/wheelset_contact.h>
@@ -94,11 +95,14 @@ namespace wheelrail
 
     /// The figures of a wheel from its solution of a row.
     void
-    take(const std::optional<WheelRailSolution> &result,
-         const Scene                            &at,
-         const std::size_t                       row,
-         VehicleWheel                           &wheel)
+    take(std::optional<WheelRailSolution> &result,
+         const Scene                      &at,
+         const SceneGeometry              &geometry,
+         const std::size_t                 row,
+         VehicleWheel                     &wheel)
     {
+      if (result)
+        find_shift_effect(at, geometry, *result);
       wheel.rows[row]   = result ? halfspace_summary(at, *result) : no_contact(at);
       wheel.faults[row] = wheel.rows[row].finished ? "" : wheel.rows[row].stop_reason;
     }
@@ -138,8 +142,8 @@ namespace wheelrail
     parallel_for(motion.rows(), [&](const std::size_t row) {
       const std::optional<double> torque = torque_of(motion, row);
       const auto                  keep =
-        [&](const std::size_t side, const Scene &at, std::optional<WheelRailSolution> result) {
-          take(result, at, row, vehicle.wheels[side]);
+        [&](const std::size_t side, const WheelOnAxle &wheel, std::optional<WheelRailSolution> result) {
+          take(result, wheel.scene, wheel.geometry, row, vehicle.wheels[side]);
           if (const double peak = vehicle.wheels[side].rows[row].max_pressure; result && peak > 0)
             highest[side].hand_in({row, peak, std::move(*result)});
         };
@@ -152,17 +156,15 @@ namespace wheelrail
                                                          profiles,
                                                          torque);
               set_axle_figures(wheelset, vehicle.axle[row]);
-              keep(0, wheelset.right.scene, std::move(wheelset.axle.right));
-              keep(1, wheelset.left.scene, std::move(wheelset.axle.left));
+              keep(0, wheelset.right, std::move(wheelset.axle.right));
+              keep(1, wheelset.left, std::move(wheelset.axle.left));
             }
           else
             {
-              const Scene at = wheel_of_row(base, motion, row, sides[0]);
-              keep(
-                0,
-                at,
-                solve_alone({at, make_geometry(at, sides[0] ? profiles.left : profiles.right), at.wheel_load},
-                            torque));
+              const Scene       at = wheel_of_row(base, motion, row, sides[0]);
+              const WheelOnAxle wheel{
+                at, make_geometry(at, sides[0] ? profiles.left : profiles.right), at.wheel_load};
+              keep(0, wheel, solve_alone(wheel, torque));
             }
         }
       catch (const InputError &error)

@@ -14,6 +14,7 @@ namespace wheelrail
   namespace
   {
     constexpr double shift_limit = 12e-3; ///< of Wheelset/Lateral shift [m]
+    constexpr double yaw_limit   = 50e-3; ///< of Wheelset/Yaw [rad]
 
     /// What turns the axle: its torque, the traction coefficient as that of both wheels, or the creepage.
     AxleDrive
@@ -154,10 +155,16 @@ namespace wheelrail
     void
     tell_unbalanced(WheelsetSolution &wheelset)
     {
+      const Scene &pose = wheelset.right.scene;
+      const bool   at_bound =
+        std::abs(pose.lateral_shift) > 0.95 * shift_limit || std::abs(pose.yaw) > 0.95 * yaw_limit;
       const std::string what = "No shift and yaw were found at which the forces on the wheelset balance: " +
                                text("%.3g kN across and %.3g kN m about the vertical are left over. ",
                                     1e-3 * wheelset.lateral_missed,
-                                    1e-3 * wheelset.yaw_missed);
+                                    1e-3 * wheelset.yaw_missed) +
+                               (at_bound ? "It went to the end of what is searched, 12 mm of shift and 50 "
+                                           "mrad of yaw. "
+                                         : "");
       for (auto *wheel : {&wheelset.axle.right, &wheelset.axle.left})
         if (*wheel)
           {
@@ -173,7 +180,7 @@ namespace wheelrail
       std::optional<WheelsetSolution> last; // in the pose that was tried last
       const auto                      missed = [&](const PosedWheelset &wheelset) {
         return [&](const Pair &pose) -> std::optional<Pair> {
-          if (std::abs(pose[0]) > shift_limit || std::abs(pose[1]) > 0.05)
+          if (std::abs(pose[0]) > shift_limit || std::abs(pose[1]) > yaw_limit)
             return {};
           try
             {

@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/reference/wheelset_figures.h>
 #include <wheelrail/verdict/verdict.h>
 
@@ -70,7 +71,10 @@ namespace wheelrail
         const std::string    side  = is_left ? "left" : "right";
         if (!wheel)
           {
-            total.note += "The " + side + "-hand wheel is lifted. ";
+            grade = std::min(grade, Grade::with_care);
+            total.doubts += (total.doubts.empty() ? "" : " ") + ("The " + side) +
+                            "-hand wheel is lifted: the curve asks for more than both wheels hold, and the "
+                            "vehicle begins to tip over.";
             continue;
           }
         for (const char *key : {"vertical_force_N",
@@ -98,7 +102,14 @@ namespace wheelrail
         if (!wheel->doubts.empty())
           total.doubts += (total.doubts.empty() ? "" : " ") + side + " wheel: " + wheel->doubts;
       }
-    total.verdict = grade_word(grade);
+    total.verdict      = grade_word(grade);
+    const double limit = get_figure(total, "axle_prudhomme_limit_N");
+    if (const double sum = std::abs(get_figure(total, "axle_lateral_force_N")); sum > limit)
+      total.note = text(
+        "The sum of the lateral forces, %.1f kN, is above the limit after Prud'homme, %.1f kN: "
+        "the track may be shifted.",
+        1e-3 * sum,
+        1e-3 * limit);
     return total;
   }
 } // namespace wheelrail

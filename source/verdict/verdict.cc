@@ -28,6 +28,7 @@ namespace wheelrail
     constexpr Bounds torque_bounds{0.01, 0.05};
     constexpr Bounds peak_bounds{0.05, 0.1};
     constexpr double most_turn           = 0.2;  ///< of surfaces that half-spaces stand for [rad]
+    constexpr double most_shift_effect   = 0.25; ///< of half-spaces
     constexpr double least_plastic       = 1e-4; ///< strain from which on steel has flowed
     constexpr double least_elements      = 8;    ///< of half-spaces across a contact
     constexpr double highest_of_any_rail = 4e9;  ///< [Pa]
@@ -301,6 +302,14 @@ namespace wheelrail
           "the surfaces turn by %.0f degrees across the contact, as in the flange root, which half-spaces do "
           "not know: the peak pressure may be off by 10 %% and more; take Half-space/Bodies = real.",
           measures.turn * 180 / M_PI));
+    if (measures.shift_effect >= most_shift_effect)
+      add(
+        verdict,
+        Grade::with_care,
+        text("the peak pressure changes by %.0f %% within the lateral shift by which wheel and rail give way "
+             "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know; take "
+             "Half-space/Bodies = real.",
+             100 * measures.shift_effect));
     return verdict;
   }
 

@@ -1,0 +1,39 @@
+#include <wheelrail/reference/shift_effect.h>
+
+#include <algorithm>
+
+namespace wheelrail
+{
+  double
+  shift_effect(const Scene &scene, const SceneGeometry &geometry, const double normal_force)
+  {
+    // what the shift of half-spaces has to be changed by for the pressure of the true bodies, of S1002 on
+    // 54E1 and 60E1 under 103 kN (doc/theory/bodies.md)
+    constexpr double give_way     = 0.2e-3 / 100e3; // [m/N]
+    Scene            coarse       = scene;
+    coarse.halfspace_element_size = std::max(0.8e-3, scene.halfspace_element_size);
+    const double         by       = give_way * normal_force;
+    const SectionOffsets offsets  = scene_offsets(scene);
+    double               peak[2]  = {0, 0};
+    for (const int side : {0, 1})
+      {
+        SectionOffsets moved = offsets;
+        moved.lateral += side == 0 ? -by : by;
+        peak[side] = halfspace_pressure(coarse, geometry, normal_force, moved).peak;
+      }
+    const double least = std::min(peak[0], peak[1]);
+    return least > 0 ? std::max(peak[0], peak[1]) / least - 1 : Measures::none;
+  }
+
+
+  void
+  find_shift_effect(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result)
+  {
+    if (scene.halfspace_bodies == ContactBodies::real)
+      return;
+    double force = result.solution.fn;
+    for (const WheelRailSolution &other : result.others)
+      force += other.solution.fn;
+    result.shift_effect = shift_effect(scene, geometry, force);
+  }
+} // namespace wheelrail
