@@ -9,6 +9,7 @@
 #include <wheelrail/reference/body_contact.h>
 #include <wheelrail/reference/body_pose.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -131,6 +132,23 @@ namespace
     const Case softer({"Rail material/Young's modulus = 200 GPa"});
     check(files().size() == 3, "other constants have another table");
     check(std::filesystem::file_size(kept.front()) > 1000, "and the damaged one was replaced");
+
+    // older ones than those in use
+    const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(48);
+    for (unsigned int k = 0; k < most_kept_tables; ++k)
+      {
+        const std::string path = "tables/body-" + std::to_string(k) + ".h5";
+        std::ofstream(path) << "of a profile before";
+        std::filesystem::last_write_time(path, long_ago + std::chrono::minutes(k));
+      }
+    const Case stiffer({"Rail material/Young's modulus = 220 GPa"});
+    check(files().size() == most_kept_tables, "no more tables are kept than so many");
+    check(!std::filesystem::exists("tables/body-0.h5") && !std::filesystem::exists("tables/body-3.h5") &&
+            std::filesystem::exists("tables/body-4.h5") && std::filesystem::exists(kept.front()) &&
+            std::filesystem::exists(kept.back()),
+          "those that were not used for the longest time go");
+    for (unsigned int k = 0; k < most_kept_tables; ++k)
+      std::filesystem::remove("tables/body-" + std::to_string(k) + ".h5");
   }
 
   /// Rows of a vehicle are solved on several threads at once: tables are read and transforms planned on each.

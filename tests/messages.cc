@@ -101,6 +101,11 @@ namespace
                "material/Density",
                "an entry of other sections");
     check_file(
+      "subsection Half-space\nset Body = real\nend",
+      "x.prm:2: Half-space/Body: no such entry; the nearest are Half-space/Bodies, Irregularity 1/Body, "
+      "Irregularity 2/Body",
+      "one of its own section first");
+    check_file(
       "subsection Contact\nset Zigzag frequency = 1\nend",
       "x.prm:2: Contact/Zigzag frequency: no such entry; Contact has Friction coefficient, Friction "
       "coefficient left, Friction law, "

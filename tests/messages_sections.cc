@@ -68,7 +68,8 @@ namespace
     check_message(
       [&]() { FrameProfile(pair.rail.head, pair.contact.rail, far); },
       "A profile does not pass over the contact point (lateral coordinate 200 mm in the track plane) with a "
-      "slope below 1.2. Choose a lateral shift at which tread and rail head lie above each other.");
+      "slope below 1.2. Tread and rail head have to lie above each other: look at Track/Gauge, "
+      "Wheelset/Flange back distance and Lateral shift.");
     TrackDimensions deep;
     deep.gauge_height = 60e-3;
     check_message(

@@ -176,9 +176,11 @@ namespace wheelrail
        act_vehicle},
       {"wear",
        "FILE.prm",
-       "profiles of rail and wheel after tonnes or kilometres of a mix of traffic, by half-spaces",
+       "profiles of rail and wheel after tonnes or kilometres of a mix of traffic, by half-spaces or "
+       "true bodies",
        [](po::options_description &options) {
          add_set_option(options);
+         add_bodies_option(options, "as the entry says");
          add_no_pictures_option(options);
        },
        act_wear},
@@ -209,7 +211,8 @@ namespace wheelrail
        act_compare},
       {"report",
        "FOLDER",
-       "pictures and one page from the output folder of a run or of halfspace",
+       "pictures and one page from the output folder of a run, halfspace, vehicle, wear, receptance or "
+       "material",
        [](po::options_description &options) {
          options.add_options()("tick",
                                po::value<std::string>(),

@@ -124,7 +124,8 @@ namespace wheelrail
                       std::ostream                   &out)
   {
     const std::filesystem::path path = folder;
-    if (std::filesystem::exists(path / "halfspace.h5") && !std::filesystem::exists(path / "patch.h5"))
+    const auto holds                 = [&](const char *name) { return std::filesystem::exists(path / name); };
+    if ((holds("halfspace.h5") && !holds("patch.h5")) || holds("wheelset.csv"))
       throw InputError(folder +
                        ": half-spaces, which have no run to be compared with; compare needs the "
                        "output folder of a run");

@@ -94,7 +94,7 @@ namespace wheelrail
              grade_of_place(c),
              c.fault.empty() ? c.verdict.doubts() : c.fault});
         }
-      print_row_verdicts(verdicts, places.pitch ? "pitch angles" : "places", "places.csv", out);
+      print_row_verdicts(verdicts, places.pitch ? "pitch angles" : "places", "verdict of places.csv", out);
       return faults;
     }
 

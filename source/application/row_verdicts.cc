@@ -7,7 +7,7 @@ namespace wheelrail
   void
   print_row_verdicts(const std::vector<RowVerdict> &rows,
                      const std::string             &what,
-                     const std::string             &table,
+                     const std::string             &column,
                      std::ostream                  &out)
   {
     constexpr std::size_t    most_reasons = 5;
@@ -24,7 +24,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < why.size() && k < most_reasons; ++k)
       out << why[k] << '\n';
     if (why.size() > most_reasons)
-      out << "and " << why.size() - most_reasons << " more; the column verdict of " << table
+      out << "and " << why.size() - most_reasons << " more; the column " << column
           << " has 1 (with care) or 0 there\n";
   }
 } // namespace wheelrail

@@ -223,7 +223,12 @@ namespace wheelrail
                grade_of_row(wheel, row),
                fault ? wheel.faults[row] : wheel.rows[row].doubts});
           }
-      print_row_verdicts(verdicts, wheels.size() > 1 ? "rows of both wheels" : "rows", "vehicle.csv", out);
+      print_row_verdicts(verdicts,
+                         wheels.size() > 1 ? "contacts of both wheels" : "rows",
+                         wheels.size() > 1     ? "right_verdict or left_verdict of vehicle.csv"
+                         : wheels.front().left ? "left_verdict of vehicle.csv"
+                                               : "right_verdict of vehicle.csv",
+                         out);
       return faults;
     }
   } // namespace
@@ -236,9 +241,6 @@ namespace wheelrail
                       const bool              draws,
                       std::ostream           &out)
   {
-    const std::filesystem::path folder = folder_beside(scene.folder, "-vehicle");
-    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
-
     const auto          begin = std::chrono::steady_clock::now();
     std::mutex          lock;
     const VehicleResult vehicle = solve_vehicle(scene, profiles, motion, [&](const std::size_t done) {
@@ -249,6 +251,10 @@ namespace wheelrail
     const std::vector<VehicleWheel> &wheels = vehicle.wheels;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
+    const std::filesystem::path folder = folder_beside(scene.folder, "-vehicle");
+    for (const char *const name : {"vehicle.html", "sections_left.json", "sections_right.json"})
+      std::filesystem::remove(folder / name); // of an earlier call, with other wheels
+    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     const FigureTable table = table_of(motion, vehicle);
     table.write_csv((folder / "vehicle.csv").string());
     table.write_hdf5((folder / "vehicle.h5").string());

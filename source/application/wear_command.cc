@@ -202,6 +202,9 @@ namespace wheelrail
     print_end(state, scene.wear_plan.worn, out);
     if (!torn.empty())
       out << "stopped: " << torn << '\n';
+    const Verdict verdict = wear_verdict(state);
+    out << "verdict: " << grade_word(verdict.grade()) << (verdict.findings.empty() ? "" : ": ")
+        << verdict.doubts() << '\n';
     out << "Results in " << folder.string() << std::endl;
     if (draws && leads)
       draw_results("wear_evolution.py", folder.string());

@@ -7,6 +7,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -14,6 +16,8 @@
 #include <iterator>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -21,6 +25,8 @@ namespace wheelrail
 {
   namespace
   {
+    namespace fs = std::filesystem;
+
     /// Files are read and written by one thread at a time: HDF5 is not made for several, and rows of a
     /// vehicle are solved at once. The first one makes a table, the others wait and read it.
     std::mutex keeping;
@@ -91,7 +97,7 @@ namespace wheelrail
       // a name of its own, renamed when it is whole
       const std::string own = path + "." + std::to_string(getpid());
       replace_file(own, bytes.data(), bytes.size());
-      std::filesystem::rename(own, path);
+      fs::rename(own, path);
     }
 
 
@@ -131,6 +137,20 @@ namespace wheelrail
           return {};
         }
     }
+
+    /// Removes the tables that were not used for the longest time, as worn profiles have many.
+    void
+    forget_oldest(const std::string &folder)
+    {
+      std::vector<std::pair<fs::file_time_type, fs::path>> files;
+      for (const fs::directory_entry &entry : fs::directory_iterator(folder))
+        if (const std::string name = entry.path().filename().string();
+            name.rfind("body-", 0) == 0 && entry.path().extension() == ".h5")
+          files.emplace_back(entry.last_write_time(), entry.path());
+      std::sort(files.begin(), files.end());
+      for (std::size_t k = 0; k + most_kept_tables < files.size(); ++k)
+        fs::remove(files[k].second);
+    }
   } // namespace
 
 
@@ -168,12 +188,17 @@ namespace wheelrail
     const std::lock_guard<std::mutex> guard(keeping);
     const std::string path = folder + "/" + name_of(contents(mesh, elasticity, wheel, nominal_radius, cells));
     if (std::optional<BodyTable> kept = read_table(path))
-      return *std::move(kept);
+      {
+        std::error_code ignored; // of a folder that belongs to somebody else
+        fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+        return *std::move(kept);
+      }
     BodyTable table = make();
     try
       {
-        std::filesystem::create_directories(folder);
+        fs::create_directories(folder);
         write_table(table, path);
+        forget_oldest(folder);
       }
     catch (const std::exception &)
       {

@@ -78,7 +78,8 @@ namespace wheelrail
       throw InputError("A profile does not pass over the contact point (lateral coordinate " +
                        in_mm(frame.origin.x) + " in the track plane) with a slope below " +
                        format_number(max_slope) +
-                       ". Choose a lateral shift at which tread and rail head lie above each other.");
+                       ". Tread and rail head have to lie above each other: look at Track/Gauge, "
+                       "Wheelset/Flange back distance and Lateral shift.");
 
     const double t_min = walk(curve_, start, -1, allowed), t_max = walk(curve_, start, 1, allowed);
 

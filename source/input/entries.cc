@@ -135,11 +135,13 @@ namespace wheelrail
       {
         const unsigned int distance  = edit_distance(entry.name, name);
         const bool         elsewhere = entry.section != section;
+        const unsigned int farther   = elsewhere && known_section ? 3 : 0;
         // a short name in its right section is a word of the user's own, no slip of an entry elsewhere
         const std::size_t most =
           elsewhere && known_section ? name.size() / 6 : std::max<std::size_t>(2, name.size() / 3);
-        if (distance <= most)
-          candidates.push_back({distance, elsewhere, entry.path()});
+        const bool begins_alike = !elsewhere && distance <= 3 && entry.name.compare(0, 3, name, 0, 3) == 0;
+        if (distance <= most || begins_alike)
+          candidates.push_back({distance + farther, elsewhere, entry.path()});
       }
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate &a, const Candidate &b) {
       return a.distance != b.distance ? a.distance < b.distance : a.elsewhere < b.elsewhere;

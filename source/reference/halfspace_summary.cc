@@ -72,22 +72,6 @@ namespace wheelrail
       return verdict;
     }
 
-    /// How patches share the load is a matter of pose, as where one reaches round the corner: all of them are
-    /// judged by the turn from one to the other.
-    Verdict
-    judge_patches(const Scene &scene, const WheelRailSolution &result)
-    {
-      const double turn    = turn_across_all(result);
-      Verdict      verdict = judge_with(scene, result, turn);
-      for (const WheelRailSolution &other : result.others)
-        for (const Finding &finding : judge_with(scene, other, turn).findings)
-          if (std::none_of(verdict.findings.begin(), verdict.findings.end(), [&](const Finding &told) {
-                return told.sentence == finding.sentence;
-              }))
-            verdict.findings.push_back(finding);
-      return verdict;
-    }
-
     Summary
     summary_of_patch(const Scene &scene, const WheelRailSolution &result)
     {
@@ -229,6 +213,23 @@ namespace wheelrail
   }
 
 
+  // how patches share the load is a matter of pose, as where one reaches round the corner: all of them are
+  // judged by the turn from one to the other
+  Verdict
+  judge_contact(const Scene &scene, const WheelRailSolution &result)
+  {
+    const double turn    = turn_across_all(result);
+    Verdict      verdict = judge_with(scene, result, turn);
+    for (const WheelRailSolution &other : result.others)
+      for (const Finding &finding : judge_with(scene, other, turn).findings)
+        if (std::none_of(verdict.findings.begin(), verdict.findings.end(), [&](const Finding &told) {
+              return told.sentence == finding.sentence;
+            }))
+          verdict.findings.push_back(finding);
+    return verdict;
+  }
+
+
   Summary
   halfspace_summary(const Scene &scene, const WheelRailSolution &result)
   {
@@ -240,7 +241,7 @@ namespace wheelrail
     if (result.others.empty())
       {
         set_quotient(patches.front());
-        set_verdict(patches.front(), judge_patches(scene, result));
+        set_verdict(patches.front(), judge_contact(scene, result));
         return patches.front();
       }
     for (const WheelRailSolution &other : result.others)
@@ -251,7 +252,7 @@ namespace wheelrail
     add_up(patches, total);
     total.wall_time = result.time;
     set_quotient(total);
-    set_verdict(total, judge_patches(scene, result));
+    set_verdict(total, judge_contact(scene, result));
     set_figure(total, "patches", patches.size());
     for (std::size_t k = 0; k < patches.size(); ++k)
       add_patch(patches[k], k + 1, total);

@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/damage/machining.h>
 #include <wheelrail/geometry/conicity.h>
 #include <wheelrail/model/expected_patch.h>
@@ -83,7 +84,17 @@ namespace wheelrail
       step.wheel_cracks  = largest(state.wheel.cracks);
       step.rail_ground   = state.rail_ground;
       step.wheel_turned  = state.wheel_turned;
+      step.with_care     = wear.with_care;
+      step.not_trusted   = wear.not_trusted;
       return step;
+    }
+
+    /// Whether some traffic of a state before is not trusted.
+    bool
+    distrusted(const WearState &state)
+    {
+      return std::any_of(
+        state.steps.begin(), state.steps.end(), [](const WearStep &step) { return step.not_trusted > 0; });
     }
 
     /// Sections of one passage that are taken off, smoothed; nothing from a body that keeps its profile.
@@ -206,6 +217,27 @@ namespace wheelrail
   }
 
 
+  Verdict
+  wear_verdict(const WearState &state)
+  {
+    Verdict verdict;
+    double  care = 0, no = 0;
+    for (const WearStep &step : state.steps)
+      {
+        care = std::max(care, step.with_care);
+        no   = std::max(no, step.not_trusted);
+      }
+    const double share = no > 0 ? no : care;
+    if (share > 0)
+      verdict.findings.push_back({no > 0 ? Grade::not_trusted : Grade::with_care,
+                                  text("Up to %.0f %% of the passages are %s, such as ",
+                                       100 * share,
+                                       grade_word(no > 0 ? Grade::not_trusted : Grade::with_care).c_str()) +
+                                    state.doubts});
+    return verdict;
+  }
+
+
   void
   wear_on(const Scene                                       &scene,
           const std::vector<MixRow>                         &rows,
@@ -239,6 +271,8 @@ namespace wheelrail
                state);
         if (depth == 0)
           note("Nothing wears: no contact slides under friction.", state);
+        if (!wear.doubts.empty() && (state.doubts.empty() || (wear.not_trusted > 0 && !distrusted(state))))
+          state.doubts = wear.doubts;
         state.finished = steps <= 0;
         state.steps.push_back(measured(state, profiles, scene, wear));
         state.steps.back().step_depth = state.finished || event ? 0 : steps * depth;

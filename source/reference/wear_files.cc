@@ -51,7 +51,9 @@ namespace wheelrail
         {"rail_net_cracks", "1", [](S &s) -> double & { return s.rail_cracks; }},
         {"wheel_net_cracks", "1", [](S &s) -> double & { return s.wheel_cracks; }},
         {"rail_ground_section_m2", "m2", [](S &s) -> double & { return s.rail_ground; }},
-        {"wheel_turned_section_m2", "m2", [](S &s) -> double & { return s.wheel_turned; }}};
+        {"wheel_turned_section_m2", "m2", [](S &s) -> double & { return s.wheel_turned; }},
+        {"share_with_care", "1", [](S &s) -> double & { return s.with_care; }},
+        {"share_not_trusted", "1", [](S &s) -> double & { return s.not_trusted; }}};
       return list;
     }
 
@@ -86,6 +88,9 @@ namespace wheelrail
   {
     Json json{{"scene", digest},
               {"finished", state.finished},
+              {"verdict", grade_word(wear_verdict(state).grade())},
+              {"doubts", wear_verdict(state).doubts()},
+              {"worst_row", state.doubts},
               {"note", state.note},
               {"passages", state.passages},
               {"rail_ground", state.rail_ground},
@@ -124,6 +129,7 @@ namespace wheelrail
                         json.at("turnings"),
                         {},
                         json.at("finished"),
+                        json.at("worst_row"),
                         json.at("note")};
         state.steps.resize(json.at("steps").at("passages").size());
         for (const Quantity &quantity : quantities())

@@ -2,6 +2,7 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/wear_mix.h>
 
 #include <algorithm>
@@ -77,7 +78,7 @@ namespace wheelrail
     struct Solved
     {
       std::optional<WheelRailSolution> solution;
-      ContactGeometry                  geometry;
+      SceneGeometry                    geometry;
       Scene                            scene;
       double                           share = 0;
     };
@@ -102,14 +103,14 @@ namespace wheelrail
         {
           const SceneGeometry geometry = make_geometry(row.scene, profiles);
           return {{solve_alone({row.scene, geometry, row.scene.wheel_load}, std::nullopt),
-                   geometry.contact,
+                   geometry,
                    row.scene,
                    row.share}};
         }
       const WheelsetSolution wheelset =
         solve_wheelset(row.scene, row.left, {profiles, profiles}, std::nullopt);
-      return {{wheelset.axle.right, wheelset.right.geometry.contact, wheelset.right.scene, 0.5 * row.share},
-              {wheelset.axle.left, wheelset.left.geometry.contact, wheelset.left.scene, 0.5 * row.share}};
+      return {{wheelset.axle.right, wheelset.right.geometry, wheelset.right.scene, 0.5 * row.share},
+              {wheelset.axle.left, wheelset.left.geometry, wheelset.left.scene, 0.5 * row.share}};
     }
 
     void
@@ -128,8 +129,8 @@ namespace wheelrail
             halfspace_wear(patch->problem, patch->solution, wheel.scene.velocity, wheel.scene.wear).depth;
           for (double &d : depth)
             d *= wheel.share;
-          const bool on_rail  = add_patch(*patch, depth, damage, cracks, wheel.geometry.rail, rail),
-                     on_tread = add_patch(*patch, depth, damage, cracks, wheel.geometry.wheel, tread);
+          const bool on_rail  = add_patch(*patch, depth, damage, cracks, wheel.geometry.contact.rail, rail),
+                     on_tread = add_patch(*patch, depth, damage, cracks, wheel.geometry.contact.wheel, tread);
           sum.at_end          = sum.at_end || on_rail || on_tread;
           t_gamma += work;
           peak = std::max(peak, patch->solution.peak_pressure);
@@ -138,6 +139,23 @@ namespace wheelrail
       sum.peak_pressure = std::max(sum.peak_pressure, peak);
       sum.mean_t_gamma += wheel.share * t_gamma;
       sum.peak_t_gamma = std::max(sum.peak_t_gamma, t_gamma);
+    }
+
+    /// Judges a wheel, and keeps what is off where it is the worst so far.
+    void
+    add_verdict(Solved &wheel, const std::string &row, MixWear &sum)
+    {
+      find_shift_effect(wheel.scene, wheel.geometry, *wheel.solution);
+      Verdict verdict = judge_contact(wheel.scene, *wheel.solution);
+      if (!wheel.solution->solution.not_reached.empty())
+        verdict.findings.push_back({Grade::not_trusted, wheel.solution->solution.not_reached});
+      const Grade grade = verdict.grade();
+      if (grade == Grade::trusted)
+        return;
+      const bool worst = sum.doubts.empty() || (grade == Grade::not_trusted && sum.not_trusted == 0);
+      (grade == Grade::not_trusted ? sum.not_trusted : sum.with_care) += wheel.share;
+      if (worst)
+        sum.doubts = row + ": " + verdict.doubts();
     }
 
     MixWear
@@ -162,13 +180,15 @@ namespace wheelrail
         on_tread(wheel, wear.wheel_section, wear.wheel_damage, wear.wheel_cracks);
       try
         {
-          const std::vector<Solved> wheels = solve_row(row, profiles);
+          std::vector<Solved> wheels = solve_row(row, profiles);
           require_rolling(wheels);
-          for (const Solved &one : wheels)
+          for (Solved &one : wheels)
             {
               wear.axle_load += 2 * one.share * one.scene.wheel_load;
-              if (one.solution)
-                add_wheel(one, on_rail, on_tread, wear);
+              if (!one.solution)
+                continue;
+              add_wheel(one, on_rail, on_tread, wear);
+              add_verdict(one, row.name, wear);
             }
         }
       catch (const InputError &error)
@@ -197,6 +217,10 @@ namespace wheelrail
       sum.peak_t_gamma = std::max(sum.peak_t_gamma, row.peak_t_gamma);
       sum.axle_load += row.axle_load;
       sum.at_end = sum.at_end || row.at_end;
+      if (sum.doubts.empty() || (sum.not_trusted == 0 && row.not_trusted > 0))
+        sum.doubts = row.doubts;
+      sum.with_care += row.with_care;
+      sum.not_trusted += row.not_trusted;
     }
   } // namespace
 

@@ -22,20 +22,27 @@ import body_pictures
 import history_pictures
 import inputs
 import irregular_pictures
+import material
 import page
 import passages
 import patch_pictures
 import plastic_pictures
+import receptance
 import run_data
 import subsurface_pictures
 import tables
+import vehicle
 import views
+import wear_evolution
 import wear_pictures
 import wheelset
 
 # pictures that an interactive view stands for on the screen
 COVERED = {"pressure_surface", "shear_surface", "pressure_contour", "shear_contour", "cut_aa", "cut_bb", "forces",
            "energy_error", "creepage"}
+# what the other commands leave, and who makes their pages
+PAGES = {"vehicle.csv": vehicle, "wear.json": wear_evolution, "receptance.csv": receptance,
+         "cycles.csv": material}
 BROAD = {"sheet", "shear_instants"}
 MEANS = ("nodes at that instant; the results above are means over the averaging distance, with their standard deviation "
          "(\u00b1) and the standard error of the mean (mean \u00b1)")
@@ -148,6 +155,10 @@ def main(arguments):
     try:
         if os.path.exists(os.path.join(options.folder, "wheelset.csv")):
             return report_wheelset(options.folder, options.csv)
+        for table, maker in PAGES.items():
+            if os.path.exists(os.path.join(options.folder, table)):
+                print(f"The page is {maker.make_page(options.folder)}")
+                return 0
         if os.path.exists(os.path.join(options.folder, "passages.csv")):
             run, count, path = report_passages(options.folder)
         else:

@@ -134,7 +134,8 @@ def remarks(folder):
     with open(path, encoding="utf-8") as file:
         state = json.load(file)
     sentences = [] if state["finished"] else ["Not finished: the same command goes on from here."]
-    return "".join(f"<p>{html.escape(sentence)}</p>" for sentence in sentences + [state["note"]] if sentence)
+    verdict = page.verdict_sentence({**state, "finished": True}) if "verdict" in state else ""
+    return verdict + "".join(f"<p>{html.escape(sentence)}</p>" for sentence in sentences + [state["note"]] if sentence)
 
 
 def make_page(folder):
@@ -149,7 +150,7 @@ def make_page(folder):
                  for name, title, rows in HISTORIES]
     given = inputs.table(inputs.wear_rows(inputs.read(folder)))
     what, unit = label.rstrip("]").split(" [")
-    parts = [f"<p>{len(over) - 1} steps, {html.escape(what)} {over[-1]:.4g} {unit}.</p>", remarks(folder),
+    parts = [remarks(folder), f"<p>{len(over) - 1} steps, {html.escape(what)} {over[-1]:.4g} {unit}.</p>",
              f"<div class=top><div><h2>Inputs</h2>{given}</div>" if given else "<div class=top>",
              f"<div><h2>Key results</h2>{figures(table)}</div></div>", "<h2>Pictures</h2>",
              page.pictures_html([picture for picture in pictures if picture], broad=("rail", "wheel"))]

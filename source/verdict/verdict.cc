@@ -302,7 +302,7 @@ namespace wheelrail
           "the surfaces turn by %.0f degrees across the contact, as in the flange root, which half-spaces do "
           "not know: the peak pressure may be off by 10 %% and more; take Half-space/Bodies = real.",
           measures.turn * 180 / M_PI));
-    if (measures.shift_effect >= most_shift_effect)
+    else if (measures.shift_effect >= most_shift_effect)
       add(
         verdict,
         Grade::with_care,

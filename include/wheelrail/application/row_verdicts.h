@@ -17,10 +17,11 @@ namespace wheelrail
   };
 
   /// Prints how many rows have which verdict, then why of the first few that are not trusted or to be taken
-  /// with care. `what` they are ("rows of both wheels"); `table` is the file whose column verdict has all.
+  /// with care. `what` they are ("places"); `column` is that of the table which has all ("verdict of
+  /// places.csv").
   void
   print_row_verdicts(const std::vector<RowVerdict> &rows,
                      const std::string             &what,
-                     const std::string             &table,
+                     const std::string             &column,
                      std::ostream                  &out);
 } // namespace wheelrail

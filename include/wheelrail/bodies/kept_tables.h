@@ -11,6 +11,10 @@ namespace wheelrail
   std::string
   kept_tables_folder();
 
+  /// More tables than these are not kept: those that were not used for the longest time go. One takes 2 to 4
+  /// MB.
+  constexpr unsigned int most_kept_tables = 60;
+
   /// make_body_table(), kept in a folder under a name that follows from what the table depends on: nodes and
   /// cells of the section, elastic constants, density, cells a row. A table that is there is read in place of
   /// making it; one that cannot be read is made anew; one that cannot be written is not kept. Several calls

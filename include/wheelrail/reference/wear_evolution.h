@@ -24,6 +24,7 @@ namespace wheelrail
     double         rail_damage = 0, wheel_damage = 0; ///< largest so far, shares of a life
     double         rail_cracks = 0, wheel_cracks = 0; ///< the same of crack growth less wear
     double         rail_ground = 0, wheel_turned = 0; ///< taken off by machines so far [m2]
+    double         with_care = 0, not_trusted = 0;    ///< shares of passages, as those of MixWear
   };
 
   /// Profiles on their way, from which it can go on.
@@ -36,8 +37,13 @@ namespace wheelrail
     unsigned int          grindings = 0, turnings = 0;
     std::vector<WearStep> steps;            ///< of all states so far
     bool                  finished = false; ///< the plan is done
+    std::string           doubts;           ///< of the worst state so far, see MixWear; empty: all is trusted
     std::string           note;             ///< sentences on what was found, or nothing
   };
+
+  /// "verdict: trusted" or how much of the traffic is not, in the worst state, and why.
+  Verdict
+  wear_verdict(const WearState &state);
 
   /// Profiles as they are new.
   WearState

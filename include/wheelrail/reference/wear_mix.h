@@ -34,7 +34,9 @@ namespace wheelrail
     double              mean_t_gamma = 0, peak_t_gamma = 0;   ///< [N]
     double              axle_load = 0;                        ///< [N]
     bool                at_end    = false;                    ///< whether a patch lies on the end of a shape
-    std::string         fault;                                ///< why a row could not be solved, or nothing
+    double              with_care = 0, not_trusted = 0;       ///< shares of passages with this verdict
+    std::string         doubts; ///< what is off in the worst row, with its name; empty: nothing
+    std::string         fault;  ///< why a row could not be solved, or nothing
   };
 
   /// Who solves which rows: the process `rank` of `size` takes each size-th one. share() is collective: it
