@@ -4,6 +4,7 @@
 #include <wheelrail/bodies/wave_stiffness.h>
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,28 @@ namespace wheelrail
 {
   namespace
   {
+    /// CHOLMOD asks for four threads in its innermost loops, whatever OMP_NUM_THREADS says: waking them for
+    /// blocks as small as those of a section takes as long as the factors themselves.
+    class OnOneThread
+    {
+    public:
+      OnOneThread()
+        : levels_(omp_get_max_active_levels())
+      {
+        omp_set_max_active_levels(0);
+      }
+      ~OnOneThread()
+      {
+        omp_set_max_active_levels(levels_);
+      }
+      OnOneThread(const OnOneThread &) = delete;
+      OnOneThread &
+      operator=(const OnOneThread &) = delete;
+
+    private:
+      int levels_;
+    };
+
     /// Integrals of the three shape functions over an edge, each times ds.
     std::array<double, 3>
     edge_integrals(const SectionMesh &mesh, const SectionMesh::Edge &edge)
@@ -152,7 +175,8 @@ namespace wheelrail
     const auto &values = parts.values;
     for (std::size_t e = 0; e < values[0].size(); ++e)
       x[e] = values[0][e] + k * (values[1][e] + k * values[2][e]);
-    cholmod_factor *L = cholmod_copy_factor(symbolic, &common);
+    const OnOneThread one_thread;
+    cholmod_factor   *L = cholmod_copy_factor(symbolic, &common);
     cholmod_factorize(matrix, L, &common);
     constexpr double singular = 1e-13; // what rounding leaves of a pivot that is 0
     if (common.status != CHOLMOD_OK || L->minor < L->n || cholmod_rcond(L, &common) < singular)

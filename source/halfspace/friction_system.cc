@@ -41,8 +41,8 @@ namespace wheelrail
     for (std::size_t m = 0; m < sx_.size(); ++m)
       {
         const auto a = sx_[m], b = sy_[m];
-        sx_[m] = xx[m] * a + xy[m] * b;
-        sy_[m] = xy[m] * a + yy[m] * b;
+        sx_[m] = times(xx[m], a) + times(xy[m], b);
+        sy_[m] = times(xy[m], a) + times(yy[m], b);
       }
     products_.backward(sx_, out[0]);
     products_.backward(sy_, out[1]);

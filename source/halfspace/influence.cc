@@ -129,10 +129,12 @@ namespace wheelrail
 
   struct InfluenceProducts::Plans
   {
-    double       *real     = nullptr;
-    fftw_complex *complex  = nullptr;
-    fftw_plan     forward  = nullptr;
-    fftw_plan     backward = nullptr;
+    double       *real    = nullptr;
+    fftw_complex *complex = nullptr;
+    fftw_plan     whole   = nullptr; ///< of a kernel, which fills the doubled grid
+    // of fields, row by row of the grid and then along the columns: of the doubled grid the other half of the
+    // rows is zero before, and not asked for behind
+    fftw_plan rows = nullptr, columns = nullptr, back_columns = nullptr, back_rows = nullptr;
   };
 
   InfluenceProducts::InfluenceProducts(const HalfspaceGrid &grid)
@@ -142,17 +144,30 @@ namespace wheelrail
     , plans_(std::make_unique<Plans>())
   {
     const std::lock_guard<std::mutex> guard(fft_planning());
-    plans_->real     = fftw_alloc_real(std::size_t(nx_) * ny_);
-    plans_->complex  = fftw_alloc_complex(spectrum_size());
-    plans_->forward  = fftw_plan_dft_r2c_2d(ny_, nx_, plans_->real, plans_->complex, FFTW_ESTIMATE);
-    plans_->backward = fftw_plan_dft_c2r_2d(ny_, nx_, plans_->complex, plans_->real, FFTW_ESTIMATE);
+    plans_->real                = fftw_alloc_real(std::size_t(nx_) * ny_);
+    plans_->complex             = fftw_alloc_complex(spectrum_size());
+    double *const       real    = plans_->real;
+    fftw_complex *const complex = plans_->complex;
+    const int           nc = nx_ / 2 + 1, my = grid.my;
+    const unsigned int  how = FFTW_ESTIMATE;
+    plans_->whole           = fftw_plan_dft_r2c_2d(ny_, nx_, real, complex, how);
+    plans_->rows = fftw_plan_many_dft_r2c(1, &nx_, my, real, nullptr, 1, nx_, complex, nullptr, 1, nc, how);
+    plans_->back_rows =
+      fftw_plan_many_dft_c2r(1, &nx_, my, complex, nullptr, 1, nc, real, nullptr, 1, nx_, how);
+    const auto columns = [&](const int direction) {
+      return fftw_plan_many_dft(
+        1, &ny_, nc, complex, nullptr, nc, 1, complex, nullptr, nc, 1, direction, how);
+    };
+    plans_->columns      = columns(FFTW_FORWARD);
+    plans_->back_columns = columns(FFTW_BACKWARD);
   }
 
   InfluenceProducts::~InfluenceProducts()
   {
     const std::lock_guard<std::mutex> guard(fft_planning());
-    fftw_destroy_plan(plans_->forward);
-    fftw_destroy_plan(plans_->backward);
+    for (fftw_plan plan :
+         {plans_->whole, plans_->rows, plans_->columns, plans_->back_columns, plans_->back_rows})
+      fftw_destroy_plan(plan);
     fftw_free(plans_->real);
     fftw_free(plans_->complex);
   }
@@ -173,7 +188,7 @@ namespace wheelrail
         double       *to   = plans_->real + std::size_t(nx_) * j;
         std::rotate_copy(from, from + nx_ / 2, from + nx_, to);
       }
-    fftw_execute(plans_->forward);
+    fftw_execute(plans_->whole);
     Spectrum     spectrum(spectrum_size());
     const double scale = 1. / (double(nx_) * ny_);
     for (std::size_t m = 0; m < spectrum.size(); ++m)
@@ -184,11 +199,14 @@ namespace wheelrail
   void
   InfluenceProducts::forward(const std::vector<double> &field, Spectrum &spectrum)
   {
-    std::fill_n(plans_->real, std::size_t(nx_) * ny_, 0.);
+    std::fill_n(plans_->real, std::size_t(nx_) * grid_.my, 0.);
     for (int j = 0; j < grid_.my; ++j)
       std::copy_n(field.data() + std::size_t(grid_.mx) * j, grid_.mx, plans_->real + std::size_t(nx_) * j);
     spectrum.resize(spectrum_size());
-    fftw_execute_dft_r2c(plans_->forward, plans_->real, reinterpret_cast<fftw_complex *>(plans_->complex));
+    fftw_execute(plans_->rows);
+    const std::size_t filled = std::size_t(nx_ / 2 + 1) * grid_.my;
+    std::fill_n(&plans_->complex[0][0] + 2 * filled, 2 * (spectrum_size() - filled), 0.);
+    fftw_execute(plans_->columns);
     for (std::size_t m = 0; m < spectrum.size(); ++m)
       spectrum[m] = Complex(plans_->complex[m][0], plans_->complex[m][1]);
   }
@@ -201,7 +219,8 @@ namespace wheelrail
         plans_->complex[m][0] = spectrum[m].real();
         plans_->complex[m][1] = spectrum[m].imag();
       }
-    fftw_execute(plans_->backward);
+    fftw_execute(plans_->back_columns);
+    fftw_execute(plans_->back_rows);
     field.resize(grid_.size());
     for (int j = 0; j < grid_.my; ++j)
       std::copy_n(plans_->real + std::size_t(nx_) * j, grid_.mx, field.data() + std::size_t(grid_.mx) * j);

@@ -68,7 +68,7 @@ namespace wheelrail
         products_.forward(traction, s);
         const Spectrum &k = kernels_.of(a, b, ahead);
         for (std::size_t m = 0; m < s.size(); ++m)
-          s[m] *= k[m];
+          s[m] = times(s[m], k[m]);
         products_.backward(s, u);
         for (std::size_t e = 0; e < u.size(); ++e)
           result[e] += factor * u[e];
@@ -118,7 +118,7 @@ namespace wheelrail
           products_.forward(tangential_.traction[1], y);
           const Spectrum &under_x = kernels_.of(2, 0, 0), &under_y = kernels_.of(2, 1, 0);
           for (std::size_t m = 0; m < x.size(); ++m)
-            x[m] = x[m] * under_x[m] + y[m] * under_y[m];
+            x[m] = times(x[m], under_x[m]) + times(y[m], under_y[m]);
           products_.backward(x, u);
           for (std::size_t e = 0; e < u.size(); ++e)
             distance[e] += u[e];
@@ -137,7 +137,7 @@ namespace wheelrail
         scale(p, false);
         products_.forward(p, s);
         for (std::size_t m = 0; m < s.size(); ++m)
-          s[m] *= kernel[m];
+          s[m] = times(s[m], kernel[m]);
         products_.backward(s, result);
         if (problem_.added)
           problem_.added->add_displacement({{nullptr, nullptr, &p}}, {{nullptr, nullptr, &result}});

@@ -98,12 +98,12 @@ namespace wheelrail
         const auto x = products_.kernel(unit[0].of[c]), y = products_.kernel(unit[1].of[c]),
                    n = products_.kernel(unit[2].of[c]);
         for (std::size_t m = 0; m < sum.size(); ++m)
-          sum[m] = x[m] * loads_[0][m] + y[m] * loads_[1][m];
+          sum[m] = times(x[m], loads_[0][m]) + times(y[m], loads_[1][m]);
         products_.backward(sum, field);
         for (std::size_t e = 0; e < field.size(); ++e)
           shares[0][e].*components[c] = field[e];
         for (std::size_t m = 0; m < sum.size(); ++m)
-          sum[m] = n[m] * loads_[2][m];
+          sum[m] = times(n[m], loads_[2][m]);
         products_.backward(sum, field);
         for (std::size_t e = 0; e < field.size(); ++e)
           shares[1][e].*components[c] = field[e];

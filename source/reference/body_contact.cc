@@ -115,7 +115,7 @@ namespace wheelrail
           {
             const auto &kernel = wheel_kernels_->of(a, b, 0);
             for (std::size_t m = 0; m < sum.size(); ++m)
-              sum[m] += kernel[m] * forces[b][m];
+              sum[m] += times(kernel[m], forces[b][m]);
           }
         products.backward(sum, u);
         for (int j = 0; j < grid.my; ++j)

@@ -34,11 +34,13 @@ namespace wheelrail
     std::vector<double>
     layer_depths(const HalfspaceGrid &grid)
     {
-      // finer layers would cost time and show nothing: below the surface the stresses are smooth
-      const double        step = std::max(0.2e-3, 0.5 * std::min(grid.dx, grid.dy));
-      std::vector<double> depths;
-      for (double depth = 0; depth < depth_of_slices + 0.5 * step; depth += step)
-        depths.push_back(depth);
+      // finer layers would cost time and show nothing: below the surface the stresses are smooth, and the
+      // deeper the smoother. What falls with the square of the depth is off by 0.2 % half way between layers
+      constexpr double    growth = 0.05;
+      const double        least  = std::max(0.2e-3, 0.5 * std::min(grid.dx, grid.dy));
+      std::vector<double> depths{0};
+      while (depths.back() < depth_of_slices * (1 - 1e-9))
+        depths.push_back(std::min(depth_of_slices, depths.back() + std::max(least, growth * depths.back())));
       return depths;
     }
 
@@ -104,26 +106,29 @@ namespace wheelrail
       return values;
     }
 
-    /// Takes the maxima over depth that lie in the middle one of three layers, whose depths are `depth` and
-    /// one `step` less and more.
+    /// Takes the maxima over depth that lie in the middle one of three layers, the last one of which is
+    /// `last`, of the parabola through their values.
     void
     take_maxima(HalfspaceStresses                        &stresses,
                 const std::array<std::vector<double>, 3> &values,
-                const double                              depth,
-                const double                              step,
+                const std::vector<double>                &depths,
+                const std::size_t                         last,
                 const Body                                body)
     {
+      const double depth = depths[last - 1], up = depth - depths[last - 2], down = depths[last] - depth;
       for (std::size_t e = 0; e < values[1].size(); ++e)
         {
           const double above = values[0][e], here = values[1][e], below = values[2][e];
           if (!(here > above && here >= below))
             continue;
-          const double slope = 0.5 * (below - above), bend = below - 2 * here + above;
-          const double top = here - 0.5 * slope * slope / bend;
+          const double before = (here - above) / up, behind = (below - here) / down;
+          const double slope = (before * down + behind * up) / (up + down),
+                       bend  = 2 * (behind - before) / (up + down);
+          const double top   = here - 0.5 * slope * slope / bend;
           if (top > stresses.subsurface_von_mises)
             {
               stresses.subsurface_von_mises = top;
-              stresses.subsurface_depth     = depth - slope / bend * step;
+              stresses.subsurface_depth     = depth - slope / bend;
               stresses.subsurface_body      = body;
             }
         }
@@ -159,7 +164,7 @@ namespace wheelrail
               stresses.surface_von_mises =
                 std::max(stresses.surface_von_mises, *std::max_element(of[2].begin(), of[2].end()));
             if (k > 1)
-              take_maxima(stresses, of, depths[k - 1], depths[1] - depths[0], body);
+              take_maxima(stresses, of, depths, k, body);
           }
       }
     for (const WheelRailSolution &other : result.others)

@@ -34,6 +34,13 @@ namespace wheelrail
     int a = 0, b = 0;
   };
 
+  /// a b, without the care for infinities that std::complex takes in each product.
+  inline std::complex<double>
+  times(const std::complex<double> &a, const std::complex<double> &b)
+  {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+  }
+
   /// Products of influence matrices with fields on one grid, by FFT on the doubled grid: n log n per product.
   class InfluenceProducts
   {
