@@ -9,6 +9,7 @@
 #include <wheelrail/reference/body_contact.h>
 #include <wheelrail/reference/body_pose.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -238,6 +239,50 @@ namespace
     check_relative(back[source], u[receiver], 1e-12, "influence is the same both ways");
   }
 
+  /// Influences that are as smooth as those of bodies lose nothing with their short modes: against plain
+  /// sums.
+  void
+  test_smooth()
+  {
+    const HalfspaceGrid grid{80, 1, 0.25e-3, 0.25e-3, 0, 0};
+    const double        step   = grid.dx;
+    const auto          kernel = [](const int a, const int b, const double lag) {
+      const double even = 1 / (1 + lag * lag / 4e-4), odd = lag / 20e-3 * even;
+      return (a == 2) == (b == 2) ? even : a == 2 ? -odd : odd;
+    };
+    RowInfluence here{1, {1}, {}}, ahead{1, {1}, {}};
+    for (RowInfluence *influence : {&here, &ahead})
+      for (const double lag : AddedInfluence::lags(grid, influence == &here ? 0 : step))
+        for (int entry = 0; entry < 9; ++entry)
+          influence->by_lag.push_back(kernel(entry / 3, entry % 3, lag));
+    AddedInfluence added(grid, {{{0, 1, 0, 0, 0, -1, 1, 0, 0}}});
+    added.add_body(here, ahead, step);
+    std::vector<double> t(grid.size(), 0.), u(grid.size(), 0.), slip(grid.size(), 0.);
+    for (int i = 20; i < 60; ++i)
+      t[i] = std::sqrt((i - 19.5) * (60.5 - i)) * (i % 7 == 0 ? 1.1 : 1);
+    added.add_displacement({{nullptr, &t, nullptr}}, {{&u, nullptr, nullptr}});
+    added.add_slip({{nullptr, &t, nullptr}}, {{&slip, nullptr, nullptr}});
+    double u_off = 0, slip_off = 0, u_largest = 0, slip_largest = 0;
+    for (int i = 0; i < grid.mx; ++i)
+      {
+        double one = 0, two = 0;
+        for (int j = 0; j < grid.mx; ++j)
+          {
+            const double lag = grid.x(i) - grid.x(j), force = t[j] * grid.element_area();
+            one += kernel(2, 0, lag) * force;
+            two += (kernel(2, 0, lag) - kernel(2, 0, lag + step)) / step * force;
+          }
+        u_off        = std::max(u_off, std::abs(u[i] - one));
+        slip_off     = std::max(slip_off, std::abs(slip[i] - two));
+        u_largest    = std::max(u_largest, std::abs(one));
+        slip_largest = std::max(slip_largest, std::abs(two));
+      }
+    check(u_off < 1e-5 * u_largest,
+          "smooth influence: displacement off by " + std::to_string(1e6 * u_off / u_largest) + "e-6");
+    check(slip_off < 1e-4 * slip_largest,
+          "and slip by " + std::to_string(1e6 * slip_off / slip_largest) + "e-6");
+  }
+
   void
   test_messages()
   {
@@ -299,6 +344,7 @@ main()
 {
   std::filesystem::remove_all("tables");
   test_added();
+  test_smooth();
   test_messages();
   test_kept();
   test_threads();

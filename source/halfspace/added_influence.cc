@@ -31,8 +31,8 @@ namespace wheelrail
 
   struct AddedInfluence::Body
   {
-    int                  rows = 0;
-    double               step = 0;
+    int                  rows  = 0;
+    int                  modes = 0; ///< the first ones, behind which nothing is left
     std::vector<double>  weights;
     std::vector<Complex> here, slip; ///< spectra of the influences: mode, row, column
   };
@@ -76,7 +76,7 @@ namespace wheelrail
   AddedInfluence::AddedInfluence(const HalfspaceGrid &grid, std::vector<Basis> bases)
     : grid_(grid)
     , bases_(std::move(bases))
-    , length_(fast_length(2 * grid.mx + 2))
+    , length_(fast_length(3 * grid.mx + 2))
     , modes_(length_ / 2 + 1)
     , plans_(std::make_unique<Plans>(length_))
   {
@@ -86,17 +86,35 @@ namespace wheelrail
   AddedInfluence::~AddedInfluence() = default;
 
 
+  /// Lags that no two elements have are free: a cubic from one end of the others to the next, in value and
+  /// slope, leaves a smooth influence no short modes.
+  void
+  AddedInfluence::close_gap()
+  {
+    std::vector<double> &f    = plans_->real;
+    const int            last = grid_.mx, first = length_ - grid_.mx, gap = first - last;
+    const double         from = f[last], to = f[first], slope_from = (f[last] - f[last - 1]) * gap,
+                 slope_to = (f[first + 1] - f[first]) * gap;
+    for (int i = last + 1; i < first; ++i)
+      {
+        const double t = double(i - last) / gap, r = 1 - t;
+        f[i] = r * r * ((1 + 2 * t) * from + t * slope_from) + t * t * ((1 + 2 * r) * to - r * slope_to);
+      }
+  }
+
+
   void
   AddedInfluence::add_body(const RowInfluence &here, const RowInfluence &ahead, const double step)
   {
-    const int n = 3 * here.rows;
-    Body      body{here.rows, step, here.weights, {}, {}};
+    constexpr double nothing = 1e-6; // of the largest mode of the displacements
+    const int        n       = 3 * here.rows;
+    Body             body{here.rows, modes_, here.weights, {}, {}};
     body.here.resize(std::size_t(modes_) * n * n);
     body.slip.resize(body.here.size());
+    std::vector<double> largest(modes_, 0.);
     for (int entry = 0; entry < n * n; ++entry)
       for (const bool slip : {false, true})
         {
-          std::fill(plans_->real.begin(), plans_->real.end(), 0.);
           for (int i = -grid_.mx; i <= grid_.mx; ++i)
             {
               const std::size_t at    = std::size_t(i + grid_.mx) * n * n + entry;
@@ -104,10 +122,24 @@ namespace wheelrail
               plans_->real[(i + length_) % length_] =
                 (slip ? (value - ahead.by_lag[at]) / step : value) / length_;
             }
+          close_gap();
           fftw_execute(plans_->forward);
           for (int m = 0; m < modes_; ++m)
-            (slip ? body.slip : body.here)[std::size_t(m) * n * n + entry] = plans_->spectrum[m];
+            {
+              (slip ? body.slip : body.here)[std::size_t(m) * n * n + entry] = plans_->spectrum[m];
+              if (!slip)
+                largest[m] = std::max(largest[m], std::abs(plans_->spectrum[m]));
+            }
         }
+    // what the slips have beyond is the rounding of the influences over the step
+    const double least = nothing * *std::max_element(largest.begin(), largest.end());
+    while (body.modes > 1 && largest[body.modes - 1] < least)
+      --body.modes;
+    for (std::vector<Complex> *kernel : {&body.here, &body.slip})
+      {
+        kernel->resize(std::size_t(body.modes) * n * n);
+        kernel->shrink_to_fit();
+      }
     bodies_.push_back(std::move(body));
   }
 
@@ -116,7 +148,7 @@ namespace wheelrail
   AddedInfluence::row_forces(const Body &body, const Given &traction) const
   {
     const int            n = 3 * body.rows, mx = grid_.mx;
-    std::vector<Complex> spectra(std::size_t(modes_) * n);
+    std::vector<Complex> spectra(std::size_t(body.modes) * n);
     std::vector<double>  forces(std::size_t(n) * mx, 0.), fixed(3 * mx);
     for (int j = 0; j < grid_.my; ++j)
       {
@@ -145,7 +177,7 @@ namespace wheelrail
         std::fill(plans_->real.begin(), plans_->real.end(), 0.);
         std::copy_n(forces.begin() + std::size_t(row) * mx, mx, plans_->real.begin());
         fftw_execute(plans_->forward);
-        for (int m = 0; m < modes_; ++m)
+        for (int m = 0; m < body.modes; ++m)
           spectra[std::size_t(m) * n + row] = plans_->spectrum[m];
       }
     return spectra;
@@ -158,8 +190,8 @@ namespace wheelrail
                                     const std::vector<Complex> &forces) const
   {
     const int            n = 3 * body.rows;
-    std::vector<Complex> image(std::size_t(modes_) * n);
-    for (int m = 0; m < modes_; ++m)
+    std::vector<Complex> image(std::size_t(body.modes) * n);
+    for (int m = 0; m < body.modes; ++m)
       {
         const Complex *k = &kernel[std::size_t(m) * n * n], *f = &forces[std::size_t(m) * n];
         for (int i = 0; i < n; ++i, k += n)
@@ -176,8 +208,9 @@ namespace wheelrail
     std::vector<double> displacement(std::size_t(n) * grid_.mx);
     for (int row = 0; row < n; ++row)
       {
-        for (int m = 0; m < modes_; ++m)
+        for (int m = 0; m < body.modes; ++m)
           plans_->spectrum[m] = image[std::size_t(m) * n + row];
+        std::fill(plans_->spectrum.begin() + body.modes, plans_->spectrum.end(), 0.);
         fftw_execute(plans_->backward);
         std::copy_n(plans_->real.begin(), grid_.mx, displacement.begin() + std::size_t(row) * grid_.mx);
       }

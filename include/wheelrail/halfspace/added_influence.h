@@ -24,7 +24,8 @@ namespace wheelrail
 
   /// Displacement differences that come to those of two half-spaces, because the bodies are not half-spaces:
   /// forces of the elements are gathered on the rows, the rows' influences act by FFT along x, and what comes
-  /// of it is interpolated to the elements again. Symmetric, as influences of elastic bodies are.
+  /// of it is interpolated to the elements again. Symmetric, as influences of elastic bodies are. Modes along
+  /// x that hold less than 1e-6 of the largest one are left out: smooth influences have some twenty.
   class AddedInfluence
   {
   public:
@@ -61,6 +62,10 @@ namespace wheelrail
   private:
     struct Body;
     struct Plans;
+
+    /// Fills the free lags of the padded row.
+    void
+    close_gap();
 
     /// Sums of element forces on the rows of a body, as spectra along x.
     std::vector<std::complex<double>>
