@@ -1,3 +1,4 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/reference/shift_effect.h>
 
 #include <algorithm>
@@ -34,6 +35,12 @@ namespace wheelrail
     double force = result.solution.fn;
     for (const WheelRailSolution &other : result.others)
       force += other.solution.fn;
-    result.shift_effect = shift_effect(scene, geometry, force);
+    try
+      {
+        result.shift_effect = shift_effect(scene, geometry, force);
+      }
+    catch (const InputError &) // profiles that end there; what was solved is no worse for it
+      {
+      }
   }
 } // namespace wheelrail
