@@ -89,14 +89,6 @@ namespace wheelrail
       return step;
     }
 
-    /// Whether some traffic of a state before is not trusted.
-    bool
-    distrusted(const WearState &state)
-    {
-      return std::any_of(
-        state.steps.begin(), state.steps.end(), [](const WearStep &step) { return step.not_trusted > 0; });
-    }
-
     /// Sections of one passage that are taken off, smoothed; nothing from a body that keeps its profile.
     std::vector<double>
     taken(const std::vector<double> &sections,
@@ -228,12 +220,12 @@ namespace wheelrail
         no   = std::max(no, step.not_trusted);
       }
     const double share = no > 0 ? no : care;
+    const Grade  grade = no > 0 ? Grade::not_trusted : Grade::with_care;
     if (share > 0)
-      verdict.findings.push_back({no > 0 ? Grade::not_trusted : Grade::with_care,
-                                  text("Up to %.0f %% of the passages are %s, such as ",
-                                       100 * share,
-                                       grade_word(no > 0 ? Grade::not_trusted : Grade::with_care).c_str()) +
-                                    state.doubts});
+      verdict.findings.push_back(
+        {grade,
+         text("Up to %.0f %% of the passages are %s, such as ", 100 * share, grade_word(grade).c_str()) +
+           state.doubts});
     return verdict;
   }
 
@@ -271,7 +263,8 @@ namespace wheelrail
                state);
         if (depth == 0)
           note("Nothing wears: no contact slides under friction.", state);
-        if (!wear.doubts.empty() && (state.doubts.empty() || (wear.not_trusted > 0 && !distrusted(state))))
+        const bool distrusted = wear_verdict(state).grade() == Grade::not_trusted;
+        if (!wear.doubts.empty() && (state.doubts.empty() || (wear.not_trusted > 0 && !distrusted)))
           state.doubts = wear.doubts;
         state.finished = steps <= 0;
         state.steps.push_back(measured(state, profiles, scene, wear));

@@ -86,10 +86,11 @@ namespace wheelrail
   std::string
   wear_state_as_text(const WearState &state, const std::string &digest)
   {
-    Json json{{"scene", digest},
+    const Verdict verdict = wear_verdict(state);
+    Json          json{{"scene", digest},
               {"finished", state.finished},
-              {"verdict", grade_word(wear_verdict(state).grade())},
-              {"doubts", wear_verdict(state).doubts()},
+              {"verdict", grade_word(verdict.grade())},
+              {"doubts", verdict.doubts()},
               {"worst_row", state.doubts},
               {"note", state.note},
               {"passages", state.passages},

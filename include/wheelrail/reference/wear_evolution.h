@@ -41,7 +41,7 @@ namespace wheelrail
     std::string           note;             ///< sentences on what was found, or nothing
   };
 
-  /// "verdict: trusted" or how much of the traffic is not, in the worst state, and why.
+  /// How much of the traffic is not trusted, in the worst state, and why; nothing where all of it is.
   Verdict
   wear_verdict(const WearState &state);
 
