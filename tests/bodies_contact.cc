@@ -57,7 +57,8 @@ namespace
     check(rolled.solution.converged(), "free rolling: converged, " + rolled.solution.not_reached);
     check_relative(rolled.vertical, scene_load(free.scene, free.geometry).force, 2e-4, "it carries the load");
     check_near(rolled.solution.fx / rolled.vertical, 0, 1e-5, "and no longitudinal force");
-    check_relative(rolled.measures.peak_pressure, 1236.5e6, 3e-3, "peak pressure");
+    // it leaves out where the bodies move to, which lowers the peak by 0.1 %
+    check_relative(rolled.measures.peak_pressure, 1235.3e6, 3e-3, "peak pressure");
     check_relative(rolled.solution.xi, 0.4917e-3, 0.015, "creepage");
 
     const Case root({element, "Wheelset/Lateral shift = -5.5 mm", "Wheelset/Traction coefficient = 0.25"});
@@ -98,7 +99,7 @@ namespace
   {
     const Case        driving({"Half-space/Element size = 0.5 mm",
                                "Wheelset/Traction coefficient = 0.25",
-                               "Wheelset/Lateral creepage = -0.0253e-3"});
+                               "Wheelset/Lateral creepage = -0.0152e-3"});
     const auto        rolled = driving.solve();
     const ContactPose pose   = body_pose(driving.scene, driving.geometry, rolled);
     check_relative(1e-3 * rolled.lateral, 1.068, 0.03, "the lateral force of the run");

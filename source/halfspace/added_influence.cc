@@ -104,6 +104,13 @@ namespace wheelrail
 
 
   void
+  AddedInfluence::set_bases(const std::vector<Basis> &bases)
+  {
+    bases_ = bases;
+  }
+
+
+  void
   AddedInfluence::add_body(const RowInfluence &here, const RowInfluence &ahead, const double step)
   {
     constexpr double nothing = 1e-6; // of the largest mode of the displacements

@@ -52,4 +52,24 @@ namespace wheelrail
       slip_ = slip_kernels(products_, constants_, grid_, step, steady);
     return slip_;
   }
+
+
+  std::vector<double>
+  displacement(HalfspaceKernels                                 &kernels,
+               const int                                         a,
+               const std::array<const std::vector<double> *, 3> &tractions)
+  {
+    HalfspaceKernels::Spectrum traction, sum;
+    for (int b = 0; b < 3; ++b)
+      {
+        kernels.products().forward(*tractions[b], traction);
+        const HalfspaceKernels::Spectrum &kernel = kernels.of(a, b, 0);
+        sum.resize(traction.size(), 0.);
+        for (std::size_t m = 0; m < sum.size(); ++m)
+          sum[m] += times(kernel[m], traction[m]);
+      }
+    std::vector<double> displacement;
+    kernels.products().backward(sum, displacement);
+    return displacement;
+  }
 } // namespace wheelrail

@@ -17,11 +17,12 @@ namespace wheelrail
     constexpr int    max_fallback_steps = 600;
 
     /// Newton steps from t; true when the tolerance is met within `max_steps`. Slip and residual are those of
-    /// t.
+    /// t. `from_nothing`: slip of the first t says nothing yet of which elements will slide.
     bool
     iterate(FrictionSystem      &system,
             const double         tolerance,
             const int            max_steps,
+            const bool           from_nothing,
             std::vector<double> &t,
             std::vector<double> &slip,
             TangentialState     &state)
@@ -38,7 +39,7 @@ namespace wheelrail
             return true;
           if (steps == max_steps)
             return false;
-          system.linearise(t, slip, steps == 0, rhs);
+          system.linearise(t, slip, from_nothing && steps == 0, rhs);
           state.krylov_iterations += solve_gmres(A, M, rhs, krylov_tolerance, max_krylov, step);
           ++state.newton_steps;
           for (std::size_t k = 0; k < t.size(); ++k)
@@ -60,14 +61,14 @@ namespace wheelrail
         {
           const std::vector<double> before = t;
           system.hold(c, before);
-          const bool good = iterate(system, 0.1 * task.tolerance, max_inner_steps, t, slip, state);
+          const bool good = iterate(system, 0.1 * task.tolerance, max_inner_steps, true, t, slip, state);
           system.hold(0, before);
           if (!good)
             t = before;
           else if (system.residual(t, slip) <= 1e-3)
             {
               std::vector<double> trial = t;
-              if (iterate(system, task.tolerance, max_inner_steps, trial, slip, state))
+              if (iterate(system, task.tolerance, max_inner_steps, true, trial, slip, state))
                 {
                   t = trial;
                   return true;
@@ -89,17 +90,21 @@ namespace wheelrail
     for (std::size_t f = 0; f < system.forces.size(); ++f)
       cold[2 * n + f] = state.creepage[system.forces[f]];
     std::vector<double> t    = cold;
-    const bool          warm = int(state.traction[0].size()) == task.grid.size();
-    if (warm)
+    bool                warm = false;
+    if (int(state.traction[0].size()) == task.grid.size())
       for (std::size_t e = 0; e < n; ++e)
         for (int d = 0; d < 2; ++d)
-          t[2 * e + d] = state.traction[d][system.elements[e]];
+          {
+            t[2 * e + d] = state.traction[d][system.elements[e]];
+            warm         = warm || t[2 * e + d] != 0;
+          }
     system.project(t);
 
     state.newton_steps = state.krylov_iterations = 0;
-    state.converged = warm && iterate(system, task.tolerance, std::min(15, task.max_steps), t, slip, state);
+    state.converged =
+      warm && iterate(system, task.tolerance, std::min(15, task.max_steps), false, t, slip, state);
     if (!state.converged)
-      state.converged = iterate(system, task.tolerance, task.max_steps, t = cold, slip, state);
+      state.converged = iterate(system, task.tolerance, task.max_steps, true, t = cold, slip, state);
     if (!state.converged)
       state.converged = proximal_points(system, task, t = cold, slip, state);
 

@@ -1,9 +1,9 @@
-#include <wheelrail/bodies/body_influences.h>
 #include <wheelrail/halfspace/added_influence.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/reference/body_contact.h>
 #include <wheelrail/reference/contact_reference.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/placed_bodies.h>
 
 #include <algorithm>
 #include <array>
@@ -32,43 +32,33 @@ namespace wheelrail
     first_arc_           = head.length(0, first_);
     problem_.force_given = true;
     problem_.motion      = HalfspaceMotion::steady;
+    tolerance_           = problem_.tangential_tolerance;
     reached_             = 1.5 * expected_approach(scene, geometry.contact.rolling_radius);
-    lay_grid(reached_);
+  }
+
+
+  std::vector<AddedInfluence::Basis>
+  BodyContact::bases() const
+  {
+    std::vector<AddedInfluence::Basis> bases;
+    for (const Row &row : rows_)
+      bases.push_back(row_basis(row.angle));
+    return bases;
   }
 
 
   void
   BodyContact::set_bodies()
   {
-    BodyPlacement rail, wheel;
-    bases_.clear();
-    rail.turn    = geometry_.contact.rail.angle;
-    wheel.turn   = geometry_.contact.wheel.angle;
-    wheel.radius = geometry_.contact.rolling_radius;
+    std::vector<PlacedRow> rows;
     for (std::size_t j = 0; j < rows_.size(); ++j)
-      {
-        const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
-        // x along the track, y along the rail's surface, n into the rail
-        bases_.push_back({{0, c, s, 0, s, -c, 1, 0, 0}});
-        rail.arcs.push_back(rows_[j].rail_arc);
-        wheel.arcs.push_back(rows_[j].wheel_arc);
-        rail.angles.push_back(rows_[j].angle);
-        rail.lateral.push_back(problem_.grid.y(j));
-      }
-    wheel.angles      = rail.angles;
-    wheel.lateral     = rail.lateral;
-    added_            = std::make_shared<AddedInfluence>(problem_.grid, bases_);
-    const double step = problem_.step > 0 ? problem_.step : problem_.grid.dx;
-    for (const bool of_wheel : {false, true})
-      {
-        const BodyTable     &table     = of_wheel ? tables_.wheel : tables_.rail;
-        const BodyPlacement &placement = of_wheel ? wheel : rail;
-        const ContactRows   &rows = contact_rows_[of_wheel] = contact_rows(table, placement);
-        const BodyInfluences influences = body_influences(table, placement, rows, problem_.grid, step);
-        added_->add_body(influences.here, influences.ahead, step);
-        if (of_wheel)
-          growth_ = growth(table, placement, rows, rate_);
-      }
+      rows.push_back({rows_[j].rail_arc, rows_[j].wheel_arc, rows_[j].angle, problem_.grid.y(j)});
+    const double       step      = problem_.step > 0 ? problem_.step : problem_.grid.dx;
+    const PlacedBodies placed    = place_bodies(tables_, geometry_.contact, rows, problem_.grid, step);
+    added_                       = added_influence(placed, problem_.grid, step);
+    contact_rows_                = placed.rows;
+    growth_                      = growth(tables_.wheel, placed.placements[1], placed.rows[1], rate_);
+    bases_                       = placed.bases;
     problem_.added               = added_;
     HalfspaceProblem wheel_alone = problem_;
     wheel_alone.body1.shear_modulus *= 1e12;
@@ -101,23 +91,12 @@ namespace wheelrail
   std::vector<double>
   BodyContact::wheel_rise() const
   {
-    const HalfspaceGrid       &grid = problem_.grid;
-    const std::vector<double> *t[3] = {&solution_.traction_x, &solution_.traction_y, &solution_.pressure};
-    std::vector<double>        rise(grid.size(), 0.), u;
-    InfluenceProducts         &products = wheel_kernels_->products();
-    std::array<HalfspaceKernels::Spectrum, 3> forces;
-    for (int b = 0; b < 3; ++b)
-      products.forward(*t[b], forces[b]);
+    const HalfspaceGrid        &grid = problem_.grid;
+    const AddedInfluence::Given t{{&solution_.traction_x, &solution_.traction_y, &solution_.pressure}};
+    std::vector<double>         rise(grid.size(), 0.);
     for (const int a : {1, 2})
       {
-        HalfspaceKernels::Spectrum sum(forces[0].size(), 0.);
-        for (int b = 0; b < 3; ++b)
-          {
-            const auto &kernel = wheel_kernels_->of(a, b, 0);
-            for (std::size_t m = 0; m < sum.size(); ++m)
-              sum[m] += times(kernel[m], forces[b][m]);
-          }
-        products.backward(sum, u);
+        const std::vector<double> u = displacement(*wheel_kernels_, a, t);
         for (int j = 0; j < grid.my; ++j)
           {
             const double up = a == 1 ? std::sin(rows_[j].angle) : -std::cos(rows_[j].angle);
@@ -125,7 +104,7 @@ namespace wheelrail
               rise[i + grid.mx * j] -= up * u[i + grid.mx * j];
           }
       }
-    const auto beyond = added_->fixed_displacement(1, {{t[0], t[1], t[2]}});
+    const auto beyond = added_->fixed_displacement(1, t);
     for (int j = 0; j < grid.my; ++j)
       for (int i = 0; i < grid.mx; ++i)
         rise[i + grid.mx * j] += growth_[j].y - beyond[1][i + grid.mx * j];
@@ -206,39 +185,7 @@ namespace wheelrail
                            std::abs(rise_[e] - before[e]) / (geometry_.contact.rolling_radius * slip_settled),
                            std::abs(solution_.pressure[e] - guess.pressure[e]) /
                              (solution_.peak_pressure * pressure_settled)});
-    return change;
-  }
-
-
-  void
-  BodyContact::carry(const WheelRailLoad &load)
-  {
-    constexpr int    usual_rounds = 10, most_rounds = 40, most_enlargements = 6;
-    constexpr double load_settled = 1e-4;
-    const double     tolerance    = problem_.tangential_tolerance;
-    double           change = 1e3, missed = 1;
-    for (rounds_ = 0; rounds_ < most_rounds; ++rounds_)
-      {
-        // tractions are solved as well as what they depend on is known; where both creep on, as on a flange
-        // that slides, they are solved to the end
-        problem_.tangential_tolerance =
-          rounds_ < usual_rounds ? std::clamp(1e-3 * change * tolerance / 1e-5, tolerance, 1e-3) : tolerance;
-        change = solve_round(load);
-        if (solution_.touches_grid_edge && enlargements_ < most_enlargements)
-          {
-            reached_ *= 1.5;
-            ++enlargements_;
-            lay_grid(reached_);
-            change = 1e3;
-            continue;
-          }
-        const double wanted = vertical_load(load);
-        missed              = std::abs(force().y - wanted) / wanted;
-        if (change < 1 && missed < load_settled && problem_.tangential_tolerance == tolerance)
-          return;
-      }
-    solution_.coupling_converged = false;
-    solution_.not_reached += "Pressure, load and the stretch of the tread did not settle to each other. ";
+    return std::max(change, move_rows());
   }
 
 

@@ -17,21 +17,26 @@ namespace wheelrail
     row.place              = rail.to_track(point.position);
     const Point2 ahead     = rail.to_track(point.position + point.tangent) - row.place;
     row.angle              = std::atan2(ahead.y, ahead.x);
+    const Point2    normal{-std::sin(row.angle), std::cos(row.angle)};
+    const RowMotion motion = motion_at(y);
+    const Point2    aside  = motion.shift * Point2{normal.y, -normal.x};
+    row.angle += motion.turn;
     // the rail's normal cuts the tangent of the wheel at its closest point
-    const double     tw      = outline.closest(wheel.to_section(row.place));
+    const double     tw      = outline.closest(wheel.to_section(row.place - aside));
     const CurvePoint closest = outline.at(tw);
     const Point2     foot    = wheel.to_track(closest.position),
                  tangent     = wheel.to_track(closest.position + closest.tangent) - foot;
-    const Point2 normal{-std::sin(row.angle), std::cos(row.angle)};
-    row.distance   = cross(tangent, foot - row.place) / cross(tangent, normal);
-    row.wheel_arc  = geometry_.wheel.tread.length(0, geometry_.contact.outline.on_tread(tw));
-    const double s = geometry_.contact.frame.to_frame(foot).x;
-    row.touches    = t > 0 && t < head.parameter_end() && tw > 0 && tw < outline.parameter_end() &&
+    row.distance             = cross(tangent, foot + aside - row.place) / cross(tangent, normal);
+    row.wheel_arc            = geometry_.wheel.tread.length(0, geometry_.contact.outline.on_tread(tw));
+    const double s           = geometry_.contact.frame.to_frame(foot).x;
+    row.touches              = t > 0 && t < head.parameter_end() && tw > 0 && tw < outline.parameter_end() &&
                   s > sections_.s_min() && s < sections_.s_max() && std::cos(row.angle) > 0.05;
     if (!row.touches)
       return row;
     row.slice = sections_.slice(s);
-    row.s     = s;
+    row.slice.wheel_angle += motion.rim_turn;
+    row.slice.wheel_tangent += motion.rim_turn;
+    row.s = s;
     // distances of the sections lie along the normal of the first contact point
     row.along_normal = std::cos(row.slice.wheel_tangent - geometry_.contact.frame.angle) /
                        std::cos(row.slice.wheel_tangent - row.angle);
@@ -40,7 +45,7 @@ namespace wheelrail
 
 
   void
-  BodyContact::lay_grid(const double reached)
+  BodyContact::lay_grid(const double element, const double reached)
   {
     constexpr double longest = 0.04; // of a stretch without contact that may lie between two patches [m]
     const auto       end     = [&](const double step) {
@@ -55,7 +60,7 @@ namespace wheelrail
         }
       return last;
     };
-    const double coarse = std::max(element_, 0.5e-3), low = end(-coarse), high = end(coarse);
+    const double coarse = std::max(element, 0.5e-3), low = end(-coarse), high = end(coarse);
     double       back = 0, front = 0;
     for (const double y : {low, 0., high})
       {
@@ -64,11 +69,12 @@ namespace wheelrail
         front              = std::max(front, along);
       }
     const double half = std::sqrt(2 * geometry_.contact.rolling_radius * reached / 1.5);
-    const int    n0   = int(std::ceil((half - back) / element_)) + 2,
-              n1 = int(std::ceil((half + front) / element_)) + 2, y0 = int(std::floor(low / element_)) - 2,
-              y1  = int(std::ceil(high / element_)) + 2;
-    problem_.grid = {n0 + n1 + 1, y1 - y0 + 1, element_, element_, -n0 * element_, y0 * element_};
+    const int    n0   = int(std::ceil((half - back) / element)) + 2,
+              n1 = int(std::ceil((half + front) / element)) + 2, y0 = int(std::floor(low / element)) - 2,
+              y1  = int(std::ceil(high / element)) + 2;
+    problem_.grid = {n0 + n1 + 1, y1 - y0 + 1, element, element, -n0 * element, y0 * element};
     rows_.clear();
+    motions_.clear();
     for (int j = 0; j < problem_.grid.my; ++j)
       rows_.push_back(row_at(problem_.grid.y(j)));
     set_bodies();

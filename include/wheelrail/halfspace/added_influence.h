@@ -40,6 +40,10 @@ namespace wheelrail
     AddedInfluence(const HalfspaceGrid &grid, std::vector<Basis> bases);
     ~AddedInfluence();
 
+    /// Other directions of the rows, for surfaces that turn under the load.
+    void
+    set_bases(const std::vector<Basis> &bases);
+
     /// Adds a body with its influences at lags(grid, 0) and at lags(grid, step), see slip().
     void
     add_body(const RowInfluence &here, const RowInfluence &ahead, double step);

@@ -3,8 +3,10 @@
 #include <wheelrail/halfspace/influence.h>
 #include <wheelrail/halfspace/slip_kernels.h>
 
+#include <array>
 #include <list>
 #include <memory>
+#include <vector>
 
 namespace wheelrail
 {
@@ -56,6 +58,11 @@ namespace wheelrail
     std::list<Kept>    kept_; // references to them stay valid
     SlipKernels        slip_;
   };
+
+  /// Displacement difference a (0, 1, 2 = x, y, n), body 1 less body 2, under tractions (x, y, n) on body 1,
+  /// for each element [m].
+  std::vector<double>
+  displacement(HalfspaceKernels &kernels, int a, const std::array<const std::vector<double> *, 3> &tractions);
 
   /// solve_rolling() with the influence functions of an earlier solution where they fit; else they are made
   /// anew, and kept in `kernels` (which may be null). `guess`: a solution to begin with, taken where its grid
