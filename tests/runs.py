@@ -76,10 +76,10 @@ class Row:
 
 def read_scene(file, run):
     """What the remarks at the top of the scene say of this run: ranks, changed entries; and whether it is compared with
-    half-spaces, with which limits of its own."""
+    half-spaces and true bodies, with which limits of its own."""
     with open(file) as lines:
         remarks = [line.rstrip("\n") for line in lines if line.startswith("#")]
-    ranks, entries, found, limits, stored_only = 2, [], False, None, False
+    ranks, entries, found, limits, bodies, stored_only = 2, [], False, None, {}, False
     for line in remarks:
         match = re.match(r"# run (\S+):(.*)", line)
         if match and match[1] == run:
@@ -98,9 +98,12 @@ def read_scene(file, run):
         if match:
             limits = dict(HALF_SPACES)
             limits.update(re.findall(r"(\w+) ([\d.e-]+(?: %)?)", match[1]))
+        match = re.match(r"# true bodies: compared(.*)", line)
+        if match:
+            bodies = dict(re.findall(r"(\w+) ([\d.e-]+(?: %)?)", match[1]))
     if not found:
         sys.exit(f'{file} has no line "# run {run}: ...".')
-    return ranks, entries, None if stored_only else limits
+    return ranks, entries, None if stored_only else limits, bodies
 
 
 def read_stored(file):
@@ -158,18 +161,22 @@ def check_stored(rows, figures):
               f"{row.key}: {value:.7g}{unit}, stored {row.value:.7g}, tolerance {row.tolerance}")
 
 
-def check_half_spaces(limits):
+def check_compared(limits, bodies):
+    """The run against half-spaces and against true bodies, each with limits of its own."""
     with open("run/parameters.prm") as text:
         cell = float(re.search(r"set Solution cell size *= *([\d.]+) mm", text.read())[1])
-    lines = {line["key"]: line for line in read_json("run/compare.json")["figures"]}
+    compared = read_json("run/compare.json")
     if "below" in limits:
         check_below(limits.pop("below"), cell)
-    for key, limit in limits.items():
-        run, half_spaces = number(lines[key], "fe"), number(lines[key], "halfspace")
-        factor, unit = lines[key]["factor"], lines[key]["unit"]
-        check(abs(run - half_spaces) <= cell * allowed(limit, half_spaces),
-              f"{key}: {factor * run:.5g} {unit}, half-spaces {factor * half_spaces:.5g}, difference "
-              f"{100 * (run / half_spaces - 1):+.2f} %, limit {limit} x {cell:g} mm")
+    for what, name, figures, own in (("half-spaces", "halfspace", compared["figures"], limits),
+                                     ("true bodies", "bodies", compared["bodies"]["figures"], bodies)):
+        lines = {line["key"]: line for line in figures}
+        for key, limit in own.items():
+            run, reference = number(lines[key], "fe"), number(lines[key], name)
+            factor, unit = lines[key]["factor"], lines[key]["unit"]
+            check(abs(run - reference) <= cell * allowed(limit, reference),
+                  f"{key}: {factor * run:.5g} {unit}, {what} {factor * reference:.5g}, difference "
+                  f"{100 * (run / reference - 1):+.2f} %, limit {limit} x {cell:g} mm")
 
 
 def at_point(group, field, place, depth):
@@ -231,14 +238,14 @@ def check_wear(limit):
 
 def main():
     program, mpiexec, scene, run = sys.argv[1:]
-    ranks, entries, limits = read_scene(scene, run)
+    ranks, entries, limits, bodies = read_scene(scene, run)
     sets = [word for entry in ["Output/Folder = run", *entries] for word in ("--set", entry)]
     execute(mpiexec, "--bind-to", "none", "--oversubscribe", "-q", "-n", str(ranks), program, "run", scene,
             "--overwrite", *sets)
     wear = limits.pop("wear", None) if limits else None
     if limits:
         execute(program, "compare", "run", "--no-pictures")
-        check_half_spaces(limits)
+        check_compared(limits, bodies)
 
     stored_file = re.sub(r"\.prm$", ".output", scene)
     figures, stored = read_json("run/summary.json"), read_stored(stored_file)

@@ -2,15 +2,17 @@
 // saturation, signs.
 
 #include <wheelrail/halfspace/problem.h>
+#include <wheelrail/statics/facing_surfaces.h>
 #include <wheelrail/statics/start_tractions.h>
-#include <wheelrail/statics/tread_stretch.h>
 
 #include "parallel.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <string>
+#include <vector>
 
 using namespace wheelrail;
 using namespace test;
@@ -315,6 +317,57 @@ namespace
                "stretched surfaces: tread less head, without what the rail had");
   }
 
+  /// Bodies that a lateral force yaws against each other slide aside, as under a lateral creepage in
+  /// proportion to the force. Steel that is moved aside lies elsewhere on its profile.
+  void
+  bodies_move_aside()
+  {
+    constexpr double       eta = 1.5e-4, away = 3e-5;
+    Contact                contact = elliptic_contact(6e-3, 4e-3);
+    const double           bound = friction * normal_force(contact), yaw = 2e-4 / bound; // [rad/N]
+    const BeyondHalfspaces beyond = [&](const StartGrid &start) {
+      const HalfspaceGrid                     &grid = start.grid;
+      const std::vector<AddedInfluence::Basis> bases(grid.my, {{0, 1, 0, 0, 0, -1, 1, 0, 0}});
+      const auto                               lever = [&](const double ahead) {
+        RowInfluence influence{1, std::vector<double>(grid.my, 1.), {}};
+        for (const double lag : AddedInfluence::lags(grid, ahead))
+          {
+            influence.by_lag.resize(influence.by_lag.size() + 9, 0.);
+            influence.by_lag[influence.by_lag.size() - 9] = yaw * lag;
+          }
+        return influence;
+      };
+      auto added = std::make_shared<AddedInfluence>(grid, bases);
+      added->add_body(lever(0), lever(grid.dx), grid.dx);
+      return added;
+    };
+    const auto yawed = start_tractions(contact, 0.5 * bound, steel, {velocity, eta}, beyond);
+    double     force = 0;
+    for (std::size_t k = 0; k < yawed.traction.size(); ++k)
+      force += yawed.traction[k][0] * contact.rail().area[k];
+    check(std::abs(force) > 0.01 * bound, "a lateral creepage makes a lateral force");
+    const auto creeping = start_tractions(contact, 0.5 * bound, steel, {velocity, eta + yaw * force});
+    double     change   = 0;
+    for (std::size_t k = 0; k < yawed.traction.size(); ++k)
+      change = std::max(change, norm(yawed.traction[k] - creeping.traction[k]));
+    check_near(change / largest_pressure, 0, 1e-4, "a yaw of the bodies is a lateral creepage");
+    check_near(
+      creeping.creepage, yawed.creepage, 1e-4 * yawed.creepage, "with the same longitudinal creepage");
+
+    const auto         &rail = contact.rail().reference, &wheel = contact.wheel().reference;
+    std::vector<double> displacement(4 * (rail.size() + wheel.size()), 0.), still(displacement.size(), 0.);
+    for (std::size_t k = 0; k < rail.size(); ++k)
+      displacement[4 * k + 1] = contact.displacement(Body::rail, k)[1];
+    for (std::size_t k = 0; k < wheel.size(); ++k)
+      displacement[4 * (rail.size() + k)] = away;
+    contact.gather(displacement.data(), still.data());
+    contact.evaluate(0);
+    check_near(facing_aside(contact, start_grids(contact).front()),
+               -away,
+               1e-2 * away,
+               "steel from farther in lies where the wheel was moved out");
+  }
+
   /// Friction that falls with the slip velocity: the tractions are those of the half-space problem with that
   /// law, and a force that it does not carry is cut to the largest that it does.
   void
@@ -395,6 +448,7 @@ main(int argc, char **argv)
   spin();
   several_planes();
   stretched_tread();
+  bodies_move_aside();
   falling_friction();
   return parallel.report();
 }

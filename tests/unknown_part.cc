@@ -234,7 +234,7 @@ main(int argc, char **argv)
   Track    track;
   stable_step(track);
   Log            log;
-  const RunStart start = start_from_rest(track.scene, track.model, log, MPI_COMM_WORLD);
+  const RunStart start = start_from_rest(track.scene, track.model, {}, log, MPI_COMM_WORLD);
   check(track.foot->place() < 0,
         "the static start stands on the mass, which gives way: " + std::to_string(1e6 * track.foot->place()) +
           " um");

@@ -2,6 +2,7 @@
 #include <wheelrail/dynamics/rolling_velocities.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/root.h>
+#include <wheelrail/reference/start_bodies.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/state/rail_state.h>
@@ -67,9 +68,14 @@ namespace wheelrail
 
 
   RunStart
-  start_from_rest(const Scene &scene, Model &model, Log &log, MPI_Comm communicator)
+  start_from_rest(const Scene            &scene,
+                  Model                  &model,
+                  const BeyondHalfspaces &beyond,
+                  Log                    &log,
+                  MPI_Comm                communicator)
   {
-    const StaticLoads           loads  = static_loads(scene, model);
+    StaticLoads loads                  = static_loads(scene, model);
+    loads.beyond                       = beyond;
     const AlignedVector<double> still  = model.solid.displacement; // dents of earlier passages
     const auto                  begin  = std::chrono::steady_clock::now();
     const StaticResult          result = static_start(
@@ -114,13 +120,15 @@ namespace wheelrail
                      Log                 &log,
                      MPI_Comm             communicator)
   {
-    constexpr double widest = 24e-3;
+    constexpr double       widest = 24e-3;
+    const BeyondHalfspaces beyond =
+      scene.friction.at_rest > 0 ? bodies_of_start(scene, geometry) : BeyondHalfspaces();
     if (rail != nullptr)
       {
         lay_rail(scene, *rail, model, communicator);
-        return start_from_rest(scene, model, log, communicator);
+        return start_from_rest(scene, model, beyond, log, communicator);
       }
-    RunStart           start = start_from_rest(scene, model, log, communicator);
+    RunStart           start = start_from_rest(scene, model, beyond, log, communicator);
     std::exception_ptr failure; // of the last start
     const auto         as_it_is = [&]() {
       if (failure)
@@ -157,7 +165,7 @@ namespace wheelrail
         try
           {
             failure = nullptr;
-            start   = start_from_rest(scene, model, log, communicator);
+            start   = start_from_rest(scene, model, beyond, log, communicator);
           }
         catch (const RunError &)
           {

@@ -1,7 +1,7 @@
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/planes/common_creepage.h>
 #include <wheelrail/planes/rigid_slip.h>
-#include <wheelrail/statics/start_grid.h>
+#include <wheelrail/statics/facing_surfaces.h>
 #include <wheelrail/statics/start_tractions.h>
 
 #include <algorithm>
@@ -26,11 +26,12 @@ namespace wheelrail
     /// When the wheel turns without creepage: a larger local radius runs backwards, ahead of the axle the
     /// wheel's surface still descends, which slides it along its inclination, and a wheel with yaw slides
     /// aside. The steel of a surface stretched by e passes a place that stands still with (1 + e) of its
-    /// speed.
+    /// speed. `aside`: of the wheel's steel that faces the rows, on its profile [m].
     void
     set_slip(const RunningSurfaces &surfaces,
              const StartMotion     &start,
              const StartGrid       &loaded,
+             const double           aside,
              HalfspaceProblem      &problem)
     {
       WheelMotion motion;
@@ -38,12 +39,29 @@ namespace wheelrail
       motion.lateral_creepage = start.lateral_creepage;
       for (int j = 0; j < problem.grid.my; ++j)
         {
-          const RowSlip slip = row_slip(wheel_place(surfaces, loaded.s(j)), motion, 0);
+          const RowSlip slip = row_slip(wheel_place(surfaces, loaded.s(j) + aside), motion, 0);
           for (int i = 0; i < problem.grid.mx; ++i)
             {
               problem.rigid_slip_x.push_back(slip.along + start.stretch);
               problem.rigid_slip_y.push_back(slip.lateral_at(problem.grid.x(i)));
             }
+        }
+    }
+
+    /// What the bodies give way beyond half-spaces under tractions. Under pressure it is in the stretch of
+    /// the tread, and taken off here.
+    void
+    add_bodies(const std::shared_ptr<const AddedInfluence> &added, HalfspaceProblem &problem)
+    {
+      problem.added = added;
+      if (!added)
+        return;
+      std::vector<double> x(problem.grid.size(), 0.), y(x);
+      added->add_slip({{nullptr, nullptr, &problem.pressure}}, {{&x, &y, nullptr}});
+      for (std::size_t e = 0; e < x.size(); ++e)
+        {
+          problem.rigid_slip_x[e] -= x[e];
+          problem.rigid_slip_y[e] -= y[e];
         }
     }
 
@@ -56,10 +74,11 @@ namespace wheelrail
       std::shared_ptr<HalfspaceKernels> kernels;
       HalfspaceSolution                 solution;
 
-      StartPlane(const Contact         &contact,
-                 const StartGrid       &grid,
-                 const HalfspaceSteels &bodies,
-                 const StartMotion     &motion)
+      StartPlane(const Contact          &contact,
+                 const StartGrid        &grid,
+                 const HalfspaceSteels  &bodies,
+                 const StartMotion      &motion,
+                 const BeyondHalfspaces &beyond)
         : loaded(grid)
         , problem(wheel_on_rail(bodies, contact.law().friction, motion.velocity))
       {
@@ -72,7 +91,9 @@ namespace wheelrail
             pressure[i + std::size_t(loaded.grid.mx) * j] *=
               area_ratio(contact, i / loaded.parts, j / loaded.parts);
         problem.pressure = in_midst_of_step(loaded.grid, pressure);
-        set_slip(contact.surfaces(), motion, loaded, problem);
+        set_slip(contact.surfaces(), motion, loaded, facing_aside(contact, loaded), problem);
+        if (beyond)
+          add_bodies(beyond(loaded), problem);
       }
 
       /// Nodes of inclined facets have more area than their elements.
@@ -86,7 +107,8 @@ namespace wheelrail
       void
       solve()
       {
-        solution = solve_rolling(problem, kernels);
+        const HalfspaceSolution before = std::move(solution);
+        solution                       = solve_rolling(problem, kernels, &before);
       }
     };
 
@@ -94,12 +116,15 @@ namespace wheelrail
     class StartPlanes
     {
     public:
-      StartPlanes(const Contact &contact, const HalfspaceSteels &bodies, const StartMotion &motion)
+      StartPlanes(const Contact          &contact,
+                  const HalfspaceSteels  &bodies,
+                  const StartMotion      &motion,
+                  const BeyondHalfspaces &beyond)
         : contact_(contact)
       {
         if (contact.law().friction.at_rest > 0)
           for (const StartGrid &grid : start_grids(contact))
-            planes_.emplace_back(contact, grid, bodies, motion);
+            planes_.emplace_back(contact, grid, bodies, motion, beyond);
       }
 
       void
@@ -237,12 +262,13 @@ namespace wheelrail
 
 
   StartTractions
-  start_tractions_at_creepage(const Contact         &contact,
-                              const double           creepage,
-                              const HalfspaceSteels &bodies,
-                              const StartMotion     &motion)
+  start_tractions_at_creepage(const Contact          &contact,
+                              const double            creepage,
+                              const HalfspaceSteels  &bodies,
+                              const StartMotion      &motion,
+                              const BeyondHalfspaces &beyond)
   {
-    StartPlanes planes(contact, bodies, motion);
+    StartPlanes planes(contact, bodies, motion, beyond);
     planes.roll(creepage);
     StartTractions result = planes.tractions();
     result.creepage       = creepage;
@@ -251,10 +277,11 @@ namespace wheelrail
 
 
   StartTractions
-  start_tractions(const Contact         &contact,
-                  const double           longitudinal_force,
-                  const HalfspaceSteels &bodies,
-                  const StartMotion     &motion)
+  start_tractions(const Contact          &contact,
+                  const double            longitudinal_force,
+                  const HalfspaceSteels  &bodies,
+                  const StartMotion      &motion,
+                  const BeyondHalfspaces &beyond)
   {
     // the last two per cent below full slip cost any creepage; a torque beyond them spins the wheel up
     constexpr double   full_slip = 0.98;
@@ -264,7 +291,7 @@ namespace wheelrail
       load += contact.nodes()[k].pressure * contact.rail().area[k];
     const double   bound = full_slip * friction.at_rest * load;
     const double   force = std::clamp(longitudinal_force, -bound, bound);
-    StartPlanes    planes(contact, bodies, motion);
+    StartPlanes    planes(contact, bodies, motion, beyond);
     StartTractions result;
     if (friction.steepest_fall() > 0)
       result = drive_with_falling_friction(

@@ -1,6 +1,6 @@
 #include <wheelrail/mesh/forest.h>
+#include <wheelrail/statics/facing_surfaces.h>
 #include <wheelrail/statics/static_search.h>
-#include <wheelrail/statics/tread_stretch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +47,9 @@ namespace wheelrail
       const StartMotion     motion = {loads.axle.velocity, loads.axle.lateral_creepage, stretch};
       const double          force =
         (loads.traction_coefficient * load - lateral * std::sin(loads.yaw)) / std::cos(loads.yaw);
-      return loads.rate_held ? start_tractions_at_creepage(contact, loads.creepage, bodies, motion)
-                             : start_tractions(contact, force, bodies, motion);
+      return loads.rate_held
+               ? start_tractions_at_creepage(contact, loads.creepage, bodies, motion, loads.beyond)
+               : start_tractions(contact, force, bodies, motion, loads.beyond);
     }
   } // namespace
 

@@ -48,10 +48,13 @@ namespace wheelrail
       constexpr double balanced = 1e-3, nearby = 0.05;
       // and of the wheel load: two patches that trade a tenth of it would trade their tractions for ever
       constexpr double loaded = 3e-3, unchanged = 1e-5;
-      double           change  = loaded;
-      int              rounds  = frictionless ? 0 : most_rounds; // of tractions, still to come
-      StaticBalance    balance = search.balance();
-      StaticProgress   progress;
+      double           change = loaded;
+      // tractions for pressures that are not those of the equilibrium may move these as much again, for ever
+      // on unless each time less is allowed
+      double         allowed = 1;
+      int            rounds  = frictionless ? 0 : most_rounds; // of tractions, still to come
+      StaticBalance  balance = search.balance();
+      StaticProgress progress;
       for (int step = 0;; ++step)
         {
           const double residual = balance.residual.linfty_norm() / result.wheel_load;
@@ -59,8 +62,8 @@ namespace wheelrail
           // a patch that hangs over the lattice may come to rest without the load
           const bool still   = residual < tolerance;
           const bool settled = still && std::abs(missing) < 5 * tolerance * result.wheel_load;
-          const bool carried = residual < (rounds == most_rounds ? balanced : nearby) &&
-                               std::abs(missing) < std::min(loaded, 2 * change) * result.wheel_load;
+          const bool carried = residual < (rounds == most_rounds ? balanced : nearby * allowed) &&
+                               std::abs(missing) < std::min(loaded * allowed, 2 * change) * result.wheel_load;
           if (settled || (rounds > 0 && (carried || still)))
             {
               change             = rounds > 0 ? search.renew_tractions() : 0;
@@ -68,6 +71,7 @@ namespace wheelrail
               if (settled && !changed)
                 return balance;
               --rounds;
+              allowed *= 0.5;
               result.tractions_settled = !changed || rounds > 0;
               balance                  = search.balance();
               progress                 = StaticProgress();

@@ -28,10 +28,14 @@ namespace wheelrail
   static_loads(const Scene &scene, const Model &model);
 
   /// Brings a model into static equilibrium under its loads and gives both bodies the velocities of
-  /// rolling, see static_start() and rolling_velocities(). Collective; throws RunError when no equilibrium is
-  /// found.
+  /// rolling, see static_start() and rolling_velocities(). `beyond`: bodies_of_start(), or none. Collective;
+  /// throws RunError when no equilibrium is found.
   RunStart
-  start_from_rest(const Scene &scene, Model &model, Log &log, MPI_Comm communicator);
+  start_from_rest(const Scene            &scene,
+                  Model                  &model,
+                  const BeyondHalfspaces &beyond,
+                  Log                    &log,
+                  MPI_Comm                communicator);
 
   /// The same; when the patch reaches the edge of the fine cells, `scene.fine_margin` is doubled, to 24 mm at
   /// most, and the model made anew. Where profiles conform, as in the root of the flange, small moves of the

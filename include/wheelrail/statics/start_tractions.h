@@ -1,8 +1,12 @@
 #pragma once
 
 #include <wheelrail/contact/contact.h>
+#include <wheelrail/halfspace/added_influence.h>
 #include <wheelrail/planes/wheel_on_rail.h>
+#include <wheelrail/statics/start_grid.h>
 
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace wheelrail
@@ -25,6 +29,9 @@ namespace wheelrail
     double stretch          = 0; ///< of the tread along the track less that of the head, tread_stretch() [-]
   };
 
+  /// What the bodies give way beyond half-spaces on the grid of a plane; none: they are half-spaces there.
+  using BeyondHalfspaces = std::function<std::shared_ptr<const AddedInfluence>(const StartGrid &)>;
+
   /// Steady shear tractions for a given longitudinal force [N, on the wheel], exact for two half-spaces
   /// under the pressures of `contact` (Kalker 1990; doc/theory/halfspace.md): every lateral strip slides with
   /// its own rolling radius and, ahead of and behind the axle, sideways with the inclined surface of the
@@ -33,17 +40,21 @@ namespace wheelrail
   /// friction law is that of the contact, at the slip velocities of rolling with its velocity. Wanted forces
   /// are cut to 98 % of full slip at rest, and with friction that falls with speed to the largest that it
   /// carries (to 1 %); a law that is zero at rest starts without tractions.
-  /// A tread that is stretched more than the head runs backwards against it by as much.
+  /// A tread that is stretched more than the head runs backwards against it by as much. The wheel's steel is
+  /// that which the rail meets where both have moved to (facing_aside()). Under the tractions the bodies
+  /// give way as `beyond` tells: the yaw of one against the other slides the wheel aside.
   StartTractions
-  start_tractions(const Contact         &contact,
-                  double                 longitudinal_force,
-                  const HalfspaceSteels &bodies,
-                  const StartMotion     &motion);
+  start_tractions(const Contact          &contact,
+                  double                  longitudinal_force,
+                  const HalfspaceSteels  &bodies,
+                  const StartMotion      &motion,
+                  const BeyondHalfspaces &beyond = {});
 
   /// The same with the creepage given instead of the force.
   StartTractions
-  start_tractions_at_creepage(const Contact         &contact,
-                              double                 creepage,
-                              const HalfspaceSteels &bodies,
-                              const StartMotion     &motion);
+  start_tractions_at_creepage(const Contact          &contact,
+                              double                  creepage,
+                              const HalfspaceSteels  &bodies,
+                              const StartMotion      &motion,
+                              const BeyondHalfspaces &beyond = {});
 } // namespace wheelrail

@@ -2,6 +2,7 @@
 
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/solid/part.h>
+#include <wheelrail/statics/start_tractions.h>
 #include <wheelrail/wheelset/axle.h>
 
 #include <functional>
@@ -22,6 +23,7 @@ namespace wheelrail
     double creepage             = 0;    ///< when the rate is held
     bool   tractions            = true; ///< false: without shear, the creepage is still predicted
     double first_approach       = 1e-4; ///< lowering of the wheel that the search starts from [m]
+    BeyondHalfspaces beyond;            ///< what the bodies give way under tractions
   };
 
   struct StaticResult

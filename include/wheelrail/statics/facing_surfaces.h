@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/base/vector3.h>
-#include <wheelrail/contact/contact.h>
+#include <wheelrail/statics/start_grid.h>
 
 #include <vector>
 
@@ -22,4 +22,9 @@ namespace wheelrail
   /// that earlier wheels left stands still in the steel and is no velocity.
   double
   tread_stretch(const Contact &contact, const std::vector<Vector3> &rail_before);
+
+  /// How much farther out on its profile the wheel's steel lies than the rail's that it rests on, because
+  /// both have moved aside under the load; along the plane, mean over its pressure [m].
+  double
+  facing_aside(const Contact &contact, const StartGrid &loaded);
 } // namespace wheelrail

@@ -1,0 +1,105 @@
+#include <wheelrail/statics/facing_surfaces.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Mean over the corners of the wheel's facet at a closest point, of their numbers in the wheel's
+    /// lattice.
+    template <typename Value>
+    auto
+    at_foot(const Contact &contact, const FacetPoint &foot, const Value &value)
+    {
+      const Lattice &lattice = contact.wheel().lattice;
+      const auto     line    = [&](const int b) {
+        return (1 - foot.xi) * value(lattice.index(foot.i, foot.j + b)) +
+               foot.xi * value(lattice.index(foot.i + 1, foot.j + b));
+      };
+      return (1 - foot.eta) * line(0) + foot.eta * line(1);
+    }
+
+  } // namespace
+
+
+  std::vector<Vector3>
+  rail_displacements(const Contact &contact)
+  {
+    std::vector<Vector3> displacement(contact.nodes().size(), Vector3{});
+    const StationRange  &stations = contact.window().rail;
+    for (int i = stations.first; i < stations.last; ++i)
+      for (unsigned int j = 0; j < contact.lattice().n_lateral; ++j)
+        {
+          const std::size_t k = contact.lattice().index(i, j);
+          displacement[k]     = contact.displacement(Body::rail, k);
+        }
+    return displacement;
+  }
+
+
+  double
+  tread_stretch(const Contact &contact, const std::vector<Vector3> &rail_before)
+  {
+    const Lattice      &lattice  = contact.lattice();
+    const StationRange &stations = contact.window().rail;
+    const double        r        = contact.surfaces().rolling_radius;
+    double              products = 0, squares = 0;
+    for (unsigned int j = 0; j < lattice.n_lateral; ++j)
+      {
+        std::vector<std::pair<double, double>> line; // place, wheel less rail
+        double                                 place = 0, apart = 0;
+        for (int i = stations.first; i < stations.last; ++i)
+          {
+            const std::size_t  k    = lattice.index(i, j);
+            const ContactNode &node = contact.nodes()[k];
+            if (node.pressure <= 0)
+              continue;
+            // how far the wheel's steel stands ahead of where a surface that is rolled out flat would have it
+            const double ahead = at_foot(contact, node.foot, [&](const std::size_t corner) {
+              const double z = contact.wheel().reference[corner][2];
+              return z + contact.displacement(Body::wheel, corner)[2] - r * std::asin(z / r);
+            });
+            const double rail  = contact.displacement(Body::rail, k)[2] - rail_before[k][2];
+            line.emplace_back(i * lattice.spacing_along, ahead - rail);
+            place += line.back().first;
+            apart += line.back().second;
+          }
+        for (const auto &[z, u] : line)
+          {
+            const double from_middle = z - place / line.size();
+            products += from_middle * (u - apart / line.size());
+            squares += from_middle * from_middle;
+          }
+      }
+    return squares > 0 ? products / squares : 0;
+  }
+
+
+  double
+  facing_aside(const Contact &contact, const StartGrid &loaded)
+  {
+    double aside = 0, load = 0;
+    for (int j = 0; j < loaded.n_j; ++j)
+      {
+        const double angle = inclination(contact.surfaces(), loaded.s(loaded.parts * j));
+        for (int i = 0; i < loaded.n_i; ++i)
+          {
+            const std::size_t k = loaded.node(contact.lattice(), i, j);
+            const double      p = contact.nodes()[k].pressure;
+            if (p <= 0)
+              continue;
+            const Vector3 wheel = at_foot(contact, contact.nodes()[k].foot, [&](const std::size_t corner) {
+              return contact.displacement(Body::wheel, corner);
+            });
+            const Vector3 apart = wheel - contact.displacement(Body::rail, k);
+            aside -= p * (std::cos(angle) * apart[0] + std::sin(angle) * apart[1]);
+            load += p;
+          }
+      }
+    return load > 0 ? aside / load : 0;
+  }
+} // namespace wheelrail
