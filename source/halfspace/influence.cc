@@ -115,14 +115,14 @@ namespace wheelrail
     std::vector<std::vector<double>> tables(pairs.size(), std::vector<double>(std::size_t(nx) * ny));
     sweep_corners(
       grid,
-      products,
+      {-middle_x, nx - middle_x, -middle_y, ny - middle_y},
       ahead,
       primitives,
       [&](const int i, const int j, const auto &ff, const auto &fn, const auto &nf, const auto &nn) {
-        const bool itself = j == middle_y && std::abs((i - middle_x) * grid.dx + ahead) < grid.dx / 2;
+        const bool itself = j == 0 && std::abs(i * grid.dx + ahead) < grid.dx / 2;
         const auto c      = between(constants, ff, fn, nf, nn, itself);
         for (std::size_t k = 0; k < pairs.size(); ++k)
-          tables[k][i + std::size_t(nx) * j] = c[pairs[k].a][pairs[k].b];
+          tables[k][i + middle_x + std::size_t(nx) * (j + middle_y)] = c[pairs[k].a][pairs[k].b];
       });
     return tables;
   }

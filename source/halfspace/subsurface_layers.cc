@@ -23,7 +23,15 @@ namespace wheelrail
       std::array<std::vector<double>, components.size()> of;
     };
 
-    /// For tractions along x and y and pressure.
+    /// Whether a component under a load (along x, along y, n) changes its sign with that of x, of y.
+    bool
+    is_odd(const std::size_t component, const int load, const int axis)
+    {
+      constexpr int indices[2][components.size()] = {{0, 0, 0, 1, 1, 0}, {0, 0, 0, 1, 0, 1}}; // odd ones
+      return (indices[axis][component] + (load == axis ? 1 : 0)) % 2 == 1;
+    }
+
+    /// For tractions along x and y and pressure. Those of a quarter of the distances give those of all.
     std::array<UnitStresses, 3>
     unit_stresses(const HalfspaceGrid     &grid,
                   const InfluenceProducts &products,
@@ -37,7 +45,7 @@ namespace wheelrail
           field.resize(std::size_t(nx) * ny);
       sweep_corners(
         grid,
-        products,
+        {0, nx / 2 + 1, 0, ny / 2 + 1},
         0,
         [&](const double x, const double y) { return corner_derivatives(x, y, depth); },
         [&](const int i, const int j, const auto &ff, const auto &fn, const auto &nf, const auto &nn) {
@@ -47,7 +55,21 @@ namespace wheelrail
               HalfspaceStress stress;
               add_stress(d, poisson_ratio, depth, load == 0, load == 1, load == 2, stress);
               for (std::size_t c = 0; c < components.size(); ++c)
-                unit[load].of[c][i + std::size_t(nx) * j] = stress.*components[c];
+                {
+                  const double value  = stress.*components[c];
+                  const int    sign_x = is_odd(c, load, 0) ? -1 : 1, sign_y = is_odd(c, load, 1) ? -1 : 1;
+                  const auto   set = [&](const int column, const int row, const double to) {
+                    if (column < nx && row < ny)
+                      unit[load].of[c][column + std::size_t(nx) * row] = to;
+                  };
+                  set(nx / 2 + i, ny / 2 + j, value);
+                  if (i > 0)
+                    set(nx / 2 - i, ny / 2 + j, sign_x * value);
+                  if (j > 0)
+                    set(nx / 2 + i, ny / 2 - j, sign_y * value);
+                  if (i > 0 && j > 0)
+                    set(nx / 2 - i, ny / 2 - j, sign_x * sign_y * value);
+                }
             }
         });
       return unit;
