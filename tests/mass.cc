@@ -134,8 +134,9 @@ namespace
       section_integrals(model.forest->plan().rail)[0] / outline.area, 1, 2e-3, "area of the rail's blocks");
 
     const Model fine = test::small_model(MPI_COMM_WORLD, 4e-3, 8e-3);
-    // what the chords of the coarse blocks cost, most of it at the concave fillets
-    const double mass_limit[2] = {15e-3, 4e-3}, centre_limit[2] = {1.5e-3, 0.5e-3};
+    // what the chords of the coarse blocks cost, most of it at the concave fillets, whose rows are 8 mm tall
+    // at most
+    const double mass_limit[2] = {3e-3, 2e-3}, centre_limit[2] = {1.5e-3, 0.5e-3};
     for (const Body body : {Body::rail, Body::wheel})
       {
         const int          k = static_cast<int>(body);
@@ -159,8 +160,9 @@ namespace
             check_near(e.inertia, 0, 10e-3, n + ": error of the inertia about the axle, 16 mm blocks");
             check_near(f.inertia, 0, 3e-3, n + ": error of the inertia about the axle, 8 mm blocks");
           }
-        // rows of the web are 8 mm tall in both meshes
-        check(std::abs(f.mass) < (body == Body::rail ? 0.6 : 0.5) * std::abs(e.mass),
+        // rows of the web are 8 mm tall in both meshes, and so are those in the fillets of the disc, whose
+        // surplus is all that the mass of the wheel is off
+        check(std::abs(f.mass) < (body == Body::rail ? 0.6 : 1) * std::abs(e.mass),
               n + ": the mass error falls with the blocks");
         check(f.centre < 0.5 * e.centre, n + ": the error of the centre falls with the blocks");
       }

@@ -165,28 +165,44 @@ namespace wheelrail
       return disc;
     }
 
-    void
-    make_disc_and_hub(Wheel &wheel, const Side &disc_top)
+    // From the rim down: half of a fillet, the straight disc, half of a fillet. Returns the line of corners
+    // across its lower end. Edges of blocks are straight: in a hollow fillet they lie outside the profile,
+    // and with one row in it the disc bends a tenth too little.
+    Side
+    make_disc(Wheel &wheel, const Side &top)
     {
-      // disc and hub never need fine cells
+      constexpr double fillet_rows = 0.008; // [m]
+      SectionBuilder  &builder     = wheel.builder;
+      const double     ends[]      = {rim_fillet, 2, 3, hub_fillet};
+      Side             low         = top;
+      for (const int part : {0, 1, 2})
+        {
+          const CurveStretch field(wheel.field, ends[part + 1], ends[part]),
+            gauge(wheel.gauge, ends[part + 1], ends[part]);
+          const double height = part == 1 ? 2.5 * wheel.block_size : std::min(wheel.block_size, fillet_rows);
+          const unsigned int rows = block_count(field.length(), height);
+          const Side         high = low;
+          low = builder.straight(builder.corner(field(0)), builder.corner(gauge(0)), wheel.disc_columns);
+          builder.patch("disc",
+                        low,
+                        high,
+                        builder.along(low.front(), high.front(), field, rows),
+                        builder.along(low.back(), high.back(), gauge, rows));
+        }
+      return low;
+    }
+
+    void
+    make_hub(Wheel &wheel, const Side &disc_low)
+    {
+      // the hub never needs fine cells
       SectionBuilder        &builder = wheel.builder;
       const WheelDimensions &d       = wheel.dimensions;
       const double           coarse  = 1.75 * wheel.block_size;
-      const CurveStretch     field(wheel.field, hub_fillet, rim_fillet),
-        gauge(wheel.gauge, hub_fillet, rim_fillet);
-      const unsigned int rows = block_count(field.length(), coarse);
-      const Side         disc_low =
-        builder.straight(builder.corner(field(0)), builder.corner(gauge(0)), wheel.disc_columns);
-      builder.patch("disc",
-                    disc_low,
-                    disc_top,
-                    builder.along(disc_low.front(), disc_top.front(), field, rows),
-                    builder.along(disc_low.back(), disc_top.back(), gauge, rows));
-
-      const CurveStretch field_hub(wheel.field, 5, hub_fillet), gauge_hub(wheel.gauge, hub_fillet, 5);
-      const unsigned int hub_rows = block_count(d.hub_outer_radius - d.bore_radius, coarse);
-      const unsigned int left     = block_count(field_hub.length(), coarse),
-                         right    = block_count(gauge_hub.length(), coarse);
+      const CurveStretch     field_hub(wheel.field, 5, hub_fillet), gauge_hub(wheel.gauge, hub_fillet, 5);
+      const unsigned int     hub_rows = block_count(d.hub_outer_radius - d.bore_radius, coarse);
+      const unsigned int     left     = block_count(field_hub.length(), coarse),
+                         right        = block_count(gauge_hub.length(), coarse);
 
       const double       half       = 0.5 * d.disc_thickness + 0.4 * d.fillet_radius;
       const unsigned int field_high = builder.corner(field_hub(0)), gauge_high = builder.corner(gauge_hub(1));
@@ -258,7 +274,7 @@ namespace wheelrail
     const Side         below       = make_flange(wheel, tread, tip);
     const Side         disc        = make_rim(wheel, joined(tread.inner, below));
     const unsigned int last_of_rim = wheel.builder.section().corners.size() - 1;
-    make_disc_and_hub(wheel, disc);
+    make_hub(wheel, make_disc(wheel, disc));
 
     Side fixed = disc;
     for (unsigned int i = tread.layer.strip_begin; i <= tread.layer.strip_end; ++i)
