@@ -29,12 +29,13 @@ namespace wheelrail
       w.assign(task.grid.size(), 0.);
   }
 
+  template <typename Kernel>
   void
-  FrictionSystem::apply(const Spectrum &xx,
-                        const Spectrum &xy,
-                        const Spectrum &yy,
-                        VectorField    &in,
-                        VectorField    &out)
+  FrictionSystem::apply(const Kernel &xx,
+                        const Kernel &xy,
+                        const Kernel &yy,
+                        VectorField  &in,
+                        VectorField  &out)
   {
     products_.forward(in[0], sx_);
     products_.forward(in[1], sy_);

@@ -127,11 +127,20 @@ namespace wheelrail
     return tables;
   }
 
+  namespace
+  {
+    /// As FFTW takes them; std::complex has its two numbers one after the other.
+    fftw_complex *
+    values_of(InfluenceProducts::Spectrum &spectrum)
+    {
+      return reinterpret_cast<fftw_complex *>(spectrum.data());
+    }
+  } // namespace
+
   struct InfluenceProducts::Plans
   {
-    double       *real    = nullptr;
-    fftw_complex *complex = nullptr;
-    fftw_plan     whole   = nullptr; ///< of a kernel, which fills the doubled grid
+    double   *real  = nullptr;
+    fftw_plan whole = nullptr; ///< of a kernel, which fills the doubled grid
     // of fields, row by row of the grid and then along the columns: of the doubled grid the other half of the
     // rows is zero before, and not asked for behind
     fftw_plan rows = nullptr, columns = nullptr, back_columns = nullptr, back_rows = nullptr;
@@ -144,10 +153,10 @@ namespace wheelrail
     , plans_(std::make_unique<Plans>())
   {
     const std::lock_guard<std::mutex> guard(fft_planning());
-    plans_->real                = fftw_alloc_real(std::size_t(nx_) * ny_);
-    plans_->complex             = fftw_alloc_complex(spectrum_size());
+    plans_->real = fftw_alloc_real(std::size_t(nx_) * ny_);
+    Spectrum            any(spectrum_size());
     double *const       real    = plans_->real;
-    fftw_complex *const complex = plans_->complex;
+    fftw_complex *const complex = values_of(any);
     const int           nc = nx_ / 2 + 1, my = grid.my;
     const unsigned int  how = FFTW_ESTIMATE;
     plans_->whole           = fftw_plan_dft_r2c_2d(ny_, nx_, real, complex, how);
@@ -169,7 +178,6 @@ namespace wheelrail
          {plans_->whole, plans_->rows, plans_->columns, plans_->back_columns, plans_->back_rows})
       fftw_destroy_plan(plan);
     fftw_free(plans_->real);
-    fftw_free(plans_->complex);
   }
 
   std::size_t
@@ -188,11 +196,11 @@ namespace wheelrail
         double       *to   = plans_->real + std::size_t(nx_) * j;
         std::rotate_copy(from, from + nx_ / 2, from + nx_, to);
       }
-    fftw_execute(plans_->whole);
-    Spectrum     spectrum(spectrum_size());
+    Spectrum spectrum(spectrum_size());
+    fftw_execute_dft_r2c(plans_->whole, plans_->real, values_of(spectrum));
     const double scale = 1. / (double(nx_) * ny_);
-    for (std::size_t m = 0; m < spectrum.size(); ++m)
-      spectrum[m] = scale * Complex(plans_->complex[m][0], plans_->complex[m][1]);
+    for (Complex &value : spectrum)
+      value *= scale;
     return spectrum;
   }
 
@@ -203,24 +211,19 @@ namespace wheelrail
     for (int j = 0; j < grid_.my; ++j)
       std::copy_n(field.data() + std::size_t(grid_.mx) * j, grid_.mx, plans_->real + std::size_t(nx_) * j);
     spectrum.resize(spectrum_size());
-    fftw_execute(plans_->rows);
+    fftw_complex *const values = values_of(spectrum);
+    fftw_execute_dft_r2c(plans_->rows, plans_->real, values);
     const std::size_t filled = std::size_t(nx_ / 2 + 1) * grid_.my;
-    std::fill_n(&plans_->complex[0][0] + 2 * filled, 2 * (spectrum_size() - filled), 0.);
-    fftw_execute(plans_->columns);
-    for (std::size_t m = 0; m < spectrum.size(); ++m)
-      spectrum[m] = Complex(plans_->complex[m][0], plans_->complex[m][1]);
+    std::fill(spectrum.begin() + filled, spectrum.end(), 0.);
+    fftw_execute_dft(plans_->columns, values, values);
   }
 
   void
   InfluenceProducts::backward(Spectrum &spectrum, std::vector<double> &field)
   {
-    for (std::size_t m = 0; m < spectrum.size(); ++m)
-      {
-        plans_->complex[m][0] = spectrum[m].real();
-        plans_->complex[m][1] = spectrum[m].imag();
-      }
-    fftw_execute(plans_->back_columns);
-    fftw_execute(plans_->back_rows);
+    fftw_complex *const values = values_of(spectrum);
+    fftw_execute_dft(plans_->back_columns, values, values);
+    fftw_execute_dft_c2r(plans_->back_rows, values, plans_->real);
     field.resize(grid_.size());
     for (int j = 0; j < grid_.my; ++j)
       std::copy_n(plans_->real + std::size_t(nx_) * j, grid_.mx, field.data() + std::size_t(grid_.mx) * j);

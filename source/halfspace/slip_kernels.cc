@@ -21,9 +21,8 @@ namespace wheelrail
     auto                             here  = influence_by_distance(constants, grid, products, 0, pairs);
     InfluenceProducts::Spectrum      xx = products.kernel(here[0]), xy = products.kernel(here[1]),
                                 yy = products.kernel(here[2]);
-    k.inverse_xx                   = xx;
-    k.inverse_xy                   = xx;
-    k.inverse_yy                   = xx;
+    for (std::vector<double> *inverse : {&k.inverse_xx, &k.inverse_xy, &k.inverse_yy})
+      inverse->resize(xx.size());
     // kernel() holds the factor 1 / size that belongs to the way back: it must stand in the inverse, too.
     const double scale = 1. / std::pow(double(products.padded_size()), 2);
     for (std::size_t m = 0; m < xx.size(); ++m)

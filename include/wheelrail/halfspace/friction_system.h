@@ -53,10 +53,10 @@ namespace wheelrail
     hold(double c, const std::vector<double> &before);
 
   private:
-    using Spectrum = InfluenceProducts::Spectrum;
-
+    /// A symmetric 2 x 2 operator by its spectra, complex or real ones.
+    template <typename Kernel>
     void
-    apply(const Spectrum &xx, const Spectrum &xy, const Spectrum &yy, VectorField &in, VectorField &out);
+    apply(const Kernel &xx, const Kernel &xy, const Kernel &yy, VectorField &in, VectorField &out);
     /// The slip of the tractions in work_, to image_.
     void
     apply_slip();
@@ -86,7 +86,7 @@ namespace wheelrail
     double                           c_       = 0; ///< [1/Pa]
     std::vector<double>              before_;
     VectorField                      work_, image_;
-    Spectrum                         sx_, sy_;
+    InfluenceProducts::Spectrum      sx_, sy_;
     std::vector<double>              nx_, ny_, stiffness_; ///< slip direction (of traction), |s| / bound
     std::vector<std::vector<double>> response_;            ///< of the preconditioner to unit creepages
   };

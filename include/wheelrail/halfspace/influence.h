@@ -2,6 +2,8 @@
 
 #include <wheelrail/halfspace/problem.h>
 
+#include <boost/align/aligned_allocator.hpp>
+
 #include <array>
 #include <complex>
 #include <memory>
@@ -41,12 +43,19 @@ namespace wheelrail
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
   }
 
+  inline std::complex<double>
+  times(const double a, const std::complex<double> &b)
+  {
+    return {a * b.real(), a * b.imag()};
+  }
+
   /// Products of influence matrices with fields on one grid, by FFT on the doubled grid: n log n per product.
   class InfluenceProducts
   {
   public:
-    using Complex  = std::complex<double>;
-    using Spectrum = std::vector<Complex>;
+    using Complex = std::complex<double>;
+    /// Aligned as FFTW's own memory, so that transforms run in place.
+    using Spectrum = std::vector<Complex, boost::alignment::aligned_allocator<Complex, 64>>;
 
     explicit InfluenceProducts(const HalfspaceGrid &grid);
     ~InfluenceProducts();

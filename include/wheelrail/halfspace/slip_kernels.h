@@ -2,6 +2,8 @@
 
 #include <wheelrail/halfspace/influence.h>
 
+#include <vector>
+
 namespace wheelrail
 {
   /// The slip of tangential tractions on one grid: s = w + B t, with B = A / step for a shift or one step of
@@ -10,11 +12,12 @@ namespace wheelrail
   struct SlipKernels
   {
     InfluenceProducts::Spectrum xx, xy, yy; ///< of B [1/Pa]
-    /// The inverse of the 2 x 2 symbol of A on the periodic doubled grid, for preconditioning [Pa/m].
-    InfluenceProducts::Spectrum inverse_xx, inverse_xy, inverse_yy;
-    double                      diagonal = 0; ///< B of an element on itself [1/Pa]
-    double                      step     = 0; ///< [m]
-    bool                        steady   = false;
+    /// The inverse of the 2 x 2 symbol of A, which is real, on the periodic doubled grid, for preconditioning
+    /// [Pa/m].
+    std::vector<double> inverse_xx, inverse_xy, inverse_yy;
+    double              diagonal = 0; ///< B of an element on itself [1/Pa]
+    double              step     = 0; ///< [m]
+    bool                steady   = false;
   };
 
   SlipKernels
