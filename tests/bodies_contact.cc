@@ -46,6 +46,19 @@ namespace
     BodyTables    tables;
   };
 
+  /// The largest pressure of rows 7 mm and more from that of the peak [Pa].
+  double
+  second_peak(const HalfspaceSolution &solution)
+  {
+    const auto &p  = solution.pressure;
+    const int   mx = solution.grid.mx, row = int(std::max_element(p.begin(), p.end()) - p.begin()) / mx;
+    double      peak = 0;
+    for (int j = 0; j < solution.grid.my; ++j)
+      if (std::abs(j - row) * solution.grid.dy > 7e-3)
+        peak = std::max(peak, *std::max_element(p.begin() + mx * j, p.begin() + mx * (j + 1)));
+    return peak;
+  }
+
   /// S1002 on 54E1, elements of 0.5 mm, against another program (Python, sections of its own with rows of 1
   /// mm and three cells a row): free rolling, and the flange root with its second patch.
   void
@@ -57,13 +70,13 @@ namespace
     check(rolled.solution.converged(), "free rolling: converged, " + rolled.solution.not_reached);
     check_relative(rolled.vertical, scene_load(free.scene, free.geometry).force, 2e-4, "it carries the load");
     check_near(rolled.solution.fx / rolled.vertical, 0, 1e-5, "and no longitudinal force");
-    // it leaves out where the bodies move to, which lowers the peak by 0.1 %
-    check_relative(rolled.measures.peak_pressure, 1235.3e6, 3e-3, "peak pressure");
+    check_relative(rolled.measures.peak_pressure, 1236.5e6, 3e-3, "peak pressure");
     check_relative(rolled.solution.xi, 0.4917e-3, 0.015, "creepage");
 
     const Case root({element, "Wheelset/Lateral shift = -5.5 mm", "Wheelset/Traction coefficient = 0.25"});
     const auto two = root.solve();
-    check(two.solution.converged() && two.measures.n_patches == 2, "flange root: two patches");
+    check(two.solution.converged(), "flange root: converged, " + two.solution.not_reached);
+    check_near(1e-6 * second_peak(two.solution), 350, 50, "a second peak, 7 mm and more from the first, MPa");
     check_relative(two.vertical, scene_load(root.scene, root.geometry).force, 2e-4, "they carry the load");
     check_relative(-two.solution.fx, 0.25 * two.vertical, 2e-4, "and the traction");
     check_relative(two.measures.peak_pressure_fitted, 3364e6, 0.01, "peak pressure");

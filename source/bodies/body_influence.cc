@@ -14,8 +14,8 @@ namespace wheelrail
 {
   namespace
   {
-    /// Adds the remainder of a table at a wave, between rows, to `sum`: cubic in log k, linear below the
-    /// first wavenumber of a rail.
+    /// The remainder of a table at a wave, between rows: cubic in log k. Below the first wavenumber of a rail
+    /// it stays: on its foot the rail gives way there as under a load without end.
     std::vector<double>
     remainder_at(const BodyTable &table, const ContactRows &rows, const double wave)
     {
@@ -23,11 +23,7 @@ namespace wheelrail
       std::array<double, 4> weights{};
       unsigned int          from = first;
       if (wave <= table.waves[first])
-        {
-          const double step = std::log(table.waves[first + 1] / table.waves[first]);
-          weights[1]        = std::log(wave / table.waves[first]) / step;
-          weights[0]        = 1 - weights[1];
-        }
+        weights[0] = 1;
       else
         {
           while (from + 4 <= last && table.waves[from + 2] < wave)

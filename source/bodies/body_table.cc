@@ -10,8 +10,9 @@ namespace wheelrail
   namespace
   {
     // below the first the remainder is linear in log k, above the last nothing is left of it [1/m]
-    constexpr double       lowest_wavenumber = 2, highest_wavenumber = 1500;
-    constexpr unsigned int n_wavenumbers = 12, n_harmonics = 13;
+    constexpr double lowest_wavenumber = 0.25, highest_wavenumber = 1500;
+    // a rail gives way as a beam on its foot below some 10/m, which more of them have to show
+    constexpr unsigned int n_wavenumbers = 12, n_of_rail = 24, n_harmonics = 13;
 
     std::vector<double>
     between(const double low, const double high, const unsigned int n)
@@ -186,7 +187,7 @@ namespace wheelrail
       }
     for (const double k : wheel
                             ? between(n_harmonics - 0.5, highest_wavenumber * nominal_radius, n_wavenumbers)
-                            : between(lowest_wavenumber, highest_wavenumber, n_wavenumbers))
+                            : between(lowest_wavenumber, highest_wavenumber, n_of_rail))
       table.waves.push_back(k);
     for (const double wave : table.waves)
       table.remainder.push_back(remainder(stiffness, rows, table, wave));

@@ -32,7 +32,7 @@ namespace wheelrail
     std::mutex keeping;
 
     // to be raised when what a table holds changes
-    constexpr double table_version = 1;
+    constexpr double table_version = 2;
 
     /// All numbers that a table follows from.
     std::vector<double>

@@ -89,11 +89,10 @@ namespace wheelrail
 
 
   std::vector<double>
-  BodyContact::wheel_rise() const
+  BodyContact::wheel_rise(const AddedInfluence::Given &t) const
   {
-    const HalfspaceGrid        &grid = problem_.grid;
-    const AddedInfluence::Given t{{&solution_.traction_x, &solution_.traction_y, &solution_.pressure}};
-    std::vector<double>         rise(grid.size(), 0.);
+    const HalfspaceGrid &grid = problem_.grid;
+    std::vector<double>  rise(grid.size(), 0.);
     for (const int a : {1, 2})
       {
         const std::vector<double> u = displacement(*wheel_kernels_, a, t);
@@ -112,11 +111,19 @@ namespace wheelrail
   }
 
 
+  AddedInfluence::Given
+  BodyContact::tractions() const
+  {
+    return {{&solution_.traction_x, &solution_.traction_y, &solution_.pressure}};
+  }
+
+
   double
   BodyContact::stretch_of_tread() const
   {
-    const HalfspaceGrid &grid = problem_.grid;
-    std::vector<double>  slip(grid.size(), 0.);
+    const HalfspaceGrid      &grid = problem_.grid;
+    const std::vector<double> none(grid.size(), 0.), rise = wheel_rise({{&none, &none, &solution_.pressure}});
+    std::vector<double>       slip(grid.size(), 0.);
     added_->add_slip({{nullptr, nullptr, &solution_.pressure}}, {{&slip, nullptr, nullptr}});
     // the slope of least squares of a displacement is the mean of its derivative, with weights that vanish at
     // both ends of a row
@@ -131,7 +138,7 @@ namespace wheelrail
           {
             const int    e      = i + grid.mx * j;
             const double weight = (i - first + 0.5) * (last - i + 0.5);
-            sum += weight * (slip[e] - rise_[e] / rows_[j].slice.radius);
+            sum += weight * (slip[e] - rise[e] / rows_[j].slice.radius);
             weights += weight;
           }
       }
@@ -165,7 +172,7 @@ namespace wheelrail
         if (rows_[j].touches)
           problem_.rigid_slip_x[i + grid.mx * j] -= rise_[i + grid.mx * j] / rows_[j].slice.radius;
     const HalfspaceSolution guess = solution_;
-    if (first) // the pressure alone, which tells how the tread stretches
+    if (first) // the pressure alone
       {
         HalfspaceProblem pressing = problem_;
         pressing.motion           = HalfspaceMotion::none;
@@ -175,9 +182,7 @@ namespace wheelrail
       solution_ = solve_carried(problem_, kernels_, &guess);
     if (!first && solution_.within_friction)
       problem_.xi = solution_.xi;
-    rise_ = wheel_rise();
-    if (first)
-      tread_stretch_ = stretch_of_tread();
+    rise_         = wheel_rise(tractions());
     double change = before.empty() ? 1 : 0;
     for (std::size_t e = 0; e < before.size(); ++e)
       if (solution_.pressure[e] > 0)
@@ -261,12 +266,11 @@ namespace wheelrail
   BodyContact::result() const
   {
     WheelRailSolution result;
-    result.problem       = problem_;
-    result.solution      = solution_;
-    result.enlargements  = enlargements_;
-    result.body_loads    = {loads(false), loads(true)};
-    result.tread_stretch = tread_stretch_;
-    result.patch         = halfspace_patch(solution_);
+    result.problem      = problem_;
+    result.solution     = solution_;
+    result.enlargements = enlargements_;
+    result.body_loads   = {loads(false), loads(true)};
+    result.patch        = halfspace_patch(solution_);
     for (int j = 0; j <= problem_.grid.my; ++j)
       result.row_edges.push_back(row_at(problem_.grid.y(j) - 0.5 * problem_.grid.dy).place);
     result.measures     = measure_patch(result.patch);

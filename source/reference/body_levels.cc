@@ -38,7 +38,7 @@ namespace wheelrail
          {&HalfspaceSolution::pressure, &HalfspaceSolution::traction_x, &HalfspaceSolution::traction_y})
       solution_.*field = onto(problem_.grid, coarse.grid, coarse.*field);
     kernels_ = std::make_shared<HalfspaceKernels>(problem_);
-    rise_    = wheel_rise();
+    rise_    = wheel_rise(tractions());
     move_rows();
   }
 
@@ -81,5 +81,14 @@ namespace wheelrail
       return;
     solution_.coupling_converged = false;
     solution_.not_reached += "Pressure, load and the stretch of the tread did not settle to each other. ";
+  }
+
+
+  double
+  BodyContact::stretch_under_pressure(const WheelRailLoad &load)
+  {
+    lay_grid(element_, reached_);
+    solve_round(load);
+    return stretch_of_tread();
   }
 } // namespace wheelrail

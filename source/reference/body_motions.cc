@@ -18,7 +18,7 @@ namespace wheelrail
   BodyContact::row_motions() const
   {
     const HalfspaceGrid        &grid = problem_.grid;
-    const AddedInfluence::Given t    = {{&solution_.traction_x, &solution_.traction_y, &solution_.pressure}};
+    const AddedInfluence::Given t    = tractions();
     const auto          rail = added_->fixed_displacement(0, t), wheel = added_->fixed_displacement(1, t);
     std::vector<double> against = displacement(*kernels_, 1, t);
     added_->add_displacement(t, {{nullptr, &against, nullptr}});

@@ -13,7 +13,7 @@ namespace wheelrail
   namespace
   {
     // where heads and rims are fitted, 22 mm and more from the contact, nothing is left above it [1/m]
-    constexpr double highest = 350;
+    constexpr double highest = 250;
 
     /// What stands behind the fit of a body.
     struct BodyInContact
@@ -35,11 +35,11 @@ namespace wheelrail
       constexpr int    n_harmonics = 13;
       constexpr double longest     = 0.02; // of the slab [m]
       if (!wheel)
-        return wave_panels(0, highest, 20, longest);
+        return wave_panels(0, highest, 10, longest);
       std::vector<Wave> waves;
       for (int n = 0; n < n_harmonics; ++n)
         waves.push_back({double(n), (n > 0 ? 1. : 0.5) / M_PI});
-      for (const Wave &wave : wave_panels(n_harmonics - 0.5, highest * radius, 15, longest / radius))
+      for (const Wave &wave : wave_panels(n_harmonics - 0.5, highest * radius, 40, longest / radius))
         waves.push_back(wave);
       return waves;
     }

@@ -32,13 +32,14 @@ namespace wheelrail
       {
       }
 
+      /// Influences know the distance along the track alone, not the place there.
       std::shared_ptr<const AddedInfluence>
       on(const StartGrid &grid)
       {
         const auto same = [&](const Kept &kept) {
-          return kept.grid.first_j == grid.first_j && kept.grid.parts == grid.parts &&
-                 kept.grid.grid.mx == grid.grid.mx && kept.grid.grid.my == grid.grid.my &&
-                 kept.grid.grid.dx == grid.grid.dx;
+          const HalfspaceGrid &one = kept.grid.grid, &other = grid.grid;
+          return kept.grid.s_first == grid.s_first && kept.grid.s_step == grid.s_step && one.mx == other.mx &&
+                 one.my == other.my && one.dx == other.dx && one.dy == other.dy;
         };
         const auto found = std::find_if(kept_.begin(), kept_.end(), same);
         if (found != kept_.end())

@@ -9,7 +9,7 @@ namespace wheelrail
 {
   /// What a body gives way beyond a half-space: the remainder of its compliance, at some wavenumbers, between
   /// rows of its running surface. It is smooth where the compliance itself is singular, so that rows of 2 mm
-  /// and a dozen of wavenumbers serve patches of any fineness.
+  /// and two dozen of wavenumbers serve patches of any fineness.
   struct BodyTable
   {
     struct Row

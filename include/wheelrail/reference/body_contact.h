@@ -28,6 +28,11 @@ namespace wheelrail
     void
     carry(const WheelRailLoad &load);
 
+    /// How much more the tread is stretched along the track than the head, by pressure and turning alone, as
+    /// tread_stretch() of the static start has it [-]. For a contact that has not carried anything yet.
+    double
+    stretch_under_pressure(const WheelRailLoad &load);
+
     /// That keeps the wheel turning as it rolled last [N m].
     double
     torque() const;
@@ -106,11 +111,15 @@ namespace wheelrail
     double
     vertical_load(const WheelRailLoad &load) const;
 
-    /// How much the wheel's surface is moved upwards, by the tractions of the solution and by turning [m].
-    std::vector<double>
-    wheel_rise() const;
+    /// Of the solution: along x and y, pressure.
+    AddedInfluence::Given
+    tractions() const;
 
-    /// tread_stretch() of a solution for pressure alone.
+    /// How much the wheel's surface is moved upwards, by tractions and by turning [m].
+    std::vector<double>
+    wheel_rise(const AddedInfluence::Given &tractions) const;
+
+    /// The same under the pressure of the solution.
     double
     stretch_of_tread() const;
 
@@ -140,7 +149,6 @@ namespace wheelrail
     std::vector<double>    own_slip_; ///< rigid slip along the track without the tread's stretch
     std::vector<Point2>    growth_;   ///< of each row [m]
     std::vector<double>    rise_;     ///< of the last round [m]
-    double                 tread_stretch_ = 0;
 
     std::array<ContactRows, 2>         contact_rows_; ///< of the tables of rail and wheel
     std::vector<AddedInfluence::Basis> bases_;

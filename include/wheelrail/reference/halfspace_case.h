@@ -62,9 +62,6 @@ namespace wheelrail
     double      time         = 0;        ///< computing time [s]
     int         enlargements = 0;        ///< of the grid, until the contact did not touch its edge
     std::array<BodyLoads, 2> body_loads; ///< of true bodies: on the rail, on the wheel
-    /// Of true bodies: how much more the tread is stretched along the track than the head, by pressure and
-    /// turning alone, as tread_stretch() of the static start has it [-].
-    double tread_stretch = 0;
     /// Patches beside this one, in planes of their own. What stands above is of one patch each.
     std::vector<WheelRailSolution> others;
   };
