@@ -152,7 +152,7 @@ namespace wheelrail
       const double height = 0.5 * (points.front().y + points.back().y) - wheel.dimensions.rim_inner_radius;
       const unsigned int rows = block_count(height, wheel.block_size);
 
-      const Side disc = builder.straight(field_disc, gauge_disc, middle);
+      Side       disc = builder.straight(field_disc, gauge_disc, middle);
       const Side low_field =
         builder.along(field_low, field_disc, CurveStretch(wheel.field, 0, rim_fillet), left);
       const Side low_gauge =

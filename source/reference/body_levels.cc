@@ -31,6 +31,10 @@ namespace wheelrail
   BodyContact::refine()
   {
     const HalfspaceSolution coarse = solution_;
+    problem_.added.reset(); // what the coarse grid had need not wait beside that of the fine one
+    added_.reset();
+    kernels_.reset();
+    wheel_kernels_.reset();
     lay_grid(element_, reached_);
     solution_      = coarse;
     solution_.grid = problem_.grid;
