@@ -54,22 +54,26 @@ namespace wheelrail
   }
 
 
-  std::vector<double>
-  displacement(HalfspaceKernels                                 &kernels,
-               const int                                         a,
-               const std::array<const std::vector<double> *, 3> &tractions)
+  std::vector<std::vector<double>>
+  displacements(HalfspaceKernels                                 &kernels,
+                const std::vector<int>                           &components,
+                const std::array<const std::vector<double> *, 3> &tractions)
   {
-    HalfspaceKernels::Spectrum traction, sum;
+    std::array<HalfspaceKernels::Spectrum, 3> spectra;
     for (int b = 0; b < 3; ++b)
+      kernels.products().forward(*tractions[b], spectra[b]);
+    std::vector<std::vector<double>> found(components.size());
+    for (std::size_t k = 0; k < components.size(); ++k)
       {
-        kernels.products().forward(*tractions[b], traction);
-        const HalfspaceKernels::Spectrum &kernel = kernels.of(a, b, 0);
-        sum.resize(traction.size(), 0.);
-        for (std::size_t m = 0; m < sum.size(); ++m)
-          sum[m] += times(kernel[m], traction[m]);
+        HalfspaceKernels::Spectrum sum(spectra[0].size(), 0.);
+        for (int b = 0; b < 3; ++b)
+          {
+            const HalfspaceKernels::Spectrum &kernel = kernels.of(components[k], b, 0);
+            for (std::size_t m = 0; m < sum.size(); ++m)
+              sum[m] += times(kernel[m], spectra[b][m]);
+          }
+        kernels.products().backward(sum, found[k]);
       }
-    std::vector<double> displacement;
-    kernels.products().backward(sum, displacement);
-    return displacement;
+    return found;
   }
 } // namespace wheelrail

@@ -37,16 +37,6 @@ namespace wheelrail
   }
 
 
-  std::vector<AddedInfluence::Basis>
-  BodyContact::bases() const
-  {
-    std::vector<AddedInfluence::Basis> bases;
-    for (const Row &row : rows_)
-      bases.push_back(row_basis(row.angle));
-    return bases;
-  }
-
-
   void
   BodyContact::set_bodies()
   {
@@ -58,7 +48,6 @@ namespace wheelrail
     added_                       = added_influence(placed, problem_.grid, step);
     contact_rows_                = placed.rows;
     growth_                      = growth(tables_.wheel, placed.placements[1], placed.rows[1], rate_);
-    bases_                       = placed.bases;
     problem_.added               = added_;
     HalfspaceProblem wheel_alone = problem_;
     wheel_alone.body1.shear_modulus *= 1e12;
@@ -93,20 +82,14 @@ namespace wheelrail
   {
     const HalfspaceGrid &grid = problem_.grid;
     std::vector<double>  rise(grid.size(), 0.);
-    for (const int a : {1, 2})
-      {
-        const std::vector<double> u = displacement(*wheel_kernels_, a, t);
-        for (int j = 0; j < grid.my; ++j)
-          {
-            const double up = a == 1 ? std::sin(rows_[j].angle) : -std::cos(rows_[j].angle);
-            for (int i = 0; i < grid.mx; ++i)
-              rise[i + grid.mx * j] -= up * u[i + grid.mx * j];
-          }
-      }
-    const auto beyond = added_->fixed_displacement(1, t);
+    const auto           own    = displacements(*wheel_kernels_, {1, 2}, t);
+    const auto           beyond = added_->fixed_displacement(1, t);
     for (int j = 0; j < grid.my; ++j)
-      for (int i = 0; i < grid.mx; ++i)
-        rise[i + grid.mx * j] += growth_[j].y - beyond[1][i + grid.mx * j];
+      {
+        const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
+        for (int e = grid.mx * j; e < grid.mx * (j + 1); ++e)
+          rise[e] = c * own[1][e] - s * own[0][e] + growth_[j].y - beyond[1][e];
+      }
     return rise;
   }
 
@@ -215,11 +198,12 @@ namespace wheelrail
       for (int i = 0; i < grid.mx; ++i)
         if (const int e = i + grid.mx * j; solution_.pressure[e] > 0)
           {
-            const double t[3] = {solution_.traction_x[e], solution_.traction_y[e], solution_.pressure[e]};
+            const auto   basis = row_basis(rows_[j].angle);
+            const double t[3]  = {solution_.traction_x[e], solution_.traction_y[e], solution_.pressure[e]};
             Vector3      force{};
             for (int axis = 0; axis < 3; ++axis)
               for (int c = 0; c < 3; ++c)
-                force[axis] += side * grid.element_area() * bases_[j][3 * axis + c] * t[c];
+                force[axis] += side * grid.element_area() * basis[3 * axis + c] * t[c];
             for (int r = 0; r < rows.count; ++r)
               add(loads.forces[r][i], rows.weights[std::size_t(j) * rows.count + r], force);
           }

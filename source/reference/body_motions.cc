@@ -1,4 +1,5 @@
 #include <wheelrail/reference/body_contact.h>
+#include <wheelrail/reference/placed_bodies.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ namespace wheelrail
     const HalfspaceGrid        &grid = problem_.grid;
     const AddedInfluence::Given t    = tractions();
     const auto          rail = added_->fixed_displacement(0, t), wheel = added_->fixed_displacement(1, t);
-    std::vector<double> against = displacement(*kernels_, 1, t);
+    std::vector<double> against = displacements(*kernels_, {1}, t).front();
     added_->add_displacement(t, {{nullptr, &against, nullptr}});
 
     // means along the track, as the pressure of all rows is distributed there
@@ -100,8 +101,10 @@ namespace wheelrail
           }
         rows_[j] = moved;
       }
-    bases_ = bases();
-    added_->set_bases(bases_);
+    std::vector<AddedInfluence::Basis> bases;
+    for (const Row &row : rows_)
+      bases.push_back(row_basis(row.angle));
+    added_->set_bases(bases);
     return change;
   }
 } // namespace wheelrail

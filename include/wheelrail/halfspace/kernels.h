@@ -59,10 +59,12 @@ namespace wheelrail
     SlipKernels        slip_;
   };
 
-  /// Displacement difference a (0, 1, 2 = x, y, n), body 1 less body 2, under tractions (x, y, n) on body 1,
-  /// for each element [m].
-  std::vector<double>
-  displacement(HalfspaceKernels &kernels, int a, const std::array<const std::vector<double> *, 3> &tractions);
+  /// Displacement differences of some components (0, 1, 2 = x, y, n), body 1 less body 2, under tractions (x,
+  /// y, n) on body 1, for each element [m].
+  std::vector<std::vector<double>>
+  displacements(HalfspaceKernels                                 &kernels,
+                const std::vector<int>                           &components,
+                const std::array<const std::vector<double> *, 3> &tractions);
 
   /// solve_rolling() with the influence functions of an earlier solution where they fit; else they are made
   /// anew, and kept in `kernels` (which may be null). `guess`: a solution to begin with, taken where its grid

@@ -86,10 +86,6 @@ namespace wheelrail
     void
     set_bodies();
 
-    /// Directions along the track, along the rail's surface and into the rail, of each row.
-    std::vector<AddedInfluence::Basis>
-    bases() const;
-
     void
     set_slip();
 
@@ -150,8 +146,7 @@ namespace wheelrail
     std::vector<Point2>    growth_;   ///< of each row [m]
     std::vector<double>    rise_;     ///< of the last round [m]
 
-    std::array<ContactRows, 2>         contact_rows_; ///< of the tables of rail and wheel
-    std::vector<AddedInfluence::Basis> bases_;
+    std::array<ContactRows, 2> contact_rows_; ///< of the tables of rail and wheel
 
     std::shared_ptr<AddedInfluence>   added_;
     std::shared_ptr<HalfspaceKernels> kernels_, wheel_kernels_;
