@@ -9,6 +9,8 @@
 #include <wheelrail/reference/body_contact.h>
 #include <wheelrail/reference/body_pose.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -28,10 +30,10 @@ namespace
 {
   struct Case
   {
-    explicit Case(const std::vector<std::string> &sets)
+    explicit Case(const std::vector<std::string> &sets, const BodyTableSizes &sizes = {})
       : scene(scene_from_text("", "x.prm", sets).scene)
       , geometry(make_geometry(scene))
-      , tables(make_body_tables(scene, geometry, "tables"))
+      , tables(make_body_tables(scene, geometry, "tables", sizes))
     {
     }
 
@@ -122,11 +124,14 @@ namespace
     check_near(1e3 * pose.wheel_rim.roll, 0.0169, 0.01, "wheel rim turned, mrad");
   }
 
-  /// A table is made once; one that is damaged is made again.
+  /// A table is made once; one that is damaged, or none, is made again.
   void
   test_kept()
   {
-    const Case first({});
+    BodyTableSizes coarse;
+    coarse.levels = 2;
+    std::filesystem::remove_all("tables"); // of an earlier call
+    const Case first({}, coarse);
     const auto files = [] {
       std::vector<std::filesystem::path> found;
       for (const auto &file : std::filesystem::directory_iterator("tables"))
@@ -135,35 +140,70 @@ namespace
     };
     const auto kept = files();
     check(kept.size() == 2, "a table of the rail and one of the wheel are kept");
-    const Case again({});
+    const Case again({}, coarse);
     check(again.tables.wheel.remainder == first.tables.wheel.remainder &&
             again.tables.rail.remainder == first.tables.rail.remainder,
           "read again they are the same");
-    std::filesystem::resize_file(kept.front(), 1000);
-    const Case mended({});
-    check(mended.tables.wheel.remainder == first.tables.wheel.remainder &&
-            mended.tables.rail.remainder == first.tables.rail.remainder && files().size() == 2,
-          "a damaged one is made again");
-    const Case softer({"Rail material/Young's modulus = 200 GPa"});
+    namespace fs        = std::filesystem;
+    const auto size     = static_cast<std::streamoff>(fs::file_size(kept.front()));
+    const auto is_again = [&](const std::string &what) {
+      const Case mended({}, coarse);
+      check(mended.tables.wheel.remainder == first.tables.wheel.remainder &&
+              mended.tables.rail.remainder == first.tables.rail.remainder && files().size() == 2,
+            what + ": made again");
+    };
+    const auto write_at = [&](const std::streamoff place, const std::string &bytes) {
+      std::fstream file(kept.front(), std::ios::in | std::ios::out | std::ios::binary);
+      file.seekp(place);
+      file << bytes;
+    };
+    fs::resize_file(kept.front(), 1000);
+    is_again("cut off");
+    write_at(size / 2, std::string(size - size / 2, '\0'));
+    is_again("zeros from the middle on");
+    for (const std::streamoff place : {std::streamoff(60), size / 4, size / 2, size - 1})
+      {
+        write_at(place, "x");
+        is_again("a changed byte");
+      }
+    fs::copy_file(kept.back(), kept.front(), fs::copy_options::overwrite_existing);
+    is_again("the table of another body");
+    fs::remove(kept.front());
+    check(::mkfifo(kept.front().c_str(), 0600) == 0, "a pipe of its name");
+    is_again("a pipe");
+    check(fs::is_regular_file(kept.front()), "which the table replaces");
+    fs::rename(kept.front(), "table");
+    fs::create_directory(kept.front());
+    is_again("a folder of its name");
+    fs::remove(kept.front());
+    fs::rename("table", kept.front());
+    const Case softer({"Rail material/Young's modulus = 200 GPa"}, coarse);
     check(files().size() == 3, "other constants have another table");
-    check(std::filesystem::file_size(kept.front()) > 1000, "and the damaged one was replaced");
 
     // older ones than those in use
-    const auto long_ago = std::filesystem::file_time_type::clock::now() - std::chrono::hours(48);
+    const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(48);
+    const auto make_old = [&](const std::string &name, const unsigned int minutes) {
+      std::ofstream("tables/" + name) << "of a profile before";
+      fs::last_write_time("tables/" + name, long_ago + std::chrono::minutes(minutes));
+    };
+    const auto own_name = [](const unsigned int k) {
+      return "body-" + std::to_string(1000000000000000 + k) + (k % 2 == 0 ? "-0123abcd.h5" : ".h5");
+    };
     for (unsigned int k = 0; k < most_kept_tables; ++k)
-      {
-        const std::string path = "tables/body-" + std::to_string(k) + ".h5";
-        std::ofstream(path) << "of a profile before";
-        std::filesystem::last_write_time(path, long_ago + std::chrono::minutes(k));
-      }
-    const Case stiffer({"Rail material/Young's modulus = 220 GPa"});
-    check(files().size() == most_kept_tables, "no more tables are kept than so many");
-    check(!std::filesystem::exists("tables/body-0.h5") && !std::filesystem::exists("tables/body-3.h5") &&
-            std::filesystem::exists("tables/body-4.h5") && std::filesystem::exists(kept.front()) &&
-            std::filesystem::exists(kept.back()),
+      make_old(own_name(k), k);
+    const std::vector<std::string> foreign{
+      "body-of-mine.h5", "body-0.h5", "body-1000000000000000-0123abcd.h5.bak"};
+    for (const std::string &name : foreign)
+      make_old(name, 0);
+    const Case stiffer({"Rail material/Young's modulus = 220 GPa"}, coarse);
+    check(files().size() == most_kept_tables + foreign.size(), "no more tables are kept than so many");
+    check(!fs::exists("tables/" + own_name(0)) && !fs::exists("tables/" + own_name(3)) &&
+            fs::exists("tables/" + own_name(4)) && fs::exists(kept.front()) && fs::exists(kept.back()),
           "those that were not used for the longest time go");
+    for (const std::string &name : foreign)
+      check(fs::remove("tables/" + name), name + " is the user's and stays");
     for (unsigned int k = 0; k < most_kept_tables; ++k)
-      std::filesystem::remove("tables/body-" + std::to_string(k) + ".h5");
+      fs::remove("tables/" + own_name(k));
   }
 
   /// Rows of a vehicle are solved on several threads at once: tables are read and transforms planned on each.

@@ -16,6 +16,7 @@
 #include <iterator>
 #include <mutex>
 #include <optional>
+#include <regex>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -31,19 +32,29 @@ namespace wheelrail
     /// vehicle are solved at once. The first one makes a table, the others wait and read it.
     std::mutex keeping;
 
-    // to be raised when what a table holds changes
-    constexpr double table_version = 2;
+    /// Of what a table follows from, and of its bytes: any that changed on the disk shows.
+    using Checksum = boost::
+      crc_optimal<64, 0x42F0E1EBA9EA3693, 0xFFFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF, true, true>; // ECMA-182
+    constexpr std::size_t digits = 16;
+
+    std::string
+    hexadecimal(const Checksum &sum)
+    {
+      char text[digits + 1];
+      std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(sum.checksum()));
+      return text;
+    }
 
     /// All numbers that a table follows from.
-    std::vector<double>
+    Checksum
     contents(const SectionMesh &mesh,
+             const Curve       &profile,
              const Elasticity  &elasticity,
              const bool         wheel,
              const double       nominal_radius,
              const unsigned int cells)
     {
-      std::vector<double> all{table_version,
-                              elasticity.youngs_modulus,
+      std::vector<double> all{elasticity.youngs_modulus,
                               elasticity.poissons_ratio,
                               elasticity.density,
                               double(wheel),
@@ -56,27 +67,33 @@ namespace wheelrail
       all.insert(all.end(), mesh.held.begin(), mesh.held.end());
       for (const auto &edge : mesh.running)
         all.insert(all.end(), edge.node.begin(), edge.node.end());
-      return all;
+      for (const SurfaceRow &row : rows_on_profile(mesh, profile, wheel, nominal_radius, cells))
+        all.push_back(profile.length(0, profile.closest(profile_place(row.place, wheel, nominal_radius))));
+      Checksum sum;
+      sum.process_bytes(all.data(), all.size() * sizeof(double));
+      return sum;
     }
 
 
+    /// body-CONTENTS-BUILD.h5: other code may make another table of the same section.
     std::string
-    name_of(const std::vector<double> &contents)
+    name_of(const Checksum &contents)
     {
-      // two sums with different generators: 64 bits
-      boost::crc_32_type                                                     first;
-      boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> second;
-      first.process_bytes(contents.data(), contents.size() * sizeof(double));
-      second.process_bytes(contents.data(), contents.size() * sizeof(double));
-      char name[64];
-      std::snprintf(
-        name, sizeof(name), "body-%08x%08x.h5", unsigned(first.checksum()), unsigned(second.checksum()));
-      return name;
+      return "body-" + hexadecimal(contents) + "-" + WHEELRAIL_TABLE_BUILD + ".h5";
+    }
+
+    /// Whether the program gave a file this name, also one that was not finished (.NUMBER, .part) or, without
+    /// the build, in earlier versions.
+    bool
+    is_own_name(const std::string &name)
+    {
+      static const std::regex own("body-[0-9a-f]{16}(-[0-9a-f]{8})?\\.h5(\\.[0-9]+(\\.part)?)?");
+      return std::regex_match(name, own);
     }
 
 
     void
-    write_table(const BodyTable &table, const std::string &path)
+    write_table(const BodyTable &table, Checksum sum, const std::string &path)
     {
       using namespace hdf5;
       const Handle        file(open_in_memory(), H5Fclose, "make a file in memory");
@@ -93,23 +110,36 @@ namespace wheelrail
       write_dataset(file, "rows", {m, 6}, rows, "m", "arc, angle (rad), width, radius, growth x, y (m s2)");
       write_dataset(file, "waves", {table.waves.size()}, table.waves, "1/m or 1");
       write_dataset(file, "remainder", {table.waves.size(), n, n}, remainder, "1/Pa");
-      const std::vector<char> bytes = file_image(file);
+      std::vector<char> bytes = file_image(file);
+      sum.process_bytes(bytes.data(), bytes.size());
+      const std::string check = hexadecimal(sum);
+      bytes.insert(bytes.end(), check.begin(), check.end()); // behind what HDF5 reads
       // a name of its own, renamed when it is whole
       const std::string own = path + "." + std::to_string(getpid());
       replace_file(own, bytes.data(), bytes.size());
-      fs::rename(own, path);
+      std::error_code fault;
+      fs::rename(own, path, fault);
+      if (fault)
+        fs::remove(own);
     }
 
 
-    /// None where there is no such file, or no whole table in it.
+    /// None where there is no such file, or not the whole table that was asked for in it.
     std::optional<BodyTable>
-    read_table(const std::string &path)
+    read_table(const std::string &path, Checksum sum)
     {
       using namespace hdf5;
-      const Quiet       quiet;
-      std::ifstream     stream(path, std::ios::binary);
-      const std::string image{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-      if (image.empty())
+      if (std::error_code ignored; !fs::is_regular_file(path, ignored))
+        return {};
+      const Quiet   quiet;
+      std::ifstream stream(path, std::ios::binary);
+      std::string   image{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+      if (image.size() <= digits)
+        return {};
+      const std::string check = image.substr(image.size() - digits);
+      image.resize(image.size() - digits);
+      sum.process_bytes(image.data(), image.size());
+      if (check != hexadecimal(sum))
         return {};
       try
         {
@@ -144,8 +174,8 @@ namespace wheelrail
     {
       std::vector<std::pair<fs::file_time_type, fs::path>> files;
       for (const fs::directory_entry &entry : fs::directory_iterator(folder))
-        if (const std::string name = entry.path().filename().string();
-            name.rfind("body-", 0) == 0 && entry.path().extension() == ".h5")
+        if (is_own_name(entry.path().filename().string()) &&
+            entry.symlink_status().type() == fs::file_type::regular)
           files.emplace_back(entry.last_write_time(), entry.path());
       std::sort(files.begin(), files.end());
       for (std::size_t k = 0; k + most_kept_tables < files.size(); ++k)
@@ -186,8 +216,9 @@ namespace wheelrail
     if (folder.empty())
       return make();
     const std::lock_guard<std::mutex> guard(keeping);
-    const std::string path = folder + "/" + name_of(contents(mesh, elasticity, wheel, nominal_radius, cells));
-    if (std::optional<BodyTable> kept = read_table(path))
+    const Checksum                    sum = contents(mesh, profile, elasticity, wheel, nominal_radius, cells);
+    const std::string                 path = folder + "/" + name_of(sum);
+    if (std::optional<BodyTable> kept = read_table(path, sum))
       {
         std::error_code ignored; // of a folder that belongs to somebody else
         fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
@@ -197,7 +228,7 @@ namespace wheelrail
     try
       {
         fs::create_directories(folder);
-        write_table(table, path);
+        write_table(table, sum, path);
         forget_oldest(folder);
       }
     catch (const std::exception &)

@@ -11,14 +11,15 @@ namespace wheelrail
   std::string
   kept_tables_folder();
 
-  /// More tables than these are not kept: those that were not used for the longest time go. One takes 2 to 4
+  /// More tables than these are not kept: those that were not used for the longest time go. One takes some 7
   /// MB.
   constexpr unsigned int most_kept_tables = 60;
 
   /// make_body_table(), kept in a folder under a name that follows from what the table depends on: nodes and
-  /// cells of the section, elastic constants, density, cells a row. A table that is there is read in place of
-  /// making it; one that cannot be read is made anew; one that cannot be written is not kept. Several calls
-  /// at once do not disturb each other. An empty folder: nothing is kept.
+  /// cells of the section, rows on the profile, elastic constants, density, cells a row, code and compiler. A
+  /// table that is there is read in place of making it, if the checksum of its bytes and of all it depends on
+  /// stands at its end; else it is made anew; one that cannot be written is not kept. Several calls at once
+  /// do not disturb each other. An empty folder: nothing is kept.
   BodyTable
   kept_body_table(const std::string &folder,
                   const SectionMesh &mesh,
