@@ -260,8 +260,9 @@ namespace wheelrail
     std::vector<std::string> words = {file_of(options)};
     if (options.count("tick"))
       words.insert(words.end(), {"--tick", options["tick"].as<std::string>()});
-    if (options.count("csv"))
-      words.push_back("--csv");
+    for (const std::string name : {"csv", "each"})
+      if (options.count(name))
+        words.push_back("--" + name);
     return run_script("report.py", words);
   }
 

@@ -219,6 +219,7 @@ namespace wheelrail
                                "the output step to draw: a number, or last; several with commas between also "
                                "draw the shear traction at each");
          options.add_options()("csv", "also write histories, maps and sections as tables into FOLDER/csv");
+         options.add_options()("each", "of passages also make the page of each");
        },
        act_report},
       {"study",

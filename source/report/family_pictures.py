@@ -75,7 +75,7 @@ def draw_head(run, cases):
         points = case.sections.on_rail(np.linspace(*sections.patch_span(fields), 60))
         middle = points[30]
         points = points + (0.8 + step * k) * sections.outward(points)
-        axes.plot(*points.T, color=plt.cm.viridis_r(norm(fields.pressure.max())), linewidth=5, solid_capstyle="butt", zorder=3)
+        axes.plot(*points.T, color=plt.get_cmap(style.HIGH)(norm(fields.pressure.max())), linewidth=5, solid_capstyle="butt", zorder=3)
         axes.plot([middle[0], points[30, 0]], [middle[1], points[30, 1]], color=style.GREY, linewidth=0.5, zorder=2)
         end = points[np.argmin(points[:, 0])]
         axes.annotate(case.label, end, (5, 0), textcoords="offset points", fontsize=8, va="center", zorder=4,
@@ -83,7 +83,7 @@ def draw_head(run, cases):
         top = max(top, points[:, 1].max())
     axes.set_ylim(axes.get_ylim()[0], max(top + 4, 8))
     axes.set_title("Where the patches lie on the rail head", pad=22)
-    figure.colorbar(plt.cm.ScalarMappable(norm, "viridis_r"), ax=axes, label="pressure, highest node [MPa]", shrink=0.8)
+    figure.colorbar(plt.cm.ScalarMappable(norm, style.HIGH), ax=axes, label="pressure, highest node [MPa]", shrink=0.8)
     return [("The patches of all cases on the rail head, each above the one before; coloured by their highest pressure",
              style.save(run, figure, "family_head"))]
 
@@ -96,10 +96,10 @@ def draw_forces(run, cases):
     figure, rows = plt.subplots(2, 1, figsize=(9, 6.4), sharex=True)
     for axes, name, label in zip(rows, ("longitudinal_force", "normal_force"),
                                  ("longitudinal force on the wheel [kN]", "normal force [kN]")):
-        for k, case in enumerate(runs):
+        for case, color in zip(runs, style.in_order(len(runs))):
             history = case.run.history
             axes.plot(1e3 * history["rolled_distance"], 1e-3 * history[name], linewidth=1.1, label=case.label,
-                      color=plt.cm.viridis(k / max(len(runs) - 1, 1) * 0.92))
+                      color=color)
         axes.set_ylabel(label)
         axes.grid(True)
         axes.margins(x=0)
@@ -150,12 +150,11 @@ def draw_cuts(run, cases, plane):
     figure, rows = plt.subplots(2, len(kinds), figsize=(6.2 * len(kinds) + 2, 7), squeeze=False, sharex=True,
                                 sharey="row", gridspec_kw={"wspace": 0.06, "hspace": 0.08})
     for kind, column in zip(kinds, rows.T):
-        for k, case in enumerate(cases):
+        for case, color in zip(cases, style.in_order(len(cases))):
             fields = case.fields(kind)
             if fields is None:
                 continue
             x, on_line = fields.line(plane, fields.places()[plane])
-            color = plt.cm.viridis(k / max(len(cases) - 1, 1) * 0.92)
             column[0].plot(x, on_line(fields.pressure), color=color, linewidth=1.2, label=case.label)
             # signed as the traction on the wheel: positive when it drives
             column[1].plot(x, -on_line(fields.shear_along), color=color, linewidth=1.3)

@@ -25,6 +25,12 @@ def read(folder):
     return entries
 
 
+def title(entries, what):
+    """The user's title and what the page is about; the latter alone where there is none."""
+    given = entries.get("Title", "")
+    return f"{given}: {what}" if given else what[0].upper() + what[1:]
+
+
 def _profiles(entry):
     wheel, rail = (os.path.basename(entry("Profiles/" + body)) for body in ("Wheel", "Rail"))
     text = f"{wheel} wheel on {rail} rail, inclination {entry('Track/Rail inclination').replace('/', ':')}"

@@ -72,7 +72,7 @@ def pressure(axes, fields, scale, title):
     levels = style.round_levels(0, scale.pressure)
     top = fields.pressure.max()
     squares = (levels / top) ** 2
-    filled = axes.contourf(fields.lateral, fields.along, -fields.edge, levels=squares, cmap="viridis",
+    filled = axes.contourf(fields.lateral, fields.along, -fields.edge, levels=squares, cmap=style.HIGH,
                            norm=BoundaryNorm(squares, 256))
     axes.contour(fields.lateral, fields.along, -fields.edge, levels=squares[1:], colors="white", linewidths=0.4,
                  alpha=0.7)

@@ -32,7 +32,7 @@ def draw_loops(folder, steps):
              ("shear", 2e3 * steps["E_xy"], steps["S_xy_MPa"], "change of the angle [10$^{-3}$]")]
     kinds = [kind for kind in kinds if driven(kind[1])]
     last = int(steps["cycle"][-1])
-    colors = plt.get_cmap("viridis")
+    colors = style.in_order(last)
     figure, row = plt.subplots(1, len(kinds), figsize=(1.5 + 5.2 * len(kinds), 4.4), squeeze=False)
     for axes, (name, strain, stress, label) in zip(row[0], kinds):
         x, y, cycles = (np.concatenate(([first], values)) for first, values in
@@ -40,7 +40,7 @@ def draw_loops(folder, steps):
         for cycle in range(1, last + 1):
             own = np.flatnonzero(cycles == cycle)
             part = slice(max(own[0] - 1, 0), own[-1] + 1)  # from where the cycle before ended
-            axes.plot(x[part], y[part], linewidth=0.9, color=colors(0.9 * (1 - cycle / last)))
+            axes.plot(x[part], y[part], linewidth=0.9, color=colors[cycle - 1])
         axes.set_xlabel(label)
         axes.set_ylabel(f"{name} stress [MPa]")
         axes.grid(True)
@@ -105,7 +105,7 @@ def make_page(folder):
     given = inputs.table(inputs.material_rows(inputs.read(folder)))
     parts = [f"<div class=top><div><h2>Inputs</h2>{given}</div>" if given else "<div class=top>",
              f"<div><h2>Key results</h2>{figures(cycles)}</div></div>", "<h2>Pictures</h2>", page.pictures_html(pictures)]
-    return page.write(os.path.join(folder, "material.html"), "One point of a steel", parts, [], "")
+    return page.write(os.path.join(folder, "material.html"), inputs.title(inputs.read(folder), "one point of a steel"), parts, [], "")
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ The folder holds passages.csv and, of runs of this version, passages.h5 (doc/man
 import html
 import os
 import re
+import shlex
 
 import h5py
 import matplotlib.pyplot as plt
@@ -177,7 +178,7 @@ def draw_residual(family):
               if name in fields]
     figure, all_axes = plt.subplots(1, len(panels), figsize=(3.1 * len(panels), 4.4), sharey=True, squeeze=False)
     picked = chosen(len(fields["passages"]))
-    colors = plt.get_cmap("viridis")(np.linspace(0, 0.9, len(picked)))
+    colors = style.in_order(len(picked))
     for axes, (name, factor, label) in zip(all_axes[0], panels):
         for passage, color in zip(picked, colors):
             axes.plot(factor * fields[name][passage], fields["depth"], color=color,
@@ -299,11 +300,24 @@ def folders(folder):
     return found
 
 
+def has_page(folder):
+    """Whether the page of a passage is there and newer than its results."""
+    made, source = (os.path.join(folder, name) for name in ("report.html", "summary.json"))
+    return os.path.exists(made) and os.path.getmtime(made) >= os.path.getmtime(source)
+
+
 def links(family):
-    """The pages of the passages."""
-    words = [f'<a href="{os.path.basename(path)}/report.html">{number}</a>' for number, path in folders(family.folder).items()
-             if os.path.exists(os.path.join(path, "report.html"))]
-    return "<p>Page of each passage: " + " ".join(words) + "</p>" if words else ""
+    """The pages of single passages, and how to make those that are not there."""
+    there = folders(family.folder)
+    words = [f'<a href="{os.path.basename(path)}/report.html">{number}</a>' for number, path in there.items()
+             if has_page(path)]
+    parts = ["Pages of single passages: " + " ".join(words) + ". "] if words else []
+    if len(words) < len(there):
+        call, place = html.escape(wheelrail.CALL), html.escape(shlex.quote(family.folder.rstrip("/")))
+        missing = os.path.basename(next(path for path in there.values() if not has_page(path)))
+        parts.append(f"<code>{call} report {place}/{missing}</code> makes the page of one passage, "
+                     f"<code>{call} report {place} --each</code> those of all.")
+    return "<p>" + "".join(parts) + "</p>" if parts else ""
 
 
 def make_report(folder):

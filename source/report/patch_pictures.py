@@ -15,7 +15,7 @@ def draw_surface(run, fields, values, label, title, name):
     figure = plt.figure(figsize=(7.4, 5.4))
     axes = figure.add_subplot(projection="3d")
     top = style.round_top(max(values.max(), 1e-9))
-    surface = axes.plot_surface(fields.lateral, fields.along, values, cmap="viridis", rstride=1, cstride=1,
+    surface = axes.plot_surface(fields.lateral, fields.along, values, cmap=style.HIGH, rstride=1, cstride=1,
                                 linewidth=0.15, edgecolor="#00000055", antialiased=True, vmin=0, vmax=top)
     axes.set_box_aspect((np.ptp(fields.lateral), np.ptp(fields.along), 0.6 * np.ptp(fields.lateral)))
     axes.set_xlabel("lateral s [mm]\nG.C. $\\leftarrow$   $\\rightarrow$ F.S.", labelpad=14)

@@ -72,7 +72,7 @@ def panel(axes, horizontal, vertical, triangles, values, label, color_map, stret
     bar.set_ticks([tick for tick in style.round_levels(0, top, 8 if stretch == 1 else 4) if tick <= top])
 
 
-PANELS = (("residual", "residual von Mises stress [MPa]", "viridis"),
+PANELS = (("residual", "residual von Mises stress [MPa]", style.HIGH),
           ("strain", "plastic strain [10$^{-3}$]", "magma_r"))
 
 

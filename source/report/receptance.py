@@ -49,21 +49,15 @@ def draw_curves(tables, name, label, axes):
     axes.legend(loc="best")
 
 
-def mark_resonances(peaks, summary, axes):
-    for frequency, mobility in zip(peaks["frequency_Hz"], peaks["mobility_m_per_Ns"]):
-        axes.annotate(f"{frequency:.0f}", (frequency, mobility), xytext=(0, 6), textcoords="offset points", ha="center",
-                      fontsize=8)
-    if summary.get("pinned_pinned_Hz"):
-        axes.axvline(summary["pinned_pinned_Hz"], color=style.GREY, linewidth=0.9, linestyle=":")
-        axes.text(summary["pinned_pinned_Hz"], 0.98, "pinned-pinned ", rotation=90, va="top", ha="right", fontsize=8,
-                  color=style.GREY, transform=axes.get_xaxis_transform())
 
 
 def draw_mobility(tables, peaks, summary, path):
     figure, (upper, lower) = plt.subplots(2, 1, figsize=(9, 6.4), sharex=True, height_ratios=[3, 1.2],
                                           constrained_layout=True)
+    if summary.get("pinned_pinned_Hz"):
+        upper.axvline(summary["pinned_pinned_Hz"], color=style.GREY, linewidth=0.9, linestyle=":",
+                      label=f"pinned-pinned, {summary['pinned_pinned_Hz']:.0f} Hz")
     draw_curves(tables, "mobility_m_per_Ns", "mobility [m/(N s)]", upper)
-    mark_resonances(peaks, summary, upper)
     for table, _, how in tables:
         if "phase_rad" in table:  # the velocity is a quarter of a turn ahead
             degrees = (np.degrees(table["phase_rad"]) + 90 + 180) % 360 - 180
@@ -71,6 +65,8 @@ def draw_mobility(tables, peaks, summary, path):
     name_frequencies(lower)
     lower.set(ylabel="phase [degrees]", ylim=(-100, 100), yticks=[-90, -45, 0, 45, 90])
     lower.grid(True, which="both", alpha=0.5)
+    style.name_places(upper, peaks["frequency_Hz"], peaks["mobility_m_per_Ns"],
+                      [f"{frequency:.0f}" for frequency in peaks["frequency_Hz"]])
     figure.savefig(path)
     plt.close(figure)
     return "Mobility where the hammer hits: size and phase", path

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Draws the pictures of one run and writes its page.
 
-Usage: report.py FOLDER [--tick last|NUMBER[,NUMBER...]] [--csv]
+Usage: report.py FOLDER [--tick last|NUMBER[,NUMBER...]] [--csv] [--each]
 
 FOLDER is the output folder of a run, of passages or of the command halfspace. The pictures go to FOLDER/pictures, the page to
 FOLDER/report.html; the page holds its pictures, the numbers of its interactive views and what draws them, and needs
-no network. With several ticks the shear traction at all of them is drawn, everything else at the last. What a file
+no network. Passages have one page; --each makes that of each passage, too. With several ticks the shear traction at all of them is drawn, everything else at the last. What a file
 that is missing would have given is left out, and a sentence says so.
 Exit code 0 when there was something to report, 1 otherwise.
 """
@@ -55,6 +55,7 @@ def parse_arguments(arguments):
                         help="output step to draw: a number, or last (the usual one; over irregular surfaces the one nearest "
                              "to the largest force); several with commas also draw the shear at each")
     parser.add_argument("--csv", action="store_true", help="also write histories, maps and sections as tables into FOLDER/csv")
+    parser.add_argument("--each", action="store_true", help="also make the page of each passage")
     return parser.parse_args(arguments)
 
 
@@ -135,19 +136,13 @@ def make_passage(folder):
     return f"{count} pictures, the page of the passage is {path}"
 
 
-def report_passages(folder):
-    """The pages of all passages that have none newer than their results, then that of the family with links to them."""
-    due = [path for path in passages.folders(folder).values() if not is_newer(path, "report.html", "summary.json")]
+def report_passages(folder, each):
+    """The page of all passages; with `each` before it those of single passages that have none newer than their results."""
+    due = [path for path in passages.folders(folder).values() if not passages.has_page(path)] if each else []
     with concurrent.futures.ProcessPoolExecutor(max_workers=min(4, os.cpu_count() or 1)) as pool:
         for said in pool.map(make_passage, due):
             print(said, flush=True)
     return passages.make_report(folder)
-
-
-def is_newer(folder, made, source):
-    """Whether a file is there and was written after another one."""
-    paths = [os.path.join(folder, name) for name in (made, source)]
-    return os.path.exists(paths[0]) and os.path.getmtime(paths[0]) >= os.path.getmtime(paths[1])
 
 
 def main(arguments):
@@ -160,7 +155,7 @@ def main(arguments):
                 print(f"The page is {maker.make_page(options.folder)}")
                 return 0
         if os.path.exists(os.path.join(options.folder, "passages.csv")):
-            run, count, path = report_passages(options.folder)
+            run, count, path = report_passages(options.folder, options.each)
         else:
             run = run_data.load(options.folder, options.tick)
             count, path = make_report(run)

@@ -16,6 +16,7 @@ from matplotlib.ticker import MaxNLocator  # noqa: E402
 BLUE, RED, GREEN, ORANGE, GREY = "#1f5fa8", "#c0392b", "#2e8b57", "#d98200", "#6b6b6b"
 COLORS = [BLUE, RED, GREEN, ORANGE, "#7d4fa3", GREY, "#00868b", "#8b5a2b", "#c71585"]
 OPEN, STICK, SLIP = "#f4f4f4", BLUE, RED
+HIGH = "viridis_r"  # colours of pressures, stresses and the like: dark is high, as in all others
 
 matplotlib.rcParams.update({
     "font.size": 10,
@@ -42,6 +43,24 @@ def round_levels(low, high, parts=14):
 def round_top(value):
     """A round number that is not below the value: the end of a scale, so that the bar holds the peak."""
     return round_levels(0, value, 8)[-1]
+
+
+def in_order(count):
+    """Colours of so many curves that follow each other, the last one the darkest."""
+    return plt.get_cmap(HIGH)([0.08 + 0.92 * k / max(count - 1, 1) for k in range(count)])
+
+
+def name_places(axes, x, y, texts, size=8):
+    """Texts above places of a curve, raised where they would cover each other; the limits of the axes must stand."""
+    axes.figure.draw_without_rendering()
+    taken, pixel = [], axes.figure.dpi / 72
+    for place, text in sorted(zip(axes.transData.transform(list(zip(x, y))).tolist(), texts)):
+        half, step, up = 0.35 * size * len(text) * pixel, 1.3 * size * pixel, 6 * pixel
+        while any(abs(place[0] - a) < half + w and abs(place[1] + up - b) < step for a, b, w in taken):
+            up += 0.25 * step
+        taken.append((place[0], place[1] + up, half))
+        axes.annotate(text, axes.transData.inverted().transform(place), (0, up / pixel), textcoords="offset points",
+                      ha="center", fontsize=size)
 
 
 def color_bar(figure, axes, mappable, label, width=0.04):

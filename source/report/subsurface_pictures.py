@@ -40,7 +40,7 @@ class Cut:
 def panel(axes, cut, kind, top, title, view):
     """One map; `top` ends its scale, which is symmetric for shear."""
     levels = style.round_levels(0 if kind == "von Mises" else -top, top, 16)
-    colors = "viridis" if kind == "von Mises" else "RdBu_r"
+    colors = style.HIGH if kind == "von Mises" else "RdBu_r"
     for body, position, depth, values in cut.bodies:
         image = axes.contourf(position, depth, values[kind].T, levels=levels, cmap=colors, extend="neither")
         crossed = [level for level in levels if np.nanmin(values[kind]) < level < np.nanmax(values[kind])]

@@ -42,8 +42,8 @@ PICTURES = [
 ]
 #: how the wheels are drawn: colour, whether dashed, name
 SIDES = {"right_": (style.BLUE, False, "right wheel"), "left_": (style.RED, True, "left wheel"), "": (style.BLUE, False, "")}
-WORST = [("max_pressure_Pa", 1e-6, "peak pressure", "MPa"), ("t_gamma_N", 1, "wear number T-gamma", "N"),
-         ("largest_von_mises_Pa", 1e-6, "von Mises stress", "MPa")]
+WORST = [("lateral_over_vertical", 1, "Y/Q", "", 3), ("max_pressure_Pa", 1e-6, "peak pressure", "MPa", 1),
+         ("t_gamma_N", 1, "wear number T-gamma", "N", 1), ("largest_von_mises_Pa", 1e-6, "von Mises stress", "MPa", 1)]
 
 
 def draw(table, x, label, title, rows, path):
@@ -110,7 +110,7 @@ def draw_heads(table, folder, path):
             sections.draw_head(axes, head, with_wheel=False)
             fine, values = bands[side]
             pieces = np.stack([fine[:-1], fine[1:]], axis=1)[np.isfinite(values[:-1])]
-            lines = LineCollection(pieces, array=values[:-1][np.isfinite(values[:-1])], cmap="viridis", linewidths=7,
+            lines = LineCollection(pieces, array=values[:-1][np.isfinite(values[:-1])], cmap=style.HIGH, linewidths=7,
                                    capstyle="butt", zorder=3)
             lines.set_clim(known.min(), known.max())
             axes.add_collection(lines)
@@ -132,7 +132,7 @@ def make_views(table, x, label):
                     curves.append({"name": name, "y": views.plain(factor * table[side + key], 5), "color": 1 if dash else 0 if name else 5,
                                    **({"dash": "dash"} if dash else {})})
             if curves:
-                rows.append({"label": text.replace(" [", "<br>["), "curves": curves})
+                rows.append({"label": text, "curves": curves})
     if not rows or len(x) < 2:
         return []
     return [{"id": "view-rows", "type": "stack", "title": "Over the rows", "x": views.plain(x), "abscissa": label, "rows": rows}]
@@ -155,7 +155,7 @@ def draw_band(table, x, label, path):
                                   factor * table[side + key])
             there = np.isfinite(place) & np.isfinite(half) & np.isfinite(value)
             bars = LineCollection([[(at, p - h), (at, p + h)] for at, p, h in zip(x[there], place[there], half[there])],
-                                  array=value[there], cmap="viridis", linewidths=max(width, 0.8), capstyle="butt")
+                                  array=value[there], cmap=style.HIGH, linewidths=max(width, 0.8), capstyle="butt")
             if len(known):
                 bars.set_clim(known.min(), known.max())
             axes.add_collection(bars)
@@ -187,14 +187,14 @@ def worst_rows(table, x, label, most):
     lines = ["<table><tr><th>wheel</th><th>by</th><th class=number>row</th>"
              f"<th class=number>{html.escape(label)}</th><th class=number>value</th><th></th></tr>"]
     for side in ("right_", "left_"):
-        for key, factor, text, unit in WORST:
+        for key, factor, text, unit, decimals in WORST:
             values = table.get(side + key)
             if values is None or not np.isfinite(values).any():
                 continue
             for row in np.argsort(-np.nan_to_num(values, nan=-np.inf), kind="stable")[:most]:
                 if np.isfinite(values[row]):
                     lines.append(f"<tr><td>{side.strip('_')}</td><td>{text}</td><td class=number>{row + 1}</td>"
-                                 f"<td class=number>{x[row]:g}</td><td class=number>{factor * values[row]:.1f}</td>"
+                                 f"<td class=number>{x[row]:g}</td><td class=number>{page.number(values[row], factor, decimals)}</td>"
                                  f"<td>{unit}</td></tr>")
     return "\n".join(lines) + "</table>"
 
@@ -225,7 +225,7 @@ def make_page(folder):
             parts += [f"<h2>{title}</h2>", page.views_html(shown) if covered else "",
                       page.pictures_html(pictures, covered, broad=("band", "heads"))]
     parts += ["<h2>Worst rows</h2>", worst_rows(table, table[given], label, 5)]
-    return page.write(os.path.join(folder, "vehicle.html"), "Wheelset of a vehicle", parts, shown, script)
+    return page.write(os.path.join(folder, "vehicle.html"), inputs.title(inputs.read(folder), "rows of a vehicle"), parts, shown, script)
 
 
 if __name__ == "__main__":

@@ -59,7 +59,7 @@ function limits(ticks) {
 function scaleOf(field) {
   if (field.kind === "states") return {zmin: 0, zmax: 2, colorscale: STATES, colorbar: {tickvals: [0.33, 1, 1.67], ticktext: ["open", "stick", "slip"]}};
   if (field.kind === "signed") return {zmin: -field.top, zmax: field.top, colorscale: "RdBu", reversescale: false};
-  return {zmin: 0, zmax: field.top, colorscale: field.key === "pressure" ? "Viridis" : "YlOrRd", reversescale: field.key !== "pressure"};
+  return {zmin: 0, zmax: field.top, colorscale: field.key === "pressure" ? "Viridis" : "YlOrRd", reversescale: true};
 }
 
 // arrows of the shear traction as one line with gaps
@@ -247,7 +247,7 @@ async function drawSlices(view) {
       const id = k ? String(k + 1) : "", axes = {xaxis: "x" + id, yaxis: "y" + id};
       source.bodies.forEach((body, b) => traces.push({type: "contour", x: body.position, y: body.depth, z: body.fields[kind], ...axes, zmin: kind === "shear" ? -top : 0, zmax: top,
         autocontour: false, contours: {start: kind === "shear" ? -top : 0, end: top, size: top / (kind === "shear" ? 8 : 14)}, line: {width: 0.5, color: "#555"},
-        colorscale: kind === "shear" ? "RdBu" : "Viridis", showscale: k === n - 1 && b === 0, colorbar: {title: {text: (kind === "shear" ? plane.shear : "von Mises stress") + " [MPa]", side: "right"}, thickness: 14},
+        colorscale: kind === "shear" ? "RdBu" : "Viridis", reversescale: kind !== "shear", showscale: k === n - 1 && b === 0, colorbar: {title: {text: (kind === "shear" ? plane.shear : "von Mises stress") + " [MPa]", side: "right"}, thickness: 14},
         hovertemplate: `%{x} mm, %{y} mm from the surface<br>%{z} MPa<extra>${body.name}</extra>`}));
       layout["xaxis" + id] = {domain: domain(k, n), range: ends, title: AA ? "along the rail, rolling direction \u2192 [mm]" : "lateral s (G.C. on the left) [mm]", anchor: "y" + id};
       layout["yaxis" + id] = {range: [-10, 10], title: k ? "" : "from the surface: wheel +, rail \u2212 [mm]", scaleanchor: "x" + id, anchor: "x" + id, constrain: "domain"};
@@ -287,12 +287,13 @@ async function drawCurves(view) {
 // curves one below the other over one axis, with a line under the cursor through all of them
 async function drawStack(view) {
   const n = view.rows.length, gap = 0.25 / Math.max(n, 1), traces = [];
-  const layout = {font: FONT, height: 60 + 150 * n, margin: {l: 80, r: 20, t: 30, b: 50}, hovermode: "x", legend: {orientation: "h", y: 1.02, yanchor: "bottom"},
+  const layout = {font: FONT, height: 80 + 150 * n, margin: {l: 60, r: 20, t: 50, b: 50}, annotations: [], hovermode: "x", legend: {orientation: "h", x: 1, xanchor: "right", y: 1, yanchor: "bottom"},
     xaxis: {title: view.abscissa, anchor: n > 1 ? "y" + n : "y", showspikes: true, spikemode: "across", spikesnap: "cursor", spikethickness: 1, spikecolor: "#555", spikedash: "solid"}};
   const height = (1 - gap * (n - 1)) / n, named = new Set();
   view.rows.forEach((row, k) => {
     const id = k ? String(k + 1) : "", top = 1 - k * (height + gap);
-    layout["yaxis" + id] = {title: row.label, domain: [Math.max(0, top - height), top], anchor: "x", zeroline: true, zerolinecolor: "#bbb"};
+    layout["yaxis" + id] = {domain: [Math.max(0, top - height), top], anchor: "x", zeroline: true, zerolinecolor: "#bbb"};
+    layout.annotations.push({xref: "paper", yref: "paper", x: 0, y: top, xanchor: "left", yanchor: "bottom", showarrow: false, text: row.label});
     for (const curve of row.curves) {
       traces.push({x: view.x, y: curve.y, name: curve.name, legendgroup: curve.name, showlegend: Boolean(curve.name) && !named.has(curve.name), xaxis: "x", yaxis: "y" + id, mode: "lines",
         line: {color: COLORS[curve.color], width: 1.4, dash: curve.dash ?? "solid"}, hovertemplate: `%{y:.5g}<extra>${curve.name}</extra>`});

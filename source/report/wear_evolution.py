@@ -77,7 +77,7 @@ def draw_profiles(folder, body, states, over, label, path):
     heights = [8 * high / wide + 0.5, 3, 1.5][:rows]
     figure, all_axes = plt.subplots(rows, 1, figsize=(9, sum(heights)), sharex=True, constrained_layout=True,
                                     height_ratios=heights)
-    colors = plt.get_cmap("viridis")(np.linspace(0, 0.9, len(states)))
+    colors = style.in_order(len(states))
     for shape, state, color in zip(all_shapes, states, colors):
         name = f"{over[state]:.4g}"
         all_axes[0].plot(shape[:, 0], shape[:, 1], color=color, linewidth=1.2, label=name)
@@ -97,9 +97,14 @@ def draw_profiles(folder, body, states, over, label, path):
     return f"{body.capitalize()}: profile, worn depth, damage", path
 
 
+def kept(table):
+    """The body whose profile stays, as its columns and labels begin; empty where both wear."""
+    return tuple(body for body in ("rail", "wheel") if not (table[body + "_depth_m"] > 0).any())
+
+
 def draw_history(table, over, label, title, rows, path):
-    """One row of axes a column that changes; None where nothing does."""
-    rows = [row for row in rows if np.isfinite(table[row[0]]).any() and np.ptp(table[row[0]][np.isfinite(table[row[0]])]) > 0]
+    """One row of axes a column of a worn body that changes; None where nothing does."""
+    rows = [row for row in rows if not row[0].startswith(kept(table)) and np.isfinite(table[row[0]]).any() and np.ptp(table[row[0]][np.isfinite(table[row[0]])]) > 0]
     if not rows:
         return None
     figure, all_axes = plt.subplots(len(rows), 1, figsize=(7.5, 1 + 1.9 * len(rows)), sharex=True, squeeze=False,
@@ -117,10 +122,9 @@ def draw_history(table, over, label, title, rows, path):
 
 def figures(table):
     rows = ["<table><tr><th></th><th>new</th><th>worn</th><th></th></tr>"]
-    kept = [body for body in ("rail", "wheel") if not (table[body + "_depth_m"] > 0).any()]
     for key, factor, label, unit, digits in FIGURES:
         values = factor * table[key][[0, -1]]
-        if np.isfinite(values).all() and (values != 0).any() and label.split(":")[0] not in kept:
+        if np.isfinite(values).all() and (values != 0).any() and not label.startswith(kept(table)):
             rows.append(f"<tr><td>{html.escape(label)}</td>" + "".join(f"<td class=number>{value:.{digits}f}</td>" for value in values) +
                         f"<td>{unit}</td></tr>")
     return "\n".join(rows + ["</table>"])
@@ -154,7 +158,7 @@ def make_page(folder):
              f"<div class=top><div><h2>Inputs</h2>{given}</div>" if given else "<div class=top>",
              f"<div><h2>Key results</h2>{figures(table)}</div></div>", "<h2>Pictures</h2>",
              page.pictures_html([picture for picture in pictures if picture], broad=("rail", "wheel"))]
-    return page.write(os.path.join(folder, "wear.html"), "Wear of the profiles", parts, [], "")
+    return page.write(os.path.join(folder, "wear.html"), inputs.title(inputs.read(folder), "wear of the profiles"), parts, [], "")
 
 
 if __name__ == "__main__":

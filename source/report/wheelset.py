@@ -38,14 +38,16 @@ def draw_side(axes, lines, side, scale):
         axes.plot(*lines[side, what].T, color=color, label=what)
     contacts = lines.get((side, "contact"), np.zeros((0, 2)))
     edges = lines.get((side, "edge"), np.zeros((0, 2)))
-    for k, (place, force) in enumerate(zip(contacts, lines.get((side, "force"), []))):
+    forces = lines.get((side, "force"), np.zeros((0, 2)))
+    lowest = min((contacts - forces / scale)[:, 1], default=0.0)
+    for k, (place, force) in enumerate(zip(contacts, forces)):
         axes.plot(*edges[2 * k:2 * k + 2].T, color="black", linewidth=4, solid_capstyle="butt",
                   label="patch" if k == 0 else None)
-        start = place - np.array(force) / scale
+        start = place - force / scale
         axes.annotate("", place, start, arrowprops={"arrowstyle": "-|>", "color": style.GREEN, "linewidth": 2})
         pressure, area = lines[side, "peak pressure"][k]
         axes.annotate(f"Y {abs(force[0]):.1f} kN {'to the left' if force[0] < 0 else 'to the right'}, Q {force[1]:.1f} kN\n"
-                      f"{pressure:.0f} MPa, {area:.0f} mm\N{SUPERSCRIPT TWO}", start, (0, -4), textcoords="offset points",
+                      f"{pressure:.0f} MPa, {area:.0f} mm\N{SUPERSCRIPT TWO}", (start[0], lowest), (0, -4 - 26 * k), textcoords="offset points",
                       ha="center", va="top", fontsize=8, color=style.GREEN)
     if not len(contacts):
         axes.text(0.5, 0.9, "lifted", transform=axes.transAxes, ha="center")
@@ -76,6 +78,8 @@ def shown(figure, value):
 
 
 def table_of_wheels(summary, figures):
+    """Both wheels side by side, Y/Q first."""
+    figures = dict(sorted(figures.items(), key=lambda item: item[0] != "lateral_over_vertical"))
     rows = ["<table><tr><th></th><th class=number>left</th><th class=number>right</th><th></th></tr>"]
     for key, figure in figures.items():
         sides = [side + key for side in ("left_", "right_")]
@@ -105,8 +109,8 @@ def make_page(folder):
         rows.insert(1, ("load", f"{1e-3 * summary['axle_load_N']:.2f} kN on the axle"))
     note = summary.get("note")
     parts = [page.verdict_sentence(summary), f"<p>{html.escape(note)}</p>" if note else "", "<div class=top><div><h2>Inputs</h2>", inputs.table(rows),
-             "</div><div><h2>Key results: axle</h2>", table_of_axle(summary, figures), "</div></div>", page.pictures_html([("Wheels on their rails", picture)], broad=("wheelset",)),
-             "<h2>Wheels</h2>", table_of_wheels(summary, figures)]
+             "</div><div><h2>Key results: wheels</h2>", table_of_wheels(summary, figures), "</div><div><h2>Axle</h2>", table_of_axle(summary, figures), "</div></div>",
+             page.pictures_html([("Wheels on their rails", picture)], broad=("wheelset",))]
     links = [f'<a href="{side}/report.html">{side}-hand wheel</a>' for side in ("left", "right")
              if os.path.exists(os.path.join(folder, side, "report.html"))]
     if links:
