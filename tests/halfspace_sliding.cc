@@ -109,7 +109,8 @@ namespace
     const Case free("0.5", "0"), driven("0.5", "0.25"), braked("0.5", "-0.25");
     check_near(
       free.summary.longitudinal_force / free.summary.normal_force, 0, 1e-5, "free rolling: no force");
-    check(free.summary.stick_fraction > 0.5 && free.summary.doubts.empty(), "and most of the patch sticks");
+    check(free.summary.stick_fraction > 0.5 && free.summary.doubts.find("slides") == std::string::npos,
+          "and most of the patch sticks");
     check(driven.summary.creepage > 0 && braked.summary.creepage < 0, "driving and braking have their signs");
     check_near(
       driven.summary.longitudinal_force / -braked.summary.longitudinal_force, 1, 1e-3, "and equal forces");

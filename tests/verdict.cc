@@ -51,6 +51,7 @@ namespace
     m.peak_pressure     = 1.23e9;
     m.peak_difference   = -0.015;
     m.turn              = 0.1;
+    m.contact_modulus   = 115.4e9;
     return m;
   }
 
@@ -112,6 +113,8 @@ namespace
       &Measures::torque_miss, -0.11, no, "The longitudinal force is off by 11.0 % from what the torque");
     test_rule(&Measures::peak_difference, -0.07, care, "The peak pressure is 7 % below that of half-spaces");
     test_rule(&Measures::peak_difference, 0.12, no, "do not explain it");
+    test_rule(&Measures::edge_on_path, 20e-3, care, "The largest pressure of the path does not hold");
+    test_rule(&Measures::edge, 20e-3, care, "The peak pressure does not hold, forces do");
     test_rule(
       &Measures::peak_pressure, 6.1e9, no, "The peak pressure of 6.1 GPa is more than any rail steel bears");
   }
@@ -355,14 +358,40 @@ namespace
     check(judge_halfspaces(m).findings.empty(), "half-spaces are trusted");
     m.peak_pressure = 4.1e9;
     check(judge_halfspaces(m).grade() == Grade::not_trusted, "but for pressures that no steel bears");
-    m.peak_pressure = 1.2e9;
-    m.cells         = 5;
+    m.peak_pressure   = 1.2e9;
+    m.pressure_effect = 0.13;
     check_text(
       judge_halfspaces(m).doubts(),
-      "Only 5 elements lie across the contact: the peak pressure may be off by 5 % and more; take a smaller "
+      "Too few elements: the peak pressure changes by 13 % on elements twice as large; take a smaller "
       "Half-space/Element size.",
       "few elements");
-    m.cells = 20;
+    m.pressure_effect = 0.05;
+    m.creep_effect    = 0.12;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "Too few elements: creepage and creep forces change by 12 % on elements twice as large; take a "
+      "smaller Half-space/Element size.",
+      "few elements for creep");
+    m.creep_effect = 0.04;
+    m.slides       = sliding_note(1);
+    check(judge_halfspaces(m).grade() == Grade::with_care, "a patch that slides as a whole");
+    m.slides.clear();
+    m.contact_modulus = 115.4e9;
+    m.edge            = 32.6e-3;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "The peak pressure does not hold, forces do: in the patch lies an edge of 32.6 mrad, where elastic "
+      "pressure has no bound: each halving of the elements adds 415 MPa; round the edge.",
+      "an edge");
+    check(judge_halfspaces(m).grade() == Grade::not_trusted, "under which no pressure is trusted");
+    m.edge  = 0.5e-3;
+    m.notch = 10e-3;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "In the patch lies a sharp notch of 10 mrad: peak pressure is that of an edge that stays sharp; "
+      "forces hold.",
+      "a notch; joints of profiles that are rounded numbers are none");
+    m.notch = 0;
     m.turn  = 0.51;
     check_text(judge_halfspaces(m).doubts(),
                "The surfaces turn by 29 degrees across the contact, as in the flange root, which half-spaces "

@@ -1,5 +1,7 @@
 #include <wheelrail/application/creep_curve_command.h>
 #include <wheelrail/application/report_script.h>
+#include <wheelrail/application/row_verdicts.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/output/figure_table.h>
@@ -150,7 +152,16 @@ namespace wheelrail
                        "stick_fraction",
                        "t_gamma_N"},
                       summaries);
+    std::vector<double>     grades;
+    std::vector<RowVerdict> verdicts;
+    for (std::size_t row = 0; row < summaries.size(); ++row)
+      {
+        verdicts.push_back({wheelrail::text("point %zu", row + 1), grade_of(summaries[row]), summaries[row].doubts});
+        grades.push_back(static_cast<double>(verdicts.back().grade));
+      }
+    table.add("verdict", "1", grades);
     print_table(curve, table, out);
+    print_row_verdicts(verdicts, "points", "verdict of creep_curve.csv", out);
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     table.write_csv((folder / "creep_curve.csv").string());

@@ -196,6 +196,27 @@ namespace wheelrail
   }
 
 
+  SurfaceKinks
+  ContactSections::kinks_under(const HalfspaceSolution &solution, const std::vector<double> &places) const
+  {
+    const HalfspaceGrid  &grid = solution.grid;
+    std::vector<PatchRow> rows;
+    for (int j = 0; j < grid.my; ++j)
+      {
+        PatchRow row{places[j], HUGE_VAL, -HUGE_VAL};
+        for (int i = 0; i < grid.mx; ++i)
+          if (solution.pressure[i + std::size_t(grid.mx) * j] > 0)
+            {
+              row.z0 = std::min(row.z0, grid.x(i));
+              row.z1 = std::max(row.z1, grid.x(i));
+            }
+        if (row.z0 <= row.z1)
+          rows.push_back(row);
+      }
+    return surface_kinks(surfaces_, rows, grid.dx);
+  }
+
+
   ContactSections::Slice
   ContactSections::slice(const double s) const
   {

@@ -267,6 +267,10 @@ namespace wheelrail
     const auto   angle  = [&](const double y) { return row_at(y).angle; };
     const double middle = result.measures.centre_lateral, half = 0.5 * result.measures.width;
     result.turn = std::abs(angle(middle + half) - angle(middle - half));
+    std::vector<double> places;
+    for (const Row &row : rows_)
+      places.push_back(row.s);
+    result.kinks = sections_.kinks_under(solution_, places);
     double sum = 0, wheel_angle = 0, x = 0, y = 0;
     for (int j = 0; j < problem_.grid.my; ++j)
       for (int i = 0; i < problem_.grid.mx; ++i)

@@ -137,15 +137,6 @@ namespace wheelrail
 
 
   std::string
-  sliding_note(const double longitudinal_force)
-  {
-    return std::string("The whole patch slides: the wheel ") +
-           (longitudinal_force < 0 ? "locks" : "spins up") +
-           ", since friction does not carry what drives or brakes it.";
-  }
-
-
-  std::string
   resolution_note(const Scene &scene, const HalfspaceSolution &solution)
   {
     const int    n      = elements_across(solution);

@@ -1,5 +1,7 @@
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/head_place.h>
+#include <wheelrail/halfspace/element_effect.h>
+#include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
@@ -53,12 +55,20 @@ namespace wheelrail
       return largest - least;
     }
 
+    /// Whether a patch under a force that is asked for slides as a whole, or as good as.
+    bool
+    slides(const Scene &scene, const HalfspaceSolution &s)
+    {
+      return !s.within_friction || (scene.drive == Drive::torque && scene.traction_coefficient != 0 &&
+                                    s.adhesion_area == 0 && s.slip_area > 0);
+    }
+
     /// `turn`: of the surfaces across the contact [rad].
     Verdict
     judge_with(const Scene &scene, const WheelRailSolution &result, const double turn)
     {
-      Measures measures;
-      measures.cells         = elements_across(result.solution);
+      constexpr int many_elements = 32; // of which creepages and creep forces err by less than 5 %
+      Measures      measures;
       measures.peak_pressure = result.solution.peak_pressure;
       measures.made_up       = result.made_up;
       measures.shift_effect  = result.shift_effect;
@@ -66,10 +76,18 @@ namespace wheelrail
         measures.turn = turn;
       if (result.reference)
         measures.place = place_in_words(result.reference->place.x);
-      Verdict verdict = judge_halfspaces(measures);
-      if (!result.solution.within_friction)
-        verdict.findings.push_back({Grade::with_care, sliding_note(-result.solution.fx)});
-      return verdict;
+      measures.contact_modulus = contact_modulus(scene);
+      measures.edge            = result.kinks.edge;
+      measures.notch           = result.kinks.notch;
+      const ElementEffect effect =
+        element_effect(result.problem, result.solution, elements_across(result.solution) < many_elements);
+      measures.pressure_effect = effect.pressure;
+      // what sticks is as stiff as the whole elements are larger than the contact
+      measures.creep_effect = std::max(
+        effect.creep, (result.solution.area / result.measures.area - 1) * result.measures.stick_fraction);
+      if (slides(scene, result.solution))
+        measures.slides = sliding_note(-result.solution.fx);
+      return judge_halfspaces(measures);
     }
 
     Summary

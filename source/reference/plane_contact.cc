@@ -232,6 +232,10 @@ namespace wheelrail
     result.centre   = sections.rail_place(result.measures.centre_lateral);
     result.rail     = sections.geometry().rail;
     result.turn     = turn_across(result.measures);
+    std::vector<double> places;
+    for (int j = 0; j < problem.grid.my; ++j)
+      places.push_back(problem.grid.y(j));
+    result.kinks = sections.kinks_under(solution, places);
     return result;
   }
 } // namespace wheelrail

@@ -3,6 +3,7 @@
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/head_place.h>
 #include <wheelrail/geometry/made_up_part.h>
+#include <wheelrail/geometry/surface_kinks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
@@ -110,8 +111,6 @@ namespace wheelrail
       const double asked   = get_figure(summary, "drive_torque_Nm") / radius;
       const double carried = std::max(0.05, 0.5 * scene.friction.at_rest) * std::abs(summary.normal_force);
       set_figure(summary, "torque_miss", (force - asked) / std::max(std::abs(asked), carried));
-      if (scene.traction_coefficient != 0 && summary.stick_fraction < 1e-3)
-        summary.note = sliding_note(scene.traction_coefficient);
     }
 
     /// Wear and cracks, from the means of forces, of the patch and of the wear across the rail.
@@ -195,6 +194,43 @@ namespace wheelrail
   } // namespace
 
 
+  namespace
+  {
+    /// Those in the patch of a wheel that has rolled to a place [m] and `around` it, half before and half
+    /// behind.
+    SurfaceKinks
+    kinks_at(const SceneGeometry &geometry, const Summary &run, const double place, const double around)
+    {
+      constexpr int   strips = 8;
+      RunningSurfaces there  = geometry.surfaces;
+      there.rail.take_irregularities(there.rail, place);
+      there.wheel.take_irregularities(there.wheel, place);
+      const double strip = run.patch_lateral / strips, half = 0.5 * (run.patch_longitudinal + around);
+      std::vector<PatchRow> rows;
+      for (int k = 0; k <= strips; ++k)
+        rows.push_back({run.patch_centre_lateral + (k - 0.5 * strips) * strip, -half, half});
+      return surface_kinks(there, rows, 0.5 * strip);
+    }
+
+    void
+    measure_kinks(const Scene &scene, const SceneGeometry &geometry, const Summary &run, Measures &measures)
+    {
+      measures.contact_modulus = contact_modulus(scene);
+      const double length      = scene.averaging_distance;
+      double       middle      = 0;
+      if (scene.irregular())
+        middle = scene.evaluate_at == Scene::at_largest_force ? std::max(measures.force_at, 0.5 * length)
+                 : scene.evaluate_at > 0                      ? scene.evaluate_at
+                                                              : run.rolled_distance - 0.5 * length;
+      const SurfaceKinks kinks = kinks_at(geometry, run, middle, scene.irregular() ? length : 0);
+      measures.edge            = kinks.edge;
+      measures.notch           = kinks.notch;
+      if (const double at = get_figure(run, "largest_pressure_at_m"); std::isfinite(at))
+        measures.edge_on_path = kinks_at(geometry, run, at, 0).edge;
+    }
+  } // namespace
+
+
   std::vector<std::string>
   judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
   {
@@ -204,6 +240,7 @@ namespace wheelrail
     set_patch_place(head_place(geometry.contact.rail, scene.track, place), summary);
     measures.place   = place_in_words(place.x);
     measures.made_up = made_up_part(geometry, place);
+    measure_kinks(scene, geometry, summary, measures);
     if (scene.motion != "none")
       compare_peak_on_way(scene, geometry, summary, measures);
     else if (!measures.off_rail())

@@ -24,6 +24,15 @@ namespace wheelrail
   }
 
 
+  std::string
+  sliding_note(const double longitudinal_force)
+  {
+    return std::string("The whole patch slides: the wheel ") +
+           (longitudinal_force < 0 ? "locks" : "spins up") +
+           ", since friction does not carry what drives or brakes it.";
+  }
+
+
   Measures
   measures_of_run(const Scene &scene, const Summary &run)
   {
@@ -58,6 +67,11 @@ namespace wheelrail
     if (m.off_rail())
       m.cells = m.cells_across_peak = Measures::none;
     m.peak_pressure = run.max_pressure;
+    // what friction carries has no room for a steady creepage
+    if (const double asked = scene.traction_coefficient;
+        scene.drive == Drive::torque && asked != 0 &&
+        (run.stick_fraction < 1e-3 || std::abs(asked) >= scene.friction.at_rest))
+      m.slides = sliding_note(asked);
     if (run.max_plastic_strain > 0)
       m.plastic_strain = run.max_plastic_strain;
     return m;

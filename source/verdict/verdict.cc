@@ -27,11 +27,13 @@ namespace wheelrail
     constexpr Bounds load_bounds{0.01, 0.03};
     constexpr Bounds torque_bounds{0.01, 0.05};
     constexpr Bounds peak_bounds{0.05, 0.1};
-    constexpr double most_turn           = 0.2;  ///< of surfaces that half-spaces stand for [rad]
-    constexpr double most_shift_effect   = 0.25; ///< of half-spaces
-    constexpr double least_plastic       = 1e-4; ///< strain from which on steel has flowed
-    constexpr double least_elements      = 8;    ///< of half-spaces across a contact
-    constexpr double highest_of_any_rail = 4e9;  ///< [Pa]
+    constexpr double most_turn         = 0.2;  ///< of surfaces that half-spaces stand for [rad]
+    constexpr double most_shift_effect = 0.25; ///< of half-spaces
+    constexpr double least_plastic     = 1e-4; ///< strain from which on steel has flowed
+    constexpr Bounds edge_bounds{0.01, 0.02};  ///< growth of the peak with each halving of elements
+    // changes on elements twice as large: pressure errs by a third of that, creep by about as much
+    constexpr Bounds pressure_effect_bounds{0.1, 0.2}, creep_effect_bounds{0.05, 0.1};
+    constexpr double highest_of_any_rail = 4e9; ///< [Pa]
 
     std::string
     percent(const double share)
@@ -187,6 +189,57 @@ namespace wheelrail
               "reaches farther, or another lateral shift.");
     }
 
+    /// Kinks in the patch, under which no cells or elements find a pressure; forces, which a run is for
+    /// there, hold.
+    void
+    judge_edges(const Measures &m, const bool run, Verdict &verdict)
+    {
+      const auto tell = [&](const double edge, const std::string &what, const std::string &where) {
+        const Grade grade = graded(m.growth(edge), edge_bounds);
+        add(verdict,
+            run ? std::max(grade, Grade::with_care) : grade,
+            what + " does not hold, forces do: " + where +
+              text(" an edge of %.3g mrad, where elastic pressure has no bound: each halving of the %s adds "
+                   "%.0f MPa; round the edge.",
+                   1e3 * edge,
+                   run ? "cells" : "elements",
+                   1e-6 * m.growth(edge) * m.peak_pressure));
+        return grade != Grade::trusted;
+      };
+      if (tell(m.edge, "the peak pressure", "in the patch lies") ||
+          tell(m.edge_on_path, "the largest pressure of the path", "it acts at"))
+        return;
+      if (m.growth(m.notch) > edge_bounds.good)
+        add(verdict,
+            Grade::with_care,
+            text("in the patch lies a sharp notch of %.3g mrad: peak pressure is that of an edge that stays "
+                 "sharp; forces hold.",
+                 1e3 * m.notch));
+    }
+
+    /// Elements of half-spaces.
+    void
+    judge_elements(const Measures &m, Verdict &verdict)
+    {
+      const auto told =
+        [&](const double effect, const Bounds &bounds, const std::string &what, const std::string &verb) {
+          if (!std::isnan(effect))
+            add(verdict,
+                graded(effect, bounds),
+                "too few elements: " + what + " " + verb + text(" by %.0f %%", 100 * effect) +
+                  " on elements twice as large; take a smaller Half-space/Element size.");
+        };
+      told(m.pressure_effect, pressure_effect_bounds, "the peak pressure", "changes");
+      told(m.creep_effect, creep_effect_bounds, "creepage and creep forces", "change");
+    }
+
+    void
+    judge_sliding(const Measures &m, Verdict &verdict)
+    {
+      if (!m.slides.empty())
+        add(verdict, Grade::with_care, m.slides);
+    }
+
     void
     find_limits(const Scene &scene, const Measures &m, Verdict &verdict)
     {
@@ -269,6 +322,8 @@ namespace wheelrail
   {
     Verdict verdict;
     judge_place(measures, verdict);
+    judge_edges(measures, true, verdict);
+    judge_sliding(measures, verdict);
     judge_resolution(scene, measures, verdict);
     if (scene.irregular())
       judge_way(measures, verdict);
@@ -286,14 +341,9 @@ namespace wheelrail
   {
     Verdict verdict;
     judge_place(measures, verdict);
-    if (measures.cells < least_elements)
-      add(
-        verdict,
-        Grade::with_care,
-        text(
-          "only %.0f elements lie across the contact: the peak pressure may be off by 5 %% and more; take a "
-          "smaller Half-space/Element size.",
-          measures.cells));
+    judge_edges(measures, false, verdict);
+    judge_elements(measures, verdict);
+    judge_sliding(measures, verdict);
     if (measures.turn >= most_turn)
       add(
         verdict,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/geometry/surface_kinks.h>
 #include <wheelrail/geometry/touching_profiles.h>
 #include <wheelrail/halfspace/problem.h>
 #include <wheelrail/planes/rigid_slip.h>
@@ -97,6 +98,10 @@ namespace wheelrail
     /// The rail's surface at s, in the track plane [m].
     Point2
     rail_place(double s) const;
+
+    /// Of the surfaces under the pressure of a solution, whose rows lie at `places` [m].
+    SurfaceKinks
+    kinks_under(const HalfspaceSolution &solution, const std::vector<double> &places) const;
 
     /// A grid of square elements [m] that covers the interpenetration at the approach [m], of irregular
     /// surfaces all places of it.

@@ -58,11 +58,6 @@ namespace wheelrail
                 std::shared_ptr<HalfspaceKernels> &kernels,
                 const HalfspaceSolution           *guess = nullptr);
 
-  /// What is to be told of a patch that slides as a whole under a wheel that is driven (a positive force on
-  /// the wheel [N]) or braked.
-  std::string
-  sliding_note(double longitudinal_force);
-
   /// A solution in the layout and with the signs of a run's patch: lateral fastest, tractions on the rail
   /// (body 1), slip of the wheel against the rail.
   PatchFields

@@ -3,6 +3,7 @@
 #include <wheelrail/output/summary.h>
 #include <wheelrail/scene/scene.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -18,6 +19,13 @@ namespace wheelrail
     double cells             = none; ///< solution cells over the shorter extent of the patch
     double cells_across_peak = none; ///< and across its highest pressure, see PatchMeasures::cells_across
     double penetration       = none; ///< of the penalty law at the peak, over the approach
+    double pressure_effect =
+      none; ///< of elements twice as large on the peak of half-spaces, see ElementEffect
+    double      creep_effect = none; ///< and on creepage or creep forces
+    double      edge = 0, notch = 0; ///< sharpest ones of the surfaces in the patch [rad], see SurfaceKinks
+    double      edge_on_path    = 0; ///< that one where the largest pressure of the path acts [rad]
+    double      contact_modulus = none; ///< E* of the bodies [Pa]
+    std::string slides; ///< of a patch that slides as a whole, see sliding_note(); empty: it does not
 
     // steadiness over the stretch of the means
     double      unsteadiness   = none; ///< largest std of vertical and longitudinal force over vertical force
@@ -55,6 +63,13 @@ namespace wheelrail
     std::vector<std::string> beyond; ///< other figures that differ by more than their limit, in words
     std::string              no_reference; ///< why there are no half-spaces to compare with; empty: there are
 
+    /// What an edge adds to the peak, over it, with each halving of the elements: E* edge ln 2/(2 pi).
+    double
+    growth(const double angle) const
+    {
+      return angle > 0 ? contact_modulus * angle * M_LN2 / (2 * M_PI) / peak_pressure : 0;
+    }
+
     /// Whether the wheel hardly touches the rail where the means are taken, so that its patch is no measure.
     bool
     off_rail() const
@@ -82,6 +97,11 @@ namespace wheelrail
   /// track plane [m], positive to the track centre.
   std::string
   place_in_words(double x);
+
+  /// What is to be told of a patch that slides as a whole under a wheel that is driven (a positive force on
+  /// the wheel [N]) or braked.
+  std::string
+  sliding_note(double longitudinal_force);
 
   /// The measures that a run's own summary holds: all but those that need half-spaces or profiles.
   Measures

@@ -56,8 +56,8 @@ namespace wheelrail
   bool
   bodies_judge(const Measures &measures, const Verdict &verdict);
 
-  /// Judges half-spaces that have converged: their pressure, what they touch, their elements, whose number
-  /// across the contact stands in `measures.cells`, and `measures.turn`, which true bodies leave NaN.
+  /// Judges half-spaces that have converged: their pressure, what they touch, edges, elements, sliding, and
+  /// `measures.turn`, which true bodies leave NaN.
   Verdict
   judge_halfspaces(const Measures &measures);
 

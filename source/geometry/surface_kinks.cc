@@ -1,0 +1,71 @@
+#include <wheelrail/geometry/surface_kinks.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// How much more the slope of the distance over z changes across a place than beside it: a jump of it,
+    /// and nothing of what is round.
+    double
+    jump_along(const RunningSurfaces &surfaces, const double s, const double z)
+    {
+      constexpr double aside = 0.3e-3, step = 0.02e-3; // [m]
+      const auto       slope = [&](const double from) {
+        return (surfaces.distance(s, z + from + step) - surfaces.distance(s, z + from - step)) / (2 * step);
+      };
+      const double behind = slope(-aside), ahead = slope(aside);
+      return ahead - behind - 0.5 * (slope(3 * aside) - ahead + behind - slope(-3 * aside));
+    }
+
+    void
+    add_joints(const FrameProfile          &profile,
+               const double                 sign,
+               const std::vector<PatchRow> &rows,
+               const double                 spacing,
+               SurfaceKinks                &kinks)
+    {
+      const std::vector<double> &joints = profile.joints();
+      for (std::size_t k = 1; k + 1 < joints.size(); ++k)
+        if (std::any_of(rows.begin(), rows.end(), [&](const PatchRow &row) {
+              return std::abs(row.s - joints[k]) <= spacing;
+            }))
+          kinks.add(sign * (std::atan(profile.at(joints[k]).slope) -
+                            std::atan(profile.at(std::nextafter(joints[k], joints[k - 1])).slope)));
+    }
+  } // namespace
+
+
+  void
+  SurfaceKinks::add(const double jump)
+  {
+    edge  = std::max(edge, jump);
+    notch = std::max(notch, -jump);
+  }
+
+
+  SurfaceKinks
+  surface_kinks(const RunningSurfaces &surfaces, const std::vector<PatchRow> &rows, const double spacing)
+  {
+    SurfaceKinks kinks;
+    add_joints(surfaces.outline.profile(), 1, rows, spacing, kinks);
+    add_joints(surfaces.rail.profile(), -1, rows, spacing, kinks);
+    const double circumference = 2 * M_PI * surfaces.rolling_radius;
+    for (const Body body : both_bodies)
+      for (const double kink : surfaces[body].kinks())
+        {
+          // an arc of the wheel, which is closed
+          const double z = body == Body::rail
+                             ? kink
+                             : surfaces.rolling_radius *
+                                 std::sin(std::remainder(kink, circumference) / surfaces.rolling_radius);
+          for (const PatchRow &row : rows)
+            if (z >= row.z0 - spacing && z <= row.z1 + spacing &&
+                (body == Body::rail || std::abs(std::remainder(kink, circumference)) < 0.25 * circumference))
+              kinks.add(jump_along(surfaces, row.s, z));
+        }
+    return kinks;
+  }
+} // namespace wheelrail

@@ -1,0 +1,104 @@
+// label: fast
+
+// What no elements resolve, and how the verdict knows: edges in the patch, under which pressure grows without
+// bound, patches that slide as a whole, elements that are too large for creep.
+
+#include "check.h"
+
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/reference/given_distance.h>
+#include <wheelrail/reference/irregular_places.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+
+namespace
+{
+  std::vector<PlaceContact>
+  places(std::vector<std::string> sets, const std::string &element, const std::vector<double> &at)
+  {
+    sets.push_back("Half-space/Element size = " + element);
+    sets.push_back("Wheelset/Traction coefficient = 0");
+    const SceneInput    input    = scene_from_text("", "x.prm", sets);
+    const SceneGeometry geometry = require_computable(input);
+    return solve_places(input.scene, geometry, 103e3, {false, at});
+  }
+
+  /// A fresh flat of 30 mm turns the surface by 15 mm/R at each edge. Under a wedge pressure grows by E* edge
+  /// ln 2/(2 pi) where elements are halved (Johnson 1985, equation 5.4).
+  void
+  test_flat()
+  {
+    const std::vector<std::string> sets{
+      "Irregularity 1/Kind = flat", "Irregularity 1/Place = 45 mm", "Irregularity 1/Length = 30 mm"};
+    const auto coarse = places(sets, "0.4 mm", {0.020, 0.034, 0.045}), fine = places(sets, "0.2 mm", {0.034});
+    const Scene  scene;
+    const double growth = contact_modulus(scene) * 0.015 / 0.46 * std::log(2.) / (2 * M_PI);
+    check_near((fine[0].peak_pressure - coarse[1].peak_pressure) / growth, 1, 0.05, "growth at an edge");
+    check(coarse[0].verdict.grade() == Grade::trusted, "before the flat: trusted");
+    check(coarse[1].verdict.grade() == Grade::not_trusted && fine[0].verdict.grade() == Grade::not_trusted,
+          "on its edge: " + coarse[1].verdict.doubts());
+  }
+
+  /// Rail ends that dip leave a notch, beside which pressure is known and as sharp as the notch.
+  void
+  test_joint()
+  {
+    const std::vector<std::string> sets{"Irregularity 1/Kind = dipped joint",
+                                        "Irregularity 1/Place = 70 mm",
+                                        "Irregularity 1/Length = 100 mm",
+                                        "Irregularity 1/Angle = 10 mrad"};
+    const auto                     at = places(sets, "0.4 mm", {0.060, 0.068});
+    check(at[0].verdict.grade() == Grade::trusted, "beside the joint: trusted");
+    check(at[1].verdict.grade() == Grade::with_care &&
+            at[1].verdict.doubts().find("sharp notch of 10 mrad") != std::string::npos,
+          "on it: " + at[1].verdict.doubts());
+  }
+
+  Summary
+  sphere(const std::string &element, const std::vector<std::string> &drive)
+  {
+    std::vector<std::string> sets{"Half-space/Undeformed distance = hertz",
+                                  "Half-space/Radius along = 500 mm",
+                                  "Half-space/Radius across = 500 mm",
+                                  "Half-space/Approach = 0.008 mm", // its radius is 2 mm
+                                  "Half-space/Element size = " + element};
+    sets.insert(sets.end(), drive.begin(), drive.end());
+    const SceneInput input = scene_from_text("", "x.prm", sets);
+    return halfspace_summary(input.scene, solve_given_distance(input.scene, nullptr));
+  }
+
+  /// Creep forces against 27.6 N, Kalker's coefficient 4.27 times G a b xi.
+  void
+  test_elements()
+  {
+    const std::vector<std::string> held{
+      "Wheelset/Drive = rate", "Wheelset/Traction coefficient = 0", "Wheelset/Creepage = 0.00002"};
+    const Summary coarse = sphere("0.4 mm", held), fine = sphere("0.1 mm", held);
+    check(std::abs(coarse.longitudinal_force / 27.6 - 1) > 0.1 && grade_of(coarse) != Grade::trusted,
+          "five elements over the radius: " + coarse.doubts);
+    check(std::abs(fine.longitudinal_force / 27.6 - 1) < 0.025 && grade_of(fine) == Grade::trusted,
+          "twenty: " + fine.doubts);
+    for (const char *const friction : {"0.25", "0.2499", "0.2"})
+      check(grade_of(sphere("0.1 mm",
+                            {"Wheelset/Traction coefficient = 0.25",
+                             std::string("Contact/Friction coefficient = ") + friction})) != Grade::trusted,
+            "a patch that slides as a whole at a friction of " + std::string(friction));
+  }
+} // namespace
+
+int
+main()
+{
+  test_flat();
+  test_joint();
+  test_elements();
+  return test::report();
+}
