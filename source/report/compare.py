@@ -100,7 +100,7 @@ def make_parts(run, comparison, pictures, shown):
         parts += ["<h2>Views</h2>", page.views_html(shown)]
     parts += ["<h2>Pictures</h2><p>Last output step of the run. Tractions act on the rail. Maps show the right-hand rail from "
               "above, rolling direction up. G.C.: side of the gauge corner (track centre), F.S.: field side. AA and BB: "
-              "the planes along and across the rail through the first contact point of the rigid profiles.</p>",
+              "the planes along and across the rail through the highest pressure.</p>",
               page.pictures_html(pictures, COVERED if shown else (), BROAD)]
     return parts
 

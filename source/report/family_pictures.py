@@ -177,7 +177,7 @@ def draw_cuts(run, cases, plane):
 
 def draw_stresses(run, cases, plane, kind):
     """Von Mises or shear stress below the contact of all cases, one scale."""
-    below = {(case, who): subsurface_pictures.Cut(case.slices[who], plane) if case.slices[who] is not None else None
+    below = {(case, who): subsurface_pictures.Cut(case.slices[who], subsurface_pictures.through_peak(case.slices[who], plane)) if case.slices[who] is not None else None
              for case in cases for who in (FINITE, HALF)}
     shown = [cut for cut in below.values() if cut is not None]
     if not shown:

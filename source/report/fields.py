@@ -2,7 +2,7 @@
 
 The lateral coordinate s grows to the track centre, which is the side of the gauge corner (G.C.); the field
 side (F.S.) is at negative s. `along` counts from the axle, positive ahead. AA is the plane along the rail through
-the first contact point of the rigid profiles (s = 0), BB the one across it (along = 0), as in slices.h5.
+the highest pressure, BB the one across it: AA_peak and BB_peak of slices.h5.
 """
 
 import numpy as np
@@ -70,13 +70,9 @@ class Fields:
         return np.unravel_index(np.argmax(self.pressure), self.pressure.shape)
 
     def places(self):
-        """Where AA (s) and BB (along) cut the patch [mm]: at 0, or through the peak where 0 is not loaded."""
-        row, column = self.peak_place()
-        at_s, at_along = (np.abs(self.lateral[0]).argmin(), np.abs(self.along[:, 0]).argmin())
-        inside = [self.lateral[0].min() <= 0 <= self.lateral[0].max() and self.loaded[:, at_s].any(),
-                  self.along[:, 0].min() <= 0 <= self.along[:, 0].max() and self.loaded[at_along].any()]
-        return {"AA": 0.0 if inside[0] else self.lateral[row, column],
-                "BB": 0.0 if inside[1] else self.along[row, column]}
+        """Where AA (s) and BB (along) cut the patch [mm]: through the highest pressure."""
+        peak = self.peak_place()
+        return {"AA": self.lateral[peak], "BB": self.along[peak]}
 
     def line(self, plane, place):
         """Positions on the line AA (at s = place) or BB (at along = place), and a function that gives a field

@@ -18,17 +18,19 @@ FAINT = 0.03  # arrows shorter than this part of the longest would be dots
 
 
 class Scale:
-    """Common limits of maps that are compared: extents in mm, ends of pressure and shear in MPa."""
+    """Common limits of maps that are compared: extents in mm, ends of pressure and shear in MPa: those of the results
+    (Run.peaks), or of the fields."""
 
-    def __init__(self, *fields):
+    def __init__(self, *fields, peaks=None):
+        self.peaks = peaks or {}
         inside = [(f.lateral[f.loaded], f.along[f.loaded]) for f in fields]
         # the edge of the patch lies up to a cell beyond the last loaded nodes
         across = max(1.5, 1.25 * max(abs(f.lateral[0, 1] - f.lateral[0, 0]) for f in fields))
         along = max(1.5, 1.25 * max(f.spacing for f in fields))
         self.lateral = (min(s.min() for s, _ in inside) - across, max(s.max() for s, _ in inside) + across)
         self.along = (min(x.min() for _, x in inside) - along, max(x.max() for _, x in inside) + along)
-        self.pressure = style.round_top(max(f.pressure.max() for f in fields))
-        self.shear = style.round_top(max(max(f.shear.max() for f in fields), 1e-9))
+        self.pressure = self.peaks.get("pressure", max(f.pressure.max() for f in fields))
+        self.shear = self.peaks.get("shear", max(max(f.shear.max() for f in fields), 1e-9))
         self.shear_peak = max(max(f.shear.max() for f in fields), 1e-9)
 
     @property
@@ -69,18 +71,18 @@ def draw_edge(axes, fields):
 def pressure(axes, fields, scale, title):
     # p^2 is smooth across the edge once continued by the opening, p is not: lines of equal p are drawn as
     # lines of equal p^2
-    levels = style.round_levels(0, scale.pressure)
+    levels = style.levels_to(scale.pressure)
     top = fields.pressure.max()
-    squares = (levels / top) ** 2
-    filled = axes.contourf(fields.lateral, fields.along, -fields.edge, levels=squares, cmap=style.HIGH,
+    squares = (np.array(levels) / top) ** 2
+    filled = axes.contourf(fields.lateral, fields.along, np.minimum(-fields.edge, squares[-1]), levels=squares, cmap=style.HIGH,
                            norm=BoundaryNorm(squares, 256))
     axes.contour(fields.lateral, fields.along, -fields.edge, levels=squares[1:], colors="white", linewidths=0.4,
                  alpha=0.7)
     draw_edge(axes, fields)
     peak = fields.peak_place()
     axes.plot(fields.lateral[peak], fields.along[peak], "+", color=style.RED, markersize=11, markeredgewidth=1.8)
-    dress(axes, fields, scale, f"{title}, highest node {top:.0f} MPa (+)")
-    filled.labels = squares, [f"{level:g}" for level in levels]
+    dress(axes, fields, scale, f"{title}, peak {scale.peaks.get('pressure', top):.0f} MPa (+)")
+    filled.labels = squares, [f"{level:.4g}" for level in levels]
     return filled
 
 
@@ -89,7 +91,7 @@ def pressure_bar(figure, axes, filled):
     ticks, labels = filled.labels
     bar = style.color_bar(figure, axes, filled, "pressure [MPa]")
     step = 1 if len(ticks) < 11 else 2
-    bar.set_ticks(ticks[::step], labels=labels[::step])
+    bar.set_ticks([*ticks[:-1:step], ticks[-1]], labels=[*labels[:-1:step], labels[-1]])
 
 
 def arrows(axes, fields, scale, most=18):
@@ -106,14 +108,14 @@ def arrows(axes, fields, scale, most=18):
 
 
 def shear(axes, fields, scale, title):
-    filled = axes.contourf(fields.lateral, fields.along, fields.shear, levels=style.round_levels(0, scale.shear),
+    filled = axes.contourf(fields.lateral, fields.along, np.minimum(fields.shear, scale.shear), levels=style.levels_to(scale.shear),
                            cmap="YlOrRd")
     inside = PathPatch(draw_edge(axes, fields), transform=axes.transData, facecolor="none", edgecolor="none")
     axes.add_patch(inside)
     for area in filled.collections:
         area.set_clip_path(inside)
     arrows(axes, fields, scale)
-    dress(axes, fields, scale, f"{title}, highest node {fields.shear.max():.0f} MPa")
+    dress(axes, fields, scale, f"{title}, peak {scale.peaks.get('shear', fields.shear.max()):.0f} MPa")
     return filled
 
 
@@ -150,10 +152,10 @@ def draw_place(figure, grid, fields, where):
     axes.set_title("Patch " + where.words(middle).replace(", ", ",\n", 1), fontsize=9, pad=22)
 
 
-def draw_panels(fields_of, where=None):
+def draw_panels(fields_of, where=None, peaks=None):
     """A figure of one row for each patch (name -> Fields) and a column for each panel, one scale a column; below them
-    the rail head with the first patch where `where` (Sections) is known."""
-    scale = Scale(*fields_of.values())
+    the rail head with the first patch where `where` (Sections) is known. `peaks`: Run.peaks."""
+    scale = Scale(*fields_of.values(), peaks=peaks)
     height = min(max(6.0 * scale.ratio, 3.0), 8.0) + 0.9
     heights = [height] * len(fields_of) + ([4.2] if where is not None else [])
     figure = plt.figure(figsize=(20, sum(heights)))

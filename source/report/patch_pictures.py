@@ -39,7 +39,7 @@ def new_map(scale):
 
 def draw_maps(run, fields):
     """Each panel as a picture of its own."""
-    scale = maps.Scale(fields)
+    scale = maps.Scale(fields, peaks=run.peaks)
     names = ("pressure_contour", "shear_contour", "stick_slip")
     captions = ("Normal pressure, contours", "Shear traction on the rail, contours and directions", "Stick and slip")
     pictures = []
@@ -104,7 +104,7 @@ def draw_all(run):
         run.remarks.append("The friction coefficient is neither in summary.json nor in parameters.prm; "
                            "the traction bound is left out.")
     pictures = [("Pressure, shear traction, stick and slip",
-                 style.save(run, maps.draw_panels({"": fields}, run.sections), "sheet"))]
+                 style.save(run, maps.draw_panels({"": fields}, run.sections, run.peaks), "sheet"))]
     near = Fields(run.patch)
     pictures.append(("Normal pressure, surface", draw_surface(run, near, near.pressure, "pressure [MPa]",
                                                               "Normal pressure", "pressure_surface")))

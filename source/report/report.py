@@ -66,7 +66,7 @@ def make_views(run):
         ticks, names = list(run.patches), run.patches.names
         labels = views.tick_labels(ticks, names)
         start = sum(views.is_shown(tick) for tick in ticks[:names.index(f"tick_{run.tick:04d}")])
-        shown += views.patch_views([views.patch_source("", ticks, labels, run.sections)], run.friction, start)
+        shown += views.patch_views([views.patch_source("", ticks, labels, run.sections)], run.friction, start, run.peaks)
         stresses = subsurface_pictures.ticks_of(run)
         if stresses:
             shown += views.slice_views(stresses)
@@ -88,7 +88,7 @@ def make_parts(run, pictures, shown):
                                              f"{1e3 * attributes['rolled_distance_m']:.2f} mm rolled.")
         parts.append("<p>Tractions act on the rail. Maps show the right-hand rail from above, rolling direction up. "
                      "G.C.: side of the gauge corner (track centre), F.S.: field side. AA and BB: the planes along and "
-                     f"across the rail through the first contact point of the rigid profiles.{place} Maps and cuts show "
+                     f"across the rail through the highest pressure.{place} Maps and cuts show "
                      f"{'elements; the results above are those of the solution' if run.is_halfspace else MEANS}.</p>")
     if shown:
         parts += [page.views_html(shown)]

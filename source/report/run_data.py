@@ -37,6 +37,17 @@ class Run:
         """Whether the folder holds a half-space solution alone."""
         return self.data.has("halfspace.h5") and not self.data.has("patch.h5")
 
+    @property
+    def peaks(self):
+        """Peak pressure and shear traction of the results [MPa], which maps of the last output step show as theirs; empty
+        where results belong to no output step, as over irregular surfaces."""
+        summary = self.summary or {}
+        if "largest_vertical_force_at_m" in summary or (self.patches is not None and
+                                                        self.tick != int(self.patches.names[-1][5:])):
+            return {}
+        keys = {"pressure": "max_pressure_Pa", "shear": "max_shear_traction_Pa"}
+        return {name: 1e-6 * summary[key] for name, key in keys.items() if (summary.get(key) or 0) > 0}
+
     def other_patches(self):
         """Number and fields of the further patches of a half-space solution, the second on."""
         found = []

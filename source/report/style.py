@@ -40,6 +40,13 @@ def round_levels(low, high, parts=14):
     return MaxNLocator(nbins=parts, steps=[1, 2, 2.5, 5, 10]).tick_values(low, high)
 
 
+def levels_to(top):
+    """Round values at equal steps from 0, and the end itself: colours end at the value."""
+    levels = round_levels(0, top)
+    step = levels[1] - levels[0]
+    return [*(level for level in levels if level < top - 0.4 * step), top]
+
+
 def round_top(value):
     """A round number that is not below the value: the end of a scale, so that the bar holds the peak."""
     return round_levels(0, value, 8)[-1]

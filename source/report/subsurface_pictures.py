@@ -16,6 +16,11 @@ ACROSS = {"AA": "along the rail [mm]   (rolling direction to the right)",
           "BB": "lateral s [mm]   (G.C. on the left, F.S. on the right)"}
 
 
+def through_peak(tick, plane):
+    """The plane AA or BB through the highest pressure; of an earlier version that through the first contact point."""
+    return plane + "_peak" if f"{plane}_peak_rail" in tick else plane
+
+
 class Cut:
     """One plane through wheel and rail: positions and depths in mm (wheel positive, rail negative), stresses in
     MPa, arrays [position, depth] per body."""
@@ -73,7 +78,7 @@ def view_of(cuts):
 
 def draw_plane(run, ticks, plane, name):
     """Von Mises and shear stress of a plane; `ticks`: name -> tick of slices. Returns caption and path."""
-    cuts = {who: Cut(tick, plane) for who, tick in ticks.items()}
+    cuts = {who: Cut(tick, through_peak(tick, plane)) for who, tick in ticks.items()}
     view = view_of(list(cuts.values()))
     ratio = 2 * DEPTH / (view[1] - view[0])
     rows, columns = (2, len(cuts)) if len(cuts) > 1 else (1, 2)

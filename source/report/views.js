@@ -51,9 +51,13 @@ function domain(k, n) {
 
 function tickOf(source, number) { return source.ticks[Math.min(number, source.ticks.length - 1)]; }
 
+// the patches with some room around their edges
 function limits(ticks) {
-  const s = ticks.flatMap(t => [t.s[0], t.s[t.s.length - 1]]), z = ticks.flatMap(t => [t.along[0], t.along[t.along.length - 1]]);
-  return {s: [Math.max(...s), Math.min(...s)], along: [Math.min(...z), Math.max(...z)]};
+  const ends = k => {
+    const values = ticks.flatMap(t => t.edge[k].filter(v => v !== null)), low = Math.min(...values), high = Math.max(...values), room = 0.05 * (high - low);
+    return [low - room, high + room];
+  };
+  return {s: ends(0).reverse(), along: ends(1)};
 }
 
 function scaleOf(field) {
@@ -77,9 +81,9 @@ function arrows(tick, top) {
   return {x, y, mode: "lines", line: {color: "#1a1a1a", width: 1.1}, hoverinfo: "skip", showlegend: false};
 }
 
-function sides(k, n) {
-  const [from, to] = domain(k, n), common = {xref: "paper", yref: "paper", y: 1.02, yanchor: "bottom", showarrow: false, font: {color: "#6b6b6b", size: 12}};
-  return [{...common, x: from, xanchor: "left", text: "<b>G.C.</b>"}, {...common, x: to, xanchor: "right", text: "<b>F.S.</b>"}];
+function sides(id) {
+  const common = {xref: `x${id} domain`, yref: `y${id} domain`, y: 1.02, yanchor: "bottom", showarrow: false, font: {color: "#6b6b6b", size: 12}};
+  return [{...common, x: 0, xanchor: "left", text: "<b>G.C.</b>"}, {...common, x: 1, xanchor: "right", text: "<b>F.S.</b>"}];
 }
 
 // all around the patch, to be laid over the blocks of the outermost nodes, half of which lie beyond its edge
@@ -128,14 +132,14 @@ function patchMaps(view, field, number, withArrows) {
   const shear = view.fields.find(f => f.key === "shear");
   ticks.forEach((tick, k) => {
     const id = k ? String(k + 1) : "", axes = {xaxis: "x" + id, yaxis: "y" + id};
-    const scale = scaleOf(field), bar = {title: {text: field.unit ? `${field.label} [${field.unit}]` : field.label, side: "right"}, thickness: 14, ...scale.colorbar};
+    const scale = scaleOf(field), bar = {title: {text: field.unit ? `${field.label}, up to ${field.top} ${field.unit}` : field.label, side: "right"}, thickness: 14, ...scale.colorbar};
     traces.push({type: "heatmap", x: tick.s, y: tick.along, z: widened(tick.fields[field.key]), ...scale, ...axes, colorbar: bar, showscale: k === n - 1, hoverongaps: false,
       hovertemplate: "s %{x} mm, along %{y} mm<br>%{text}<extra></extra>",
       text: tick.fields[field.key].map(row => row.map(v => field.kind === "states" ? ["open", "stick", "slip"][v] : v === null ? "open" : `${v} ${field.unit}`))});
     traces.push({x: tick.edge[0], y: tick.edge[1], mode: "lines", line: {color: "black", width: 1.5}, hoverinfo: "skip", ...axes});
     if (withArrows) traces.push({...arrows(tick, shear.top), ...axes});
-    layout["xaxis" + id] = {domain: domain(k, n), range: range.s, title: "lateral s [mm]", zeroline: false, anchor: "y" + id};
-    layout["yaxis" + id] = {range: range.along, title: k ? "" : "along the rail, rolling direction \u2191 [mm]", zeroline: false, scaleanchor: "x" + id, anchor: "x" + id};
+    layout["xaxis" + id] = {domain: domain(k, n), range: range.s, title: "lateral s [mm]", zeroline: false, anchor: "y" + id, constrain: "domain"};
+    layout["yaxis" + id] = {range: range.along, title: k ? "" : "along the rail, rolling direction \u2191 [mm]", zeroline: false, scaleanchor: "x" + id, anchor: "x" + id, constrain: "domain"};
     layout.shapes.push({type: "path", path: around(tick.edge, range), fillrule: "evenodd", fillcolor: "white", line: {width: 0}, xref: "x" + id, yref: "y" + id});
     const dash = {type: "line", line: {color: "#1a3fbf", width: 1, dash: "dash"}};
     layout.shapes.push({...dash, xref: "x" + id, yref: "y" + id, x0: tick.places.AA, x1: tick.places.AA, y0: range.along[0], y1: range.along[1]});
@@ -145,7 +149,7 @@ function patchMaps(view, field, number, withArrows) {
     layout.annotations.push({...mark, x: range.s[1], y: tick.places.BB, text: "BB", yanchor: "bottom", xanchor: "right"});
     if (view.sources[k].name)
       layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1, yshift: 26, xanchor: "center", yanchor: "bottom", showarrow: false, text: `<b>${view.sources[k].name}</b>`});
-    layout.annotations.push(...sides(k, n));
+    layout.annotations.push(...sides(id));
   });
   const width = plotOf(view).clientWidth, ratio = (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]);
   layout.height = Math.round(Math.min(640, Math.max(300, 120 + ratio * (width - 160) / n)));
@@ -163,14 +167,17 @@ function patchSurfaces(view, field, number) {
   const n = view.sources.length, traces = [], layout = {font: FONT, margin: {l: 0, r: 0, t: 30, b: 10}, height: 500, annotations: []};
   view.sources.forEach((source, k) => {
     const tick = tickOf(source, number), id = k ? String(k + 1) : "", scale = scaleOf(field), range = limits([tick]);
-    traces.push({type: "surface", x: tick.s, y: tick.along, z: tick.fields[field.key].map(row => row.map(v => v === null ? 0 : v)), scene: "scene" + id,
+    const height = field.kind === "states" ? view.fields.find(f => f.key === "pressure") : field;  // stick and slip colour the pressure
+    const z = tick.fields[height.key].map(row => row.map(v => v === null ? 0 : v)), low = height.kind === "signed" ? -height.top : 0;
+    const x = range.s[0] - range.s[1], y = range.along[1] - range.along[0], most = Math.max(x, y);
+    traces.push({type: "surface", x: tick.s, y: tick.along, z, surfacecolor: field === height ? z : tick.fields.state, scene: "scene" + id,
       cmin: scale.zmin, cmax: scale.zmax, colorscale: scale.colorscale, reversescale: scale.reversescale, showscale: k === n - 1,
-      colorbar: {title: {text: field.unit ? `${field.label} [${field.unit}]` : field.label, side: "right"}, thickness: 14},
-      hovertemplate: `s %{x} mm, along %{y} mm<br>%{z} ${field.unit}<extra></extra>`});
+      colorbar: {title: {text: field.unit ? `${field.label}, up to ${field.top} ${field.unit}` : field.label, side: "right"}, thickness: 14, ...scale.colorbar},
+      hovertemplate: `s %{x} mm, along %{y} mm<br>%{z} ${height.unit}<extra></extra>`});
     layout["scene" + id] = {domain: {x: domain(k, n)}, aspectmode: "manual",
-      aspectratio: {x: 1.4, y: 1.4 * (range.along[1] - range.along[0]) / (range.s[0] - range.s[1]), z: 0.8}, camera: {eye: {x: 1.2, y: -1.85, z: 1.15}},
+      aspectratio: {x: 1.3 * x / most, y: 1.3 * y / most, z: 0.7}, camera: {eye: {x: 1.2, y: -1.7, z: 1.0}, center: {x: 0, y: 0, z: -0.12}},
       xaxis: {title: "s [mm]", range: range.s}, yaxis: {title: "along [mm]", range: range.along},
-      zaxis: {title: field.unit, range: [scale.zmin, scale.zmax]}};
+      zaxis: {title: `${height.label} [${height.unit}]`, range: [low, Math.max(height.top, ...z.flat())]}};
     if (source.name) layout.annotations.push({xref: "paper", yref: "paper", x: (domain(k, n)[0] + domain(k, n)[1]) / 2, y: 1, xanchor: "center", yanchor: "bottom", showarrow: false, text: `<b>${source.name}</b>`});
   });
   return [traces, layout];
@@ -181,8 +188,7 @@ async function drawPatch(view) {
   const longest = view.sources.find(source => source.ticks.length === most + 1);
   const redraw = () => {
     const field = view.fields.find(f => f.key === fieldChoice.value), number = Number(tick.value);
-    const solid = surface.checked && field.kind !== "states";
-    const [traces, layout] = solid ? patchSurfaces(view, field, number) : patchMaps(view, field, number, arrowBox.checked);
+    const [traces, layout] = surface.checked ? patchSurfaces(view, field, number) : patchMaps(view, field, number, arrowBox.checked);
     return Plotly.react(plotOf(view), traces, layout, CONFIG);
   };
   const fieldChoice = choice(view, "field", "Field", view.fields.map(f => [f.key, f.label]), redraw);
@@ -259,7 +265,7 @@ async function drawSlices(view) {
     layout.height = Math.round(Math.min(640, Math.max(320, 100 + 20 / (plane.view[1] - plane.view[0]) * (width - 160) / n)));
     return Plotly.react(plotOf(view), traces, layout, CONFIG);
   };
-  const planeChoice = choice(view, "plane", "Plane", names.map(name => [name, name.replace("_peak", " through the peak")]), redraw);
+  const planeChoice = choice(view, "plane", "Plane", names.map(name => [name, name.slice(0, 2) + (name.length > 2 ? "" : " through the first contact point")]), redraw);
   const caseSlider = slider(view, "case", 0, cases.length - 1, 1, 0, k => cases[k].label, redraw);
   const fieldChoice = choice(view, "field", "Field", [["von Mises", "von Mises stress"], ["shear", "shear stress"]], redraw);
   return redraw();

@@ -79,8 +79,9 @@ def tick_labels(ticks, names):
             for tick, name in zip(ticks, names)]
 
 
-def patch_views(sources, friction, start):
-    """Maps, and cuts through them; `start` is the number of the tick that is shown first."""
+def patch_views(sources, friction, start, peaks=None):
+    """Maps, and cuts through them; `start` is the number of the tick that is shown first, `peaks` (Run.peaks) end the
+    scales."""
     sources = [source for source in sources if source["ticks"]]
     if not sources:
         return []
@@ -90,7 +91,7 @@ def patch_views(sources, friction, start):
     for field in fields:
         values = [abs(value) for source in sources for tick in source["ticks"] for row in tick["fields"][field["key"]]
                   for value in row if value is not None]
-        field["top"] = style.round_top(max(values, default=1.0))
+        field["top"] = float(f"{(peaks or {}).get(field['key'], max(values, default=1.0) or 1.0):.4g}")
     start = min(start, max(len(source["ticks"]) for source in sources) - 1)
     return [{"id": "view-patch", "type": "patch", "title": "Contact patch", "sources": sources, "fields": fields,
              "start": start},
@@ -98,7 +99,7 @@ def patch_views(sources, friction, start):
              "friction": friction, "start": start}]
 
 
-def slice_views(ticks, names=("AA", "BB", "AA_peak", "BB_peak"), digits=6, most_depths=1000):
+def slice_views(ticks, names=("AA_peak", "BB_peak", "AA", "BB"), digits=6, most_depths=1000):
     """Stresses below the contact in these planes, at so many depths at most; `ticks`: name -> tick of slices."""
     import subsurface_pictures as below
 
