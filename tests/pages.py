@@ -39,7 +39,16 @@ def check_patch_view(page, run):
     check(close(shown, float(run.patch[0]["shear_along"].to("MPa").min())), f"another field: {shown} MPa")
     set_control(page, "view-patch", "surface", True)
     check(plot(page, "view-patch", "plot.data[0].type") == "surface", "the three-dimensional patch")
+    set_control(page, "view-patch", "field", "state")
+    check(plot(page, "view-patch", "plot.data[0].type === 'surface' && Math.max(...plot.data[0].surfacecolor.flat())") == 2,
+          "stick and slip in three dimensions")
     set_control(page, "view-patch", "surface", False)
+    set_control(page, "view-patch", "field", "pressure")
+    check(abs(plot(page, "view-patch", "plot.data[0].zmax") - 1e-6 * run.summary["max_pressure_Pa"]) < 1, "colours end at the peak of the results")
+    shown = plot(page, "view-patch", "plot.layout.shapes[1].x0")
+    peak = plot(page, "view-patch", "(() => { const d = plot.data[0], row = d.z.flat(), k = row.indexOf(Math.max(...row.filter(v => v !== null)));"
+                                    " return d.x[k % d.x.length]; })()")
+    check(abs(shown - peak) < 1e-3, f"AA goes through the highest pressure: {shown} mm, {peak} mm")
 
 
 def check_cut_view(page):
