@@ -1,9 +1,11 @@
 // label: fast
 
-// Sections of rails whose heads are worn or joined to another body: the places that divide them are found
-// whatever angles their sides pass through, and no block is folded.
+// Sections of rails whose heads are worn, have a lip or are joined to another body: the places that divide
+// them are found whatever angles their sides pass through, and no block or cell of the true bodies is folded.
 
 #include <wheelrail/base/errors.h>
+#include <wheelrail/bodies/body_table.h>
+#include <wheelrail/bodies/wave_element.h>
 #include <wheelrail/mesh/fine_strip.h>
 #include <wheelrail/mesh/rail_section.h>
 #include <wheelrail/profiles/measured_profiles.h>
@@ -50,6 +52,18 @@ namespace
     return result;
   }
 
+  /// The rail of a profile as a device measured it.
+  RailProfile
+  measured(const std::vector<Point2> &points, const std::string &rail)
+  {
+    ProfileFileOptions options;
+    options.kind                     = ProfileKind::rail;
+    options.mirror                   = ProfileMirror::no;
+    MeasuredProfile          profile = read_profile_text(test::columns(points), "worn.txt", options);
+    std::vector<std::string> notes;
+    return measured_rail(profile, rail, notes);
+  }
+
   RailProfile
   worn(const Wear &wear)
   {
@@ -71,12 +85,7 @@ namespace
     points = rounded(points);
     for (Point2 &p : points)
       p = {p.x - wear.tilt * p.y, p.y + wear.tilt * p.x};
-    ProfileFileOptions options;
-    options.kind                     = ProfileKind::rail;
-    options.mirror                   = ProfileMirror::no;
-    MeasuredProfile          profile = read_profile_text(test::columns(points), "worn.txt", options);
-    std::vector<std::string> notes;
-    return measured_rail(profile, wear.rail, notes);
+    return measured(points, wear.rail);
   }
 
   void
@@ -105,11 +114,59 @@ namespace
         check(false, name + ": " + error.what());
       }
   }
+
+  /// A gauge side with steel that has flowed out to a lip of `height` by bells of the widths `above` and
+  /// `below` its ridge at `depth` below the top [m].
+  void
+  check_lip(const std::string &rail,
+            const double       height,
+            const double       depth,
+            const double       above,
+            const double       below)
+  {
+    std::vector<Point2> points = test::sampled(rail_profile(rail).head, 0.2e-3, 0, 1);
+    for (Point2 &p : points)
+      if (const double h = -depth - p.y; p.x < -20e-3)
+        p.x -= height * std::exp(-0.5 * std::pow(h / (h > 0 ? below : above), 2));
+    points.erase(std::remove_if(points.begin(), points.end(), [](const Point2 &p) { return p.y < -30e-3; }),
+                 points.end());
+    const std::string name = rail + ", a lip of " + std::to_string(1e3 * height) + " mm, " +
+                             std::to_string(std::lround(1e3 * depth)) + " mm below the top, widths " +
+                             std::to_string(1e3 * above) + " and " + std::to_string(1e3 * below) + " mm";
+    try
+      {
+        const RailProfile profile = measured(points, rail);
+        const SectionMesh mesh =
+          mesh_section(make_rail_section(profile, {{0, 0}, 0}, {{{0, 0}, 0}, {-16e-3, 0, 16e-3}}, 16e-3),
+                       Boundary::foot,
+                       3);
+        for (const auto &cell : mesh.cells)
+          for (int point = 0; point < 9; ++point)
+            wave_point(mesh, cell, point); // throws where it is folded
+        std::vector<double> arcs;
+        for (const SurfaceRow &row : rows_on_profile(mesh, profile.head, false, 0, 1))
+          if (row.place.x > -15e-3 && row.place.x < 15e-3)
+            arcs.push_back(row.place.x);
+        check(arcs.size() >= 14,
+              name + ": the crown stays exact, with " + std::to_string(arcs.size()) + " rows");
+      }
+    catch (const std::exception &error)
+      {
+        check(false, name + ": " + error.what());
+      }
+  }
 } // namespace
 
 int
 main()
 {
+  for (const std::string rail : {"54E1", "60E1"})
+    for (const double height : {0.2e-3, 0.7e-3, 2e-3})
+      for (const double depth : {9e-3, 11.5e-3, 18e-3})
+        for (const double above : {1e-3, 4e-3})
+          for (const double below : {0.4e-3, 1e-3})
+            check_lip(rail, height, depth, above, below);
+
   for (const double block : {16e-3, 8e-3})
     for (const Wear &wear : std::vector<Wear>{
            // points end high, low, or on one side only

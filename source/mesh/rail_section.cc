@@ -322,6 +322,7 @@ namespace wheelrail
     for (unsigned int i = layer.strip_begin; i <= layer.strip_end; ++i)
       fixed.push_back(rail.layer_inner[i]);
     rail.builder.smooth(0, web.front() - 1, fixed, block_size);
+    rail.builder.round_edges(part(layer.outer, layer.strip_begin, layer.strip_end));
     rail.builder.check();
     return placed(rail.builder.section(), placement);
   }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace wheelrail
 {
@@ -27,6 +28,20 @@ namespace wheelrail
       for (double &fraction : result)
         fraction /= result.back();
       return result;
+    }
+
+    /// Means of a curve over at most `reach` to each side, less near its ends, which stay.
+    std::function<Point2(double)>
+    rounded(const std::function<Point2(double)> &curve, const double reach)
+    {
+      return [curve, reach](const double t) {
+        constexpr int samples = 8;
+        const double  step    = std::min({reach, t, 1 - t}) / samples;
+        Point2        sum;
+        for (int k = -samples; k <= samples; ++k)
+          sum = sum + curve(t + k * step);
+        return (1. / (2 * samples + 1)) * sum;
+      };
     }
 
     void
@@ -211,6 +226,33 @@ namespace wheelrail
       if (blocks == 1)
         movable[edge[0]] = movable[edge[1]] = false;
     smooth_section(section_, movable, block_size);
+  }
+
+
+  void
+  SectionBuilder::round_edges(const Side &exact)
+  {
+    std::set<Section::EdgeKey> kept;
+    for (unsigned int i = 1; i < exact.size(); ++i)
+      kept.insert(key(exact[i - 1], exact[i]));
+    constexpr unsigned int parts      = 16;
+    constexpr double       least_sine = 0.2;
+    for (unsigned int block = 0; block < section_.blocks.size(); ++block)
+      {
+        const auto               &corner = section_.blocks[block].corner;
+        decltype(section_.curved) sharp;
+        for (unsigned int edge = 0; edge < 4; ++edge)
+          if (const auto found = section_.curved.find(Section::edge_key(corner, edge));
+              found != section_.curved.end() && kept.count(found->first) == 0 &&
+              section_.boundary.count(found->first) != 0 &&
+              section_.boundary.at(found->first) == Boundary::running)
+            sharp.insert(*found);
+        for (double reach = 0.05; !sharp.empty() && reach <= 0.5 &&
+                                  block_quality(section_, block, parts).min_scaled_jacobian < least_sine;
+             reach += 0.05)
+          for (const auto &[edge, curve] : sharp)
+            section_.curved[edge] = rounded(curve, reach);
+      }
   }
 
 

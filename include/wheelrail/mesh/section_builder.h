@@ -69,6 +69,12 @@ namespace wheelrail
     void
     smooth(unsigned int first, unsigned int last, const Side &fixed, double block_size);
 
+    /// Takes sharp turns, such as lips of worn rails, out of the running edges of blocks that would be folded
+    /// or nearly so by them: means over as short a part of the edge as serves, its ends kept. Blocks whose
+    /// edges are in `exact` stay as they are.
+    void
+    round_edges(const Side &exact);
+
     /// Throws RunError when a block is folded, which names the patch.
     void
     check() const;
