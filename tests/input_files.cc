@@ -207,7 +207,8 @@ namespace
                "wheel and rail: S1002 wheel on 54E1 rail, inclination 1:40; "
                "running: wheel load 103.2 kN, 140 km/h, lateral shift 0 mm, yaw 0 mrad; "
                "drive: driving, traction coefficient 0.25 of friction 0.5; "
-               "steel: rail elastic, wheel elastic; cells: of 1 mm; ",
+               "steel: rail elastic, wheel elastic; "
+               "support: foot and ends of the rail clamped; cells: of 1 mm; ",
                "the main scene in words");
     check_text(
       head({"Wheelset/Side = left",
@@ -225,7 +226,8 @@ namespace
       "running: wheel load 103.2 kN, 140 km/h, lateral shift -2.5 mm, yaw 5 mrad, roll from contact, "
       "lateral creepage 0.1 %; "
       "drive: rolling freely, traction coefficient 0, friction 0.5 at rest, 0.4 at high sliding speed; "
-      "steel: rail yields at 480 MPa, wheel elastic; cells: of 2 mm; ",
+      "steel: rail yields at 480 MPa, wheel elastic; support: foot and ends of the rail clamped; cells: of 2 "
+      "mm; ",
       "another scene");
     check_text(head({"Half-space/Undeformed distance = hertz",
                      "Half-space/Normal force = 100 kN",

@@ -2,8 +2,8 @@
 
 #include "messages.h"
 
-#include <wheelrail/input/support_checks.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/scene/rail_bending.h>
 
 #include <string>
 #include <vector>

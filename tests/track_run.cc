@@ -6,10 +6,10 @@
 #include "small_scene.h"
 #include "stopped_runs.h"
 
-#include <wheelrail/input/support_checks.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/summary.h>
 #include <wheelrail/run/run_start.h>
+#include <wheelrail/scene/rail_bending.h>
 #include <wheelrail/track/track_support.h>
 
 #include <algorithm>

@@ -160,6 +160,8 @@ namespace
   {
     Scene scene;
     scene.irregularities[0].kind = IrregularKind::dent;
+    scene.support.kind           = RailSupport::sleepers;
+    scene.rail_length            = 8;
     Summary run;
     run.patch_lateral = run.patch_longitudinal = 12e-3;
     run.max_pressure = run.max_pressure_fitted = 1e9;
@@ -184,6 +186,25 @@ namespace
                "they say nothing of the contact; take Run/Evaluate at = largest force.",
                "a wheel off the rail, and nothing of its cells");
     check(verdict.grade() == Grade::with_care, "is no fault of the run");
+
+    set_figure(run, "largest_vertical_force_at_m", 0.072);
+    run.vertical_force     = 120e3;
+    run.patch_longitudinal = 12e-3;
+    scene.support.kind     = RailSupport::clamped_foot;
+    const Verdict clamped  = judge_run(scene, measures_of_run(scene, run));
+    check_text(clamped.doubts(),
+               "The rail's foot is clamped: the largest force may be twice that of a rail on sleepers; take "
+               "Track/Support = sleepers, as prm/sleepers.prm does.",
+               "an impact on a clamped foot");
+    check(clamped.grade() == Grade::with_care, "is never trusted");
+    scene.irregularities[0].kind = IrregularKind::none;
+    check(judge_run(scene, good()).findings.empty(), "a smooth surface on it is");
+    scene.support.kind = RailSupport::sleepers;
+    scene.rail_length  = 1.8;
+    check_text(judge_run(scene, good()).doubts(),
+               "The rail of 1.8 m is short for its support: its free ends make it sink and tilt more than a "
+               "long one; take Track/Rail length = 3.1 m.",
+               "a short rail on sleepers");
   }
 
   void

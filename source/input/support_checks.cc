@@ -1,6 +1,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/support_checks.h>
+#include <wheelrail/scene/rail_bending.h>
 
 #include <cmath>
 #include <string>
@@ -46,21 +47,6 @@ namespace wheelrail
   } // namespace
 
 
-  RailBending
-  rail_bending(const SupportData &support)
-  {
-    constexpr double EI       = 5.5e6; // 54E1 4.9, 60E1 6.4 MN m2
-    double           of_place = support.pad_stiffness;
-    if (support.kind == RailSupport::sleepers && std::isfinite(support.sleeper_mass))
-      of_place *= support.ballast_stiffness / (of_place + support.ballast_stiffness);
-    RailBending bending;
-    bending.foundation = of_place / support.spacing;
-    bending.length     = std::pow(4 * EI / bending.foundation, 0.25);
-    bending.deflection = 1 / (2 * bending.foundation * bending.length);
-    return bending;
-  }
-
-
   void
   check_support(const Scene &scene, Findings &found)
   {
@@ -94,9 +80,7 @@ namespace wheelrail
     if (support.kind == RailSupport::continuous_pads && support.sleeper_mass != SupportData().sleeper_mass)
       found.warnings.push_back(entry_text(scene, "Track", "Sleeper mass") + ": without effect, since " +
                                entry_text(scene, "Track", "Support") + " stands on rigid ground");
-    constexpr double enough = 2; // lengths of bending on either side: e^-2 of the deflection is left
-    const double     length = 2 * enough * rail_bending(support).length + scene.mesh_distance();
-    if (scene.rail_length < length)
+    if (const double length = enough_rail(scene); scene.rail_length < length)
       found.warnings.push_back(
         entry_text(scene, "Track", "Rail length") +
         ": short for this support, on which a rail bends over some " + about(rail_bending(support).length) +

@@ -1,7 +1,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
-#include <wheelrail/input/support_checks.h>
 #include <wheelrail/model/scene_head.h>
+#include <wheelrail/scene/rail_bending.h>
 
 #include <cmath>
 #include <cstdio>
@@ -105,8 +105,10 @@ namespace wheelrail
     rail_support(const Scene &scene, const double wheel_load)
     {
       const SupportData &support = scene.support;
-      const auto         MN_m    = [](const double stiffness) { return shown(1e-6 * stiffness) + " MN/m"; };
-      std::string        text =
+      if (support.kind == RailSupport::clamped_foot)
+        return "foot and ends of the rail clamped";
+      const auto  MN_m = [](const double stiffness) { return shown(1e-6 * stiffness) + " MN/m"; };
+      std::string text =
         support.kind == RailSupport::sleepers ? "sleepers every " : "continuous pads, one for ";
       text += in_mm(support.spacing) + ", pads of " + MN_m(support.pad_stiffness);
       if (support.kind == RailSupport::sleepers)
@@ -184,8 +186,7 @@ namespace wheelrail
       {
         head.push_back(
           {"steel", "rail " + steel(scene.rail_material) + ", wheel " + steel(scene.wheel_material)});
-        if (scene.support.kind != RailSupport::clamped_foot)
-          head.push_back({"support", rail_support(scene, wheel_load)});
+        head.push_back({"support", rail_support(scene, wheel_load)});
         head.push_back({"cells", "of " + in_mm(scene.cell_size)});
       }
     return head;

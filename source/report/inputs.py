@@ -89,6 +89,21 @@ def _irregularities(entries):
     return found
 
 
+def _support(entry):
+    """What the rail stands on."""
+    length = "rail " + entry("Track/Rail length")
+    kind = entry("Track/Support")
+    if kind in ("clamped foot", ""):
+        return "foot and ends of the rail clamped, " + length
+    text = f"{kind}, one every {entry('Track/Sleeper spacing')}, pads {entry('Track/Pad stiffness')}" \
+           f" with loss factor {entry('Track/Pad loss factor')} ({entry('Track/Pad damping')})"
+    if kind == "sleepers":
+        text += f", first sleeper at {entry('Track/First sleeper')}, mass {entry('Track/Sleeper mass')}"
+        if entry("Track/Sleeper mass") != "rigid":
+            text += f", ballast {entry('Track/Ballast stiffness')} with loss factor {entry('Track/Ballast loss factor')}"
+    return f"{text}; {length}, damped ends {entry('Track/Damped ends')}"
+
+
 def rows(entries, summary=None, of=FINITE):
     """Label and text of what matters; empty where parameters.prm is not there."""
     if not entries:
@@ -115,7 +130,7 @@ def rows(entries, summary=None, of=FINITE):
         found.append(("curve", _curve(entry)))
     found += [("drive", _drive(entry)), ("friction", entry("Contact/Friction coefficient"))] + _irregularities(entries)
     if of == FINITE:
-        found += [("steel", _steel(entry)), ("cells", entry("Mesh/Solution cell size")),
+        found += [("steel", _steel(entry)), ("support", _support(entry)), ("cells", entry("Mesh/Solution cell size")),
                   ("rolling distance", entry("Run/Rolling distance"))]
     else:
         bodies = {"real": "true ones, the elasticity of this wheel and this rail"}
@@ -149,24 +164,13 @@ def wear_rows(entries):
 
 def track_rows(entries, summary):
     """Of the command receptance: what is struck, where, and what the rail stands on."""
-    def entry(name):
-        return entries.get("Track/" + name, "")
-
     rail = summary["body"] == "rail"
     found = [("struck", f"{summary['body']}, {summary['direction']}")]
     if not rail:
         return found + [("wheel", os.path.basename(entries.get("Profiles/Wheel", "")))]
-    support = entry("Support")
     found += [("at", f"{1e3 * summary['at_m']:.0f} mm along the track"),
-              ("rail", f"{os.path.basename(entries.get('Profiles/Rail', ''))}, {entry('Rail length')} long, damped ends {entry('Damped ends')}"),
-              ("support", support)]
-    if support != "clamped foot":
-        found += [("pads", f"{entry('Pad stiffness')}, loss factor {entry('Pad loss factor')} ({entry('Pad damping')})"),
-                  ("spacing", entry("Sleeper spacing"))]
-    if support == "sleepers":
-        found += [("first sleeper", entry("First sleeper")), ("sleeper", entry("Sleeper mass"))]
-        if entry("Sleeper mass") != "rigid":
-            found.append(("ballast", f"{entry('Ballast stiffness')}, loss factor {entry('Ballast loss factor')}"))
+              ("rail", os.path.basename(entries.get("Profiles/Rail", ""))),
+              ("support", _support(lambda name: entries.get(name, "")))]
     return [(label, text) for label, text in found if text]
 
 

@@ -1,5 +1,6 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/scene/rail_bending.h>
 #include <wheelrail/verdict/verdict.h>
 
 #include <algorithm>
@@ -170,6 +171,27 @@ namespace wheelrail
               ", so that a larger one may come behind it; roll farther (Run/Rolling distance).");
     }
 
+    /// On irregular surfaces the force depends on how the rail gives way from 200 Hz to 2 kHz.
+    void
+    judge_support(const Scene &scene, Verdict &verdict)
+    {
+      if (scene.support.kind != RailSupport::clamped_foot)
+        {
+          if (const double enough = enough_rail(scene); scene.rail_length < enough)
+            add(verdict,
+                Grade::with_care,
+                "the rail of " + text("%.3g m is short for its support: its free ends ", scene.rail_length) +
+                  (scene.irregular() ? "throw waves back and make" : "make") +
+                  " it sink and tilt more than a long one; take Track/Rail length = " +
+                  text("%.1f m.", std::ceil(10 * enough) / 10));
+        }
+      else if (scene.irregular())
+        add(verdict,
+            Grade::with_care,
+            "the rail's foot is clamped: the largest force may be twice that of a rail on sleepers; take "
+            "Track/Support = sleepers, as prm/sleepers.prm does.");
+    }
+
     /// What no steel bears, and what nobody has measured.
     void
     judge_place(const Measures &m, Verdict &verdict)
@@ -330,6 +352,7 @@ namespace wheelrail
     else
       judge_steadiness(scene, measures, verdict);
     judge_balances(scene, measures, verdict);
+    judge_support(scene, verdict);
     find_limits(scene, measures, verdict);
     judge_agreement(measures, verdict);
     return verdict;
