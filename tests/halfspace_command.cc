@@ -34,7 +34,8 @@ namespace
   {
     fs::create_directories(folder);
     std::ofstream(folder / "scene.prm")
-      << "set Title = half-spaces\nsubsection Wheelset\n  set Traction coefficient = 0.25\nend\n";
+      << "set Title = half-spaces\nsubsection Wheelset\n  set Traction coefficient = 0.25\nend\n"
+         "subsection Half-space\n  set Bodies = half-spaces\nend\n";
     std::ostringstream out;
     const int          code = execute({"halfspace",
                                        (folder / "scene.prm").string(),

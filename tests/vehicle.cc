@@ -211,6 +211,7 @@ namespace
   test_rows()
   {
     Scene scene;
+    scene.halfspace_bodies           = ContactBodies::half_spaces;
     scene.wheel_load                 = 90e3;
     scene.traction_coefficient       = 0;
     scene.halfspace_element_size     = 0.8e-3;
@@ -266,6 +267,7 @@ namespace
   test_axle_rows()
   {
     Scene scene                  = {};
+    scene.halfspace_bodies       = ContactBodies::half_spaces;
     scene.halfspace_element_size = 0.8e-3;
     scene.both_wheels            = true;
     const File file(
@@ -301,6 +303,7 @@ namespace
   test_cant_rows()
   {
     Scene scene                  = {};
+    scene.halfspace_bodies       = ContactBodies::half_spaces;
     scene.halfspace_element_size = 0.8e-3;
     scene.both_wheels            = true;
     const File file(

@@ -176,6 +176,7 @@ namespace wheelrail
     if (distance_is_given(input.scene))
       throw InputError(
         "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
+    settle_bodies(input.scene, "", out);
     return run_vehicle_command(
       input.scene, profiles_with_notes(input.scene, out), motion, !options.count("no-pictures"), out);
   }
@@ -190,6 +191,8 @@ namespace wheelrail
     input.scene.motion   = "none";
     const Findings found = contact_checks(input.scene);
     require_none(found.errors, input);
+    if (input.scene.halfspace_bodies == ContactBodies::automatic)
+      input.scene.halfspace_bodies = ContactBodies::half_spaces;
     const Scene &scene = input.scene;
     if (distance_is_given(scene))
       throw InputError(

@@ -76,6 +76,19 @@ namespace wheelrail
   }
 
 
+  void
+  settle_bodies(Scene &scene, const std::string &option, std::ostream &out)
+  {
+    if (scene.halfspace_bodies != ContactBodies::automatic)
+      return;
+    const std::vector<std::string> refused = refused_by_bodies(scene);
+    if (option.empty() && refused.empty())
+      return;
+    scene.halfspace_bodies = ContactBodies::half_spaces;
+    print_note("by half-spaces, " + (option.empty() ? refused.front() : option), out);
+  }
+
+
   std::string
   drive_note(const po::variables_map &options, const SceneInput &input)
   {

@@ -73,7 +73,7 @@ namespace wheelrail
          options.add_options()("validate", "check the file without running");
          options.add_options()(
            "wheelset",
-           "roll the modelled wheel as it rolls on its wheelset: half-spaces of both wheels "
+           "roll the modelled wheel as it rolls on its wheelset: the contacts of both wheels "
            "give it load, position and creepage first");
        },
        act_run},
@@ -92,12 +92,13 @@ namespace wheelrail
        act_geometry},
       {"halfspace",
        "FILE.prm",
-       "contact of the scene as two half-spaces: patch, tractions, creepage in seconds",
+       "contact of the scene by this wheel and this rail as elastic bodies, or as two half-spaces: patch, "
+       "tractions, creepage in seconds",
        [](po::options_description &options) {
          add_set_option(options);
          add_row_option(options);
          add_no_pictures_option(options);
-         add_bodies_option(options, "as the entry says");
+         add_bodies_option(options, "real, where it can be");
          options.add_options()(
            "creep-curve",
            po::value<std::string>(),
@@ -155,7 +156,7 @@ namespace wheelrail
        act_material},
       {"vehicle",
        "FILE.prm ROWS.csv",
-       "half-spaces for each row of a vehicle simulation: forces, creepages, T-gamma, worst rows",
+       "the contact in each row of a vehicle simulation: forces, creepages, T-gamma, worst rows",
        [](po::options_description &options) {
          add_set_option(options);
          options.add_options()(
@@ -170,7 +171,7 @@ namespace wheelrail
          options.add_options()(
            "both-wheels", "compute the right and the left wheel, on one axle; as Wheelset/Wheels = both");
          add_traction_option(options);
-         add_bodies_option(options, "as the entry says");
+         add_bodies_option(options, "real");
          add_no_pictures_option(options);
        },
        act_vehicle},
@@ -180,7 +181,7 @@ namespace wheelrail
        "true bodies",
        [](po::options_description &options) {
          add_set_option(options);
-         add_bodies_option(options, "as the entry says");
+         add_bodies_option(options, "half-spaces");
          add_no_pictures_option(options);
        },
        act_wear},

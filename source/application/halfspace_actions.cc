@@ -22,7 +22,7 @@ namespace wheelrail
   {
     int
     halfspaces_of_wheelset(const po::variables_map        &options,
-                           const SceneInput               &input,
+                           SceneInput                     &input,
                            const std::vector<std::string> &warnings,
                            std::ostream                   &out)
     {
@@ -34,29 +34,34 @@ namespace wheelrail
       for (const std::string &warning : warnings)
         out << "warning: " << warning << "\n";
       print_note(drive_note(options, input), out);
+      settle_bodies(input.scene, "", out);
       return run_wheelset_command(
         input.scene, profiles_with_notes(input.scene, out), !options.count("no-pictures"), out);
     }
 
     /// What true bodies do not have: irregular surfaces, one spin for the whole contact, and a problem that
-    /// CONTACT could solve.
+    /// CONTACT could solve. Throws InputError where they are asked for; else the scene is left to
+    /// half-spaces.
     void
-    require_half_spaces(const po::variables_map &options, const Scene &scene)
+    leave_to_half_spaces(const po::variables_map &options, Scene &scene, std::ostream &out)
     {
-      if (scene.halfspace_bodies != ContactBodies::real)
-        return;
-      const auto refuse = [&](const std::string &option, const std::string &what) {
-        throw InputError(entry_text(scene, "Half-space", "Bodies") + ": --" + option + " " + what +
-                         "; write half-spaces there");
-      };
-      for (const char *option : {"places", "pitch"})
+      const auto  curve = options.count("creep-curve") ? options["creep-curve"].as<std::string>() : "";
+      std::string why;
+      for (const std::string option : {"places", "pitch"})
         if (options.count(option))
-          refuse(option, "stands the wheel on irregular half-spaces");
-      if (options.count("creep-curve") && options["creep-curve"].as<std::string>().rfind("spin", 0) == 0)
-        refuse("creep-curve",
-               "\"spin ...\" gives the whole contact one spin, which bodies of their own shape do not have");
+          why = "--" + option + " stands the wheel on irregular half-spaces";
+      if (curve.rfind("spin", 0) == 0)
+        why =
+          "--creep-curve \"spin ...\" gives the whole contact one spin, which bodies of their own shape do "
+          "not have";
       if (options.count("contact-input"))
-        refuse("contact-input", "writes the problem of two half-spaces");
+        why = "--contact-input writes the problem of two half-spaces";
+      if (!why.empty() && scene.halfspace_bodies == ContactBodies::real)
+        throw InputError(entry_text(scene, "Half-space", "Bodies") + ": " + why +
+                         "; write half-spaces there");
+      if (why.empty() && !curve.empty())
+        why = "as creep curves are; --bodies real takes true bodies, a second a point";
+      settle_bodies(scene, why, out);
     }
 
     int
@@ -90,12 +95,12 @@ namespace wheelrail
     };
     if (!file("beside").empty() && file("creep-curve").empty())
       throw InputError("--beside draws points beside a creep curve: give --creep-curve, too");
-    const SceneInput input = one_scene_of(options);
-    const Findings   found = contact_checks(input.scene);
+    SceneInput     input = one_scene_of(options);
+    const Findings found = contact_checks(input.scene);
     require_none(found.errors, input);
     if (input.scene.both_wheels)
       return halfspaces_of_wheelset(options, input, found.warnings, out);
-    require_half_spaces(options, input.scene);
+    leave_to_half_spaces(options, input.scene, out);
     std::optional<SceneGeometry> geometry;
     if (needs_profiles(input.scene) || !file("contact-wheel-rail-input").empty())
       geometry = require_touching(input);

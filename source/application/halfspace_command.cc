@@ -5,6 +5,7 @@
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/answering_bodies.h>
 #include <wheelrail/reference/body_pose.h>
 #include <wheelrail/reference/contact_input.h>
 #include <wheelrail/reference/given_distance.h>
@@ -84,7 +85,7 @@ namespace wheelrail
 
 
   int
-  run_halfspace_command(const Scene             &scene,
+  run_halfspace_command(Scene                    scene,
                         const SceneGeometry     *geometry,
                         const ContactInputFiles &inputs,
                         const bool               draws,
@@ -95,13 +96,22 @@ namespace wheelrail
     print_head(scene, load.force, out);
     if (!given)
       print_left_out(scene, out);
-    WheelRailSolution result = given ? solve_given_distance(scene, geometry)
-                                     : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
+    WheelRailSolution result;
+    const std::string why  = solve_with_bodies(scene, [&]() {
+      result = given ? solve_given_distance(scene, geometry)
+                      : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
+    });
+    const bool        real = scene.halfspace_bodies == ContactBodies::real;
     if (!given)
       find_shift_effect(scene, *geometry, result);
     HalfspaceResults results = halfspace_results(scene, result);
-    if (scene.halfspace_bodies == ContactBodies::real)
-      set_pose_figures(body_pose(scene, *geometry, result), results.figures);
+    if (!why.empty())
+      results.figures.note = why;
+    if (real)
+      {
+        set_pose_figures(body_pose(scene, *geometry, result), results.figures);
+        add_halfspaces(scene, *geometry, load, results.figures);
+      }
     const Summary &figures = results.figures;
     if (!inputs.basic.empty())
       replace_file(inputs.basic, contact_input(result.problem, scene.title));
@@ -112,8 +122,7 @@ namespace wheelrail
     std::snprintf(text,
                   sizeof(text),
                   "%s: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
-                  scene.halfspace_bodies == ContactBodies::real ? "Contact of the true bodies"
-                                                                : "Half-space contact",
+                  real ? "Contact of the true bodies" : "Half-space contact",
                   given ? "normal force" : "wheel load",
                   1e-3 * (given ? result.solution.fn : figures.vertical_force),
                   scene.drive == Drive::rate ? "creepage given" : "longitudinal force given",
@@ -128,6 +137,8 @@ namespace wheelrail
     if (!result.others.empty())
       print_patches(figures, result.others.size() + 1, out);
     print_stresses(results.stresses, out);
+    if (real)
+      out << halfspaces_beside(figures) << '\n';
 
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     remove_earlier_results(folder);

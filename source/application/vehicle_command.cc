@@ -2,6 +2,7 @@
 #include <wheelrail/application/row_verdicts.h>
 #include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/section_file.h>
@@ -14,6 +15,7 @@
 #include <wheelrail/reference/wheelset_figures.h>
 #include <wheelrail/verdict/verdict.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -64,6 +66,7 @@ namespace wheelrail
         list.insert(list.end(),
                     {"archard_section_m2",
                      "largest_von_mises_Pa",
+                     "halfspace_max_pressure_Pa",
                      "patches",
                      "patch_centre_from_axis_m",
                      "patch_centre_from_gauge_face_m",
@@ -207,6 +210,38 @@ namespace wheelrail
           }
     }
 
+    /// Half-spaces beside true bodies, and rows that half-spaces answer alone.
+    void
+    print_halfspaces(const std::vector<VehicleWheel> &wheels, std::ostream &out)
+    {
+      constexpr double apart = 0.05;
+      double           least = 0, most = 0;
+      int              all = 0, beyond = 0, alone = 0;
+      std::string      why;
+      for (const VehicleWheel &wheel : wheels)
+        for (const Summary &row : wheel.rows)
+          {
+            if (!row.note.empty() && ++alone == 1)
+              why = row.note;
+            const double share = get_figure(row, "halfspace_max_pressure_Pa") / row.max_pressure - 1;
+            if (!std::isfinite(share))
+              continue;
+            ++all;
+            beyond += std::abs(share) > apart ? 1 : 0;
+            least = std::min(least, share);
+            most  = std::max(most, share);
+          }
+      if (all > 0)
+        out << text(
+          "Half-spaces beside them: peak pressure %+.1f to %+.1f %%, in %d of %d by more than 5 %%\n",
+          100 * least,
+          100 * most,
+          beyond,
+          all);
+      if (alone > 0)
+        out << "note: " << alone << " by half-spaces alone, the first: " << why << '\n';
+    }
+
     /// Returns the number of rows without figures.
     std::size_t
     print_verdicts(const std::vector<VehicleWheel> &wheels, std::ostream &out)
@@ -254,7 +289,10 @@ namespace wheelrail
     const std::filesystem::path folder = folder_beside(scene.folder, "-vehicle");
     for (const char *const name : {"vehicle.html", "sections_left.json", "sections_right.json"})
       std::filesystem::remove(folder / name); // of an earlier call, with other wheels
-    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+    Scene answered = scene;
+    if (scene.halfspace_bodies == ContactBodies::automatic)
+      answered.halfspace_bodies = ContactBodies::real;
+    replace_file((folder / "parameters.prm").string(), print_parameters(answered));
     const FigureTable table = table_of(motion, vehicle);
     table.write_csv((folder / "vehicle.csv").string());
     table.write_hdf5((folder / "vehicle.h5").string());
@@ -273,6 +311,7 @@ namespace wheelrail
     out << text;
     const std::size_t faults = print_verdicts(wheels, out);
     print_worst(table, wheels, out);
+    print_halfspaces(wheels, out);
     out << "Results in " << folder.string() << std::endl;
     if (draws)
       draw_results("vehicle.py", folder.string());

@@ -10,6 +10,7 @@
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/reference/answering_bodies.h>
 #include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/wheel_load.h>
 #include <wheelrail/reference/wheelset_figures.h>
@@ -25,14 +26,25 @@ namespace wheelrail
 {
   namespace
   {
+    /// A wheelset by the bodies of its scene, and why others than true ones answer.
+    struct Solved
+    {
+      WheelsetSolution wheelset;
+      std::string      note;
+    };
+
     /// With the load that the wheel of the profiles has.
-    WheelsetSolution
+    Solved
     solve(const Scene &scene, const WheelsetProfiles &profiles)
     {
       Scene base      = scene;
       base.wheel_load = static_wheel_load(scene, profiles.right.wheel);
-      return solve_wheelset(
-        wheel_of_wheelset(base, false), wheel_of_wheelset(base, true), profiles, std::nullopt, 2);
+      Solved solved;
+      solved.note = solve_with_bodies(base, [&]() {
+        solved.wheelset = solve_wheelset(
+          wheel_of_wheelset(base, false), wheel_of_wheelset(base, true), profiles, std::nullopt, 2);
+      });
+      return solved;
     }
 
     /// One row of a table with a column for each wheel.
@@ -44,6 +56,20 @@ namespace wheelrail
     {
       out << "  " << std::left << std::setw(38) << label << std::right << std::setw(12) << values[0]
           << std::setw(12) << values[1] << "  " << unit << '\n';
+    }
+
+    /// Below the peak pressure of true bodies.
+    void
+    print_halfspaces(const std::optional<HalfspaceResults> (&wheels)[2], std::ostream &out)
+    {
+      std::string values[2];
+      for (int k = 0; k < 2; ++k)
+        if (wheels[k])
+          if (const double peak = get_figure(wheels[k]->figures, "halfspace_max_pressure_Pa");
+              std::isfinite(peak))
+            values[k] = figure_named("max_pressure").shown(peak);
+      if (!(values[0] + values[1]).empty())
+        print_row("  as half-spaces", "MPa", values, out);
     }
 
     void
@@ -78,6 +104,8 @@ namespace wheelrail
             }
           if (any)
             print_row(figure.label, figure.unit, values, out);
+          if (figure.key() == "max_pressure_Pa")
+            print_halfspaces(wheels, out);
         }
       out << "  Lateral forces are positive to the track centre, and so are places from the running circle "
              "and the axis.\n";
@@ -104,7 +132,8 @@ namespace wheelrail
                        std::ostream           &out)
   {
     print_head(scene, static_wheel_load(scene, profiles.right.wheel), out);
-    WheelsetSolution                wheelset = solve(scene, profiles);
+    Solved                          solved   = solve(scene, profiles);
+    WheelsetSolution               &wheelset = solved.wheelset;
     std::optional<HalfspaceResults> wheels[2];
     parallel_for(2, [&](const std::size_t left) {
       if (auto &solution = left ? wheelset.axle.left : wheelset.axle.right)
@@ -113,13 +142,19 @@ namespace wheelrail
           find_shift_effect(wheel.scene, wheel.geometry, *solution);
           HalfspaceResults &results = wheels[left].emplace(halfspace_results(wheel.scene, *solution));
           set_wheel_figures(wheelset, left, results.figures);
+          if (wheel.scene.halfspace_bodies == ContactBodies::real)
+            add_halfspaces(wheel, wheelset.axle.rate, std::nullopt, results.figures);
         }
     });
-    const Summary axle = wheelset_summary(
+    Summary axle = wheelset_summary(
       scene, wheelset, wheels[0] ? &wheels[0]->figures : nullptr, wheels[1] ? &wheels[1]->figures : nullptr);
+    if (axle.note.empty())
+      axle.note = solved.note;
     const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     remove_earlier_results(folder);
-    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+    Scene answered            = scene;
+    answered.halfspace_bodies = wheelset.right.scene.halfspace_bodies;
+    replace_file((folder / "parameters.prm").string(), print_parameters(answered));
     for (const bool left : {false, true})
       if (wheels[left])
         {
@@ -151,9 +186,9 @@ namespace wheelrail
   WheelOfWheelset
   take_from_wheelset(const Scene &scene, const WheelsetProfiles &profiles)
   {
-    const WheelsetSolution wheelset = solve(scene, profiles);
-    const auto            &own      = scene.left_wheel ? wheelset.axle.left : wheelset.axle.right;
-    const std::string      side     = scene.left_wheel ? "left" : "right";
+    const auto [wheelset, why] = solve(scene, profiles);
+    const auto       &own      = scene.left_wheel ? wheelset.axle.left : wheelset.axle.right;
+    const std::string side     = scene.left_wheel ? "left" : "right";
     if (!own)
       throw InputError("--wheelset: the " + side +
                        "-hand wheel is lifted in this curve; run the other side, or change radius, cant or "
@@ -168,6 +203,8 @@ namespace wheelrail
     if (at.drive == Drive::rate)
       wheel.note += ", creepage " + text("%.4f %%", 100 * at.creepage);
     wheel.note += "; the run rolls straight on";
+    if (!why.empty())
+      wheel.note += ". " + why;
     return wheel;
   }
 } // namespace wheelrail

@@ -246,40 +246,26 @@ namespace wheelrail
           " the cells of the rail change with the start; leave it out, or set Mesh/Window = moving");
     }
 
-    /// What contact of the true bodies does not take.
-    void
-    check_bodies(const Scene &scene, std::vector<std::string> &errors)
-    {
-      if (scene.halfspace_bodies != ContactBodies::real)
-        return;
-      const std::string real = entry_text(scene, "Half-space", "Bodies");
-      const auto refuse = [&](const bool found, const char *section, const char *entry, const char *what) {
-        if (found)
-          errors.push_back(entry_text(scene, section, entry) + ": " + what + "; " + real +
-                           " does not take it: write half-spaces there, or leave this entry out");
-      };
-      refuse(scene.halfspace_distance != "profiles",
-             "Half-space",
-             "Undeformed distance",
-             "a distance without bodies");
-      refuse(scene.halfspace_spin == HalfspaceSpin::contact,
-             "Half-space",
-             "Spin",
-             "one spin for the whole contact");
-      refuse(std::isfinite(scene.halfspace_given_spin),
-             "Half-space",
-             "Given spin",
-             "one spin for the whole contact");
-      refuse(scene.halfspace_lateral != 0,
-             "Half-space",
-             "Lateral offset",
-             "a position given by hand, where the bodies find their own");
-      refuse(scene.halfspace_inclination != 0,
-             "Half-space",
-             "Extra inclination",
-             "a position given by hand, where the bodies find their own");
-    }
   } // namespace
+
+
+  std::vector<std::string>
+  refused_by_bodies(const Scene &scene)
+  {
+    std::vector<std::string> refused;
+    const auto               refuse = [&](const bool found, const char *entry, const char *what) {
+      if (found)
+        refused.push_back(entry_text(scene, "Half-space", entry) + ": " + what);
+    };
+    const char *const one_spin = "one spin for the whole contact",
+                      *by_hand = "a position given by hand, where the bodies find their own";
+    refuse(scene.halfspace_distance != "profiles", "Undeformed distance", "a distance without bodies");
+    refuse(scene.halfspace_spin == HalfspaceSpin::contact, "Spin", one_spin);
+    refuse(std::isfinite(scene.halfspace_given_spin), "Given spin", one_spin);
+    refuse(scene.halfspace_lateral != 0, "Lateral offset", by_hand);
+    refuse(scene.halfspace_inclination != 0, "Extra inclination", by_hand);
+    return refused;
+  }
 
 
   Findings
@@ -291,7 +277,10 @@ namespace wheelrail
     check_material(scene, "Rail material", scene.rail_material, found);
     check_material(scene, "Wheel material", scene.wheel_material, found);
     check_drive(scene, found.warnings);
-    check_bodies(scene, found.errors);
+    if (scene.halfspace_bodies == ContactBodies::real)
+      for (const std::string &refused : refused_by_bodies(scene))
+        found.errors.push_back(refused + "; " + entry_text(scene, "Half-space", "Bodies") +
+                               " does not take it: write half-spaces there, or leave this entry out");
     check_irregularities(scene, found);
     if (!(scene.wear.damage_begins < scene.wear.damage_peak &&
           scene.wear.damage_peak < scene.wear.damage_ends))

@@ -157,10 +157,13 @@ namespace wheelrail
     list.push_back(choice_entry<ContactBodies>(
       {"Half-space",
        "Bodies",
-       "half-spaces: Kalker's theory, as the program CONTACT has it; real: this wheel, held at its bore, on "
-       "this rail, held at its foot, as elastic bodies; both wheels of an axle, too. For halfspace, vehicle, "
-       "wear and studies of these."},
-      {{"half-spaces", ContactBodies::half_spaces}, {"real", ContactBodies::real}},
+       "real: this wheel, held at its bore, on this rail, held at its foot, as elastic bodies; half-spaces: "
+       "Kalker's theory, as the program CONTACT has it; auto: real, but half-spaces in wear and where real "
+       "bodies do not take the scene, which is said. For halfspace, vehicle, wear, run --wheelset and "
+       "studies."},
+      {{"auto", ContactBodies::automatic},
+       {"half-spaces", ContactBodies::half_spaces},
+       {"real", ContactBodies::real}},
       field(&S::halfspace_bodies)));
     list.push_back(choice_entry<HalfspaceSpin>(
       {"Half-space",

@@ -177,9 +177,9 @@ namespace wheelrail
       head.push_back({"motion", "follows " + scene.motion + "; the values above are those at its start"});
     if (of == HeadOf::halfspaces && scene.both_wheels)
       head.push_back({"bodies",
-                      scene.halfspace_bodies == ContactBodies::real
-                        ? "these wheels and rails, each with its own elasticity"
-                        : "half-spaces"});
+                      scene.halfspace_bodies == ContactBodies::half_spaces
+                        ? "half-spaces"
+                        : "these wheels and rails, each with its own elasticity"});
     if (of == HeadOf::halfspaces)
       head.push_back({"elements", "of " + in_mm(scene.halfspace_element_size)});
     else

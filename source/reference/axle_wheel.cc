@@ -18,17 +18,6 @@ namespace wheelrail
       return rate * wheel.geometry.contact.forward_radius - 1;
     }
 
-    WheelRailLoad
-    rolling_load(const WheelOnAxle &wheel, const double rate)
-    {
-      WheelRailLoad load;
-      load.force     = wheel.load;
-      load.vertical  = true;
-      load.rate_held = true;
-      load.creepage  = creepage_at(rate, wheel);
-      return load;
-    }
-
     class HalfspaceWheel : public AxleWheel
     {
     public:
@@ -144,6 +133,18 @@ namespace wheelrail
       BodyContact        contact_;
     };
   } // namespace
+
+
+  WheelRailLoad
+  rolling_load(const WheelOnAxle &wheel, const double rate)
+  {
+    WheelRailLoad load;
+    load.force     = wheel.load;
+    load.vertical  = true;
+    load.rate_held = true;
+    load.creepage  = creepage_at(rate, wheel);
+    return load;
+  }
 
 
   std::unique_ptr<AxleWheel>

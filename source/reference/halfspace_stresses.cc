@@ -45,14 +45,14 @@ namespace wheelrail
     }
 
     /// A row of elements, along x at column `fixed` of y or the other way.
-    struct Row
+    struct CutRow
     {
       std::string name;
       bool        along;
       int         fixed;
     };
 
-    std::vector<Row>
+    std::vector<CutRow>
     rows_of(const HalfspaceSolution &solution)
     {
       const HalfspaceGrid &g    = solution.grid;
@@ -64,7 +64,10 @@ namespace wheelrail
     }
 
     Slice
-    empty_slice(const Row &row, const HalfspaceGrid &grid, const std::vector<double> &depths, const Body body)
+    empty_slice(const CutRow              &row,
+                const HalfspaceGrid       &grid,
+                const std::vector<double> &depths,
+                const Body                 body)
     {
       Slice slice;
       slice.name   = row.name + (body == Body::rail ? "_rail" : "_wheel");
@@ -79,7 +82,7 @@ namespace wheelrail
     /// Writes one layer into a slice.
     void
     fill_slice(Slice                              &slice,
-               const Row                          &row,
+               const CutRow                       &row,
                const HalfspaceGrid                &grid,
                const std::vector<HalfspaceStress> &layer,
                const std::size_t                   layer_number,
@@ -141,12 +144,12 @@ namespace wheelrail
   {
     const HalfspaceSolution  &solution = result.solution;
     const std::vector<double> depths   = layer_depths(solution.grid);
-    const std::vector<Row>    rows     = rows_of(solution);
+    const std::vector<CutRow> rows     = rows_of(solution);
     HalfspaceStresses         stresses;
     SubsurfaceLayers          layers(solution, result.problem.body1, result.problem.body2);
     constexpr Body            bodies[] = {Body::rail, Body::wheel};
     for (const Body body : bodies)
-      for (const Row &row : rows)
+      for (const CutRow &row : rows)
         stresses.slices.push_back(empty_slice(row, solution.grid, depths, body));
     std::array<std::array<std::vector<double>, 3>, 2> values; // von Mises stresses of the last three layers
     for (std::size_t k = 0; k < depths.size(); ++k)

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/parallel.h>
+#include <wheelrail/reference/answering_bodies.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/reference/shift_effect.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -94,17 +96,18 @@ namespace wheelrail
     };
 
     /// The figures of a wheel from its solution of a row.
-    void
-    take(std::optional<WheelRailSolution> &result,
-         const Scene                      &at,
-         const SceneGeometry              &geometry,
-         const std::size_t                 row,
-         VehicleWheel                     &wheel)
+    Summary
+    figures_of(const std::optional<WheelRailSolution> &result,
+               const WheelOnAxle                      &wheel,
+               const double                            rate,
+               const std::optional<double>            &torque)
     {
-      if (result)
-        find_shift_effect(at, geometry, *result);
-      wheel.rows[row]   = result ? halfspace_summary(at, *result) : no_contact(at);
-      wheel.faults[row] = wheel.rows[row].finished ? "" : wheel.rows[row].stop_reason;
+      if (!result)
+        return no_contact(wheel.scene);
+      Summary figures = halfspace_summary(wheel.scene, *result);
+      if (wheel.scene.halfspace_bodies == ContactBodies::real)
+        add_halfspaces(wheel, rate, torque, figures);
+      return figures;
     }
 
     /// Stresses below the patch take longer than the patch: of the rows with the largest pressures only.
@@ -141,36 +144,55 @@ namespace wheelrail
     std::vector<Highest>     highest(sides.size());
     parallel_for(motion.rows(), [&](const std::size_t row) {
       const std::optional<double> torque = torque_of(motion, row);
-      const auto                  keep =
-        [&](const std::size_t side, const WheelOnAxle &wheel, std::optional<WheelRailSolution> result) {
-          take(result, wheel.scene, wheel.geometry, row, vehicle.wheels[side]);
-          if (const double peak = vehicle.wheels[side].rows[row].max_pressure; result && peak > 0)
-            highest[side].hand_in({row, peak, std::move(*result)});
-        };
+      Scene                       own    = base; // its bodies are those that answer in this row
+      const auto                  keep   = [&](const std::size_t                side,
+                            const WheelOnAxle               &wheel,
+                            const double                     rate,
+                            std::optional<WheelRailSolution> result) {
+        if (result)
+          find_shift_effect(wheel.scene, wheel.geometry, *result);
+        Summary &figures                 = vehicle.wheels[side].rows[row];
+        figures                          = figures_of(result, wheel, rate, torque);
+        vehicle.wheels[side].faults[row] = figures.finished ? "" : figures.stop_reason;
+        if (const double peak = figures.max_pressure; result && peak > 0)
+          highest[side].hand_in({row, peak, std::move(*result)});
+      };
+      const auto solve = [&]() {
+        if (both)
+          {
+            WheelsetSolution wheelset = solve_wheelset(
+              wheel_of_row(own, motion, row, false), wheel_of_row(own, motion, row, true), profiles, torque);
+            set_axle_figures(wheelset, vehicle.axle[row]);
+            keep(0, wheelset.right, wheelset.axle.rate, std::move(wheelset.axle.right));
+            keep(1, wheelset.left, wheelset.axle.rate, std::move(wheelset.axle.left));
+          }
+        else
+          {
+            const Scene       at = wheel_of_row(own, motion, row, sides[0]);
+            const WheelOnAxle wheel{
+              at, make_geometry(at, sides[0] ? profiles.left : profiles.right), at.wheel_load};
+            keep(0, wheel, std::numeric_limits<double>::quiet_NaN(), solve_alone(wheel, torque));
+          }
+      };
+      std::string note, fault;
       try
         {
-          if (both)
-            {
-              WheelsetSolution wheelset = solve_wheelset(wheel_of_row(base, motion, row, false),
-                                                         wheel_of_row(base, motion, row, true),
-                                                         profiles,
-                                                         torque);
-              set_axle_figures(wheelset, vehicle.axle[row]);
-              keep(0, wheelset.right, std::move(wheelset.axle.right));
-              keep(1, wheelset.left, std::move(wheelset.axle.left));
-            }
-          else
-            {
-              const Scene       at = wheel_of_row(base, motion, row, sides[0]);
-              const WheelOnAxle wheel{
-                at, make_geometry(at, sides[0] ? profiles.left : profiles.right), at.wheel_load};
-              keep(0, wheel, solve_alone(wheel, torque));
-            }
+          note = solve_with_bodies(own, solve);
         }
       catch (const InputError &error)
         {
-          for (VehicleWheel &wheel : vehicle.wheels)
-            wheel.faults[row] = error.what();
+          fault = error.what();
+        }
+      catch (const RunError &error) // of bodies that were asked for
+        {
+          fault = error.what();
+        }
+      for (VehicleWheel &wheel : vehicle.wheels)
+        {
+          if (!fault.empty())
+            wheel.faults[row] = fault;
+          if (!note.empty())
+            wheel.rows[row].note = note;
         }
       report(++done);
     });

@@ -219,11 +219,11 @@ namespace wheelrail
   } // namespace
 
 
-  std::optional<WheelRailSolution>
-  solve_alone(const WheelOnAxle &wheel, const std::optional<double> &torque)
+  WheelRailLoad
+  load_of_wheel(const WheelOnAxle &wheel, const double rate, const std::optional<double> &torque)
   {
-    if (wheel.load == 0)
-      return {};
+    if (std::isfinite(rate))
+      return rolling_load(wheel, rate);
     Scene scene        = wheel.scene;
     scene.wheel_load   = wheel.load;
     WheelRailLoad load = scene_load(scene, wheel.geometry);
@@ -232,7 +232,21 @@ namespace wheelrail
         load.rate_held    = false;
         load.longitudinal = *torque / wheel.geometry.contact.rolling_radius;
       }
-    return solve_wheel_rail(scene, wheel.geometry, load, scene_offsets(scene));
+    return load;
+  }
+
+
+  std::optional<WheelRailSolution>
+  solve_alone(const WheelOnAxle &wheel, const std::optional<double> &torque)
+  {
+    if (wheel.load == 0)
+      return {};
+    Scene scene      = wheel.scene;
+    scene.wheel_load = wheel.load;
+    return solve_wheel_rail(scene,
+                            wheel.geometry,
+                            load_of_wheel(wheel, std::numeric_limits<double>::quiet_NaN(), torque),
+                            scene_offsets(scene));
   }
 
 

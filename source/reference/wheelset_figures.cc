@@ -91,6 +91,7 @@ namespace wheelrail
                                 "rolling_radius_m",
                                 "t_gamma_N",
                                 "max_pressure_Pa",
+                                "halfspace_max_pressure_Pa",
                                 "contact_area_m2",
                                 "stick_fraction"})
           set_figure(total, side + "_" + key, get_figure(*wheel, key));

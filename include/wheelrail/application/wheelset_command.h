@@ -8,7 +8,7 @@
 
 namespace wheelrail
 {
-  /// Solves both wheels of the wheelset of a scene as half-spaces (solve_wheelset()), prints their figures
+  /// Solves both wheels of the wheelset of a scene (solve_wheelset()) by its bodies, prints their figures
   /// side by side and those of the axle, and writes summary.json, parameters.prm, wheelset.csv (the lines of
   /// its picture) and the folders right and left, each as halfspace writes that of one wheel, into
   /// "<Output/Folder>-halfspace". The parameters.prm of these two compute the wheel alone in the pose and

@@ -15,6 +15,10 @@ namespace wheelrail
     std::vector<std::string> warnings; ///< it can be computed, but may not be what was meant
   };
 
+  /// Entries that half-spaces take and contact of the true bodies does not, each with what it is.
+  std::vector<std::string>
+  refused_by_bodies(const Scene &scene);
+
   /// The checks of wheel, materials, drive and friction, as far as half-spaces need them, too.
   Findings
   contact_checks(const Scene &scene);

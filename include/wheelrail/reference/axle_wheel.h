@@ -15,6 +15,10 @@ namespace wheelrail
     double        load = 0; ///< vertical [N]; 0: it does not touch
   };
 
+  /// What presses a wheel that turns with a pitch rate over the velocity of the wheelset's middle [1/m].
+  WheelRailLoad
+  rolling_load(const WheelOnAxle &wheel, double rate);
+
   /// One loaded wheel while the pitch rate of its axle is searched for.
   class AxleWheel
   {

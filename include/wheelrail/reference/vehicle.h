@@ -11,7 +11,7 @@
 
 namespace wheelrail
 {
-  /// The half-spaces of one wheel over the rows of a motion.
+  /// The contact of one wheel over the rows of a motion.
   struct VehicleWheel
   {
     bool left = false;

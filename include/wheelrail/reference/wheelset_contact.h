@@ -34,8 +34,13 @@ namespace wheelrail
   WheelsetProfiles
   read_wheelset_profiles(const Scene &scene);
 
-  /// Solves a wheel that turns by itself: as its scene drives it, or with a torque [N m], which gives the
-  /// force along the wheelset over the rolling radius. Nothing without load.
+  /// What presses a wheel and drives it: the pitch rate of its axle over the velocity [1/m]; where that is no
+  /// number it turns by itself, as its scene drives it, or with a torque [N m], which gives the force along
+  /// the wheelset over the rolling radius.
+  WheelRailLoad
+  load_of_wheel(const WheelOnAxle &wheel, double rate, const std::optional<double> &torque);
+
+  /// Solves a wheel that turns by itself. Nothing without load.
   std::optional<WheelRailSolution>
   solve_alone(const WheelOnAxle &wheel, const std::optional<double> &torque);
 

@@ -97,7 +97,8 @@ namespace wheelrail
   enum class ContactBodies
   {
     half_spaces, ///< Kalker's theory
-    real         ///< this wheel on its bore and this rail on its foot, doc/theory/bodies.md
+    real,        ///< this wheel on its bore and this rail on its foot, doc/theory/bodies.md
+    automatic    ///< real, or half-spaces where these cannot be: commands decide, see solve_with_bodies()
   };
 
   /// Where the rigid slip of the half-space contact comes from.
@@ -219,7 +220,7 @@ namespace wheelrail
 
     // Half-space
     double        halfspace_element_size = 0.4e-3; ///< [m]
-    ContactBodies halfspace_bodies       = ContactBodies::half_spaces;
+    ContactBodies halfspace_bodies       = ContactBodies::automatic;
     HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
     double halfspace_given_spin = std::numeric_limits<double>::infinity(); ///< [1/m]; infinite: of the wheel
     double halfspace_memory_length      = 0;     ///< slip distance of the friction's memory, 0: none [m]
