@@ -104,7 +104,7 @@ def measured_flat():
     """The scene that stands in the page."""
     with open(os.path.join(HERE, "measured_flat.md"), encoding="utf-8") as page:
         lines = page.read().splitlines()
-    begin = lines.index("    include prm/rolling.prm")
+    begin = lines.index("    include prm/sleepers.prm")
     end = max(k for k, line in enumerate(lines) if line == "    end") + 1
     scene = os.path.join(ROOT, "my_flat.prm")
     with open(scene, "w", encoding="utf-8") as file:
