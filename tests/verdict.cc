@@ -421,6 +421,14 @@ namespace
     m.turn         = 0.1;
     m.shift_effect = 0.2;
     check(judge_halfspaces(m).findings.empty(), "a peak that hardly depends on the shift");
+    m.bodies_effect = 0.21;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "The peak pressure is 21 % above that of the true bodies, whose head and rim turn and move under "
+      "these forces, which half-spaces do not know; take Half-space/Bodies = real.",
+      "half-spaces that a lateral force would move");
+    m.bodies_effect = -0.049;
+    check(judge_halfspaces(m).grade() == Grade::trusted, "half-spaces within 5 % of the true bodies");
     m.shift_effect = 0.68;
     check_text(judge_halfspaces(m).doubts(),
                "The peak pressure changes by 68 % within the lateral shift by which wheel and rail give way "

@@ -103,7 +103,7 @@ namespace wheelrail
     });
     const bool        real = scene.halfspace_bodies == ContactBodies::real;
     if (!given)
-      find_shift_effect(scene, *geometry, result);
+      hold_against_bodies(scene, *geometry, result);
     HalfspaceResults results = halfspace_results(scene, result);
     if (!why.empty())
       results.figures.note = why;

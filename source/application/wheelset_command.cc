@@ -139,7 +139,7 @@ namespace wheelrail
       if (auto &solution = left ? wheelset.axle.left : wheelset.axle.right)
         {
           const WheelOnAxle &wheel = left ? wheelset.left : wheelset.right;
-          find_shift_effect(wheel.scene, wheel.geometry, *solution);
+          hold_against_bodies(wheel.scene, wheel.geometry, *solution);
           HalfspaceResults &results = wheels[left].emplace(halfspace_results(wheel.scene, *solution));
           set_wheel_figures(wheelset, left, results.figures);
           if (wheel.scene.halfspace_bodies == ContactBodies::real)

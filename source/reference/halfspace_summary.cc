@@ -72,6 +72,7 @@ namespace wheelrail
       measures.peak_pressure = result.solution.peak_pressure;
       measures.made_up       = result.made_up;
       measures.shift_effect  = result.shift_effect;
+      measures.bodies_effect = result.bodies_effect;
       if (scene.halfspace_bodies != ContactBodies::real)
         measures.turn = turn;
       if (result.reference)

@@ -43,4 +43,40 @@ namespace wheelrail
       {
       }
   }
+
+
+  void
+  hold_against_bodies(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result)
+  {
+    find_shift_effect(scene, geometry, result);
+    if (scene.halfspace_bodies == ContactBodies::real || scene.halfspace_lateral != 0 ||
+        scene.halfspace_inclination != 0)
+      return;
+    WheelRailLoad load;
+    load.force        = result.vertical;
+    load.vertical     = true;
+    double peak       = result.solution.peak_pressure;
+    load.longitudinal = result.reference ? result.reference->driving : -result.solution.fx;
+    load.slides       = !result.solution.within_friction;
+    for (const WheelRailSolution &other : result.others)
+      {
+        load.force += other.vertical;
+        load.longitudinal += other.reference ? other.reference->driving : -other.solution.fx;
+        peak = std::max(peak, other.solution.peak_pressure);
+      }
+    Scene bodies            = scene;
+    bodies.halfspace_bodies = ContactBodies::real;
+    try
+      {
+        const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
+        if (real.solution.converged())
+          result.bodies_effect = peak / real.solution.peak_pressure - 1;
+      }
+    catch (const InputError &) // sections that have no tables
+      {
+      }
+    catch (const RunError &)
+      {
+      }
+  }
 } // namespace wheelrail

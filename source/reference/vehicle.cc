@@ -150,7 +150,7 @@ namespace wheelrail
                             const double                     rate,
                             std::optional<WheelRailSolution> result) {
         if (result)
-          find_shift_effect(wheel.scene, wheel.geometry, *result);
+          hold_against_bodies(wheel.scene, wheel.geometry, *result);
         Summary &figures                 = vehicle.wheels[side].rows[row];
         figures                          = figures_of(result, wheel, rate, torque);
         vehicle.wheels[side].faults[row] = figures.finished ? "" : figures.stop_reason;

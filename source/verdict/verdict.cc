@@ -383,6 +383,14 @@ namespace wheelrail
              "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know; take "
              "Half-space/Bodies = real.",
              100 * measures.shift_effect));
+    if (verdict.findings.empty() && std::abs(measures.bodies_effect) > peak_bounds.good)
+      add(verdict,
+          Grade::with_care,
+          text(
+            "the peak pressure is %.0f %% %s that of the true bodies, whose head and rim turn and move under "
+            "these forces, which half-spaces do not know; take Half-space/Bodies = real.",
+            100 * std::abs(measures.bodies_effect),
+            measures.bodies_effect < 0 ? "below" : "above"));
     return verdict;
   }
 

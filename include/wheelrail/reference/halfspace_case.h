@@ -57,9 +57,10 @@ namespace wheelrail
     double                roll     = 0; ///< of the wheelset, from X to Y [rad]
     double                ahead =
       0; ///< of the first contact point, from which places along the rail count, ahead of the axle [m]
-    std::optional<ContactReference> reference;  ///< of wheel and rail; none where the distance is given
-    double       shift_effect = Measures::none; ///< of half-spaces, of all patches, see shift_effect()
-    SurfaceKinks kinks;                         ///< of the surfaces under pressure
+    std::optional<ContactReference> reference;   ///< of wheel and rail; none where the distance is given
+    double       shift_effect  = Measures::none; ///< of half-spaces, of all patches, see shift_effect()
+    double       bodies_effect = Measures::none; ///< of half-spaces, see hold_against_bodies()
+    SurfaceKinks kinks;                          ///< of the surfaces under pressure
     std::string  made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
     double       time         = 0;       ///< computing time [s]
     int          enlargements = 0;       ///< of the grid, until the contact did not touch its edge

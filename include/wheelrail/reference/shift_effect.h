@@ -16,4 +16,11 @@ namespace wheelrail
   /// Sets `shift_effect` of a solution of half-spaces; true bodies, whose pose is a result, stay without.
   void
   find_shift_effect(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result);
+
+  /// The same, and `bodies_effect`: the peak pressure of half-spaces over that of the true bodies under the
+  /// forces that they carry, less 1, which knows the lateral force, load and elastic constants; NaN where a
+  /// position is given by hand or true bodies have no answer. Takes as long as they do, some tenths of a
+  /// second.
+  void
+  hold_against_bodies(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result);
 } // namespace wheelrail

@@ -57,6 +57,7 @@ namespace wheelrail
     double bodies_difference = none;
     double turn              = none; ///< of the surfaces across the patch [rad]
     double shift_effect      = none; ///< of half-spaces, see shift_effect() of reference/
+    double bodies_effect     = none; ///< peak of half-spaces over that of the true bodies, less 1
     double pose_effect       = none; ///< peak with the pose over peak without it, less 1
     double plastic_strain    = 0;    ///< largest one of the run, 0 where nothing has flowed
     double patches           = 1;    ///< separate ones of the run, where the half-spaces have not as many
