@@ -139,10 +139,10 @@ namespace
   {
     const std::string nothing = "nothing.txt";
     check_text(message_of([&]() { read_distance_file(nothing); }),
-               nothing + ": the file cannot be read; rows x, y, distance in mm are needed",
+               nothing + ": no such file; rows x, y, distance in mm are needed",
                "no file");
-    check_file("0 0 1\n1 0\n", ":2: three numbers x, y, distance in mm are needed");
-    check_file("0 0 one\n", ":1: three numbers x, y, distance in mm are needed");
+    check_file("0 0 1\n1 0\n", ":2: a row of 2 values, the first line names 3 columns");
+    check_file("0 0 one\n", ":1: \"one\" of distance is not a number; units stand in the first line");
     check_file("0 0 1\n1 0 1\n0 1 1\n1 1 1\n", ": 2 values of x; a grid of at least 4 x 4 points is needed");
     std::string whole;
     for (int k = 0; k < 16; ++k)

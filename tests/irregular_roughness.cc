@@ -144,13 +144,17 @@ namespace
       const std::string message = test::message_of([] { read_roughness_file("bad.csv"); });
       check(message.find(part) != std::string::npos, "\"" + part + "\" in \"" + message + "\"");
     };
-    file("", "bad.csv: empty; a line with the names wavelength_mm, level_dB is needed");
-    file("wavelength_mm,level\n10,3\n", "bad.csv:1: no column level_dB");
-    file("wavelength_mm,level_dB\n10,loud\n", "no number for level");
-    file("wavelength_mm,level_dB\n-10,3\n", "bad.csv:2: a wavelength must be positive");
+    file("", "bad.csv: no rows; such a table has a first line with names and units, and rows of numbers");
+    file("wavelength_mm\n10\n",
+         "bad.csv:1: no column level; roughness is a row for each one-third-octave band under the names "
+         "wavelength_mm, level_dB");
+    file("wavelength_mm,level_dB\n10,loud\n",
+         "bad.csv:2: \"loud\" of level is not a number; units stand in the first line");
+    file("wavelength_mm,level_dB\n-10,3\n",
+         "bad.csv:2: wavelength = -10 is out of range; a length above 0, up to 1 km, is accepted");
     file("wavelength_mm,level_dB\n10,300\n",
-         "a level beyond 60 dB; levels are 20 lg of the root mean square height over 1 um");
-    file("wavelength_mm,level_dB\n", "bad.csv: no band");
+         "level = 300 is out of range; -60 dB to 60 dB over a root mean square height of 1 um is accepted");
+    file("wavelength_mm,level_dB\n", "bad.csv: no rows");
   }
 
   void

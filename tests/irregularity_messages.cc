@@ -173,9 +173,7 @@ namespace
   {
     const auto read = [](const char *name) { return [name] { read_height_file(name); }; };
     write("empty.csv", "");
-    says(read("empty.csv"),
-         "empty.csv: empty; a line with names such as along_mm, across_mm, height_um is needed, then rows of "
-         "numbers");
+    says(read("empty.csv"), "empty.csv: no rows");
     write("short.csv", "along_mm,height_um\n0,0\n1,0\n2,0\n");
     says(read("short.csv"), "3 places along; a line or a grid needs at least 4");
     write("row.csv", "along_mm,across_mm,height_um\n0,0,0\n1,0,0\n2,0,0\n3,0,0\n");
@@ -189,10 +187,39 @@ namespace
     says(read("hole.csv"),
          "no row for along = 3 mm, across = 3 mm (1 of 16 are missing); fill the holes of the grid");
     write("name.csv", "x,height_um\n0,0\n");
-    says(read("name.csv"), "name.csv:1: no column along_mm (or _m, _um)");
+    says(read("name.csv"),
+         "name.csv:1: no column along; heights are rows under names such as along_mm, across_mm (not of a "
+         "line), "
+         "height_um");
     write("word.csv", "along_mm,height_um\n0,0\n1,nan\n");
-    says(read("word.csv"), "\"1,nan\": no number for height");
+    says(read("word.csv"), "word.csv:3: \"nan\" of height is not a number; units stand in the first line");
     says(read("gone.csv"), "gone.csv");
+    write("high.csv", "along_mm,height_um\n0,0\n1,2e6\n2,0\n3,0\n");
+    says(read("high.csv"), "high.csv:3: height = 2e6 is out of range; -5 mm to 5 mm is accepted");
+    write("short_row.csv", "along_mm,height_mm\n0,0\n1,0,1229\n2,0\n3,0\n");
+    says(read("short_row.csv"), "short_row.csv:3: a row of 3 values, the first line names 2 columns");
+    write("wide.csv", "\xFF\xFE" + std::string(1, '\0'));
+    says(read("wide.csv"), "wide.csv: no text in UTF-8, as a spreadsheet saves \"CSV\"; heights are rows");
+    const auto same = [](const std::string &text) {
+      std::ofstream("same.csv") << text;
+      const HeightGrid line = read_height_file("same.csv");
+      check(line.along.size() == 4 && std::abs(line.height[1] + 0.1229e-3) < 1e-15, text);
+    };
+    for (const char *const head : {"along_mm;height_mm",
+                                   "along [mm];height (mm)",
+                                   "Along (mm); Height / mm",
+                                   "along;height\nmm;mm",
+                                   "\"along_mm\";\"height_mm\""})
+      for (const char *const rows : {"\n0;0\n1;-0,1229\n2;0\n3;0\n",
+                                     "\r\n0;0;\r\n1;-0.1229;\r\n2;0;\r\n3;0;",
+                                     "\n0\t0\n1\t-0,1229\n2\t0\n3\t0\n",
+                                     "\n0 0\n1 -0,1229\n2 0\n3 0\n",
+                                     "\n0,0\n1,\"-0,1229\"\n2,0\n3,0\n",
+                                     "\n0,0\n1,-1.229e-1\n2,0\n3,0\n"})
+        same(head + std::string(rows));
+    same(
+      "\xEF\xBB\xBF"
+      "along [mm];height [\xB5m]\r\n0;0\r\n1;-122,9\r\n2;0\r\n3;0\r\n");
     const std::vector<double> along = {0, 10, 20, 30};
     write_datasets("good.h5", along, std::vector<double>(16, 0.));
     check(read_height_file("good.h5").height.size() == 16, "a grid in an HDF5 file");
@@ -249,6 +276,10 @@ namespace
     says(made("e.slcs"), "e.slcs:6: the places of the slices do not ascend; order them along the track");
     write("f.slcs", "0 1\n4\n0 0 0\n1\n0 'flat.txt'\n");
     says(made("f.slcs"), "f.slcs: ends before slice 2 of 4");
+    write("i.slcs", "0 1\n4\n0 0 0\n1\n0,5 'flat.txt'\n");
+    says([] { read_slices_file("i.slcs", ProfileUnit::automatic); },
+         "i.slcs:5: \"0,5 'flat.txt'\": a comma between digits; write decimal points, and blanks between "
+         "numbers");
     write("g.slcs", "0 1\n4\n0 0 0\n1\n0 flat.txt\n");
     says(made("g.slcs"), ": a place and the name of a file in quotes are expected");
     write("h.slcs", "0\n4\n0 0 0\n1\n");

@@ -148,29 +148,29 @@ namespace
     check(path.size() == 2 && path[0].value[0] == 0.001 && !path[0].of_stress[0] && path[0].of_stress[5] &&
             path[0].value[5] == 50e6 && path[0].of_stress[1],
           "rows of a file");
-    check_text(
-      fault(with_file("E_xx, strain\n0.001, 50\n")),
-      "material_path_test.csv:1: \"strain\" is no column; names are E_xx, E_yy, E_zz, E_yz, E_xz, E_xy and "
-      "S_xx_MPa, ... S_xy_MPa",
-      "a column of another name");
+    check_text(fault(with_file("E_xx, strain\n0.001, 50\n")),
+               "material_path_test.csv:1: column \"strain\" is not known; there are e xx, e yy, e zz, e yz, "
+               "e xz, e xy, "
+               "s xx, s yy, s zz, s yz, s xz and s xy, each with its unit in brackets, such as \"load [kN]\"",
+               "a column of another name");
     check_text(fault(with_file("E_xx, S_xx_MPa\n0.001, 50\n")),
-               "material_path_test.csv:1: two columns for the component xx; a strain and its stress cannot "
+               "material_path_test.csv: two columns for the component xx; a strain and its stress cannot "
                "both be given",
                "a component twice");
     check_text(fault(with_file("E_xx, E_yy\n0.001\n")),
-               "material_path_test.csv:2: 1 values for 2 columns",
+               "material_path_test.csv:2: a row of 1 values, the first line names 2 columns",
                "a short row");
-    check_text(
-      fault(with_file("E_xx\n1 %\n")), "material_path_test.csv:2: \"1 %\" is no number", "no number");
+    check_text(fault(with_file("E_xx\n1 %\n")),
+               "material_path_test.csv:2: \"1 %\" of e xx is not a number; units stand in the first line",
+               "no number");
     check_text(fault(with_file("E_xx\n")),
-               "material_path_test.csv: no rows; a line of names and rows of numbers are needed",
+               "material_path_test.csv: no rows; such a table has a first line with names and units, and "
+               "rows of numbers",
                "no rows");
     std::filesystem::remove("material_path_test.csv");
     MaterialTest test;
     test.file = "missing.csv";
-    check_text(fault(test),
-               "missing.csv: the file cannot be read; rows of strains and stresses are needed",
-               "no file");
+    check_text(fault(test), "missing.csv: no such file; rows of strains and stresses are needed", "no file");
     test.axial.values = {0.01};
     check_text(
       fault(test),

@@ -138,8 +138,11 @@ namespace
       "1 2\n3\n",
       "r.txt:2: \"3\" holds 1 number; a line of points holds two: lateral and vertical coordinate");
     check_profile("12,5;3,7\n13.5;3,7\n",
-                  "r.txt:1: \"12,5;3,7\" has commas and other separators; write a point as decimal mark, and "
-                  "blanks, tabs, commas or semicolons between the columns");
+                  "r.txt:2: \"13.5;3,7\" has another decimal mark than other rows; write numbers with one "
+                  "decimal mark and without separators of thousands");
+    check_profile("12,500\t3,700\n13,500\t3,800\n",
+                  "r.txt:1: \"12,500?3,700\" has commas between digits that may be decimal marks or part "
+                  "thousands; write numbers with one decimal mark and without separators of thousands");
     check_profile(
       std::string(largest_profile_file + 1, ' '),
       "r.txt: larger than 10 MB; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");

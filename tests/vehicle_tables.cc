@@ -42,7 +42,8 @@ namespace
       "time [s],yaw [mm]\n0,1\n",
       ":1: column \"yaw [mm]\": the unit \"mm\" is one of length; an angle takes one of rad, mrad, deg");
     refused("time [s],torque [kN]\n0,1\n",
-            ":1: column \"torque [kN]\": \"kN\" is no unit of a torque; N m or kN m is accepted");
+            ":1: column \"torque [kN]\": the unit \"kN\" is one of force; a torque takes one of N m, kN m, "
+            "Nm, kNm");
     refused("time [s],creepage [mm]\n0,1\n",
             ":1: column \"creepage [mm]\": \"mm\" is no unit of a creepage; %, or 1 is accepted");
     refused("time [s],time [s]\n0,1\n", ":1: two columns of time; leave one out");
@@ -105,6 +106,11 @@ namespace
       ":1: column \"acceleration [m/s2]\" is not known; there are time, distance, lateral shift, roll, "
       "yaw, load, load right, load left, velocity, torque, traction, creepage, lateral creepage, radius "
       "and cant, each with its unit in brackets, such as \"load [kN]\"");
+    const File none("acceleration [m/s2]\n1\n");
+    check(test::message_of([&]() {
+            read_vehicle_file(none.path());
+          }).find("no column is known; there are time") != std::string::npos,
+          "a table of other quantities");
     const File near("time [s];jaw [mrad]\n0;1\n");
     check(test::message_of([&]() { read_vehicle_file(near.path()); }).find("perhaps yaw is meant") !=
             std::string::npos,

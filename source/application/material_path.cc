@@ -1,71 +1,17 @@
 #include <wheelrail/application/material_path.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/file_kind.h>
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/base/shown_text.h>
-#include <wheelrail/base/split_list.h>
+#include <wheelrail/base/table.h>
+#include <wheelrail/base/text_rows.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <string>
 
 namespace wheelrail
 {
   namespace
   {
-    /// What a column of a file drives.
-    struct Column
-    {
-      std::size_t component = 0;
-      bool        of_stress = false;
-    };
-
-    Column
-    column_of(const std::string &name, const std::string &where)
-    {
-      for (std::size_t k = 0; k < component_names.size(); ++k)
-        {
-          if (name == std::string("E_") + component_names[k])
-            return {k, false};
-          if (name == std::string("S_") + component_names[k] + "_MPa")
-            return {k, true};
-        }
-      throw InputError(
-        where + "\"" + shown_text(name) +
-        "\" is no column; names are E_xx, E_yy, E_zz, E_yz, E_xz, E_xy and S_xx_MPa, ... S_xy_MPa");
-    }
-
-    double
-    number(const std::string &text, const std::string &where)
-    {
-      try
-        {
-          return parse_quantity(text, Dimension::none);
-        }
-      catch (const InputError &)
-        {
-          throw InputError(where + "\"" + shown_text(text) + "\" is no number");
-        }
-    }
-
-    std::vector<Column>
-    columns_of(const std::vector<std::string> &names, const std::string &where)
-    {
-      std::vector<Column> columns;
-      for (const std::string &name : names)
-        {
-          columns.push_back(column_of(name, where));
-          for (std::size_t i = 0; i + 1 < columns.size(); ++i)
-            if (columns[i].component == columns.back().component)
-              throw InputError(where + "two columns for the component " +
-                               component_names[columns[i].component] +
-                               "; a strain and its stress cannot both be given");
-        }
-      return columns;
-    }
-
     /// A Green strain of -0.5 is a length of zero.
     void
     check_strains(const PointTarget &target, const std::string &where)
@@ -80,43 +26,35 @@ namespace wheelrail
     std::vector<PointTarget>
     read_path(const std::string &path)
     {
-      if (const std::string other = other_than_a_file(path); !other.empty())
-        throw InputError(path + ": " + other + "; rows of strains and stresses are needed");
-      std::ifstream file(path);
-      if (!file)
-        throw InputError(path + ": the file cannot be read; rows of strains and stresses are needed");
-      std::vector<PointTarget> targets;
-      std::vector<Column>      columns;
-      std::string              line;
-      for (unsigned int n = 1; std::getline(file, line); ++n)
+      constexpr std::size_t          n     = component_names.size();
+      const std::vector<std::string> names = [] {
+        std::vector<std::string> list;
+        for (const char *const of : {"e ", "s "})
+          for (const char *const component : component_names)
+            list.push_back(std::string(of) + component);
+        return list;
+      }();
+      std::vector<TableColumn> known;
+      for (std::size_t k = 0; k < 2 * n; ++k)
+        known.push_back(
+          {names[k].c_str(), k < n ? Dimension::none : Dimension::stress, -1e15, 1e15, "a number"});
+      const Table table =
+        read_table(path, known, {"rows of strains and stresses are needed", false, {}, "#", ""});
+      for (std::size_t k = 0; k < n; ++k)
+        if (table.find(k) && table.find(k + n))
+          throw InputError(path + ": two columns for the component " + component_names[k] +
+                           "; a strain and its stress cannot both be given");
+      std::vector<PointTarget> targets(table.lines.size());
+      for (std::size_t row = 0; row < targets.size(); ++row)
         {
-          line.resize(std::min(line.size(), line.find('#')));
-          std::replace(line.begin(), line.end(), '\r', ' ');
-          std::replace(line.begin(), line.end(), '\t', ' ');
-          if (line.find_first_not_of(' ') == std::string::npos)
-            continue;
-          const std::string              where = path + ":" + std::to_string(n) + ": ";
-          const std::vector<std::string> words = split_list(line, ',');
-          if (columns.empty())
+          targets[row].of_stress.fill(true);
+          for (std::size_t i = 0; i < table.known.size(); ++i)
             {
-              columns = columns_of(words, where);
-              continue;
+              targets[row].of_stress[table.known[i] % n] = table.known[i] >= n;
+              targets[row].value[table.known[i] % n]     = table.columns[i][row];
             }
-          if (words.size() != columns.size())
-            throw InputError(where + std::to_string(words.size()) + " values for " +
-                             std::to_string(columns.size()) + " columns");
-          PointTarget target;
-          target.of_stress.fill(true);
-          for (std::size_t i = 0; i < words.size(); ++i)
-            {
-              target.of_stress[columns[i].component] = columns[i].of_stress;
-              target.value[columns[i].component] = number(words[i], where) * (columns[i].of_stress ? 1e6 : 1);
-            }
-          check_strains(target, where);
-          targets.push_back(target);
+          check_strains(targets[row], place(path, table.lines[row]));
         }
-      if (targets.empty())
-        throw InputError(path + ": no rows; a line of names and rows of numbers are needed");
       return targets;
     }
 

@@ -81,6 +81,28 @@ namespace wheelrail
         {"1/m", D::spin, 1, 1},
         {"1/mm", D::spin, 1e3, 1},
         {"rad/m", D::spin, 1, 1},
+        {"N m", D::moment, 1, 1},
+        {"kN m", D::moment, 1e3, 1},
+        {"Nm", D::moment, 1, 1},
+        {"kNm", D::moment, 1e3, 1},
+        {"m/N", D::receptance, 1, 1},
+        {"mm/N", D::receptance, 1, 1e3},
+        {"mm/kN", D::receptance, 1, 1e6},
+        {"um/N", D::receptance, 1, 1e6},
+        {"um/kN", D::receptance, 1, 1e9},
+        {"m/(N s)", D::mobility, 1, 1},
+        {"mm/(N s)", D::mobility, 1, 1e3},
+        {"m/(Ns)", D::mobility, 1, 1},
+        {"m/s/N", D::mobility, 1, 1},
+        {"m/N/s", D::mobility, 1, 1},
+        {"m/Ns", D::mobility, 1, 1},
+        {"mm/s/N", D::mobility, 1, 1e3},
+        {"m/(s2 N)", D::accelerance, 1, 1},
+        {"m/(N s2)", D::accelerance, 1, 1},
+        {"m/(Ns2)", D::accelerance, 1, 1},
+        {"m/s2/N", D::accelerance, 1, 1},
+        {"1/kg", D::accelerance, 1, 1},
+        {"dB", D::level, 1, 1},
       };
       return table;
     }
@@ -112,6 +134,11 @@ namespace wheelrail
         {D::mass_moment, "a", "moment of inertia", "1.5 kg m2"},
         {D::angle, "an", "angle", "2 mrad"},
         {D::spin, "a", "spin", "0.1 1/m"},
+        {D::moment, "a", "torque", "2 kN m"},
+        {D::receptance, "a", "receptance", "2 mm/kN"},
+        {D::mobility, "a", "mobility", "1e-5 m/(N s)"},
+        {D::accelerance, "an", "accelerance", "0.01 1/kg"},
+        {D::level, "a", "level", "20 dB"},
       };
       for (const DimensionText &words : table)
         if (words.dimension == dimension)

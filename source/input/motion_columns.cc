@@ -1,9 +1,4 @@
-#include <wheelrail/base/errors.h>
-#include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/motion_columns.h>
-
-#include <map>
-#include <string>
 
 namespace wheelrail
 {
@@ -17,21 +12,29 @@ namespace wheelrail
   motion_columns()
   {
     static const MotionColumns list = {
-      {Q::time, "time", Dimension::time, -1e9, 1e9, ""},
-      {Q::distance, "distance", Dimension::length, -1e9, 1e9, ""},
-      {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
-      {Q::roll, "roll", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"},
-      {Q::yaw, "yaw", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"},
-      {Q::load, "load", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
-      {Q::load_right, "load right", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
-      {Q::load_left, "load left", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"},
-      {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
-      {Q::torque, "torque", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
-      {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
-      {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
-      {Q::lateral_creepage, "lateral creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"},
-      {Q::radius, "radius", Dimension::length, -1e5, 1e5, "20 m to 100 km on either side, or 0"},
-      {Q::cant, "cant", Dimension::length, -0.3, 0.3, "-300 mm to 300 mm"}};
+      {Q::time, {"time", Dimension::time, -1e9, 1e9, "", false, true}},
+      {Q::distance, {"distance", Dimension::length, -1e9, 1e9, "", false, true}},
+      {Q::lateral_shift, {"lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"}},
+      {Q::roll, {"roll", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"}},
+      {Q::yaw, {"yaw", Dimension::angle, -0.05, 0.05, "-50 mrad to 50 mrad"}},
+      {Q::load, {"load", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"}},
+      {Q::load_right, {"load right", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"}},
+      {Q::load_left, {"load left", Dimension::force, 0, 5e5, "0 kN (no contact) to 500 kN"}},
+      {Q::velocity, {"velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"}},
+      {Q::torque, {"torque", Dimension::moment, -1e6, 1e6, "-1000 kN m to 1000 kN m"}},
+      {Q::traction, {"traction", Dimension::none, -1, 1, "-1 to 1"}},
+      {Q::creepage, {"creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}},
+      {Q::lateral_creepage, {"lateral creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}},
+      {Q::radius,
+       {"radius",
+        Dimension::length,
+        -1e5,
+        1e5,
+        "20 m to 100 km on either side, or 0",
+        false,
+        false,
+        least_track_radius}},
+      {Q::cant, {"cant", Dimension::length, -0.3, 0.3, "-300 mm to 300 mm"}}};
     return list;
   }
 
@@ -44,7 +47,7 @@ namespace wheelrail
       for (const MotionColumn &column : motion_columns())
         if (column.quantity != Q::torque) // which the load of a row would turn into a traction
           columns.push_back(column);
-      columns.push_back({Q::weight, "weight", Dimension::none, 0, 1e12, "0 to 1e12"});
+      columns.push_back({Q::weight, {"weight", Dimension::none, 0, 1e12, "0 to 1e12"}});
       return columns;
     }();
     return list;
@@ -55,11 +58,11 @@ namespace wheelrail
   passage_columns()
   {
     static const MotionColumns list = {
-      {Q::load, "load", Dimension::force, 1e3, 5e5, "1 kN to 500 kN"},
-      {Q::lateral_shift, "lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"},
-      {Q::traction, "traction", Dimension::none, -1, 1, "-1 to 1"},
-      {Q::velocity, "velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"},
-      {Q::creepage, "creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}};
+      {Q::load, {"load", Dimension::force, 1e3, 5e5, "1 kN to 500 kN"}},
+      {Q::lateral_shift, {"lateral shift", Dimension::length, -0.012, 0.012, "-12 mm to 12 mm"}},
+      {Q::traction, {"traction", Dimension::none, -1, 1, "-1 to 1"}},
+      {Q::velocity, {"velocity", Dimension::velocity, 5 / 3.6, 500 / 3.6, "5 km/h to 500 km/h"}},
+      {Q::creepage, {"creepage", Dimension::none, -0.1, 0.1, "-10 % to 10 %"}}};
     return list;
   }
 
@@ -68,12 +71,12 @@ namespace wheelrail
   curve_columns()
   {
     static const MotionColumns list = {
-      {Q::creepage, "creepage", Dimension::none, -1, 1, "-100 % to 100 %"},
-      {Q::spin, "spin", Dimension::none, -100, 100, "-100 1/m to 100 1/m"},
-      {Q::longitudinal_force, "longitudinal force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"},
-      {Q::lateral_force, "lateral force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"},
-      {Q::spin_moment, "spin moment", Dimension::none, -1e6, 1e6, "-1000 kN m to 1000 kN m"},
-      {Q::traction, "traction", Dimension::none, -2, 2, "-2 to 2"}};
+      {Q::creepage, {"creepage", Dimension::none, -1, 1, "-100 % to 100 %"}},
+      {Q::spin, {"spin", Dimension::spin, -100, 100, "-100 1/m to 100 1/m"}},
+      {Q::longitudinal_force, {"longitudinal force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"}},
+      {Q::lateral_force, {"lateral force", Dimension::force, -1e6, 1e6, "-1000 kN to 1000 kN"}},
+      {Q::spin_moment, {"spin moment", Dimension::moment, -1e6, 1e6, "-1000 kN m to 1000 kN m"}},
+      {Q::traction, {"traction", Dimension::none, -2, 2, "-2 to 2"}}};
     return list;
   }
 
@@ -82,66 +85,12 @@ namespace wheelrail
   receptance_columns()
   {
     static const MotionColumns list = {
-      {Q::frequency, "frequency", Dimension::frequency, 1e-3, 1e5, "0.001 Hz to 100 kHz"},
-      {Q::receptance, "receptance", Dimension::none, 0, 1, "0 to 1 m/N"},
-      {Q::mobility, "mobility", Dimension::none, 0, 1, "0 to 1 m/(N s)"},
-      {Q::accelerance, "accelerance", Dimension::none, 0, 1e3, "0 to 1000 m/(s2 N)"},
-      {Q::phase, "phase", Dimension::angle, -1e3, 1e3, "-1000 rad to 1000 rad"}};
+      {Q::frequency, {"frequency", Dimension::frequency, 1e-3, 1e5, "0.001 Hz to 100 kHz"}},
+      {Q::receptance, {"receptance", Dimension::receptance, 0, 1, "0 to 1 m/N"}},
+      {Q::mobility, {"mobility", Dimension::mobility, 0, 1, "0 to 1 m/(N s)"}},
+      {Q::accelerance, {"accelerance", Dimension::accelerance, 0, 1e3, "0 to 1000 m/(s2 N)"}},
+      {Q::phase, {"phase", Dimension::angle, -1e3, 1e3, "-1000 rad to 1000 rad"}}};
     return list;
   }
 
-
-  namespace
-  {
-    /// The unit of a displacement, velocity or acceleration over a force.
-    double
-    receptance_unit(const MotionColumn &column, const std::string &unit)
-    {
-      static const std::map<Q, std::map<std::string, double>> units = {
-        {Q::receptance, {{"m/N", 1}, {"mm/N", 1e-3}, {"mm/kN", 1e-6}}},
-        {Q::mobility, {{"m/(N s)", 1}, {"m/(Ns)", 1}, {"m/s/N", 1}, {"m/Ns", 1}, {"mm/s/N", 1e-3}}},
-        {Q::accelerance, {{"m/(s2 N)", 1}, {"m/s2/N", 1}, {"1/kg", 1}}}};
-      const auto &known = units.at(column.quantity);
-      if (const auto found = known.find(unit); found != known.end())
-        return found->second;
-      std::string accepted;
-      for (const auto &entry : known)
-        accepted += (accepted.empty() ? "" : ", ") + entry.first;
-      throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a " + column.name + "; accepted are " +
-                       accepted);
-    }
-  } // namespace
-
-
-  double
-  unit_factor(const MotionColumn &column, const std::string &unit)
-  {
-    if (column.quantity == Q::spin)
-      {
-        if (unit == "1/m")
-          return 1;
-        throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a spin; 1/m is accepted");
-      }
-    if (column.quantity == Q::torque || column.quantity == Q::spin_moment)
-      {
-        if (unit == "N m" || unit == "Nm")
-          return 1;
-        if (unit == "kN m" || unit == "kNm")
-          return 1e3;
-        throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a torque; N m or kN m is accepted");
-      }
-    if (column.quantity == Q::receptance || column.quantity == Q::mobility ||
-        column.quantity == Q::accelerance)
-      return receptance_unit(column, unit);
-    if (column.dimension == Dimension::none)
-      {
-        if (unit == "%")
-          return 0.01;
-        if (unit.empty() || unit == "1" || unit == "-")
-          return 1;
-        throw InputError("\"" + shown_text(unit, 40) + "\" is no unit of a " + column.name +
-                         "; %, or 1 is accepted");
-      }
-    return parse_quantity("1 " + unit, column.dimension);
-  }
 } // namespace wheelrail

@@ -2,7 +2,6 @@
 #include <wheelrail/base/split_list.h>
 #include <wheelrail/input/motion_columns.h>
 #include <wheelrail/input/motion_file.h>
-#include <wheelrail/input/row_reader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +25,25 @@ namespace wheelrail
 
   namespace
   {
+    std::vector<TableColumn>
+    columns_of(const MotionColumns &known)
+    {
+      std::vector<TableColumn> columns;
+      for (const MotionColumn &column : known)
+        columns.push_back(column.as);
+      return columns;
+    }
+
+    MotionFile
+    read_rows(const std::string &path, const MotionColumns &known, const TableOptions &options)
+    {
+      Table      table = read_table(path, columns_of(known), options);
+      MotionFile rows{{}, std::move(table.columns), std::move(table.notes)};
+      for (const std::size_t k : table.known)
+        rows.quantities.push_back(known[k].quantity);
+      return rows;
+    }
+
     /// Throws InputError for two columns that drive.
     void
     require_one_drive(const std::string &path, const MotionFile &rows)
@@ -66,7 +84,7 @@ namespace wheelrail
   {
     for (const MotionColumn &column : motion_columns())
       if (column.quantity == quantity)
-        return column.name;
+        return column.as.name;
     return "";
   }
 
@@ -78,7 +96,7 @@ namespace wheelrail
       return "Nm";
     for (const MotionColumn &column : motion_columns())
       if (column.quantity == quantity)
-        return column.dimension == Dimension::none ? "1" : si_unit(column.dimension);
+        return column.as.dimension == Dimension::none ? "1" : si_unit(column.as.dimension);
     return "1";
   }
 
@@ -103,23 +121,26 @@ namespace wheelrail
   MotionFile
   read_motion_file(const std::string &path)
   {
-    return checked(path, read_rows(path, motion_columns(), {purpose_of_rows, false, {}}));
+    return checked(path, read_rows(path, motion_columns(), {purpose_of_rows, false, {}, "#", ""}));
   }
 
 
   MotionFile
   read_vehicle_file(const std::string &path, const std::string &columns)
   {
-    const ColumnNames names = columns.empty() ? ColumnNames() : read_column_names(columns);
-    return checked(path, read_rows(path, motion_columns(), {purpose_of_rows, true, names}));
+    const ColumnNames names =
+      columns.empty() ? ColumnNames() : read_column_names(columns, columns_of(motion_columns()));
+    return checked(path, read_rows(path, motion_columns(), {purpose_of_rows, true, names, "#", ""}));
   }
 
 
   MotionFile
   read_passage_list(const std::string &path)
   {
-    MotionFile rows = read_rows(
-      path, passage_columns(), {"Run/Passage list needs a table with a row for each wheel", false, {}});
+    MotionFile rows =
+      read_rows(path,
+                passage_columns(),
+                {"Run/Passage list needs a table with a row for each wheel", false, {}, "#", ""});
     require_one_drive(path, rows);
     return rows;
   }
@@ -128,8 +149,10 @@ namespace wheelrail
   MotionFile
   read_mix_file(const std::string &path)
   {
-    MotionFile rows = read_rows(
-      path, mix_columns(), {"Wear/Mix needs a table with a row for each kind of traffic", false, {}});
+    MotionFile rows =
+      read_rows(path,
+                mix_columns(),
+                {"Wear/Mix needs a table with a row for each kind of traffic", false, {}, "#", ""});
     require_one_drive(path, rows);
     require_loads(path, rows);
     if (const auto *const weights = rows.find(Q::weight);
@@ -153,8 +176,10 @@ namespace wheelrail
   MotionFile
   read_curve_file(const std::string &path, const MotionQuantity over)
   {
-    MotionFile rows = read_rows(
-      path, curve_columns(), {"--beside needs a table of points to draw beside the curve", false, {}});
+    MotionFile rows =
+      read_rows(path,
+                curve_columns(),
+                {"--beside needs a table of points to draw beside the curve", false, {}, "#", ""});
     const std::string name = over == Q::spin ? "spin" : "creepage";
     if (!rows.find(over))
       throw InputError(path + ": no " + name + "; the curve runs over it: name a column \"" + name +
@@ -174,7 +199,7 @@ namespace wheelrail
     MotionFile rows =
       read_rows(path,
                 receptance_columns(),
-                {"--beside needs a table over frequencies to draw beside the result", false, {}});
+                {"--beside needs a table over frequencies to draw beside the result", false, {}, "#", ""});
     if (!rows.find(Q::frequency))
       throw InputError(path + ": no frequency; name a column \"frequency [Hz]\"");
     for (const MotionQuantity shown : {Q::receptance, Q::mobility, Q::accelerance})

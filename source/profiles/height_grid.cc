@@ -1,7 +1,8 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/table.h>
+#include <wheelrail/base/text_rows.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/profiles/height_grid.h>
-#include <wheelrail/profiles/named_columns.h>
 #include <wheelrail/profiles/profile_text.h>
 
 #include <gsl/gsl_spline.h>
@@ -17,16 +18,7 @@ namespace wheelrail
 {
   namespace
   {
-    const std::string accepted =
-      "; a line with names such as along_mm, across_mm, height_um is needed, then rows of numbers";
-
-    const std::vector<NamedColumn> &
-    columns()
-    {
-      static const std::vector<NamedColumn> list = {
-        {"along", length_units(), true}, {"across", length_units(), false}, {"height", length_units(), true}};
-      return list;
-    }
+    constexpr double largest_height = 5e-3; // as Irregularity/Depth
 
     std::string
     in_millimetres(const double value)
@@ -68,45 +60,44 @@ namespace wheelrail
     }
 
     HeightGrid
-    grid_of_rows(const std::vector<NamedRow> &rows, const bool line, const std::string &path)
+    read_grid(const std::string &path)
     {
-      std::vector<double> along, across;
-      for (const NamedRow &row : rows)
-        {
-          along.push_back(row.value[0]);
-          across.push_back(row.value[1]);
-        }
-      HeightGrid grid{different(along), line ? std::vector<double>() : different(across), {}};
+      const Table table =
+        read_table(path,
+                   {{"along", Dimension::length, -1e6, 1e6, "-1000 km to 1000 km", true},
+                    {"across", Dimension::length, -1, 1, "-1 m to 1 m"},
+                    {"height", Dimension::length, -largest_height, largest_height, "-5 mm to 5 mm", true}},
+                   {"heights are rows under names such as along_mm, across_mm (not of a line), height_um",
+                    true,
+                    {},
+                    "#%!",
+                    ""});
+      const std::vector<double> &along = *table.find(0), &height = *table.find(2);
+      const std::vector<double> *across = table.find(1);
+      HeightGrid grid{different(along), across ? different(*across) : std::vector<double>(), {}};
       require_enough(grid, path);
       const std::size_t         n = grid.along.size(), m = std::max<std::size_t>(1, grid.across.size());
       std::vector<unsigned int> from(n * m, 0);
       grid.height.resize(n * m);
-      for (const NamedRow &row : rows)
+      for (std::size_t row = 0; row < height.size(); ++row)
         {
           const std::size_t k =
-            index_of(grid.along, row.value[0]) + n * (line ? 0 : index_of(grid.across, row.value[1]));
+            index_of(grid.along, along[row]) + n * (across ? index_of(grid.across, (*across)[row]) : 0);
           if (from[k] > 0)
-            throw InputError(place(path, row.line) + "the same place as in line " + std::to_string(from[k]) +
-                             "; one row for each place is needed");
-          from[k]        = row.line;
-          grid.height[k] = row.value[2];
+            throw InputError(place(path, table.lines[row]) + "the same place as in line " +
+                             std::to_string(from[k]) + "; one row for each place is needed");
+          from[k]        = table.lines[row];
+          grid.height[k] = height[row];
         }
       if (const auto hole = std::find(from.begin(), from.end(), 0u); hole != from.end())
         {
           const auto k = static_cast<std::size_t>(hole - from.begin());
           throw InputError(path + ": no row for along = " + in_millimetres(grid.along[k % n]) +
-                           ", across = " + in_millimetres(grid.across[k / n]) + " (" +
+                           (across ? ", across = " + in_millimetres(grid.across[k / n]) : "") + " (" +
                            std::to_string(std::count(from.begin(), from.end(), 0u)) + " of " +
                            std::to_string(n * m) + " are missing); fill the holes of the grid");
         }
       return grid;
-    }
-
-    HeightGrid
-    read_table(const std::string &path)
-    {
-      const NamedTable table = read_named_columns(path, columns(), accepted);
-      return grid_of_rows(table.rows, !table.has[1], path);
     }
 
     bool
@@ -119,17 +110,17 @@ namespace wheelrail
 
     /// A dataset of numbers whose name tells its unit [m].
     std::vector<double>
-    lengths_of(const hid_t file, const std::string &path, const NamedColumn &column)
+    lengths_of(const hid_t file, const std::string &path, const std::string &quantity)
     {
-      for (const auto &[ending, unit] : column.units)
-        if (H5Lexists(file, (column.quantity + ending).c_str(), H5P_DEFAULT) > 0)
+      for (const auto &[ending, unit] : {std::make_pair("_mm", 1e-3), {"_m", 1.}, {"_um", 1e-6}})
+        if (H5Lexists(file, (quantity + ending).c_str(), H5P_DEFAULT) > 0)
           {
-            std::vector<double> values = hdf5::read_dataset(file, column.quantity + ending);
+            std::vector<double> values = hdf5::read_dataset(file, quantity + ending);
             for (double &value : values)
               value *= unit;
             return values;
           }
-      throw InputError(path + ": no dataset " + column.quantity +
+      throw InputError(path + ": no dataset " + quantity +
                        "_mm (or _m, _um); along_mm, across_mm and height_um are needed");
     }
 
@@ -141,9 +132,9 @@ namespace wheelrail
         {
           const hdf5::Handle file(
             H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": no HDF5 file");
-          HeightGrid grid{lengths_of(file, path, columns()[0]),
-                          lengths_of(file, path, columns()[1]),
-                          lengths_of(file, path, columns()[2])};
+          HeightGrid grid{lengths_of(file, path, "along"),
+                          lengths_of(file, path, "across"),
+                          lengths_of(file, path, "height")};
           require_enough(grid, path);
           for (const auto *places : {&grid.along, &grid.across})
             if (std::adjacent_find(places->begin(), places->end(), std::greater_equal<double>()) !=
@@ -156,6 +147,9 @@ namespace wheelrail
           for (const double height : grid.height)
             if (!std::isfinite(height))
               throw InputError(path + ": a height that is no number; fill the holes of the grid");
+            else if (std::abs(height) > largest_height)
+              throw InputError(path + ": a height of " + in_millimetres(height) +
+                               "; -5 mm to 5 mm is accepted");
           return grid;
         }
       catch (const RunError &error)
@@ -205,7 +199,7 @@ namespace wheelrail
   HeightGrid
   read_height_file(const std::string &path)
   {
-    return is_hdf5(path) ? read_datasets(path) : read_table(path);
+    return is_hdf5(path) ? read_datasets(path) : read_grid(path);
   }
 
 

@@ -139,7 +139,7 @@ namespace wheelrail
                        ": not a text file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
     std::vector<Line> lines   = lines_of(text);
     const std::size_t begin   = begin_of_points(lines);
-    const bool        commas  = take_decimal_commas(lines, begin);
+    const bool        commas  = take_row_format(lines, begin, file);
     const Format      format  = format_of(lines, begin);
     FileContent       content = format == Format::simpack    ? parse_simpack(lines, file)
                                 : format == Format::miniprof ? parse_miniprof(lines, begin, file)

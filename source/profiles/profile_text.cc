@@ -1,36 +1,12 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/line_ends.h>
 #include <wheelrail/profiles/profile_text.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <optional>
 
 namespace wheelrail
 {
-  std::string
-  trimmed(const std::string &text)
-  {
-    const char *blanks = " \t\r\f\v";
-    const auto  first  = text.find_first_not_of(blanks);
-    return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-  }
-
-  std::string
-  lower(std::string text)
-  {
-    std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) {
-      return static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-    });
-    return text;
-  }
-
-  std::string
-  place(const std::string &file, const unsigned int line)
-  {
-    return file + ":" + std::to_string(line) + ": ";
-  }
-
   std::string
   shown(const std::string &text)
   {
@@ -38,46 +14,6 @@ namespace wheelrail
     for (const char c : text.substr(0, 40))
       result += c >= 32 && c < 127 ? c : '?';
     return "\"" + result + (text.size() > 40 ? "...\"" : "\"");
-  }
-
-  std::vector<Line>
-  lines_of(const std::string &whole)
-  {
-    const std::string mark = "\xEF\xBB\xBF"; // byte order mark of UTF-8
-    const std::string text = with_line_feeds(whole.compare(0, 3, mark) == 0 ? whole.substr(3) : whole);
-    std::vector<Line> lines;
-    unsigned int      number = 0;
-    for (std::size_t begin = 0; begin <= text.size();)
-      {
-        const std::size_t end  = std::min(text.find('\n', begin), text.size());
-        std::string       line = trimmed(text.substr(begin, end - begin));
-        ++number;
-        if (!line.empty())
-          lines.push_back({std::move(line), number});
-        begin = end + 1;
-      }
-    return lines;
-  }
-
-  std::string
-  without_comment(const std::string &line, const char *marks)
-  {
-    return trimmed(line.substr(0, line.find_first_of(marks)));
-  }
-
-  std::optional<double>
-  number_of(std::string text)
-  {
-    if (!text.empty() && text[0] == '+')
-      text.erase(0, 1);
-    const auto d = text.find_first_of("dD");
-    if (d != std::string::npos)
-      text[d] = 'e';
-    double     value  = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc() || result.ptr != text.data() + text.size() || !std::isfinite(value))
-      return {};
-    return value;
   }
 
   std::vector<std::string>
@@ -117,54 +53,28 @@ namespace wheelrail
       const std::vector<std::string> fields = fields_of(without_comment(text, "!#%"));
       return !fields.empty() && number_of(fields[0]);
     }
-
-    /// Whether commas stand between digits although blanks or semicolons already separate the numbers.
-    bool
-    has_decimal_commas(const std::string &text)
-    {
-      const auto  digit = [](const char c) { return c >= '0' && c <= '9'; };
-      std::string part;
-      std::size_t numbers = 0;
-      bool        comma   = false;
-      for (const char c : text + " ")
-        {
-          if (c != ' ' && c != '\t' && c != ';')
-            {
-              part += c;
-              continue;
-            }
-          numbers += !part.empty() && (digit(part[0]) || part[0] == '-' || part[0] == '+');
-          for (std::size_t i = 1; i + 1 < part.size(); ++i)
-            comma = comma || (part[i] == ',' && digit(part[i - 1]) && digit(part[i + 1]));
-          part.clear();
-        }
-      return comma && numbers > 1;
-    }
   } // namespace
 
   bool
-  take_decimal_commas(std::vector<Line> &lines, const std::size_t begin)
+  take_row_format(std::vector<Line> &lines, const std::size_t begin, const std::string &file)
   {
-    const auto digit                 = [](const char c) { return c >= '0' && c <= '9'; };
-    const auto stands_between_digits = [&](const std::string &text, const std::size_t k) {
-      return k > 0 && k + 1 < text.size() && digit(text[k - 1]) && digit(text[k + 1]);
-    };
-    bool commas = false;
+    std::vector<Line>        rows;
+    std::vector<std::size_t> of;
     for (std::size_t i = begin; i < lines.size(); ++i)
+      if (starts_with_number(lines[i].text))
+        {
+          rows.push_back({without_comment(lines[i].text, "!#%"), lines[i].number});
+          of.push_back(i);
+        }
+    const RowFormat format = row_format(rows, {0, 1}, 0, true, file);
+    for (std::size_t i = 0; i < rows.size(); ++i)
       {
-        const std::string text = without_comment(lines[i].text, "!#%");
-        if (!starts_with_number(text))
-          continue;
-        for (std::size_t k = 0; k < text.size(); ++k)
-          if (text[k] == '.' && stands_between_digits(text, k))
-            return false;
-        commas = commas || has_decimal_commas(text);
+        std::string text;
+        for (const std::string &cell : cells_of(rows[i].text, format))
+          text += (text.empty() ? "" : " ") + (cell.empty() ? "-" : cell);
+        lines[of[i]].text = text;
       }
-    for (std::size_t i = begin; commas && i < lines.size(); ++i)
-      for (std::size_t k = 0; k < lines[i].text.size(); ++k)
-        if (lines[i].text[k] == ',' && stands_between_digits(lines[i].text, k))
-          lines[i].text[k] = '.';
-    return commas;
+    return format.decimal_comma;
   }
 
   void
@@ -193,13 +103,8 @@ namespace wheelrail
   numbers_of(const Line &line, const std::size_t needed, const std::string &file, LeftOut &left_out)
   {
     const std::string              text   = without_comment(line.text, "!#%");
-    const std::vector<std::string> fields = fields_of(text);
+    const std::vector<std::string> fields = cells_of(text, {' ', false});
     std::vector<double>            numbers;
-    if (has_decimal_commas(text))
-      throw InputError(
-        place(file, line.number) + shown(text) +
-        " has commas and other separators; write a point as decimal mark, and blanks, tabs, commas or "
-        "semicolons between the columns");
     for (const std::string &field : fields)
       {
         const auto number = number_of(field);

@@ -1,32 +1,24 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/profiles/named_columns.h>
-#include <wheelrail/profiles/profile_text.h>
+#include <wheelrail/base/table.h>
 #include <wheelrail/profiles/roughness_file.h>
-
-#include <cmath>
 
 namespace wheelrail
 {
   std::vector<RoughnessBand>
   read_roughness_file(const std::string &path)
   {
-    constexpr double  highest = 60; // 1 mm root mean square
-    const std::string accepted =
-      "; a line with the names wavelength_mm, level_dB is needed, then a row for each one-third-octave band";
-    const NamedTable table = read_named_columns(
-      path, {{"wavelength", length_units(), true}, {"level", {{"_dB", 1.}}, true}}, accepted);
+    const Table table = read_table(
+      path,
+      {{"wavelength", Dimension::length, 1e-9, 1e3, "a length above 0, up to 1 km,", true},
+       {"level", Dimension::level, -60, 60, "-60 dB to 60 dB over a root mean square height of 1 um", true}},
+      {"roughness is a row for each one-third-octave band under the names wavelength_mm, level_dB",
+       true,
+       {},
+       "#%!",
+       ""});
     std::vector<RoughnessBand> bands;
-    for (const NamedRow &row : table.rows)
-      {
-        if (!(row.value[0] > 0))
-          throw InputError(place(path, row.line) + "a wavelength must be positive");
-        if (std::abs(row.value[1]) > highest)
-          throw InputError(place(path, row.line) +
-                           "a level beyond 60 dB; levels are 20 lg of the root mean square height over 1 um");
-        bands.push_back({row.value[0], row.value[1]});
-      }
-    if (bands.empty())
-      throw InputError(path + ": no band" + accepted);
+    for (std::size_t row = 0; row < table.lines.size(); ++row)
+      bands.push_back({(*table.find(0))[row], (*table.find(1))[row]});
     return bands;
   }
 } // namespace wheelrail

@@ -8,6 +8,7 @@
 #include <gsl/gsl_spline.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -39,8 +40,18 @@ namespace wheelrail
         : path_(path)
       {
         for (const Line &line : lines_of(text_of_file(path, "")))
-          if (const std::string text = trimmed(without_comment(line.text, "%")); !text.empty())
-            lines_.push_back({text, line.number});
+          {
+            const std::string text    = without_comment(line.text, "%");
+            const std::string numbers = text.substr(0, text.find_first_not_of("0123456789+-.,eEdD \t"));
+            for (std::size_t k = numbers.find(','); k != std::string::npos; k = numbers.find(',', k + 1))
+              if (k > 0 && k + 1 < numbers.size() && std::isdigit(numbers[k - 1]) &&
+                  std::isdigit(numbers[k + 1]))
+                throw InputError(
+                  place(path_, line.number) + shown(text) +
+                  ": a comma between digits; write decimal points, and blanks between numbers");
+            if (!text.empty())
+              lines_.push_back({text, line.number});
+          }
       }
 
       /// The next line, in which `what` is expected.

@@ -1,52 +1,16 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/file_kind.h>
+#include <wheelrail/base/table.h>
+#include <wheelrail/base/text_rows.h>
 #include <wheelrail/reference/distance_file.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 namespace wheelrail
 {
   namespace
   {
-    struct Row
-    {
-      double       x, y, distance; ///< [mm]
-      unsigned int line;
-    };
-
-    std::vector<Row>
-    read_rows(const std::string &path)
-    {
-      if (const std::string other = other_than_a_file(path); !other.empty())
-        throw InputError(path + ": " + other + "; rows x, y, distance in mm are needed");
-      std::ifstream file(path);
-      if (!file)
-        throw InputError(path + ": the file cannot be read; rows x, y, distance in mm are needed");
-      std::vector<Row> rows;
-      std::string      text;
-      for (unsigned int line = 1; std::getline(file, text); ++line)
-        {
-          text.resize(std::min(text.size(), text.find('#')));
-          std::replace(text.begin(), text.end(), ',', ' ');
-          std::replace(text.begin(), text.end(), '\r', ' ');
-          if (text.find_first_not_of(" \t") == std::string::npos)
-            continue;
-          std::istringstream words(text);
-          Row                row{0, 0, 0, line};
-          std::string        more;
-          if (!(words >> row.x >> row.y >> row.distance) || words >> more ||
-              !std::isfinite(row.x + row.y + row.distance))
-            throw InputError(path + ":" + std::to_string(line) +
-                             ": three numbers x, y, distance in mm are needed");
-          rows.push_back(row);
-        }
-      return rows;
-    }
-
     /// The different values of one coordinate, growing; steps must be even.
     std::vector<double>
     lines_of(std::vector<double> values, const std::string &path, const char *name)
@@ -64,7 +28,7 @@ namespace wheelrail
       for (std::size_t k = 0; k < lines.size(); ++k)
         if (std::abs(lines[k] - lines[0] - double(k) * step) > 0.01 * step)
           throw InputError(path + ": the values of " + name + " have no even steps near " +
-                           std::to_string(lines[k]) + " mm; a regular grid is needed");
+                           std::to_string(1e3 * lines[k]) + " mm; a regular grid is needed");
       return lines;
     }
 
@@ -108,36 +72,33 @@ namespace wheelrail
   DistanceTable
   read_distance_file(const std::string &path)
   {
-    const std::vector<Row> rows = read_rows(path);
-    std::vector<double>    all_x, all_y;
-    for (const Row &row : rows)
-      {
-        all_x.push_back(row.x);
-        all_y.push_back(row.y);
-      }
-    DistanceTable             table{lines_of(all_x, path, "x"), lines_of(all_y, path, "y"), {}};
-    std::vector<unsigned int> from(table.x.size() * table.y.size(), 0);
+    const Table rows =
+      read_table(path,
+                 {{"x", Dimension::length, -1e3, 1e3, "-1 km to 1 km", true},
+                  {"y", Dimension::length, -1e3, 1e3, "-1 km to 1 km", true},
+                  {"distance", Dimension::length, -1e3, 1e3, "-1 km to 1 km", true}},
+                 {"rows x, y, distance in mm are needed", false, {}, "#", "x_mm,y_mm,distance_mm"});
+    const std::vector<double> &x = *rows.find(0), &y = *rows.find(1), &distance = *rows.find(2);
+    DistanceTable              table{lines_of(x, path, "x"), lines_of(y, path, "y"), {}};
+    std::vector<unsigned int>  from(table.x.size() * table.y.size(), 0);
     table.distance.resize(from.size());
-    for (const Row &row : rows)
+    for (std::size_t row = 0; row < x.size(); ++row)
       {
-        const std::size_t k = place_of(table.x, row.x) + table.x.size() * place_of(table.y, row.y);
+        const std::size_t k = place_of(table.x, x[row]) + table.x.size() * place_of(table.y, y[row]);
         if (from[k] > 0)
-          throw InputError(path + ":" + std::to_string(row.line) + ": the same place as in line " +
+          throw InputError(place(path, rows.lines[row]) + "the same place as in line " +
                            std::to_string(from[k]) + "; one row for each point is needed");
-        from[k]           = row.line;
-        table.distance[k] = 1e-3 * row.distance;
+        from[k]           = rows.lines[row];
+        table.distance[k] = distance[row];
       }
     const auto missing = std::find(from.begin(), from.end(), 0u);
     if (missing != from.end())
       {
         const auto k = std::size_t(missing - from.begin());
-        throw InputError(path + ": no row for x = " + std::to_string(table.x[k % table.x.size()]) +
-                         " mm, y = " + std::to_string(table.y[k / table.x.size()]) +
+        throw InputError(path + ": no row for x = " + std::to_string(1e3 * table.x[k % table.x.size()]) +
+                         " mm, y = " + std::to_string(1e3 * table.y[k / table.x.size()]) +
                          " mm; one row for each point of the grid is needed");
       }
-    for (auto *lines : {&table.x, &table.y})
-      for (double &value : *lines)
-        value *= 1e-3;
     return table;
   }
 } // namespace wheelrail

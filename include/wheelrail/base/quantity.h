@@ -22,7 +22,12 @@ namespace wheelrail
     damping,
     mass_moment, ///< moment of inertia of a mass
     angle,
-    spin ///< angle per length
+    spin, ///< angle per length
+    moment,
+    receptance,  ///< displacement per force
+    mobility,    ///< velocity per force
+    accelerance, ///< acceleration per force
+    level        ///< 20 lg of a ratio
   };
 
   /// The value of `text` in SI units: a decimal number, then for every dimension but `none` a unit

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <wheelrail/base/quantity.h>
+#include <wheelrail/base/table.h>
 #include <wheelrail/input/motion_file.h>
 
-#include <string>
 #include <vector>
 
 namespace wheelrail
@@ -12,10 +11,7 @@ namespace wheelrail
   struct MotionColumn
   {
     MotionQuantity quantity;
-    const char    *name;
-    Dimension      dimension;
-    double         least, most; ///< accepted [SI]
-    const char    *range;       ///< the same in words
+    TableColumn    as;
   };
   using MotionColumns = std::vector<MotionColumn>;
 
@@ -38,8 +34,4 @@ namespace wheelrail
   /// Of a receptance over frequency.
   const MotionColumns &
   receptance_columns();
-
-  /// SI value of one of the unit of a column; throws InputError for a unit of something else.
-  double
-  unit_factor(const MotionColumn &column, const std::string &unit);
 } // namespace wheelrail

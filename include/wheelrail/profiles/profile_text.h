@@ -2,38 +2,15 @@
 
 // What the readers of the profile formats share: lines, fields and numbers of a text.
 
+#include <wheelrail/base/text_rows.h>
 #include <wheelrail/profiles/profile_formats.h>
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace wheelrail
 {
-  /// A line without surrounding blanks.
-  struct Line
-  {
-    std::string  text;
-    unsigned int number = 0; ///< counted from 1
-  };
-
-  /// The lines of a text that hold more than blanks, ended by LF, CR LF or CR; a byte order mark is left out.
-  std::vector<Line>
-  lines_of(const std::string &text);
-
-  /// The text without blanks at its ends; in lower case; up to the first of the comment marks.
-  std::string
-  trimmed(const std::string &text);
-  std::string
-  lower(std::string text);
-  std::string
-  without_comment(const std::string &line, const char *marks);
-
-  /// "file:line: ", as messages begin.
-  std::string
-  place(const std::string &file, unsigned int line);
-
   /// A text of the file as a message may show it: in quotes, short and printable.
   std::string
   shown(const std::string &text);
@@ -41,10 +18,6 @@ namespace wheelrail
   /// "1 point", "3 points".
   std::string
   counted(std::size_t n, const std::string &what);
-
-  /// A finite number, or nothing. Fortran's D exponents and a leading plus are understood.
-  std::optional<double>
-  number_of(std::string text);
 
   /// The fields of a line of columns: blanks, tabs, commas and semicolons separate.
   std::vector<std::string>
@@ -67,7 +40,7 @@ namespace wheelrail
   is_switched_off(const Line &line, LeftOut &left_out);
 
   /// The numbers of a line of columns up to a comment (!, #, %) or the first field that is none; words there
-  /// are counted. Throws InputError when one of the first `needed` fields is none, and for decimal commas.
+  /// are counted. Throws InputError when one of the first `needed` fields is none.
   std::vector<double>
   numbers_of(const Line &line, std::size_t needed, const std::string &file, LeftOut &left_out);
 
@@ -77,10 +50,11 @@ namespace wheelrail
   std::size_t
   begin_of_points(const std::vector<Line> &lines);
 
-  /// Writes points for decimal commas from the line of index `begin` on: where commas stand between digits of
-  /// numbers that blanks, tabs or semicolons part, and no number has a point. Returns whether it did.
+  /// Writes the rows of numbers from the line of index `begin` on with decimal points and blanks between the
+  /// cells; an empty cell becomes "-". Returns whether they had decimal commas. Throws InputError, see
+  /// row_format().
   bool
-  take_decimal_commas(std::vector<Line> &lines, std::size_t begin);
+  take_row_format(std::vector<Line> &lines, std::size_t begin, const std::string &file);
 
   /// Adds a point; throws InputError when there are too many or a coordinate is beyond 1e9.
   void

@@ -1,0 +1,470 @@
+#include <wheelrail/base/choices.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/file_kind.h>
+#include <wheelrail/base/read_file.h>
+#include <wheelrail/base/shown_text.h>
+#include <wheelrail/base/table.h>
+#include <wheelrail/base/text_rows.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+namespace wheelrail
+{
+  namespace
+  {
+    using Cells = std::vector<std::string>;
+
+    const std::string no_rows =
+      ": no rows; such a table has a first line with names and units, and rows of numbers";
+
+    /// The lines of a file without remarks.
+    std::vector<Line>
+    lines_of_file(const std::string &path, const std::string &purpose, const char *remarks)
+    {
+      if (const std::string other = other_than_a_file(path); !other.empty())
+        throw InputError(path + ": " + other + "; " + purpose);
+      if (!std::filesystem::exists(path))
+        throw InputError(path + ": no such file; " + purpose);
+      std::string text;
+      try
+        {
+          text = read_whole_file(path);
+        }
+      catch (const RunError &error)
+        {
+          throw InputError(error.what());
+        }
+      if (text.find('\0') != std::string::npos)
+        throw InputError(path + ": no text in UTF-8, as a spreadsheet saves \"CSV\"; " + purpose);
+      std::vector<Line> lines;
+      for (const Line &line : lines_of(text))
+        if (const std::string rest = without_comment(line.text, remarks); !rest.empty())
+          lines.push_back({rest, line.number});
+      return lines;
+    }
+
+    /// A number, also as a fraction, "1/40".
+    std::optional<double>
+    number_in(const std::string &cell)
+    {
+      if (const auto number = number_of(cell))
+        return number;
+      try
+        {
+          return parse_quantity(cell, Dimension::none);
+        }
+      catch (const InputError &)
+        {
+          return std::nullopt;
+        }
+    }
+
+    /// The cells of a first line. Between blanks a name with its unit in brackets is one.
+    Cells
+    heads_of(const std::string &line)
+    {
+      for (const char separator : {';', '\t', ','})
+        if (Cells cells = cells_of(line, {separator, false}); cells.size() > 1)
+          {
+            const bool commas_too =
+              separator == '\t' && std::all_of(cells.begin(), cells.end() - 1, [](auto &c) {
+                return !c.empty() && c.back() == ',';
+              });
+            if (!commas_too)
+              return cells;
+          }
+      if (line.find_first_of("[(\"") == std::string::npos)
+        return cells_of(line, {' ', false});
+      Cells cells;
+      for (std::size_t begin = 0; begin < line.size();)
+        {
+          const std::size_t open = line.find_first_of("[(", begin);
+          const std::size_t end =
+            open == std::string::npos ? open : line.find(line[open] == '[' ? ']' : ')', open);
+          cells.push_back(
+            cells_of(line.substr(begin, end == std::string::npos ? end : end + 1 - begin), {';', false})[0]);
+          begin = end == std::string::npos ? line.size() : line.find_first_not_of(" \t", end + 1);
+        }
+      return cells;
+    }
+
+    /// What one of a unit is [SI]: "m_per_s" and "m_s" are m/s, too. The letter mu and superscripts may be
+    /// those of Latin-1. Nothing where it is no unit of this dimension.
+    std::optional<double>
+    factor_of(std::string unit, const Dimension dimension)
+    {
+      if (dimension == Dimension::none)
+        return unit == "%"                                  ? std::optional<double>(0.01)
+               : unit.empty() || unit == "1" || unit == "-" ? std::optional<double>(1)
+                                                            : std::nullopt;
+      for (std::size_t k = 0; k < unit.size(); ++k)
+        if (k == 0 || (unit[k - 1] != '\xC2' && unit[k - 1] != '\xCE'))
+          unit[k] = unit[k] == '\xB5' ? 'u' : unit[k] == '\xB2' ? '2' : unit[k];
+      if (unit == "kmh" || unit == "kph")
+        unit = "km/h";
+      if (const std::size_t per = unit.find(" per "); per != std::string::npos)
+        unit.replace(per, 5, "/");
+      for (const char between : {' ', '/'})
+        {
+          std::string other = unit;
+          std::replace(other.begin(), other.end(), ' ', between);
+          try
+            {
+              return parse_quantity("1 " + other, dimension);
+            }
+          catch (const InputError &)
+            {
+            }
+        }
+      return {};
+    }
+
+    /// A cell of the first line: "load [kN]".
+    struct Head
+    {
+      std::string cell; ///< as it stands
+      std::string name; ///< in small letters, with blanks between words
+      std::string unit;
+      bool        has_unit = false;
+      double      sign     = 1;
+    };
+
+    std::string
+    plain_name(const std::string &text)
+    {
+      std::string name = lower(trimmed(text));
+      std::replace(name.begin(), name.end(), '_', ' ');
+      return name;
+    }
+
+    Head
+    head_of(const std::string &cell, const std::vector<TableColumn> &known)
+    {
+      Head head;
+      head.cell = cell;
+      head.name = plain_name(cell);
+      for (const auto &[open, close] : {std::make_pair('[', ']'), {'(', ')'}})
+        if (const std::size_t begin = cell.find(open), end = cell.rfind(close);
+            begin != std::string::npos && end != std::string::npos && end > begin)
+          {
+            head.name     = plain_name(cell.substr(0, begin));
+            head.unit     = trimmed(cell.substr(begin + 1, end - begin - 1));
+            head.has_unit = true;
+            return head;
+          }
+      std::size_t longest = 0;
+      for (const TableColumn &column : known) // "load right_kN" is one of load right
+        {
+          const std::string name = column.name;
+          if (name.size() <= longest || head.name.size() <= name.size() ||
+              head.name.compare(0, name.size(), name) != 0 ||
+              std::string(" ,/").find(head.name[name.size()]) == std::string::npos)
+            continue;
+          std::string unit = trimmed(cell).substr(name.size());
+          std::replace(unit.begin(), unit.end(), '_', ' ');
+          unit = unit.substr(std::min(unit.size(), unit.find_first_not_of(" ,/")));
+          if (unit.compare(0, 3, "in ") == 0)
+            unit = trimmed(unit.substr(3));
+          if (unit.empty() || !factor_of(unit, column.dimension))
+            continue;
+          longest       = name.size();
+          head.unit     = unit;
+          head.has_unit = true;
+        }
+      if (head.has_unit)
+        head.name.resize(longest);
+      return head;
+    }
+
+    /// Reads one file.
+    class Reader
+    {
+    public:
+      Reader(const std::string &path, const std::vector<TableColumn> &known, const TableOptions &options)
+        : path_(path)
+        , known_(known)
+        , options_(options)
+      {
+        for (const TableColumn &column : known_)
+          names_.push_back(column.name);
+      }
+
+      Table
+      read();
+
+    private:
+      /// A column that is read: where it stands in a row, what turns it into SI.
+      struct Column
+      {
+        std::size_t        cell;
+        const TableColumn *of;
+        double             factor;
+      };
+
+      [[noreturn]] void
+      fail(const std::string &why) const
+      {
+        throw InputError(place(path_, line_) + why);
+      }
+      /// The head of a cell, under its name here.
+      Head
+      renamed(const std::string &cell) const;
+      /// Units of a second line, where this is one.
+      bool
+      take_units(const std::string &line);
+      /// Whether a name is a known one but for a letter or two: then it is one that was misspelt.
+      bool
+      resembles_known(const std::string &name) const;
+      void
+      settle_columns();
+      double
+      unit_factor(const Head &head, const TableColumn &column) const;
+      void
+      take_row(const std::string &line, const RowFormat &format);
+      double
+      value_of(const Column &column, const std::string &cell) const;
+
+      std::string                     path_;
+      const std::vector<TableColumn> &known_;
+      const TableOptions             &options_;
+      Cells                           names_;
+      unsigned int                    line_ = 0;
+      std::vector<Head>               heads_;
+      std::vector<Column>             columns_;
+      Table                           table_;
+    };
+
+    Head
+    Reader::renamed(const std::string &cell) const
+    {
+      Head own = head_of(cell, known_);
+      for (const std::string &name : {cell, trimmed(cell.substr(0, cell.find_first_of("[(")))})
+        if (const auto found = options_.names.find(name); found != options_.names.end())
+          {
+            const bool turned = found->second[0] == '-';
+            Head       here   = head_of(turned ? trimmed(found->second.substr(1)) : found->second, known_);
+            here.cell         = cell;
+            here.sign         = turned ? -1 : 1;
+            if (!here.has_unit && own.has_unit)
+              {
+                here.unit     = own.unit;
+                here.has_unit = true;
+              }
+            return here;
+          }
+      return own;
+    }
+
+    bool
+    Reader::take_units(const std::string &line)
+    {
+      const Cells cells = heads_of(line);
+      const bool  bare =
+        std::none_of(heads_.begin(), heads_.end(), [](const Head &head) { return head.has_unit; });
+      if (!bare || cells.size() != heads_.size() ||
+          std::any_of(cells.begin(), cells.end(), [](const auto &cell) {
+            return number_in(cells_of(cell, {';', true})[0]) && cell != "1";
+          }))
+        return false;
+      for (std::size_t k = 0; k < cells.size(); ++k)
+        {
+          const bool brackets = cells[k].size() > 1 && cells[k].find_first_of("[(") == 0;
+          heads_[k].unit      = brackets ? trimmed(cells[k].substr(1, cells[k].size() - 2)) : cells[k];
+          heads_[k].has_unit  = true;
+        }
+      return true;
+    }
+
+    bool
+    Reader::resembles_known(const std::string &name) const
+    {
+      const unsigned int most = name.size() <= 5 ? 1 : 2; // of short names hardly a letter is left otherwise
+      return std::any_of(names_.begin(), names_.end(), [&](const std::string &known) {
+        return edit_distance(known, name) <= most;
+      });
+    }
+
+    double
+    Reader::unit_factor(const Head &head, const TableColumn &column) const
+    {
+      const std::string begin = "column \"" + shown_text(head.cell, 40) + "\"";
+      if (!head.has_unit && column.dimension != Dimension::none)
+        {
+          const std::string units = dimension_units(column.dimension);
+          fail(begin + " has no unit; write it in brackets, such as \"" + head.name + " [" +
+               units.substr(0, units.find(',')) + "]\"");
+        }
+      if (const auto factor = factor_of(head.unit, column.dimension))
+        return *factor;
+      if (column.dimension == Dimension::none)
+        fail(begin + ": \"" + shown_text(head.unit, 40) + "\" is no unit of a " + head.name +
+             "; %, or 1 is accepted");
+      try
+        {
+          return parse_quantity("1 " + head.unit, column.dimension);
+        }
+      catch (const InputError &error)
+        {
+          fail(begin + ": " + error.what());
+        }
+    }
+
+    void
+    Reader::settle_columns()
+    {
+      const std::string there = "; there are " + join_choices(names_, "and") +
+                                ", each with its unit in brackets, such as \"load [kN]\"";
+      std::string left_out;
+      for (std::size_t k = 0; k < heads_.size(); ++k)
+        {
+          const Head &head  = heads_[k];
+          const auto  known = std::find(names_.begin(), names_.end(), head.name);
+          if (known == names_.end())
+            {
+              if (options_.leaves && !resembles_known(head.name))
+                {
+                  left_out += (left_out.empty() ? "\"" : ", \"") + shown_text(head.cell, 40) + "\"";
+                  continue;
+                }
+              fail("column \"" + shown_text(head.cell, 40) + "\" is not known" + perhaps(head.name, names_) +
+                   there);
+            }
+          const TableColumn &column = known_[known - names_.begin()];
+          if (std::any_of(
+                columns_.begin(), columns_.end(), [&](const Column &other) { return other.of == &column; }))
+            fail("two columns of " + head.name + "; leave one out");
+          columns_.push_back({k, &column, head.sign * unit_factor(head, column)});
+          table_.known.push_back(known - names_.begin());
+        }
+      for (std::size_t k = 0; k < known_.size(); ++k)
+        if (known_[k].needed && std::find(table_.known.begin(), table_.known.end(), k) == table_.known.end())
+          fail("no column " + names_[k] + "; " + options_.purpose);
+      if (columns_.empty())
+        fail("no column is known" + there);
+      if (!left_out.empty())
+        table_.notes.push_back(path_ + ": columns that are not used: " + left_out +
+                               "; a table of names tells what they are called here (--columns)");
+      table_.columns.resize(columns_.size());
+    }
+
+    double
+    Reader::value_of(const Column &column, const std::string &cell) const
+    {
+      const std::string name = column.of->name;
+      if (cell.empty())
+        fail("no value of " + name + "; rows cannot have gaps: fill it or leave the column out");
+      const auto number = number_in(cell);
+      if (!number)
+        fail("\"" + shown_text(cell, 40) + "\" of " + name +
+             " is not a number; units stand in the first line");
+      const double value = column.factor * *number;
+      if ((value != 0 && std::abs(value) < column.of->least_amount) ||
+          value < column.of->least * (column.of->least < 0 ? 1 + 1e-12 : 1 - 1e-12) ||
+          value > column.of->most * (1 + 1e-12))
+        fail(name + " = " + shown_text(cell, 40) + " is out of range; " + column.of->range +
+             " is accepted, in the unit of the first line");
+      return value;
+    }
+
+    void
+    Reader::take_row(const std::string &line, const RowFormat &format)
+    {
+      const Cells cells = cells_of(line, format, heads_.size());
+      if (cells.size() != heads_.size())
+        fail("a row of " + std::to_string(cells.size()) + " values, the first line names " +
+             std::to_string(heads_.size()) + " columns");
+      for (std::size_t k = 0; k < columns_.size(); ++k)
+        {
+          const Column      &of    = columns_[k];
+          const std::string &cell  = cells[of.cell];
+          const double       value = value_of(of, cell);
+          auto              &rows  = table_.columns[k];
+          if (of.of->grows && !rows.empty() && !(value > rows.back()))
+            fail(std::string(of.of->name) + " = " + shown_text(cell, 40) +
+                 (value == rows.back() ? " stands in the row before, too; leave one of them out"
+                                       : " is less than in the row before; sort the rows"));
+          rows.push_back(value);
+        }
+      table_.lines.push_back(line_);
+    }
+
+    Table
+    Reader::read()
+    {
+      std::vector<Line> lines = lines_of_file(path_, options_.purpose, options_.remarks);
+      if (lines.empty())
+        throw InputError(path_ + no_rows);
+      line_                   = lines.front().number;
+      const std::string first = lines.front().text;
+      const bool numbers = *options_.otherwise && number_of(first.substr(0, first.find_first_of(" \t,;")));
+      const bool one     = std::count(names_.begin(), names_.end(), plain_name(first)) > 0;
+      for (const std::string &cell : numbers ? heads_of(options_.otherwise)
+                                     : one   ? Cells{first}
+                                             : heads_of(first))
+        heads_.push_back(renamed(cell));
+      std::size_t begin = !numbers;
+      begin += !numbers && lines.size() > 1 && take_units(lines[1].text);
+      settle_columns();
+      lines.erase(lines.begin(), lines.begin() + begin);
+      if (lines.empty())
+        throw InputError(path_ + no_rows);
+      std::vector<std::size_t> cells;
+      for (const Column &column : columns_)
+        cells.push_back(column.cell);
+      const RowFormat format = row_format(lines, cells, heads_.size(), false, path_);
+      for (const Line &line : lines)
+        {
+          line_ = line.number;
+          take_row(line.text, format);
+        }
+      return table_;
+    }
+  } // namespace
+
+
+  const std::vector<double> *
+  Table::find(const std::size_t of) const
+  {
+    const auto at = std::find(known.begin(), known.end(), of);
+    return at == known.end() ? nullptr : &columns[at - known.begin()];
+  }
+
+
+  Table
+  read_table(const std::string &path, const std::vector<TableColumn> &known, const TableOptions &options)
+  {
+    return Reader(path, known, options).read();
+  }
+
+
+  ColumnNames
+  read_column_names(const std::string &path, const std::vector<TableColumn> &known)
+  {
+    ColumnNames names;
+    Cells       here;
+    for (const TableColumn &column : known)
+      here.push_back(column.name);
+    for (const Line &line :
+         lines_of_file(path, "--columns needs a table of names: the name in the rows, the name here", "#"))
+      {
+        const Cells cells = heads_of(line.text);
+        if (cells.size() != 2 || cells[0].empty() || cells[1].empty())
+          throw InputError(
+            place(path, line.number) +
+            "a line holds two names with a comma, semicolon or tab between: that in the rows and that "
+            "here, such as \"y_ws;lateral shift [mm]\"");
+        const std::string name =
+          head_of(trimmed(cells[1][0] == '-' ? cells[1].substr(1) : cells[1]), known).name;
+        if (std::find(here.begin(), here.end(), name) == here.end())
+          throw InputError(place(path, line.number) + "\"" + shown_text(name, 40) + "\" is no column" +
+                           perhaps(name, here) + "; there are " + join_choices(here, "and"));
+        if (!names.emplace(cells[0], cells[1]).second)
+          throw InputError(place(path, line.number) + "\"" + shown_text(cells[0], 40) +
+                           "\" stands in a line before, too; leave one of them out");
+      }
+    return names;
+  }
+} // namespace wheelrail
