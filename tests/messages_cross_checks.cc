@@ -286,11 +286,11 @@ namespace
     check_warning({"Mesh/Solution cell size = 4 mm", "Mesh/Fine margin = 4 mm"},
                   "Mesh/Solution cell size = 4 mm: coarse; a patch of about 20 mm x 14 mm (width x length) "
                   "is expected, which is less than six cells in one direction, so the peak pressure will be "
-                  "some 10 % or more off; take 1.4 mm for results");
+                  "some 10 % or more off; take 1 mm for results");
     check_warning({"Wheelset/Sprung mass = 1.2 t", "Mesh/Solution cell size = 2 mm"},
                   "Mesh/Solution cell size = 2 mm: coarse; a patch of about 6.7 mm x 7.8 mm (width x length) "
                   "is expected, which is less than six cells in one direction, so the peak pressure will be "
-                  "some 10 % or more off; take 0.6 mm for results");
+                  "some 10 % or more off; take 0.5 mm for results");
     check_warning({"Run/Time step factor = 0.001"},
                   "Run/Rolling distance = 60 mm: takes about 10 million time steps at Wheelset/Velocity = "
                   "140 km/h, Mesh/Solution cell size = 1 mm and Run/Time step factor = 0.001, days of "

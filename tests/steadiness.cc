@@ -160,7 +160,7 @@ main()
   refused(driven, "longitudinal force against the torque");
   Faults brief;
   brief.rolled = 20e-3;
-  refused(brief, "shorter than");
+  refused(brief, "results are judged from");
 
   // a force that is off by 0.05 % of the friction bound, which is let pass, stands in the error of the
   // creepage with what the creep curve makes of it

@@ -154,6 +154,24 @@ namespace
     check(judge_run(Scene(), m).grade() == Grade::with_care, "without a reference care is needed");
   }
 
+  /// The wear of the main scene and of the quick start, whose sections are 15 and 34 % larger than those of
+  /// half-spaces, and of a patch of which all slides.
+  void
+  test_wear()
+  {
+    Scene   scene;
+    Summary run;
+    run.patch_longitudinal = 12.9e-3;
+    run.stick_fraction     = 0.712;
+    scene.cell_size        = 1e-3;
+    holds(wear_doubt(scene, run), "Wear is with care: 3.7 cells of 1 mm lie across", "main scene");
+    scene.cell_size = 2e-3;
+    holds(wear_doubt(scene, run), "Wear is not trusted: 1.9 cells of 2 mm lie across", "quick start");
+    scene.cell_size    = 1e-3;
+    run.stick_fraction = 0;
+    check_text(wear_doubt(scene, run), "", "wear of a patch that slides");
+  }
+
   /// Over irregular surfaces: means where the wheel flies, and a force that still rises at the end.
   void
   test_way()
@@ -443,6 +461,7 @@ main()
 {
   test_rules();
   test_without_reference();
+  test_wear();
   test_way();
   test_words();
   test_agreement();

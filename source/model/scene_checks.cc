@@ -8,6 +8,7 @@
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/model/scene_irregularities.h>
+#include <wheelrail/verdict/measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +56,7 @@ namespace wheelrail
         found.warnings.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": coarse; " + size +
                                  ", which is less than six cells in one direction, so the peak pressure "
                                  "will be some 10 % or more off; take " +
-                                 rounded_mm(std::max(1e-4, std::floor(1e4 * smallest / 10) / 1e4)) +
+                                 rounded_mm(advised_cell(scene.cell_size, smallest / 1.1 / scene.cell_size)) +
                                  " for results");
     }
 

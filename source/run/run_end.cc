@@ -247,6 +247,8 @@ namespace wheelrail
       compare_peak(scene, geometry, summary, measures);
     const Verdict verdict = judge_run(scene, measures);
     set_verdict(summary, verdict);
+    if (summary.note.empty() && !measures.off_rail())
+      summary.note = wear_doubt(scene, summary);
     std::vector<std::string> warnings;
     for (const std::string &warning :
          {difference_of_models(measures, verdict), flow_below_fine_cells(scene, summary)})

@@ -1,3 +1,4 @@
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/sampling/standard_error.h>
 #include <wheelrail/sampling/steadiness.h>
@@ -257,7 +258,7 @@ namespace wheelrail
   {
     constexpr double least_cells = 8, least_of_patch = 0.75;
     Steadiness       best;
-    best.open = "the run is shorter than two lengths of its patch";
+    best.open = "nothing has been recorded";
     if (history.columns.empty() || patches.columns.empty())
       return best;
     const double end   = column(history, "rolled_distance").back();
@@ -265,6 +266,8 @@ namespace wheelrail
     const double first = std::max(basis.earliest, patch);
     const double least = std::max(least_cells, std::ceil(least_of_patch * patch / basis.cell));
     double       worst = std::numeric_limits<double>::infinity();
+    best.open =
+      "results are judged from " + in_mm(std::ceil(1e4 * (first + least * basis.cell)) / 1e4) + " rolled on";
     for (double cells = least; end - cells * basis.cell >= first * (1 - 1e-9); cells = std::ceil(1.2 * cells))
       {
         Steadiness   known = known_results(history, patches, basis, {end - cells * basis.cell, end});

@@ -1,3 +1,4 @@
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/verdict/measures.h>
 
@@ -30,6 +31,27 @@ namespace wheelrail
     return std::string("The whole patch slides: the wheel ") +
            (longitudinal_force < 0 ? "locks" : "spins up") +
            ", since friction does not carry what drives or brakes it.";
+  }
+
+
+  double
+  advised_cell(const double size, const double cells)
+  {
+    return size * std::exp2(-std::max(0., std::ceil(std::log2(std::sqrt(1.3 / 0.02) / cells))));
+  }
+
+
+  std::string
+  wear_doubt(const Scene &scene, const Summary &run)
+  {
+    constexpr double good = 8, fair = 3;
+    const double     cells = (1 - run.stick_fraction) * run.patch_longitudinal / scene.cell_size;
+    if (!(cells < good) || scene.friction.frictionless())
+      return "";
+    return text("Wear is %s: %.1f cells of ", cells < fair ? "not trusted" : "with care", cells) +
+           in_mm(scene.cell_size) +
+           " lie across the sliding part of the patch (8 are needed); take that of compare, or smaller "
+           "cells.";
   }
 
 

@@ -104,6 +104,17 @@ namespace wheelrail
   std::string
   sliding_note(double longitudinal_force);
 
+  /// The size of cells [m] that costs 2 % of the peak pressure at most where `cells` of `size` lie over the
+  /// patch: halved from `size` on, as meshes are.
+  double
+  advised_cell(double size, double cells);
+
+  /// How far the wear of a run can be trusted, in words; empty: as far as the run. Where fewer than eight
+  /// cells lie across what slides, their slip scatters about the 0.2 m/s from which the coefficient of the
+  /// map rises sevenfold: 3.7 cells wear 15 % more, 1.9 a third more, and less than one (free rolling) half.
+  std::string
+  wear_doubt(const Scene &scene, const Summary &run);
+
   /// The measures that a run's own summary holds: all but those that need half-spaces or profiles.
   Measures
   measures_of_run(const Scene &scene, const Summary &run);
