@@ -76,6 +76,21 @@ def kill_and_resume(folder):
     return kills
 
 
+def interrupt_and_resume(folder):
+    """Ctrl-C in the second passage: the command that is printed goes on to the last."""
+    process = subprocess.Popen(command(folder), stdout=subprocess.PIPE, text=True)
+    for line in process.stdout:
+        if line.startswith("Passage 2 "):
+            break
+    process.send_signal(signal.SIGINT)
+    told = [line for line in process.stdout if "--resume" in line]
+    check(process.wait() == 3 and len(told) == 1, "interrupted in the second passage")
+    words = told[0].split(" run ")[1].split()
+    check(words[0] == folder + "/parameters.prm", f"the command to go on names all passages: {told[0]!r}")
+    done = subprocess.run([PROGRAM, "run", words[0], "--resume"], capture_output=True, text=True, check=False)
+    check(done.returncode == 0 and len(table(folder)) == 4, "and computes the rest: " + done.stderr[-300:])
+
+
 def main():
     with open("scene.prm", "w", encoding="utf-8") as file:
         file.write(SCENE)
@@ -102,6 +117,9 @@ def main():
             apart = abs(one[name] - other[name]) / max(abs(one[name]), 1e-6)
             # two static starts of the same scene differ by some 1e-8
             check(apart < 1e-3, f"passage {passage}, {name}: apart by {apart:.1e}")
+
+    subprocess.run(["rm", "-rf", "interrupted"], check=True)
+    interrupt_and_resume("interrupted")
 
     with h5py.File("parts/passages.h5") as file:
         cut = file["BB_behind_rail"]

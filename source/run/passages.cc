@@ -155,6 +155,7 @@ namespace wheelrail
         one.rail_from = passage_folder(scene_.folder, k - 1);
       RunOptions of_one      = options_;
       of_one.parameters_text = print_parameters(one);
+      of_one.whole_folder    = scene_.folder;
       if (k > 1)
         of_one.note.clear(); // the first wheel has told it
       const Stage stage = options_.resume ? stage_of(one.folder, communicator_) : Stage::none;

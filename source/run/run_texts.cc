@@ -124,12 +124,13 @@ namespace wheelrail
 
 
   void
-  write_way_on(Log          &log,
-               const Scene  &scene,
-               const Stop   &stop,
-               const double *saved,
-               const double  bytes,
-               const int     ranks)
+  write_way_on(Log               &log,
+               const Scene       &scene,
+               const std::string &folder,
+               const Stop        &stop,
+               const double      *saved,
+               const double       bytes,
+               const int          ranks)
   {
     if (saved == nullptr)
       {
@@ -140,7 +141,7 @@ namespace wheelrail
     const std::string obstacle = obstacle_of_stop(stop, *saved, scene);
     if (obstacle.empty())
       log.value("to go on",
-                own_call() + " run " + shell_word(scene.folder + "/parameters.prm") + " --ranks " +
+                own_call() + " run " + shell_word(folder + "/parameters.prm") + " --ranks " +
                   std::to_string(ranks) + " --resume");
     else
       log.value("no resume", obstacle);

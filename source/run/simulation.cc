@@ -269,7 +269,13 @@ namespace wheelrail
       else
         {
           const double kept = states_.any() ? states_.kept().travelled() : 0;
-          write_way_on(log_, scene_, stop, states_.any() ? &kept : nullptr, bytes, size_);
+          write_way_on(log_,
+                       scene_,
+                       options_.whole_folder.empty() ? scene_.folder : options_.whole_folder,
+                       stop,
+                       states_.any() ? &kept : nullptr,
+                       bytes,
+                       size_);
         }
     }
 

@@ -17,6 +17,7 @@ namespace wheelrail
     std::string   note;            ///< for the head of the screen, or empty
     std::string   parameters_text; ///< all entries in force, see print_parameters()
     std::string   program_version;
+    std::string   whole_folder; ///< of the passages that the run is one of, or empty
   };
 
   /// Computes one wheel rolling over its rail: a scene with the `geometry` of its profiles
