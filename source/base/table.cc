@@ -4,6 +4,7 @@
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/base/table.h>
+#include <wheelrail/base/table_head.h>
 #include <wheelrail/base/text_rows.h>
 
 #include <algorithm>
@@ -62,123 +63,6 @@ namespace wheelrail
         }
     }
 
-    /// The cells of a first line. Between blanks a name with its unit in brackets is one.
-    Cells
-    heads_of(const std::string &line)
-    {
-      for (const char separator : {';', '\t', ','})
-        if (Cells cells = cells_of(line, {separator, false}); cells.size() > 1)
-          {
-            const bool commas_too =
-              separator == '\t' && std::all_of(cells.begin(), cells.end() - 1, [](auto &c) {
-                return !c.empty() && c.back() == ',';
-              });
-            if (!commas_too)
-              return cells;
-          }
-      if (line.find_first_of("[(\"") == std::string::npos)
-        return cells_of(line, {' ', false});
-      Cells cells;
-      for (std::size_t begin = 0; begin < line.size();)
-        {
-          const std::size_t open = line.find_first_of("[(", begin);
-          const std::size_t end =
-            open == std::string::npos ? open : line.find(line[open] == '[' ? ']' : ')', open);
-          cells.push_back(
-            cells_of(line.substr(begin, end == std::string::npos ? end : end + 1 - begin), {';', false})[0]);
-          begin = end == std::string::npos ? line.size() : line.find_first_not_of(" \t", end + 1);
-        }
-      return cells;
-    }
-
-    /// What one of a unit is [SI]: "m_per_s" and "m_s" are m/s, too. The letter mu and superscripts may be
-    /// those of Latin-1. Nothing where it is no unit of this dimension.
-    std::optional<double>
-    factor_of(std::string unit, const Dimension dimension)
-    {
-      if (dimension == Dimension::none)
-        return unit == "%"                                  ? std::optional<double>(0.01)
-               : unit.empty() || unit == "1" || unit == "-" ? std::optional<double>(1)
-                                                            : std::nullopt;
-      for (std::size_t k = 0; k < unit.size(); ++k)
-        if (k == 0 || (unit[k - 1] != '\xC2' && unit[k - 1] != '\xCE'))
-          unit[k] = unit[k] == '\xB5' ? 'u' : unit[k] == '\xB2' ? '2' : unit[k];
-      if (unit == "kmh" || unit == "kph")
-        unit = "km/h";
-      if (const std::size_t per = unit.find(" per "); per != std::string::npos)
-        unit.replace(per, 5, "/");
-      for (const char between : {' ', '/'})
-        {
-          std::string other = unit;
-          std::replace(other.begin(), other.end(), ' ', between);
-          try
-            {
-              return parse_quantity("1 " + other, dimension);
-            }
-          catch (const InputError &)
-            {
-            }
-        }
-      return {};
-    }
-
-    /// A cell of the first line: "load [kN]".
-    struct Head
-    {
-      std::string cell; ///< as it stands
-      std::string name; ///< in small letters, with blanks between words
-      std::string unit;
-      bool        has_unit = false;
-      double      sign     = 1;
-    };
-
-    std::string
-    plain_name(const std::string &text)
-    {
-      std::string name = lower(trimmed(text));
-      std::replace(name.begin(), name.end(), '_', ' ');
-      return name;
-    }
-
-    Head
-    head_of(const std::string &cell, const std::vector<TableColumn> &known)
-    {
-      Head head;
-      head.cell = cell;
-      head.name = plain_name(cell);
-      for (const auto &[open, close] : {std::make_pair('[', ']'), {'(', ')'}})
-        if (const std::size_t begin = cell.find(open), end = cell.rfind(close);
-            begin != std::string::npos && end != std::string::npos && end > begin)
-          {
-            head.name     = plain_name(cell.substr(0, begin));
-            head.unit     = trimmed(cell.substr(begin + 1, end - begin - 1));
-            head.has_unit = true;
-            return head;
-          }
-      std::size_t longest = 0;
-      for (const TableColumn &column : known) // "load right_kN" is one of load right
-        {
-          const std::string name = column.name;
-          if (name.size() <= longest || head.name.size() <= name.size() ||
-              head.name.compare(0, name.size(), name) != 0 ||
-              std::string(" ,/").find(head.name[name.size()]) == std::string::npos)
-            continue;
-          std::string unit = trimmed(cell).substr(name.size());
-          std::replace(unit.begin(), unit.end(), '_', ' ');
-          unit = unit.substr(std::min(unit.size(), unit.find_first_not_of(" ,/")));
-          if (unit.compare(0, 3, "in ") == 0)
-            unit = trimmed(unit.substr(3));
-          if (unit.empty() || !factor_of(unit, column.dimension))
-            continue;
-          longest       = name.size();
-          head.unit     = unit;
-          head.has_unit = true;
-        }
-      if (head.has_unit)
-        head.name.resize(longest);
-      return head;
-    }
-
     /// Reads one file.
     class Reader
     {
@@ -210,7 +94,7 @@ namespace wheelrail
         throw InputError(place(path_, line_) + why);
       }
       /// The head of a cell, under its name here.
-      Head
+      TableHead
       renamed(const std::string &cell) const;
       /// Units of a second line, where this is one.
       bool
@@ -221,7 +105,7 @@ namespace wheelrail
       void
       settle_columns();
       double
-      unit_factor(const Head &head, const TableColumn &column) const;
+      unit_factor(const TableHead &head, const TableColumn &column) const;
       void
       take_row(const std::string &line, const RowFormat &format);
       double
@@ -232,20 +116,20 @@ namespace wheelrail
       const TableOptions             &options_;
       Cells                           names_;
       unsigned int                    line_ = 0;
-      std::vector<Head>               heads_;
+      std::vector<TableHead>          heads_;
       std::vector<Column>             columns_;
       Table                           table_;
     };
 
-    Head
+    TableHead
     Reader::renamed(const std::string &cell) const
     {
-      Head own = head_of(cell, known_);
+      TableHead own = head_of(cell, known_);
       for (const std::string &name : {cell, trimmed(cell.substr(0, cell.find_first_of("[(")))})
         if (const auto found = options_.names.find(name); found != options_.names.end())
           {
             const bool turned = found->second[0] == '-';
-            Head       here   = head_of(turned ? trimmed(found->second.substr(1)) : found->second, known_);
+            TableHead  here   = head_of(turned ? trimmed(found->second.substr(1)) : found->second, known_);
             here.cell         = cell;
             here.sign         = turned ? -1 : 1;
             if (!here.has_unit && own.has_unit)
@@ -263,7 +147,7 @@ namespace wheelrail
     {
       const Cells cells = heads_of(line);
       const bool  bare =
-        std::none_of(heads_.begin(), heads_.end(), [](const Head &head) { return head.has_unit; });
+        std::none_of(heads_.begin(), heads_.end(), [](const TableHead &head) { return head.has_unit; });
       if (!bare || cells.size() != heads_.size() ||
           std::any_of(cells.begin(), cells.end(), [](const auto &cell) {
             return number_in(cells_of(cell, {';', true})[0]) && cell != "1";
@@ -288,7 +172,7 @@ namespace wheelrail
     }
 
     double
-    Reader::unit_factor(const Head &head, const TableColumn &column) const
+    Reader::unit_factor(const TableHead &head, const TableColumn &column) const
     {
       const std::string begin = "column \"" + shown_text(head.cell, 40) + "\"";
       if (!head.has_unit && column.dimension != Dimension::none)
@@ -320,8 +204,8 @@ namespace wheelrail
       std::string left_out;
       for (std::size_t k = 0; k < heads_.size(); ++k)
         {
-          const Head &head  = heads_[k];
-          const auto  known = std::find(names_.begin(), names_.end(), head.name);
+          const TableHead &head  = heads_[k];
+          const auto       known = std::find(names_.begin(), names_.end(), head.name);
           if (known == names_.end())
             {
               if (options_.leaves && !resembles_known(head.name))
