@@ -156,7 +156,8 @@ namespace wheelrail
     std::vector<RowVerdict> verdicts;
     for (std::size_t row = 0; row < summaries.size(); ++row)
       {
-        verdicts.push_back({wheelrail::text("point %zu", row + 1), grade_of(summaries[row]), summaries[row].doubts});
+        verdicts.push_back(
+          {wheelrail::text("point %zu", row + 1), grade_of(summaries[row]), summaries[row].doubts});
         grades.push_back(static_cast<double>(verdicts.back().grade));
       }
     table.add("verdict", "1", grades);
