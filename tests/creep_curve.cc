@@ -144,7 +144,7 @@ namespace
       };
     refused("spin [1/mm],traction\n1,0\n",
             MotionQuantity::spin,
-            ":1: column \"spin [1/mm]\": \"1/mm\" is no unit of a spin; 1/m is accepted");
+            ":2: spin = 1 is out of range; -100 1/m to 100 1/m is accepted, in the unit of the first line");
     refused("creepage [%],traction\n1,0\n",
             MotionQuantity::spin,
             ": no spin; the curve runs over it: name a column \"spin [1/m]\"");
