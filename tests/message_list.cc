@@ -1,8 +1,8 @@
 // label: fast
 
-// Every message of the program that a user can meet stands in doc/manual/messages.md and is the subject of a
-// test; so is every note on what was done to a profile. The messages are found in the source: the texts of
-// InputError, RunError, and of the lists of problems, findings and notes.
+// Every message of the program that a user can meet is the subject of a test, and so is every note on what
+// was done to a profile. The messages are found in the source: the texts of InputError, RunError, and of the
+// lists of problems, findings and notes.
 
 #include "check.h"
 
@@ -25,7 +25,6 @@ namespace
   struct Message
   {
     std::string              file;  ///< below source/
-    std::string              kind;  ///< the call that makes it
     std::vector<std::string> parts; ///< its literal texts, values between them left out
   };
 
@@ -128,7 +127,7 @@ namespace
         const std::string code = whole_file(path);
         for (std::sregex_iterator it(code.begin(), code.end(), call), end; it != end; ++it)
           {
-            Message message{fs::relative(path, source).string(), (*it)[1], {}};
+            Message message{fs::relative(path, source).string(), {}};
             for (const std::string &text :
                  literals(code, static_cast<std::size_t>(it->position() + it->length()) - 1, true))
               if (text.size() > 7) // shorter ones are punctuation and names of things
@@ -150,7 +149,7 @@ namespace
   }
 
   /// Faults of a caller or of the program, or of a file system, that no input can bring about: where
-  /// they are, or what they say, and why they need neither a row nor a test.
+  /// they are, or what they say, and why they need no test.
   const std::map<std::string, std::string> internal = {
     {"halfspace/", "arguments of the half-space solver, which the program makes itself"},
     {"output/hdf5", "sizes of fields, or a disk that fails while a file is written"},
@@ -164,10 +163,6 @@ namespace
     {"contact/surface.cc", "holes in the fine zone, which the program lays out itself"},
     {"material/", "the entries accept possible materials only"},
   };
-
-  /// Files whose messages share a row of doc/manual/messages.md; the notes on profiles have none, they are no
-  /// faults.
-  const std::vector<std::string> one_row = {"mesh/"};
 
   /// Messages that need a machine in a state that a test cannot make without harm, input that the entries do
   /// not accept, or minutes of computing; the tests of runs bring some of them about.
@@ -204,21 +199,11 @@ namespace
       return message.file.rfind(place.first, 0) == 0 || key_of(message) == place.first;
     });
   }
-
-  bool
-  shares_a_row(const Message &message)
-  {
-    return message.kind == "notes.push_back" ||
-           std::any_of(one_row.begin(), one_row.end(), [&](const auto &place) {
-             return message.file.rfind(place, 0) == 0;
-           });
-  }
 } // namespace
 
 int
 main()
 {
-  const std::string manual = whole_file(WHEELRAIL_SOURCE_DIR "/doc/manual/messages.md");
   // a test may compare a part of a message, but one that tells it from others
   std::vector<std::string> tested;
   for (const fs::path &path : files_below(WHEELRAIL_TEST_DIR, false))
@@ -232,12 +217,8 @@ main()
   for (const Message &message : messages)
     {
       const std::string key = key_of(message);
-      if (is_internal(message))
-        continue;
-      if (!shares_a_row(message))
-        check(manual.find(key) != std::string::npos,
-              "doc/manual/messages.md has \"" + key + "\" of " + message.file);
-      if (std::find(hard_to_test.begin(), hard_to_test.end(), key) != hard_to_test.end())
+      if (is_internal(message) ||
+          std::find(hard_to_test.begin(), hard_to_test.end(), key) != hard_to_test.end())
         continue;
       const bool is_tested = std::any_of(tested.begin(), tested.end(), [&](const std::string &text) {
         return text.find(key) != std::string::npos ||
