@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws the error of the main scene over its cost from the table "Error over cost" of doc/theory/accuracy.md.
+"""Draws the error of the main scene over its cost from the table "Error over cost" of doc/measured.md.
 
 Usage: benchmarks/error_over_cost.py [PICTURE]
 
@@ -14,7 +14,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-PAGE, PICTURE = "doc/theory/accuracy.md", "doc/pictures/error_over_cost.png"
+PAGE, PICTURE = "doc/measured.md", "doc/pictures/error_over_cost.png"
 RESULTS = ("peak pressure", "area", "peak shear", "creepage")
 
 

@@ -1,4 +1,4 @@
-"""Every link of a page leads to a file, and every page that sources, tests or scripts name is there.
+"""Every link of a page leads to a file or a heading, and every page that sources, tests or scripts name is there.
 
 Usage: page_links.py SOURCE_FOLDER
 """
@@ -18,14 +18,24 @@ def text_of(path):
         return file.read()
 
 
+def anchors_of(page):
+    """The names of its headings, as GitHub makes them: lower case, without punctuation, blanks as hyphens."""
+    headings = re.findall(r"^#+ (.*)$", re.sub(r"```.*?```", "", text_of(page), flags=re.S), re.M)
+    plain = [re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower() for heading in headings]
+    return {re.sub(r"[^\w -]", "", heading).replace(" ", "-") for heading in plain}
+
+
 def main():
     pages = glob.glob(f"{ROOT}/*.md") + glob.glob(f"{ROOT}/doc/**/*.md", recursive=True)
     n_links = 0
     for page in pages:
-        for link in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", text_of(page)):
+        for link, anchor in re.findall(r"\]\(([^)#:]*)(?:#([^)]*))?\)", text_of(page)):
             n_links += 1
-            if not os.path.exists(os.path.join(os.path.dirname(page), link)):
+            target = os.path.join(os.path.dirname(page), link) if link else page
+            if not os.path.exists(target):
                 check(False, f"{os.path.relpath(page, ROOT)} leads to {link}, which is not there")
+            elif anchor and target.endswith(".md") and anchor not in anchors_of(target):
+                check(False, f"{os.path.relpath(page, ROOT)} leads to {link}#{anchor}, a heading that is not there")
     check(n_links > 50, f"{n_links} links of {len(pages)} pages followed")
 
     index = text_of(f"{ROOT}/doc/README.md")
