@@ -32,7 +32,7 @@ namespace wheelrail
   /// The ends of the rail are free. Pads pull as they press: clips hold the rail down.
   ///
   /// Energies: `pad_energy`, `pad_dissipation`; with sleepers that move `sleeper_energy` (kinetic),
-  /// `ballast_energy`, `ballast_dissipation`. Theory: doc/theory/track.md.
+  /// `ballast_energy`, `ballast_dissipation`. Theory: doc/manual/track.md.
   class TrackSupport : public Part
   {
   public:
