@@ -11,7 +11,7 @@ import numpy as np
 import style
 
 RESIDUAL, STRAIN = "residual_von_mises_stress", "plastic_strain"
-DEPTH = 8    # of the section [mm]: steel of 280 MPa yields down to 6.5 mm (doc/theory/material.md)
+DEPTH = 8    # of the section [mm]: steel of 280 MPa yields down to 6.5 mm (doc/manual/material.md)
 BEFORE = 10  # of the part that has flowed [mm]: the rail that nothing has rolled over, for comparison
 
 

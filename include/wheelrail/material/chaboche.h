@@ -8,7 +8,7 @@ namespace wheelrail
   /// Cyclic plasticity after Chaboche (1986), on Green's strain E and the second Piola-Kirchhoff stress S as
   /// in material/bilinear.h: von Mises' yield condition q(dev S - sum X_i) <= Y + R, isotropic hardening R
   /// and any number of back stresses X_i. See material/law.h for what the functions are, and
-  /// doc/theory/material.md for the equations.
+  /// doc/manual/material.md for the equations.
   ///
   /// The step is the implicit one of Euler (Kobayashi and Ohno 2002): with theta_i = 1 / (1 + gamma_i dp),
   ///   X_i <- theta_i (X_i + 2/3 C_i dE_p),   R <- (R + b Q dp) / (1 + b dp),
