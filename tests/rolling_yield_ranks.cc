@@ -52,7 +52,7 @@ namespace
     scene.yaw                        = 5e-3;
     scene.rail_material.yield_stress = 300e6;
     const Figures    alone = roll(scene, MPI_COMM_SELF), together = roll(scene, MPI_COMM_WORLD);
-    constexpr double bound = 5e-4; // as doc/manual/resume.md says
+    constexpr double bound = 5e-4; // as doc/manual/run.md says
     for (int i = 0; i < 3; ++i)
       {
         const std::string axis(1, "XYZ"[i]);
