@@ -42,7 +42,7 @@ namespace
     const double       cpu    = cpu_seconds();
     const auto         begin  = std::chrono::steady_clock::now();
     const StaticResult result = static_start(
-      *model.forest, model.solid, *model.contact, model.parts, loads, [&](const std::string &line) {
+      *model.discretization, model.solid, *model.contact, model.parts, loads, [&](const std::string &line) {
         if (rank == 0)
           std::printf("%s\n", line.c_str());
       });

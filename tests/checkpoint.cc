@@ -207,7 +207,7 @@ namespace
       std::string changed = text;
       on_disk([&]() { replace_file(marker, changed.replace(changed.find(old), old.size(), fresh)); });
     };
-    with("\"format\": 10", "\"format\": 99");
+    with("\"format\": 11", "\"format\": 99");
     check_refusal(saved, "of format 99", "another format");
     with("{", "");
     check_refusal(saved, "of format", "a marker that cannot be read");

@@ -24,7 +24,7 @@ namespace
     Checkpoint state;
     state.parameters                  = "set Title = x\n";
     state.fine_margin                 = 3e-3;
-    state.node                        = {0, 1};
+    state.node                        = {3, std::uint64_t(1) << 62 | 5};
     state.node_values["displacement"] = {3, {1, 2, 3, 4, 5, 6}};
     state.rolling.parts["axle"]       = {{{"travelled", 0.01}, {"angle", 0.02}}, {}, {}};
     state.rolling.parts["pads"]       = {{{"lift", 3}}, {7, 5}, {1, 2, 3, 4}};
@@ -54,6 +54,10 @@ namespace
     H5Adelete(file, "format");
     H5Adelete(file, "parts");
     H5Adelete(file, "part_axle");
+    for (const char *keys : {"nodes", "cells"})
+      H5Ldelete(file, keys, H5P_DEFAULT);
+    hdf5::write_attribute(file, "nodes", 2.);
+    hdf5::write_attribute(file, "cells", 0.);
     hdf5::write_attribute(file, "travelled", 0.01);
     hdf5::write_attribute(file, "angle", 0.02);
   }
@@ -73,13 +77,14 @@ main()
   const Checkpoint  now   = checkpoint_from_bytes(bytes);
   const PartState   pads  = now.rolling.parts.at("pads");
   check(now.travelled() == 0.01 && pads.numbers.at("lift") == 3, "numbers of the parts");
-  check(pads.nodes == std::vector<std::uint32_t>{7, 5} && pads.values == std::vector<double>{1, 2, 3, 4},
+  check(pads.nodes == std::vector<std::uint64_t>{7, 5} && pads.values == std::vector<double>{1, 2, 3, 4},
         "values of nodes");
+  check(now.has_keys && now.node == small_state().node, "keys of nodes");
 
   const Checkpoint former = checkpoint_from_bytes(changed(bytes, as_format_6));
   check(former.travelled() == 0.01 && former.rolling.parts.at("axle").numbers.at("angle") == 0.02,
         "format 6: the axle");
-  check(former.rolling.parts.size() == 1 && former.fine_margin == 3e-3 &&
+  check(!former.has_keys && former.rolling.parts.size() == 1 && former.fine_margin == 3e-3 &&
           former.node_values.at("displacement").values[5] == 6,
         "format 6: the rail");
 
@@ -93,7 +98,7 @@ main()
       error = refused.what();
     }
   check_text(error,
-             "it is of format 99, this version of the program reads formats up to 10",
+             "it is of format 99, this version of the program reads formats up to 11",
              "a newer format is refused");
   return report();
 }

@@ -54,8 +54,8 @@ namespace
   std::vector<bool>
   outer_nodes(const Model &model)
   {
-    const Range       fine  = model.forest->plan().fine;
-    const MeshByKeys  whole = p4est_mesh(*model.forest, {{fine}, {fine}}, MPI_COMM_WORLD);
+    const Range       fine  = model.discretization->plan().fine;
+    const MeshByKeys  whole = p4est_mesh(*model.discretization, {{fine}, {fine}}, MPI_COMM_WORLD);
     std::vector<bool> outer;
     for (const std::uint64_t key : model.solid.mesh.node_key)
       outer.push_back(whole.outer.count(key) > 0);
@@ -250,7 +250,7 @@ namespace
                    0.03,
                    n + ": offset between nodes over h^2/8R, " + std::to_string(s.compared) + " chords");
       }
-    const double step = 2 * M_PI * model.geometry.rolling_radius / model.forest->plan().sectors / 4;
+    const double step = 2 * M_PI * model.geometry.rolling_radius / model.discretization->plan().sectors / 4;
     check_near(model.contact->lattice().spacing_along, step, 1e-12, "stations at the wheel's arc [m]");
   }
 } // namespace

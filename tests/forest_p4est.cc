@@ -28,11 +28,11 @@ namespace
   }
 
   void
-  judge(Forest &forest, const PerBody<FineZone> &zones, const std::string &where)
+  judge(Discretization &discretization, const PerBody<FineZone> &zones, const std::string &where)
   {
-    forest.lay(zones, {0, static_cast<int>(forest.plan().sectors) / 3});
-    const MeshByKeys ours   = program_mesh(forest.local_mesh(), MPI_COMM_WORLD);
-    const MeshByKeys theirs = p4est_mesh(forest, zones, MPI_COMM_WORLD);
+    discretization.lay(zones);
+    const MeshByKeys ours   = program_mesh(discretization.local_mesh(), MPI_COMM_WORLD);
+    const MeshByKeys theirs = p4est_mesh(discretization, zones, MPI_COMM_WORLD);
     check(ours.cells == theirs.cells, where + ": cells, " + count(ours.cells, theirs.cells));
     check(ours.nodes == theirs.nodes, where + ": nodes, " + count(ours.nodes, theirs.nodes));
     bool   same_parents = ours.hanging.size() == theirs.hanging.size();
@@ -55,11 +55,11 @@ namespace
   void
   judge_scene(const Scene &scene, const std::string &name)
   {
-    Forest       forest(MPI_COMM_WORLD, sweep_plan(scene, make_geometry(scene)));
-    const Range  fine  = forest.plan().fine;
-    const double block = forest.plan().block_length();
-    judge(forest, {{fine}, {fine}}, name + ", start");
-    judge(forest,
+    Discretization discretization(MPI_COMM_WORLD, sweep_plan(scene, make_geometry(scene)));
+    const Range    fine  = discretization.plan().fine;
+    const double   block = discretization.plan().block_length();
+    judge(discretization, {{fine}, {fine}}, name + ", start");
+    judge(discretization,
           {{{fine.s0 + block, fine.s1 + block}, {-block, 0}}, {{fine.s0 + 2 * block, fine.s1 + 2 * block}}},
           name + ", farther on");
   }

@@ -103,7 +103,7 @@ namespace
   Errors
   mass_errors(const Model &model, const Body body, MPI_Comm communicator)
   {
-    const Exact          exact = exact_body(model.forest->plan(), model.axle, body);
+    const Exact          exact = exact_body(model.discretization->plan(), model.axle, body);
     const MassProperties mass  = mass_properties(model.solid, body, model.axle.centre, communicator);
     Errors               errors;
     errors.mass   = mass.mass / (density * exact.volume) - 1;
@@ -117,7 +117,7 @@ namespace
   double
   polygon_mass_error(const Model &model, const Body body, const Errors &errors)
   {
-    const SweepPlan &plan    = model.forest->plan();
+    const SweepPlan &plan    = model.discretization->plan();
     const Section   &section = body == Body::rail ? plan.rail : plan.wheel;
     const auto       polygon = polygon_integrals(section, 1), exact = section_integrals(section);
     if (body == Body::rail)
@@ -130,8 +130,10 @@ namespace
   mass_properties_converge(const Model &model)
   {
     const SectionProperties outline = section_properties(rail_profile("54E1").outline);
-    check_near(
-      section_integrals(model.forest->plan().rail)[0] / outline.area, 1, 2e-3, "area of the rail's blocks");
+    check_near(section_integrals(model.discretization->plan().rail)[0] / outline.area,
+               1,
+               2e-3,
+               "area of the rail's blocks");
 
     const Model fine = test::small_model(MPI_COMM_WORLD, 4e-3, 8e-3);
     // what the chords of the coarse blocks cost, most of it at the concave fillets, whose rows are 8 mm tall
@@ -194,7 +196,7 @@ main(int argc, char **argv)
 {
   Parallel    parallel(argc, argv);
   const Model model = test::small_model(MPI_COMM_WORLD, 4e-3);
-  chords_converge(model.forest->plan());
+  chords_converge(model.discretization->plan());
   mass_properties_converge(model);
   return parallel.report();
 }

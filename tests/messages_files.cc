@@ -118,7 +118,7 @@ namespace
     check_message(
       [&]() {
         static_start(
-          *model.forest, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
+          *model.discretization, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
       },
       "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
       "Mesh/Solution "

@@ -288,11 +288,11 @@ namespace
     write("runs/saved/summary.json", "{\"finished\": false}");
     write("runs/saved/checkpoint.json", "{\"format\": 1}");
     check_state(answer(parameters),
-                "checkpoint.json is of format 1, this version of the program reads format 10" + anew);
+                "checkpoint.json is of format 1, this version of the program reads format 11" + anew);
     write("runs/saved/checkpoint.json", "no JSON");
     check_state(answer(parameters),
-                "checkpoint.json is of format \"none\", this version of the program reads format 10" + anew);
-    write("runs/saved/checkpoint.json", "{\"format\": 10}");
+                "checkpoint.json is of format \"none\", this version of the program reads format 11" + anew);
+    write("runs/saved/checkpoint.json", "{\"format\": 11}");
     check_state(answer(parameters), "checkpoint.json lists no saved state" + anew);
 
     write_checkpoint(small_state(), "runs/saved", MPI_COMM_WORLD);

@@ -172,7 +172,7 @@ namespace
   void
   ends_of_path(Model &model)
   {
-    const SweepPlan &plan = model.forest->plan();
+    const SweepPlan &plan = model.discretization->plan();
     const double     path = 10e-3, block = plan.block_length(), step = model.solid.stable.step;
     FineWindow       window;
     window.path_end   = {path, path};
@@ -275,7 +275,7 @@ namespace
   double
   finest_of_first_block(const Model &model)
   {
-    const SweepPlan &plan  = model.forest->plan();
+    const SweepPlan &plan  = model.discretization->plan();
     double           count = 0;
     for (std::size_t c = 0; c < model.solid.mesh.cells.size(); ++c)
       {
@@ -295,7 +295,7 @@ namespace
     Scene scene                      = moving_scene();
     scene.rail_material.yield_stress = 480e6;
     Model        model               = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
-    const double block               = model.forest->plan().block_length();
+    const double block               = model.discretization->plan().block_length();
     prepare_mesh(model, MPI_COMM_WORLD);
     const double   fine = finest_of_first_block(model);
     ElementBlocks &rail = model.solid.blocks.rail;

@@ -57,7 +57,7 @@ namespace
       Scene there           = of;
       there.rail_from       = folder;
       const Checkpoint rail = read_rail(there, print_parameters(of), MPI_COMM_WORLD);
-      if (model.forest->plan().moving)
+      if (model.discretization->plan().moving)
         {
           model.window = rail.window;
           prepare_mesh(model, MPI_COMM_WORLD);

@@ -44,7 +44,7 @@ namespace
     const StaticLoads loads = static_loads(scene, model);
     run.wheel_load          = model.wheel_load;
     run.start               = static_start(
-      *model.forest, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
+      *model.discretization, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
     const double                rate = scene.velocity / loads.forward_radius * (1 + run.start.creepage);
     const AlignedVector<double> still(model.solid.displacement.size(), 0.);
     rolling_velocities(model.solid, model.parts, model.axle, rate, still, communicator);

@@ -12,7 +12,7 @@ namespace test
   inline wheelrail::StaticResult
   silent_start(const wheelrail::Scene &scene, wheelrail::Model &model)
   {
-    return wheelrail::static_start(*model.forest,
+    return wheelrail::static_start(*model.discretization,
                                    model.solid,
                                    *model.contact,
                                    model.parts,

@@ -26,10 +26,11 @@ namespace test
     scene.cell_size        = cell;
     scene.fine_depth       = 5 * cell;
     scene.rolling_distance = 0.005;
-    const Forest     forest(MPI_COMM_WORLD, sweep_plan(scene, make_geometry(scene)));
+    Discretization discretization(MPI_COMM_WORLD, sweep_plan(scene, make_geometry(scene)));
+    discretization.lay({{discretization.plan().fine}, {discretization.plan().fine}});
     const Elasticity steel = elasticity(scene.rail_material);
     const double     zeta  = scene.bulk_viscosity;
-    const Solid      solid = make_solid(forest.local_mesh(), steel, steel, zeta, MPI_COMM_WORLD);
+    const Solid      solid = make_solid(discretization.local_mesh(), steel, steel, zeta, MPI_COMM_WORLD);
     const double     speed = std::sqrt((steel.lame_lambda() + 2 * steel.shear_modulus()) / steel.density);
     const double     cubes = cell / speed * (std::sqrt(1 + zeta * zeta) - zeta);
 

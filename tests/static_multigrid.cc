@@ -4,7 +4,7 @@
 // steps conjugate gradients take, whatever the cells and the springs of contact.
 
 #include <wheelrail/mesh/coarse_levels.h>
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/statics/direct_bottom.h>
 #include <wheelrail/statics/iterative_bottom.h>
 #include <wheelrail/statics/joined_solver.h>
@@ -77,7 +77,7 @@ namespace
   void
   levels(const Model &model)
   {
-    const auto       coarse = coarse_levels(*model.forest, model.solid.mesh);
+    const auto       coarse = coarse_levels(*model.discretization, model.solid.mesh);
     const LocalMesh *finer  = &model.solid.mesh;
     const double     whole  = volume(*finer);
     check(coarse.size() == 2, std::to_string(coarse.size()) + " levels below cells of a quarter of a block");
@@ -100,8 +100,7 @@ namespace
   {
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
       for (unsigned int i = 0; i < 3; ++i)
-        x.data()[4 * n + i] =
-          held[n] ? 0 : ((3 * mesh.node_number[n] + i) * 2654435761u % 1000003u) / 500001.5 - 1;
+        x.data()[4 * n + i] = held[n] ? 0 : mesh.noise(n, i);
     for (const unsigned int n : mesh.hanging)
       std::fill(x.data() + 4 * n, x.data() + 4 * n + 3, 0.);
   }
@@ -159,7 +158,7 @@ namespace
                             ? X[1] < -0.15
                             : norm(Vector3{0, X[1], X[2]} - Vector3{0, model.axle.centre[1], 0}) < 0.2;
       }
-    StaticMultigrid multigrid(*model.forest, solid, held);
+    StaticMultigrid multigrid(*model.discretization, solid, held);
     StaticLevel    &level = multigrid.finest();
     StaticVector    x = level.zero(), y = level.zero(), Kx = level.zero(), Ky = level.zero();
     fill_with_noise(solid.mesh, held, x);
@@ -197,7 +196,7 @@ namespace
   {
     for (const Body body : both_bodies)
       {
-        const SweptGrid           &grid      = model.forest->grid(body);
+        const SweptGrid           &grid      = model.discretization->grid(body);
         const ElementBlocks       &blocks    = model.solid.blocks[body];
         const unsigned int         n_corners = grid.n_corners();
         std::vector<unsigned char> held(std::size_t(n_corners) * grid.n_sections(), 0);
@@ -251,11 +250,11 @@ namespace
   void
   iterative_beside_direct(Model &model)
   {
-    const auto                 levels = coarse_levels(*model.forest, model.solid.mesh);
+    const auto                 levels = coarse_levels(*model.discretization, model.solid.mesh);
     const LocalMesh           &mesh   = levels.back().mesh;
     std::vector<unsigned char> held(mesh.n_nodes(), 0), held_finest(model.solid.mesh.n_nodes(), 0);
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      held[n] = model.forest->grid(mesh.node_body[n]).corner_of_key(mesh.node_key[n]) % 9 == 3;
+      held[n] = model.discretization->grid(mesh.node_body[n]).corner_of_key(mesh.node_key[n]) % 9 == 3;
     StaticSprings springs(springs_of(model, 1), model.solid.mesh, held_finest, MPI_COMM_WORLD);
     for (std::size_t k = 0; k < levels.size(); ++k)
       springs = springs.coarsened(
@@ -264,7 +263,7 @@ namespace
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
       if (!held[n] && std::abs(mesh.reference[4 * n + 2]) < 0.05)
         forces.data()[4 * n + 1] = mesh.node_body[n] == Body::rail ? -1 : 1;
-    DirectBottom    direct(*model.forest, mesh, model.solid.blocks, held);
+    DirectBottom    direct(*model.discretization, mesh, model.solid.blocks, held);
     IterativeBottom iterative(mesh, model.solid.blocks, held, {}, MPI_COMM_WORLD);
     direct.set_springs(springs);
     iterative.set_springs(springs);
@@ -281,7 +280,7 @@ namespace
   steps(Model &model, const double factor, const std::string &name)
   {
     const LocalMesh &mesh = model.solid.mesh;
-    StaticSystem     system(*model.forest, model.solid, model.parts);
+    StaticSystem     system(*model.discretization, model.solid, model.parts);
     const auto       springs = springs_of(model, factor);
     system.set_springs(springs);
     // all springs pull alike: forces as rough as those of a start

@@ -78,7 +78,7 @@ namespace
     MPI_Allreduce(MPI_IN_PLACE, &mass, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     for (double &f : force)
       f *= load / mass;
-    StaticSystem system(*model.forest, solid, model.parts);
+    StaticSystem system(*model.discretization, solid, model.parts);
     system.set_springs({});
     StaticVector       moved = system.zero();
     const unsigned int steps = system.solve_held(system.right_hand_side(force), 1e-7, moved);

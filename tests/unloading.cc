@@ -79,7 +79,7 @@ namespace
     Rolled       rolled = roll(false, 0.2e-3);
     Solid       &solid  = rolled.model.solid;
     const double loaded = largest_stress(solid);
-    const auto   done   = unload(*rolled.model.forest, solid, rolled.model.parts, *rolled.axle);
+    const auto   done   = unload(*rolled.model.discretization, solid, rolled.model.parts, *rolled.axle);
     check(largest_stress(solid) == loaded, "the bodies are left as they were");
     const WhileUnloaded without(solid, done);
     check(loaded > 300e6, "a loaded wheel");
@@ -113,8 +113,9 @@ namespace
   {
     Solid &solid = rolled.model.solid;
     check(one_sidedness(solid, 1) < -0.5, "under the wheel the rail is pressed down");
-    const WhileUnloaded without(solid, unload(*rolled.model.forest, solid, rolled.model.parts, *rolled.axle));
-    const double        left = largest_stress(solid);
+    const WhileUnloaded without(
+      solid, unload(*rolled.model.discretization, solid, rolled.model.parts, *rolled.axle));
+    const double left = largest_stress(solid);
     check(left > 0.05 * yield_stress, "stress is left: " + std::to_string(1e-6 * left) + " MPa");
     // hardened by the largest plastic strain
     double strain = 0;
@@ -146,7 +147,8 @@ namespace
             solid.displacement[4 * n + i] = x[i] - solid.mesh.reference[4 * n + i];
         }
     rolled.axle->set_state(turned);
-    const WhileUnloaded without(solid, unload(*rolled.model.forest, solid, rolled.model.parts, *rolled.axle));
+    const WhileUnloaded without(
+      solid, unload(*rolled.model.discretization, solid, rolled.model.parts, *rolled.axle));
     check_near(largest_stress(solid) / left, 1, 1e-4, "stress left in a wheel that has turned on by 0.3 rad");
   }
 } // namespace

@@ -136,6 +136,24 @@ namespace wheelrail
   }
 
 
+  std::uint64_t
+  SweptGrid::vertex_key(const CellPlace &cell, const unsigned int v) const
+  {
+    const int size = parts_ >> cell.level, i = cell.i + (v & 1), j = cell.j + (v >> 1 & 1),
+              k = cell.k + (v >> 2);
+    return vertex_key(cell.block, i * size, j * size, k * size);
+  }
+
+
+  Vector3
+  SweptGrid::position(const CellPlace &cell, const unsigned int v) const
+  {
+    const int size = parts_ >> cell.level, i = cell.i + (v & 1), j = cell.j + (v >> 1 & 1),
+              k = cell.k + (v >> 2);
+    return position(cell.block, i * size, j * size, k * size);
+  }
+
+
   std::array<Vector3, 3>
   SweptGrid::axes(const int section) const
   {

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/mesh/section.h>
 #include <wheelrail/mesh/wheel_section_outline.h>
 
 #include <cmath>

@@ -47,7 +47,7 @@ namespace wheelrail
     std::unique_ptr<Contact>
     make_contact(const Scene &scene, const Model &model, MPI_Comm communicator)
     {
-      return std::make_unique<Contact>(model.forest->plan().surfaces,
+      return std::make_unique<Contact>(model.discretization->plan().surfaces,
                                        make_law(scene, model.solid),
                                        model.reach + 2 * scene.cell_size,
                                        communicator);
@@ -153,18 +153,16 @@ namespace wheelrail
     void
     prepare_solid(Model &model, MPI_Comm communicator)
     {
-      const SweepPlan &plan = model.forest->plan();
-      // the list of the wheel's cells begins opposite to the contact
-      model.forest->lay(zones_of(plan, model.window),
-                        {0, wheel_column(model.window.column.wheel) + static_cast<int>(plan.sectors) / 2});
-      prepare(model.solid, model.forest->local_mesh(), communicator);
+      const SweepPlan &plan = model.discretization->plan();
+      model.discretization->lay(zones_of(plan, model.window));
+      prepare(model.solid, model.discretization->local_mesh(), communicator);
     }
 
     /// Bodies and contact on the mesh of the start; the contact's law follows from it.
     void
     prepare_start(const Scene &scene, Model &model, MPI_Comm communicator)
     {
-      const SweepPlan &plan = model.forest->plan();
+      const SweepPlan &plan = model.discretization->plan();
       prepare_solid(model, communicator);
       lower_stable_step(model.solid, scene.bulk_viscosity, communicator);
       model.parts = scene_parts(scene, plan.start_block * plan.block_length(), communicator);
@@ -322,7 +320,7 @@ namespace wheelrail
     const Range overlap     = overlap_along(
       geometry, std::max(model.expected_approach, way.empty() ? 0 : sizes.approach), scene.fine_margin);
     model.reach           = std::max({-overlap.s0, overlap.s1, -sizes.along.s0, sizes.along.s1});
-    model.forest          = std::make_unique<Forest>(communicator, plan_of(scene, geometry, sizes));
+    model.discretization  = std::make_unique<Discretization>(communicator, plan_of(scene, geometry, sizes));
     model.solid.choice    = bodies_of(scene);
     const double end      = scene.mesh_distance() + sizes.ahead.s1;
     model.window.path_end = {end, end};
@@ -338,7 +336,7 @@ namespace wheelrail
   prepare_mesh(Model &model, MPI_Comm communicator)
   {
     prepare_solid(model, communicator);
-    const SweepPlan &plan = model.forest->plan();
+    const SweepPlan &plan = model.discretization->plan();
     prepare_contact(model, plan, ranges_of(plan, model.window), communicator);
   }
 
@@ -346,7 +344,7 @@ namespace wheelrail
   bool
   move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator)
   {
-    const SweepPlan &plan   = model.forest->plan();
+    const SweepPlan &plan   = model.discretization->plan();
     const FineWindow before = model.window;
     if (!follow(model.window, plan, place))
       return false;
@@ -364,7 +362,7 @@ namespace wheelrail
   {
     model.window.kept[body].clear();
     if (scene.behind_wheel != BehindWheel::coarsen)
-      model.window.kept[body] = flowed_columns(model.forest->plan(), model.solid, body, communicator);
+      model.window.kept[body] = flowed_columns(model.discretization->plan(), model.solid, body, communicator);
   }
 
 
@@ -374,9 +372,9 @@ namespace wheelrail
     bool longer = false;
     for (const Body body : both_bodies)
       {
-        const double before         = window_range(model.forest->plan(), model.window, body).s1;
+        const double before         = window_range(model.discretization->plan(), model.window, body).s1;
         model.window.path_end[body] = std::max(model.window.path_end[body], distance);
-        longer = longer || window_range(model.forest->plan(), model.window, body).s1 > before;
+        longer = longer || window_range(model.discretization->plan(), model.window, body).s1 > before;
       }
     return longer;
   }

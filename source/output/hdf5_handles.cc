@@ -190,16 +190,46 @@ namespace wheelrail
       return text;
     }
 
+    void
+    write_keys(const hid_t group, const std::string &name, const std::vector<std::uint64_t> &keys)
+    {
+      const std::string what = "write the dataset " + name;
+      const hsize_t     size = keys.size();
+      const Handle      space(H5Screate_simple(1, &size, nullptr), H5Sclose, what);
+      const Handle      set(
+        H5Dcreate2(group, name.c_str(), H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+        H5Dclose,
+        what);
+      if (!keys.empty())
+        require(H5Dwrite(set, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, keys.data()), what);
+    }
+
+    namespace
+    {
+      template <typename T>
+      std::vector<T>
+      read_all(const hid_t group, const std::string &name, const hid_t type)
+      {
+        const std::string what = "read the dataset " + name;
+        const Handle      set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, what);
+        const Handle      space(H5Dget_space(set), H5Sclose, what);
+        std::vector<T>    values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+        if (!values.empty())
+          require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
+        return values;
+      }
+    } // namespace
+
+    std::vector<std::uint64_t>
+    read_keys(const hid_t group, const std::string &name)
+    {
+      return read_all<std::uint64_t>(group, name, H5T_NATIVE_UINT64);
+    }
+
     std::vector<double>
     read_dataset(const hid_t group, const std::string &name)
     {
-      const std::string   what = "read the dataset " + name;
-      const Handle        set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, what);
-      const Handle        space(H5Dget_space(set), H5Sclose, what);
-      std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-      if (!values.empty())
-        require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
-      return values;
+      return read_all<double>(group, name, H5T_NATIVE_DOUBLE);
     }
   } // namespace hdf5
 } // namespace wheelrail

@@ -1,5 +1,5 @@
 #include <wheelrail/dynamics/time_loop.h>
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/model/scene_parts.h>
@@ -39,14 +39,14 @@ namespace wheelrail
   {
     auto lone  = std::make_unique<LoneBody>();
     lone->plan = sweep_plan(scene, geometry);
-    Forest forest(communicator, lone->plan);
-    forest.lay_blocks(body);
+    Discretization discretization(communicator, lone->plan, {body});
+    discretization.lay({});
     lone->solid.choice = {
       {ElasticLaw(elasticity(scene.rail_material)), ElasticLaw(elasticity(scene.wheel_material))},
       {scene.rail_element.value_or(scene.element), scene.wheel_element.value_or(scene.element)},
       scene.bulk_viscosity};
     Solid &solid = lone->solid;
-    prepare(solid, forest.local_mesh(), communicator);
+    prepare(solid, discretization.local_mesh(), communicator);
     lower_stable_step(solid, scene.bulk_viscosity, communicator);
     if (body == Body::rail)
       {

@@ -17,7 +17,7 @@ namespace wheelrail
   {
     const Model           &model    = run.model;
     const RunningSurfaces &surfaces = model.contact->surfaces();
-    if (!model.forest->plan().moving ||
+    if (!model.discretization->plan().moving ||
         !move_window(run.scene,
                      run.model,
                      {run.axle.contact_along(), run.axle.contact_on_wheel(surfaces.rolling_radius)},
@@ -31,7 +31,7 @@ namespace wheelrail
   void
   lengthen_way(RunState &run)
   {
-    if (run.model.forest->plan().moving && lengthen_path(run.model, run.scene.path()))
+    if (run.model.discretization->plan().moving && lengthen_path(run.model, run.scene.path()))
       change_mesh(run);
   }
 } // namespace wheelrail

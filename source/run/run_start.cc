@@ -79,7 +79,7 @@ namespace wheelrail
     const AlignedVector<double> still  = model.solid.displacement; // dents of earlier passages
     const auto                  begin  = std::chrono::steady_clock::now();
     const StaticResult          result = static_start(
-      *model.forest, model.solid, *model.contact, model.parts, loads, [&](const std::string &line) {
+      *model.discretization, model.solid, *model.contact, model.parts, loads, [&](const std::string &line) {
         log.status(line);
       });
     const bool   at_radius = !loads.rate_held && without(scene, StartState::without_creepage);

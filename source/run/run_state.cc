@@ -49,7 +49,7 @@ namespace wheelrail
   resume_run(const Scene &scene, Model model, const Checkpoint &saved, MPI_Comm communicator)
   {
     model.time_step = saved.time_step; // another Run/Rolling distance would round it otherwise
-    if (model.forest->plan().moving)
+    if (model.discretization->plan().moving)
       {
         model.window = saved.window;
         prepare_mesh(model, communicator);

@@ -118,7 +118,7 @@ namespace wheelrail
                    t.exchange,
                    t.parts,
                    t.update));
-    if (run.model.forest->plan().moving)
+    if (run.model.discretization->plan().moving)
       log.value("changes of the mesh", text("%u, %.2f s", mesh_changes, t.mesh));
   }
 

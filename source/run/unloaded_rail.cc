@@ -16,7 +16,7 @@ namespace wheelrail
     const auto begin = std::chrono::steady_clock::now();
     try
       {
-        UnloadedBodies bodies = unload(*run.model.forest, run.model.solid, run.model.parts, run.axle);
+        UnloadedBodies bodies = unload(*run.model.discretization, run.model.solid, run.model.parts, run.axle);
         const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
         log.value("unloading",
                   text("%u Newton steps, %u CG steps, %s",

@@ -63,7 +63,7 @@ namespace wheelrail
   residual_of(const Model &model, const Axle &axle, MPI_Comm communicator)
   {
     // the same place on the rail, whatever the start: the one that the wheel without an offset has just left
-    const SweepPlan &plan   = model.forest->plan();
+    const SweepPlan &plan   = model.discretization->plan();
     const double     offset = plan.start_block * plan.block_length(), behind = model.reach + offset;
     Residual         residual;
     residual.stress    = nodal_stress(model.solid, communicator);

@@ -58,8 +58,7 @@ namespace wheelrail
         return sum;
       }
 
-      /// A start with all wave lengths, the same on every partition; zero at hanging nodes. The numbers in it
-      /// mean nothing: any would do that are no fractions of pi.
+      /// A start with all wave lengths, the same on every partition; zero at hanging nodes.
       AlignedVector<double>
       start() const
       {
@@ -67,7 +66,7 @@ namespace wheelrail
         for (std::size_t n = 0; n < solid_.mass.size(); ++n)
           if (solid_.mass[n] > 0)
             for (int i = 0; i < 3; ++i)
-              x[4 * n + i] = std::sin(12.9898 * solid_.mesh.global_node[n] + 78.233 * i);
+              x[4 * n + i] = solid_.mesh.noise(n, i);
         return x;
       }
 

@@ -1,9 +1,12 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/state/checkpoint.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace wheelrail
@@ -43,33 +46,82 @@ namespace wheelrail
       return all;
     }
 
-    /// Puts rows in the order of their numbers.
-    std::vector<double>
-    in_order(const std::vector<std::uint32_t> &number,
-             const std::vector<double>        &values,
-             const unsigned int                components)
+    /// Rows of all ranks in the order of their keys, which are put into this order, too; on rank 0.
+    void
+    gather_rows(const std::vector<std::uint64_t>            &part_keys,
+                const std::map<std::string, NumberedValues> &parts,
+                std::vector<std::uint64_t>                  &keys,
+                std::map<std::string, NumberedValues>       &whole,
+                MPI_Comm                                     communicator)
     {
-      std::vector<double> ordered(values.size());
-      for (std::size_t k = 0; k < number.size(); ++k)
-        std::copy_n(&values[components * k], components, &ordered[std::size_t(components) * number[k]]);
-      return ordered;
-    }
-
-    std::map<std::string, NumberedValues>
-    gather_values(const std::map<std::string, NumberedValues> &parts,
-                  const std::vector<std::uint32_t>            &number,
-                  MPI_Comm                                     communicator)
-    {
-      std::map<std::string, NumberedValues> whole;
+      const auto               unordered = gather(part_keys, MPI_UINT64_T, communicator);
+      std::vector<std::size_t> order(unordered.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
+        return unordered[a] < unordered[b];
+      });
+      for (const std::size_t k : order)
+        keys.push_back(unordered[k]);
       for (const auto &[name, part] : parts)
         {
-          const auto all = gather(part.values, MPI_DOUBLE, communicator);
-          whole[name]    = {part.components, in_order(number, all, part.components)};
+          const auto      all    = gather(part.values, MPI_DOUBLE, communicator);
+          NumberedValues &values = whole[name];
+          values.components      = part.components;
+          for (const std::size_t k : order)
+            values.values.insert(values.values.end(),
+                                 all.begin() + part.components * k,
+                                 all.begin() + part.components * (k + 1));
         }
-      return whole;
     }
 
     // --- restoring ---
+
+    using Rows = std::unordered_map<std::uint64_t, std::size_t>; ///< of a whole checkpoint, by key
+
+    Rows
+    rows_by_key(const std::vector<std::uint64_t> &keys)
+    {
+      Rows rows(keys.size());
+      for (std::size_t k = 0; k < keys.size(); ++k)
+        rows.emplace(keys[k], k);
+      return rows;
+    }
+
+    /// Of nodes and cells.
+    struct BodyRows
+    {
+      Rows node, cell;
+    };
+
+    /// The keys that the rows of a file without keys have, when its mesh is this one as far as it goes: both
+    /// bodies' or, with another wheel, the rail's, which comes first. Collective.
+    BodyRows
+    former_rows(const LocalMesh &mesh, MPI_Comm communicator)
+    {
+      struct Known
+      {
+        std::uint64_t                key;
+        std::array<std::uint64_t, 8> nodes;
+      };
+      std::vector<Known> cells;
+      for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+        {
+          Known &cell = cells.emplace_back();
+          cell.key    = mesh.cell_key[c];
+          for (unsigned int v = 0; v < 8; ++v)
+            cell.nodes[v] = mesh.node_key[mesh.cells[c][v]];
+        }
+      cells = gather_all(cells, communicator);
+      std::sort(cells.begin(), cells.end(), [](const Known &a, const Known &b) { return a.key < b.key; });
+      BodyRows rows;
+      for (const Known &cell : cells)
+        {
+          rows.cell.emplace(cell.key, rows.cell.size());
+          for (const std::uint64_t node : cell.nodes)
+            rows.node.emplace(node, rows.node.size());
+        }
+      return rows;
+    }
 
     /// Whether a body is the one that is asked for, or none is.
     bool
@@ -82,6 +134,7 @@ namespace wheelrail
     /// those of the rail `farther` along, but for round-off.
     bool
     same_places(const std::vector<double> &saved,
+                const Rows                &rows,
                 const LocalMesh           &mesh,
                 const double               farther,
                 const std::optional<Body>  body)
@@ -91,8 +144,8 @@ namespace wheelrail
         for (int d = 0; d < 3 && of(body, mesh.node_body[n]); ++d)
           {
             const double moved = d == 2 && mesh.node_body[n] == Body::rail ? farther : 0;
-            if (!(std::abs(saved[3 * std::size_t(mesh.node_number[n]) + d] + moved -
-                           mesh.reference[4 * n + d]) < tolerance))
+            if (!(std::abs(saved[3 * rows.at(mesh.node_key[n]) + d] + moved - mesh.reference[4 * n + d]) <
+                  tolerance))
               return false;
           }
       return true;
@@ -100,15 +153,25 @@ namespace wheelrail
 
     /// Whether a checkpoint has what bodies with this mesh need, or one of them.
     bool
-    fits(const Checkpoint &whole, const Solid &solid, const double farther, const std::optional<Body> body)
+    fits(const Checkpoint         &whole,
+         const BodyRows           &rows,
+         const Solid              &solid,
+         const double              farther,
+         const std::optional<Body> body)
     {
+      const auto among = [](const Rows &all, const std::uint64_t key, const std::size_t n) {
+        const auto row = all.find(key);
+        return row != all.end() && row->second < n;
+      };
       const LocalMesh &mesh = solid.mesh;
       bool             same_mesh =
         body || (whole.node.size() == solid.quality.nodes && whole.cell.size() == solid.quality.elements);
       for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-        same_mesh = same_mesh && (!of(body, mesh.node_body[n]) || mesh.node_number[n] < whole.node.size());
+        same_mesh = same_mesh &&
+                    (!of(body, mesh.node_body[n]) || among(rows.node, mesh.node_key[n], whole.node.size()));
       for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-        same_mesh = same_mesh && (!of(body, mesh.cell_body[c]) || mesh.cell_number[c] < whole.cell.size());
+        same_mesh = same_mesh &&
+                    (!of(body, mesh.cell_body[c]) || among(rows.cell, mesh.cell_key[c], whole.cell.size()));
       const auto has = [](const auto &all, const std::string &name, const unsigned int n) {
         return all.count(name) == 1 && all.at(name).components >= n;
       };
@@ -119,18 +182,18 @@ namespace wheelrail
           complete = complete && (!of(body, other) || has(whole.cell_values, name, n));
         });
       return same_mesh && complete &&
-             same_places(whole.node_values.at("position").values, mesh, farther, body);
+             same_places(whole.node_values.at("position").values, rows.node, mesh, farther, body);
     }
 
     void
-    restore_solid(const Checkpoint &whole, Solid &solid, const std::optional<Body> body)
+    restore_solid(const Checkpoint &whole, const BodyRows &rows, Solid &solid, const std::optional<Body> body)
     {
       const LocalMesh &mesh          = solid.mesh;
       const auto       restore_nodes = [&](const char *name, AlignedVector<double> &values) {
         const auto &saved = whole.node_values.at(name).values;
         for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
           if (of(body, mesh.node_body[n]))
-            std::copy_n(&saved[3 * std::size_t(mesh.node_number[n])], 3, &values[4 * n]);
+            std::copy_n(&saved[3 * rows.node.at(mesh.node_key[n])], 3, &values[4 * n]);
       };
       restore_nodes("displacement", solid.displacement);
       restore_nodes("velocity", solid.velocity);
@@ -145,7 +208,7 @@ namespace wheelrail
         if (!of(body, mesh.cell_body[cell]))
           return zeros.data();
         const NumberedValues &saved = whole.cell_values.at(name);
-        return &saved.values[saved.components * std::size_t(mesh.cell_number[cell])];
+        return &saved.values[saved.components * rows.cell.at(mesh.cell_key[cell])];
       });
     }
 
@@ -170,12 +233,12 @@ namespace wheelrail
     Checkpoint       part;
     part.time_step = model.time_step;
     part.window    = model.window;
-    if (model.forest->plan().moving)
-      part.start_block = model.forest->plan().start_block;
+    if (model.discretization->plan().moving)
+      part.start_block = model.discretization->plan().start_block;
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
       if (mesh.owned[n])
-        part.node.push_back(mesh.node_number[n]);
-    part.cell                        = mesh.cell_number;
+        part.node.push_back(mesh.node_key[n]);
+    part.cell                        = mesh.cell_key;
     part.node_values["position"]     = owned_values(mesh, mesh.reference);
     part.node_values["displacement"] = owned_values(mesh, model.solid.displacement);
     part.node_values["velocity"]     = owned_values(mesh, model.solid.velocity);
@@ -221,22 +284,18 @@ namespace wheelrail
     int rank;
     MPI_Comm_rank(communicator, &rank);
     Checkpoint whole;
-    whole.node        = gather(part.node, MPI_UINT32_T, communicator);
-    whole.cell        = gather(part.cell, MPI_UINT32_T, communicator);
-    whole.node_values = gather_values(part.node_values, whole.node, communicator);
-    whole.cell_values = gather_values(part.cell_values, whole.cell, communicator);
+    gather_rows(part.node, part.node_values, whole.node, whole.node_values, communicator);
+    gather_rows(part.cell, part.cell_values, whole.cell, whole.cell_values, communicator);
     for (const auto &[name, work] : part.works)
       whole.works[name] = gather(work, MPI_DOUBLE, communicator);
     std::map<std::string, PartState> parts = part.rolling.parts;
     for (auto &[name, state] : parts)
       {
-        state.nodes  = gather(state.nodes, MPI_UINT32_T, communicator);
+        state.nodes  = gather(state.nodes, MPI_UINT64_T, communicator);
         state.values = gather(state.values, MPI_DOUBLE, communicator);
       }
     if (rank > 0)
       return {};
-    std::iota(whole.node.begin(), whole.node.end(), 0);
-    std::iota(whole.cell.begin(), whole.cell.end(), 0);
     MPI_Comm_size(communicator, &whole.ranks);
     whole.parameters        = part.parameters;
     whole.wall_time         = part.wall_time;
@@ -262,10 +321,12 @@ namespace wheelrail
                  MPI_Comm                  communicator,
                  const std::optional<Body> body)
   {
-    int same = fits(whole, solid, farther, body) ? 1 : 0;
+    const BodyRows rows = whole.has_keys ? BodyRows{rows_by_key(whole.node), rows_by_key(whole.cell)}
+                                         : former_rows(solid.mesh, communicator);
+    int            same = fits(whole, rows, solid, farther, body) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
     if (same == 1)
-      restore_solid(whole, solid, body);
+      restore_solid(whole, rows, solid, body);
     return same == 1;
   }
 

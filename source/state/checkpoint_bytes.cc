@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <sstream>
 #include <type_traits>
 #include <vector>
@@ -170,7 +169,7 @@ namespace wheelrail
           names.push_back(name);
           write_attribute(file, part_prefix(name), join_lines(entries));
           write(part_prefix(name) + "_numbers", numbers);
-          write(part_prefix(name) + "_nodes", {state.nodes.begin(), state.nodes.end()});
+          write_keys(file, part_prefix(name) + "_nodes", state.nodes);
           write(part_prefix(name) + "_values", state.values);
         }
       write_attribute(file, "parts", join_lines(names));
@@ -185,10 +184,9 @@ namespace wheelrail
           PartState &state   = parts[name];
           const auto entries = split_lines(read_text_attribute(file, part_prefix(name)));
           const auto numbers = read_dataset(file, part_prefix(name) + "_numbers");
-          const auto nodes   = read_dataset(file, part_prefix(name) + "_nodes");
           for (std::size_t k = 0; k < entries.size(); ++k)
             state.numbers[entries[k]] = numbers.at(k);
-          state.nodes.assign(nodes.begin(), nodes.end());
+          state.nodes  = read_keys(file, part_prefix(name) + "_nodes");
           state.values = read_dataset(file, part_prefix(name) + "_values");
         }
       return parts;
@@ -215,7 +213,7 @@ namespace wheelrail
       return {{"axle", axle}};
     }
 
-    constexpr int first_with_parts = 7, first_with_wear = 8; ///< formats
+    constexpr int first_with_parts = 7, first_with_wear = 8, first_with_keys = 11; ///< formats
 
     /// Files say their format from 7 on; throws RunError for a newer one than this program knows.
     int
@@ -257,12 +255,13 @@ namespace wheelrail
       return all;
     }
 
-    std::vector<std::uint32_t>
-    count_to(const double n)
+    /// Keys of rows, or as many places for them as a file without keys has rows.
+    std::vector<std::uint64_t>
+    read_rows(const hid_t file, const std::string &name, const bool has_keys)
     {
-      std::vector<std::uint32_t> numbers(static_cast<std::size_t>(n));
-      std::iota(numbers.begin(), numbers.end(), 0);
-      return numbers;
+      return has_keys
+               ? read_keys(file, name)
+               : std::vector<std::uint64_t>(static_cast<std::size_t>(read_number_attribute(file, name)));
     }
   } // namespace
 
@@ -277,8 +276,8 @@ namespace wheelrail
     visit_numbers(checkpoint, [&](const char *name, const auto value) {
       write_attribute(file, name, static_cast<double>(value));
     });
-    write_attribute(file, "nodes", static_cast<double>(checkpoint.node.size()));
-    write_attribute(file, "cells", static_cast<double>(checkpoint.cell.size()));
+    write_keys(file, "nodes", checkpoint.node);
+    write_keys(file, "cells", checkpoint.cell);
     write_values(file, "node_values", checkpoint.node_values);
     write_values(file, "cell_values", checkpoint.cell_values);
     const auto write = [&](const std::string &name, const std::vector<double> &values) {
@@ -314,8 +313,9 @@ namespace wheelrail
       if (format == checkpoint_format || has_attribute(file, name))
         value = static_cast<std::decay_t<decltype(value)>>(read_number_attribute(file, name));
     });
-    checkpoint.node        = count_to(read_number_attribute(file, "nodes"));
-    checkpoint.cell        = count_to(read_number_attribute(file, "cells"));
+    checkpoint.has_keys    = format >= first_with_keys;
+    checkpoint.node        = read_rows(file, "nodes", checkpoint.has_keys);
+    checkpoint.cell        = read_rows(file, "cells", checkpoint.has_keys);
     checkpoint.node_values = read_values(file, "node_values", checkpoint.node.size());
     checkpoint.cell_values = read_values(file, "cell_values", checkpoint.cell.size());
     for (const std::string &name : split_lines(read_text_attribute(file, "works")))

@@ -125,7 +125,7 @@ namespace wheelrail
     const bool       same_wheel = scene.next_wheel == NextWheel::same;
     FineWindow       start      = model.window;
     double           farther = 0; // along the track than in the earlier run, which may have started elsewhere
-    const SweepPlan &plan    = model.forest->plan();
+    const SweepPlan &plan    = model.discretization->plan();
     if (plan.moving)
       {
         const int blocks = rail.start_block - plan.start_block;

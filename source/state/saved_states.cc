@@ -33,7 +33,7 @@ namespace wheelrail
   void
   SavedStates::keep(const RunParts &run, const unsigned int ticks, const double wall_time)
   {
-    const SweepPlan &plan = run.model.forest->plan();
+    const SweepPlan &plan = run.model.discretization->plan();
     Checkpoint       part = take_checkpoint(run.model, run.rolling, run.recorder);
     if (!is_finite(part, communicator_))
       return;

@@ -1,7 +1,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <wheelrail/base/gather_all.h>
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/statics/direct_bottom.h>
 #include <wheelrail/statics/joined_solver.h>
 
@@ -11,13 +11,13 @@
 
 namespace wheelrail
 {
-  DirectBottom::DirectBottom(const Forest                     &forest,
+  DirectBottom::DirectBottom(const Discretization             &discretization,
                              const LocalMesh                  &mesh,
                              const PerBody<ElementBlocks>     &blocks,
                              const std::vector<unsigned char> &held,
                              const StaticGround               &ground)
     : mesh_(mesh)
-    , communicator_(forest.communicator())
+    , communicator_(discretization.communicator())
   {
     int rank, n_ranks;
     MPI_Comm_rank(communicator_, &rank);
@@ -34,7 +34,7 @@ namespace wheelrail
       if (mesh.owned[n])
         {
           const Body          body    = mesh.node_body[n];
-          const SweptGrid    &grid    = forest.grid(body);
+          const SweptGrid    &grid    = discretization.grid(body);
           const std::uint64_t key     = mesh.node_key[n];
           const double       *spring  = ground.springs.empty() ? nullptr : &ground.springs[4 * n];
           const Vector3       springs = spring ? Vector3{spring[0], spring[1], spring[2]} : Vector3{};
@@ -47,7 +47,8 @@ namespace wheelrail
     PerBody<std::vector<Vector3>>       ground_here;
     for (const Body body : both_bodies)
       {
-        held_here[body].resize(std::size_t(forest.grid(body).n_corners()) * forest.grid(body).n_sections());
+        held_here[body].resize(std::size_t(discretization.grid(body).n_corners()) *
+                               discretization.grid(body).n_sections());
         ground_here[body].resize(held_here[body].size());
       }
     // global numbers ascend with the ranks, and those of a rank's own nodes follow one another
@@ -61,7 +62,7 @@ namespace wheelrail
       {
         x_[body].resize(3 * held_here[body].size());
         if (rank == rank_[body])
-          solver_[body] = make_swept_solver(forest.grid(body),
+          solver_[body] = make_swept_solver(discretization.grid(body),
                                             blocks[body].elasticity(),
                                             blocks[body].form,
                                             held_here[body],

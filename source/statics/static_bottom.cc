@@ -1,4 +1,4 @@
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/statics/direct_bottom.h>
 #include <wheelrail/statics/iterative_bottom.h>
 
@@ -32,19 +32,22 @@ namespace wheelrail
 
 
   std::unique_ptr<StaticBottom>
-  make_static_bottom(const Forest                     &forest,
+  make_static_bottom(const Discretization             &discretization,
                      const LocalMesh                  &mesh,
                      const PerBody<ElementBlocks>     &blocks,
                      const std::vector<unsigned char> &held,
                      const StaticGround               &ground)
   {
     constexpr double most_memory = 1e9; // blocks of 8 mm take 0.7 of it, of 16 mm 0.05
-    const double     memory =
-      swept_solver_memory(forest.grid(Body::rail)) + swept_solver_memory(forest.grid(Body::wheel));
+    const double     memory      = swept_solver_memory(discretization.grid(Body::rail)) +
+                          swept_solver_memory(discretization.grid(Body::wheel));
     if (memory < most_memory)
-      return std::make_unique<DirectBottom>(forest, mesh, blocks, held, ground);
-    return std::make_unique<IterativeBottom>(
-      mesh, blocks, held, even_springs(ground, mesh, forest.communicator()), forest.communicator());
+      return std::make_unique<DirectBottom>(discretization, mesh, blocks, held, ground);
+    return std::make_unique<IterativeBottom>(mesh,
+                                             blocks,
+                                             held,
+                                             even_springs(ground, mesh, discretization.communicator()),
+                                             discretization.communicator());
   }
 
 

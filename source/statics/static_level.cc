@@ -334,7 +334,7 @@ namespace wheelrail
     for (std::size_t n = 0; n < mesh_.n_nodes(); ++n)
       for (unsigned int i = 0; i < 3; ++i)
         if (inverse_[n][i] > 0)
-          r.data()[4 * n + i] = ((3 * mesh_.global_node[n] + i) * 2654435761u % 1000003u) / 500001.5 - 1;
+          r.data()[4 * n + i] = mesh_.noise(n, i);
     std::vector<double> diagonal, beside;
     double              product_before = 0, alpha_before = 0;
     for (int k = 0; k < steps; ++k)

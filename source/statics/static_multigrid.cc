@@ -1,4 +1,4 @@
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/statics/static_multigrid.h>
 
 #include <algorithm>
@@ -97,12 +97,12 @@ namespace wheelrail
   } // namespace
 
 
-  StaticMultigrid::StaticMultigrid(const Forest                     &forest,
+  StaticMultigrid::StaticMultigrid(const Discretization             &discretization,
                                    Solid                            &solid,
                                    const std::vector<unsigned char> &held,
                                    const StaticGround               &ground)
-    : communicator_(forest.communicator())
-    , coarse_(coarse_levels(forest, solid.mesh))
+    : communicator_(discretization.communicator())
+    , coarse_(coarse_levels(discretization, solid.mesh))
   {
     held_.push_back(held);
     blocks_.reserve(coarse_.size());
@@ -123,7 +123,7 @@ namespace wheelrail
         blocks = &blocks_.back();
         mesh   = &coarse.mesh;
       }
-    bottom_ = make_static_bottom(forest, *mesh, *blocks, held_.back(), here);
+    bottom_ = make_static_bottom(discretization, *mesh, *blocks, held_.back(), here);
   }
 
 

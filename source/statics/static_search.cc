@@ -1,4 +1,4 @@
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/statics/facing_surfaces.h>
 #include <wheelrail/statics/static_search.h>
 
@@ -54,23 +54,24 @@ namespace wheelrail
   } // namespace
 
 
-  StaticSearch::StaticSearch(const Forest      &forest,
-                             Solid             &solid,
-                             Contact           &contact,
-                             const SceneParts  &parts,
-                             const StaticLoads &loads)
+  StaticSearch::StaticSearch(const Discretization &discretization,
+                             Solid                &solid,
+                             Contact              &contact,
+                             const SceneParts     &parts,
+                             const StaticLoads    &loads)
     : solid_(solid)
     , contact_(contact)
     , loads_(loads)
-    , sum_(solid.mesh, forest.communicator())
-    , system_(forest, solid, parts)
+    , sum_(solid.mesh, discretization.communicator())
+    , system_(discretization, solid, parts)
     , flow_(solid.blocks)
   {
-    const AxleData      &axle  = loads.axle;
-    const MassProperties wheel = mass_properties(solid, Body::wheel, axle.centre, forest.communicator());
-    wheel_mass_                = wheel.mass;
-    wheel_offset_              = radial_arm(wheel.centre, axle)[1];
-    rate_                      = loads.axle.velocity / loads.forward_radius;
+    const AxleData      &axle = loads.axle;
+    const MassProperties wheel =
+      mass_properties(solid, Body::wheel, axle.centre, discretization.communicator());
+    wheel_mass_   = wheel.mass;
+    wheel_offset_ = radial_arm(wheel.centre, axle)[1];
+    rate_         = loads.axle.velocity / loads.forward_radius;
     contact_.gather(solid_.displacement.data(), solid_.velocity.data());
     rail_before_ = rail_displacements(contact_);
     press();

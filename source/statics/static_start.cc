@@ -131,7 +131,7 @@ namespace wheelrail
 
 
   StaticResult
-  static_start(const Forest                           &forest,
+  static_start(const Discretization                   &discretization,
                Solid                                  &solid,
                Contact                                &contact,
                const SceneParts                       &parts,
@@ -139,7 +139,7 @@ namespace wheelrail
                const std::function<void(std::string)> &report)
   {
     report("static start: assembling the stiffness");
-    StaticSearch  search(forest, solid, contact, parts, loads);
+    StaticSearch  search(discretization, solid, contact, parts, loads);
     const bool    without_friction = contact.law().friction.frictionless();
     StaticResult  result;
     StaticBalance balance;

@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/solid/boundary_nodes.h>
 #include <wheelrail/statics/static_system.h>
 
@@ -35,14 +35,14 @@ namespace wheelrail
   } // namespace
 
 
-  StaticSystem::StaticSystem(const Forest &forest, Solid &solid, const SceneParts &parts)
+  StaticSystem::StaticSystem(const Discretization &discretization, Solid &solid, const SceneParts &parts)
     : mesh_(solid.mesh)
-    , communicator_(forest.communicator())
+    , communicator_(discretization.communicator())
     , parts_(parts, solid, communicator_)
     , bore_(bore_nodes(mesh_, communicator_))
     , held_(either(bore_, parts_.held()))
     , multigrid_(std::make_unique<StaticMultigrid>(
-        forest,
+        discretization,
         solid,
         held_,
         StaticGround{parts_.springs(), StaticSprings(parts_.joined(), mesh_, held_, communicator_)}))

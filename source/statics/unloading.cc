@@ -1,5 +1,5 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/statics/static_system.h>
 #include <wheelrail/statics/unloading.h>
 #include <wheelrail/wheelset/wheel_axes.h>
@@ -23,16 +23,16 @@ namespace wheelrail
 
 
   UnloadedBodies
-  unload(const Forest &forest, Solid &solid, const SceneParts &parts, const Axle &axle)
+  unload(const Discretization &discretization, Solid &solid, const SceneParts &parts, const Axle &axle)
   {
     constexpr double       enough = 1e-5, of_step = 1e-3;
     constexpr unsigned int most_steps = 40;
     const WheelAxes        axes(axle);
     const KeptState        loaded(solid);
     axes.to_wheel(solid);
-    StaticSystem system(forest, solid, parts);
+    StaticSystem system(discretization, solid, parts);
     system.set_springs({});
-    SharedSum    sum(solid.mesh, forest.communicator());
+    SharedSum    sum(solid.mesh, discretization.communicator());
     unsigned int cg_steps = 0;
     double       first    = 0;
     for (unsigned int steps = 0;; ++steps)

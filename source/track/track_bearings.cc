@@ -87,9 +87,8 @@ namespace wheelrail
       {
         const unsigned int n = foot.nodes[k];
         const double      *X = &solid.mesh.reference[4 * n];
-        Bearing            bearing{n, 0, foot.area[k] / of_one, double(solid.mesh.owned[n]), 0, 0};
-        bearing.key    = solid.mesh.node_key[n];
-        bearing.number = solid.mesh.node_number[n];
+        Bearing            bearing{n, 0, foot.area[k] / of_one, double(solid.mesh.owned[n]), 0};
+        bearing.key = solid.mesh.node_key[n];
         if (!data_.continuous) // the nearest: pads lie apart by more than a block
           bearing.sleeper =
             static_cast<unsigned int>(std::min_element(sleepers_.begin(),

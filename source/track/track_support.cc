@@ -237,7 +237,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < bearings_.size(); ++k)
       if (bearings_[k].owned > 0)
         {
-          state.nodes.push_back(bearings_[k].number);
+          state.nodes.push_back(bearings_[k].key);
           for (std::size_t b = 0; b < n_branches; ++b)
             state.values.insert(state.values.end(), stretch_[k][b].begin(), stretch_[k][b].end());
         }
@@ -258,12 +258,12 @@ namespace wheelrail
     const std::size_t n_branches = data_.pad_damping.branches.size();
     if (n_branches == 0)
       return;
-    std::map<std::uint32_t, std::size_t> row;
+    std::map<std::uint64_t, std::size_t> row;
     for (std::size_t k = 0; k < state.nodes.size(); ++k)
       row[state.nodes[k]] = k;
     for (std::size_t k = 0; k < bearings_.size(); ++k)
       for (std::size_t b = 0; b < n_branches; ++b)
         for (int i = 0; i < 3; ++i)
-          stretch_[k][b][i] = state.values.at(3 * (n_branches * row.at(bearings_[k].number) + b) + i);
+          stretch_[k][b][i] = state.values.at(3 * (n_branches * row.at(bearings_[k].key) + b) + i);
   }
 } // namespace wheelrail

@@ -45,6 +45,7 @@ namespace scenes
         const unsigned int node = mesh_.n_nodes();
         nodes_[key(X)]          = node;
         mesh_.global_node.push_back(node);
+        mesh_.node_key.push_back(node);
         mesh_.reference.insert(mesh_.reference.end(), {X[0], X[1], X[2], 0.});
         return node;
       }
@@ -264,6 +265,8 @@ namespace scenes
     const auto append = [](auto &to, const auto &from) { to.insert(to.end(), from.begin(), from.end()); };
     for (const auto n : second.global_node)
       mesh.global_node.push_back(n + shift);
+    for (const auto n : second.node_key)
+      mesh.node_key.push_back(n + shift);
     append(mesh.reference, second.reference);
     append(mesh.owned, second.owned);
     append(mesh.node_body, second.node_body);

@@ -54,13 +54,13 @@ namespace test
     class Judge
     {
     public:
-      Judge(const Forest &forest, const PerBody<FineZone> &zones, MPI_Comm communicator)
-        : forest_(forest)
+      Judge(const Discretization &discretization, const PerBody<FineZone> &zones, MPI_Comm communicator)
+        : discretization_(discretization)
         , triangulation_(communicator)
       {
         make_coarse_mesh();
-        const RefinementRule rule(forest.plan(), forest.grids(), zones);
-        for (unsigned int level = 0; level < forest.plan().levels; ++level)
+        const RefinementRule rule(discretization.plan(), discretization.grids(), zones);
+        for (unsigned int level = 0; level < discretization.plan().levels; ++level)
           {
             for (const auto &cell : triangulation_.active_cell_iterators_on_level(level))
               if (cell->is_locally_owned() && rule.wanted(place(*cell)))
@@ -116,12 +116,13 @@ namespace test
       CellPlace
       coarse_place(const int number) const
       {
-        const int n_rail = forest_.grid(Body::rail).n_blocks() * forest_.grid(Body::rail).n_columns();
+        const int n_rail =
+          discretization_.grid(Body::rail).n_blocks() * discretization_.grid(Body::rail).n_columns();
         CellPlace cell;
         cell.body   = number < n_rail ? Body::rail : Body::wheel;
         const int n = number - (number < n_rail ? 0 : n_rail);
-        cell.block  = n % forest_.grid(cell.body).n_blocks();
-        cell.k      = n / forest_.grid(cell.body).n_blocks();
+        cell.block  = n % discretization_.grid(cell.body).n_blocks();
+        cell.k      = n / discretization_.grid(cell.body).n_blocks();
         return cell;
       }
 
@@ -141,11 +142,11 @@ namespace test
       std::uint64_t
       vertex_key(const CellPlace &cell, const unsigned int v) const
       {
-        const int size = 1 << (forest_.plan().levels - cell.level);
-        return forest_.grid(cell.body).vertex_key(cell.block,
-                                                  (cell.i + int(v & 1)) * size,
-                                                  (cell.j + int(v >> 1 & 1)) * size,
-                                                  (cell.k + int(v >> 2)) * size);
+        const int size = 1 << (discretization_.plan().levels - cell.level);
+        return discretization_.grid(cell.body).vertex_key(cell.block,
+                                                          (cell.i + int(v & 1)) * size,
+                                                          (cell.j + int(v >> 1 & 1)) * size,
+                                                          (cell.k + int(v >> 2)) * size);
       }
 
       void
@@ -155,7 +156,7 @@ namespace test
         std::vector<dealii::Point<3>>    vertices;
         for (const Body body : both_bodies)
           {
-            const SweptGrid &grid  = forest_.grid(body);
+            const SweptGrid &grid  = discretization_.grid(body);
             const int        first = static_cast<int>(vertices.size());
             vertices.resize(first + grid.n_sections() * grid.n_corners());
             for (int k = 0; k < grid.n_columns(); ++k)
@@ -175,16 +176,16 @@ namespace test
         triangulation_.create_triangulation(vertices, cells, dealii::SubCellData());
       }
 
-      const Forest                                   &forest_;
+      const Discretization                           &discretization_;
       dealii::parallel::distributed::Triangulation<3> triangulation_;
     };
   } // namespace
 
 
   MeshByKeys
-  p4est_mesh(const Forest &forest, const PerBody<FineZone> &zones, MPI_Comm communicator)
+  p4est_mesh(const Discretization &discretization, const PerBody<FineZone> &zones, MPI_Comm communicator)
   {
-    return Judge(forest, zones, communicator).by_keys();
+    return Judge(discretization, zones, communicator).by_keys();
   }
 
 

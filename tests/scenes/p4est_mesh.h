@@ -4,7 +4,7 @@
 // the program by: p4est divides the cells that neighbours need, deal.II finds the nodes that hang and the
 // boundary.
 
-#include <wheelrail/mesh/forest.h>
+#include <wheelrail/mesh/discretization.h>
 
 #include <cstdint>
 #include <map>
@@ -25,7 +25,7 @@ namespace test
 
   /// By p4est, with finest cells in `zones`. Collective.
   MeshByKeys
-  p4est_mesh(const wheelrail::Forest                       &forest,
+  p4est_mesh(const wheelrail::Discretization               &discretization,
              const wheelrail::PerBody<wheelrail::FineZone> &zones,
              MPI_Comm                                       communicator);
 

@@ -46,6 +46,7 @@ namespace scenes
     for (const unsigned int n : whole_node)
       {
         part.global_node.push_back(n);
+        part.node_key.push_back(n);
         part.node_body.push_back(whole.node_body[n]);
         part.reference.insert(part.reference.end(), &whole.reference[4 * n], &whole.reference[4 * n] + 4);
       }

@@ -6,7 +6,7 @@
 
 namespace wheelrail
 {
-  /// Where a cell lies in the forest: its coarse block in the section, its level, and its place among the
+  /// Where a cell lies in its body: its coarse block in the section, its level, and its place among the
   /// cells of this level, within the block (i, j) and along the whole body (k).
   struct CellPlace
   {

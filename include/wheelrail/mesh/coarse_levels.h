@@ -6,7 +6,7 @@
 
 namespace wheelrail
 {
-  class Forest;
+  class Discretization;
 
   /// A mesh with all cells beyond one level joined into their ancestors of that level, and the interpolation
   /// from it to the next finer one.
@@ -28,7 +28,7 @@ namespace wheelrail
   };
 
   /// All levels coarser than that of the finest cells, down to the coarse blocks. `finest` is the local mesh
-  /// of the forest. Collective.
+  /// of the discretization. Collective.
   std::vector<CoarseLevel>
-  coarse_levels(const Forest &forest, const LocalMesh &finest);
+  coarse_levels(const Discretization &discretization, const LocalMesh &finest);
 } // namespace wheelrail

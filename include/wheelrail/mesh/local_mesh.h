@@ -34,7 +34,7 @@ namespace wheelrail
   /// rank that holds a node integrates it, with the same sums, so that no state is sent.
   struct LocalMesh
   {
-    std::vector<std::uint32_t> global_node; ///< n_nodes, number of the node over all ranks
+    std::vector<std::uint32_t> global_node; ///< n_nodes, number over all ranks that this mesh alone gives
     AlignedVector<double>
       reference; ///< 4 x n_nodes: X, Y, Z, 0 [m], hanging nodes at the mean of their parents
     std::vector<unsigned char> owned; ///< 1 when this rank is the lowest that holds the node
@@ -44,11 +44,8 @@ namespace wheelrail
     std::vector<Body>                        cell_body;
     std::vector<unsigned char>               cell_level;
 
-    /// Numbers over all ranks that do not depend on the partition, each from 0 on without gaps; global_node
-    /// does depend on it.
-    std::vector<std::uint32_t> cell_number, node_number;
-
-    /// What cells and nodes are known by from mesh to mesh, see CellPlace::key() and SweptGrid::vertex_key().
+    /// What cells and nodes are known by from mesh to mesh, from rank to rank and in files, see
+    /// CellPlace::key() and SweptGrid::vertex_key().
     std::vector<std::uint64_t> cell_key, node_key;
 
     /// Hanging nodes: value of node hanging[k] = sum of weight x value over
@@ -63,6 +60,13 @@ namespace wheelrail
     n_nodes() const
     {
       return global_node.size();
+    }
+
+    /// A number from -1 to 1 for a component of a node that looks like chance, alike on every partition.
+    double
+    noise(const std::size_t node, const unsigned int component) const
+    {
+      return (3 * node_key[node] + component) * 2654435761u % 1000003u / 500001.5 - 1;
     }
   };
 } // namespace wheelrail

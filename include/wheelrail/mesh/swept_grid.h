@@ -99,6 +99,12 @@ namespace wheelrail
     Vector3
     position(int block, int i, int j, int station) const;
 
+    /// The same of a cell's vertex, lexicographic.
+    std::uint64_t
+    vertex_key(const CellPlace &cell, unsigned int v) const;
+    Vector3
+    position(const CellPlace &cell, unsigned int v) const;
+
     /// Distance of a cell from the box of finest cells in the section: the larger of those across the strip
     /// and in depth; negative inside [m].
     double

@@ -2,8 +2,8 @@
 
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/dynamics/time_loop.h>
+#include <wheelrail/mesh/discretization.h>
 #include <wheelrail/mesh/fine_window.h>
-#include <wheelrail/mesh/forest.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 #include <wheelrail/wheelset/axle.h>
@@ -17,17 +17,17 @@ namespace wheelrail
   /// Everything a run is made of, built from a scene: mesh, bodies, contact, axle.
   struct Model
   {
-    ContactGeometry          geometry;
-    std::unique_ptr<Forest>  forest; ///< makes all meshes
-    FineWindow               window; ///< where the finest cells lie, when they go with the wheel
-    Solid                    solid;
-    std::unique_ptr<Contact> contact;
-    SceneParts               parts; ///< beside contact and axle: supports, weights
-    AxleData                 axle;
-    double                   wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
-    double                   duration          = 0; ///< of the run [s]
-    double                   time_step         = 0; ///< [s]
-    double                   expected_approach = 0; ///< from Hertz' scaling with the load [m]
+    ContactGeometry                 geometry;
+    std::unique_ptr<Discretization> discretization; ///< makes all meshes
+    FineWindow                      window; ///< where the finest cells lie, when they go with the wheel
+    Solid                           solid;
+    std::unique_ptr<Contact>        contact;
+    SceneParts                      parts; ///< beside contact and axle: supports, weights
+    AxleData                        axle;
+    double                          wheel_load        = 0; ///< weight of sprung mass, axle and wheel [N]
+    double                          duration          = 0; ///< of the run [s]
+    double                          time_step         = 0; ///< [s]
+    double                          expected_approach = 0; ///< from Hertz' scaling with the load [m]
     double reach = 0; ///< of the undeformed overlap at that approach, along the track from the contact [m]
   };
 

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -90,6 +91,13 @@ namespace wheelrail
                   const std::vector<double>  &values,
                   const std::string          &unit,
                   const std::string          &description = "");
+
+    /// Whole numbers that say what the rows of other datasets belong to.
+    void
+    write_keys(hid_t group, const std::string &name, const std::vector<std::uint64_t> &keys);
+
+    std::vector<std::uint64_t>
+    read_keys(hid_t group, const std::string &name);
 
     /// A text of any length as a dataset of bytes.
     void

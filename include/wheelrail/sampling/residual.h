@@ -20,7 +20,7 @@ namespace wheelrail
                     ///< over [m]
   };
 
-  /// Measures it in bodies without loads (WhileUnloaded) on the mesh of a forest. Collective.
+  /// Measures it in bodies without loads (WhileUnloaded) on the mesh of a discretization. Collective.
   Residual
   residual_of(const Model &model, const Axle &axle, MPI_Comm communicator);
 } // namespace wheelrail

@@ -26,9 +26,9 @@ namespace wheelrail
   struct PartState
   {
     std::map<std::string, double> numbers; ///< that all ranks know alike
-    /// Nodes with values of their own, by LocalMesh::node_number: those that this rank owns; of a whole state
+    /// Nodes with values of their own, by LocalMesh::node_key: those that this rank owns; of a whole state
     /// those of all ranks.
-    std::vector<std::uint32_t> nodes;
+    std::vector<std::uint64_t> nodes;
     std::vector<double>        values; ///< of these nodes, equally many each
   };
 

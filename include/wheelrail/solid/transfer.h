@@ -15,7 +15,7 @@
 
 namespace wheelrail
 {
-  /// Carries the state of the bodies from one mesh of the forest to another; see doc/theory/mesh.md.
+  /// Carries the state of the bodies from one mesh of a discretization to another; see doc/theory/mesh.md.
   ///
   /// What is interpolated is the deformation: a new node lies dX off the place that the old cell has at its
   /// coordinates, since surfaces are curved and hanging nodes lie at the mean of their parents, so its

@@ -15,11 +15,10 @@ namespace wheelrail
 {
   /// Format of saved states: counts up whenever a field is added or changes its meaning. Rails of finished
   /// runs are read from older formats, too, running states are not.
-  constexpr int checkpoint_format = 10;
+  constexpr int checkpoint_format = 11;
 
   /// What a run needs to go on after a step, beyond the model, which the scene gives anew. Either the part
-  /// of one rank, or the whole of all ranks. Nodes and cells go by the numbers of the mesh that do not
-  /// depend on the partition.
+  /// of one rank, or the whole of all ranks. Nodes and cells go by their keys, see LocalMesh.
   struct Checkpoint
   {
     std::string  parameters;            ///< all entries in force, see print_parameters()
@@ -33,7 +32,10 @@ namespace wheelrail
     FineWindow window;          ///< where the fine cells lie, when they move
     int        start_block = 0; ///< see SweepPlan
 
-    std::vector<std::uint32_t>                 node, cell;  ///< numbers of the nodes and cells that follow
+    /// Keys of the nodes and cells that follow, of a whole one ascending. Files before format 11 have none:
+    /// they count cells by their keys, and nodes by the first cell and vertex that has them.
+    std::vector<std::uint64_t>                 node, cell;
+    bool                                       has_keys = true;
     std::map<std::string, NumberedValues>      node_values; ///< position, displacement [m], velocity [m/s]
     std::map<std::string, NumberedValues>      cell_values; ///< see visit_histories()
     std::map<std::string, std::vector<double>> works; ///< energy terms that are sums: one part a rank [J]
@@ -76,9 +78,9 @@ namespace wheelrail
                      MPI_Comm          communicator);
 
   /// Puts displacements, velocities and histories of a whole checkpoint into both bodies, or into the one
-  /// that is asked for, such as the rail, whose cells and nodes have the first numbers: the wheel may then
-  /// have any mesh. Whether their mesh is that of the checkpoint, else nothing is changed. The rail may lie
-  /// `farther` along the track [m] than it did. Collective.
+  /// that is asked for, such as the rail: the wheel may then have any mesh. Whether their mesh is that of the
+  /// checkpoint, else nothing is changed. The rail may lie `farther` along the track [m] than it did.
+  /// Collective.
   bool
   restore_bodies(const Checkpoint   &whole,
                  Solid              &solid,

@@ -20,7 +20,7 @@ namespace wheelrail
   {
   public:
     /// See make_static_bottom().
-    DirectBottom(const Forest                     &forest,
+    DirectBottom(const Discretization             &discretization,
                  const LocalMesh                  &mesh,
                  const PerBody<ElementBlocks>     &blocks,
                  const std::vector<unsigned char> &held,

@@ -12,7 +12,7 @@
 
 namespace wheelrail
 {
-  class Forest;
+  class Discretization;
 
   /// The coarsest level of the static start: the coarse blocks of both bodies with the contact springs.
   class StaticBottom
@@ -32,10 +32,10 @@ namespace wheelrail
   /// A direct solver where its factors take less than a gigabyte, an iterative one beyond. `blocks`: elements
   /// of rail and wheel, of which material and form count. `held`: 1 for nodes of the mesh that do not move.
   /// The direct solver leaves out what holds the wheel to the ground, the iterative one takes springs of
-  /// single nodes that hold as much when all nodes move alike. Forest and mesh must outlive the object.
-  /// Collective.
+  /// single nodes that hold as much when all nodes move alike. Discretization and mesh must outlive the
+  /// object. Collective.
   std::unique_ptr<StaticBottom>
-  make_static_bottom(const Forest                     &forest,
+  make_static_bottom(const Discretization             &discretization,
                      const LocalMesh                  &mesh,
                      const PerBody<ElementBlocks>     &blocks,
                      const std::vector<unsigned char> &held,

@@ -18,7 +18,7 @@ namespace wheelrail
   public:
     /// `held`: 1 for nodes of the solid's mesh that do not move; `ground`: on that mesh. The solid must
     /// outlive the object and keep its elements. Collective.
-    StaticMultigrid(const Forest                     &forest,
+    StaticMultigrid(const Discretization             &discretization,
                     Solid                            &solid,
                     const std::vector<unsigned char> &held,
                     const StaticGround               &ground = {});

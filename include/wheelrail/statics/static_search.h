@@ -23,11 +23,11 @@ namespace wheelrail
   {
   public:
     /// Prepares the stiffness and presses the wheel rigidly into the rail, which stays as it is.
-    StaticSearch(const Forest      &forest,
-                 Solid             &solid,
-                 Contact           &contact,
-                 const SceneParts  &parts,
-                 const StaticLoads &loads);
+    StaticSearch(const Discretization &discretization,
+                 Solid                &solid,
+                 Contact              &contact,
+                 const SceneParts     &parts,
+                 const StaticLoads    &loads);
 
     /// Weight of sprung mass, axle and wheel [N].
     double

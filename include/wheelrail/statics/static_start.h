@@ -10,7 +10,7 @@
 
 namespace wheelrail
 {
-  class Forest;
+  class Discretization;
 
   /// What the static start is asked for.
   struct StaticLoads
@@ -53,7 +53,7 @@ namespace wheelrail
   /// that of elastic bodies. Fills solid.displacement, the history of elements that flow and the shear
   /// tractions of the contact. Throws RunError when it does not converge. Collective.
   StaticResult
-  static_start(const Forest                           &forest,
+  static_start(const Discretization                   &discretization,
                Solid                                  &solid,
                Contact                                &contact,
                const SceneParts                       &parts,

@@ -25,7 +25,7 @@ namespace wheelrail
     using Vector = StaticVector;
 
     /// The solid and the parts must outlive the system, the solid keep its elements. Collective.
-    StaticSystem(const Forest &forest, Solid &solid, const SceneParts &parts);
+    StaticSystem(const Discretization &discretization, Solid &solid, const SceneParts &parts);
 
     const StaticParts &
     parts() const

@@ -7,7 +7,7 @@
 
 namespace wheelrail
 {
-  class Forest;
+  class Discretization;
 
   /// Both bodies with all loads taken off, without the solid that has their mesh.
   struct UnloadedBodies
@@ -31,7 +31,7 @@ namespace wheelrail
   /// The solid is needed to compute forces in, and left as it was. Throws RunError when it does not converge.
   /// Collective.
   UnloadedBodies
-  unload(const Forest &forest, Solid &solid, const SceneParts &parts, const Axle &axle);
+  unload(const Discretization &discretization, Solid &solid, const SceneParts &parts, const Axle &axle);
 
   /// As long as it lives a solid is in the state of its unloaded bodies, but for the velocities.
   class WhileUnloaded

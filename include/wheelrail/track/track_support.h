@@ -97,9 +97,8 @@ namespace wheelrail
       unsigned int  node;
       unsigned int  sleeper; ///< zero when pads are continuous
       double        share;
-      double        owned;  ///< 1 when this rank counts it, else 0
-      std::uint64_t key;    ///< of the node, from mesh to mesh
-      std::uint32_t number; ///< of the node on this mesh, whatever the ranks
+      double        owned; ///< 1 when this rank counts it, else 0
+      std::uint64_t key;   ///< of the node, from mesh to mesh and from rank to rank
     };
     /// A node of the foot on one of its stations along the track.
     struct FootNode

@@ -1,0 +1,166 @@
+#include <deal.II/distributed/tria.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/lac/affine_constraints.h>
+
+#include <wheelrail/mesh/discretization.h>
+
+#include <p8est_extended.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A cell of p4est in the block that is its tree.
+    CellPlace
+    place_in(CellPlace block, const p8est_quadrant_t &q)
+    {
+      const int shift = P8EST_MAXLEVEL - q.level;
+      block.level     = static_cast<unsigned char>(q.level);
+      block.i         = static_cast<unsigned short>(q.x >> shift);
+      block.j         = static_cast<unsigned short>(q.y >> shift);
+      block.k         = (block.k << q.level) + (q.z >> shift);
+      return block;
+    }
+
+    /// What p4est's recursion asks.
+    struct Divided
+    {
+      const CellTree               &tree;
+      const std::vector<CellPlace> &blocks; ///< of each of p4est's trees
+    };
+
+    int
+    is_divided(p8est_t *forest, const p4est_topidx_t tree, p8est_quadrant_t *q)
+    {
+      const auto *divided = static_cast<const Divided *>(forest->user_pointer);
+      return divided->tree.divided(place_in(divided->blocks[tree], *q));
+    }
+  } // namespace
+
+
+  Discretization::Discretization(MPI_Comm communicator, SweepPlan plan, const std::vector<Body> &bodies)
+    : plan_(std::move(plan))
+    , grids_{SweptGrid(plan_, Body::rail), SweptGrid(plan_, Body::wheel)}
+    , communicator_(communicator)
+    , triangulation_(std::make_unique<Triangulation>(communicator))
+    , dofs_(std::make_unique<Dofs>())
+    , relevant_(std::make_unique<dealii::IndexSet>())
+    , hanging_(std::make_unique<Constraints>())
+  {
+    create_blocks(bodies);
+  }
+
+
+  Discretization::~Discretization() = default;
+
+
+  void
+  Discretization::create_blocks(const std::vector<Body> &bodies)
+  {
+    std::vector<CellPlace>           blocks;
+    std::vector<dealii::CellData<3>> cells;
+    std::vector<dealii::Point<3>>    vertices;
+    for (const Body body : bodies)
+      {
+        const SweptGrid &grid  = grids_[body];
+        const int        first = static_cast<int>(vertices.size());
+        CellPlace        block;
+        block.body = body;
+        vertices.resize(first + grid.n_sections() * grid.n_corners());
+        for (block.k = 0; block.k < grid.n_columns(); ++block.k)
+          for (block.block = 0; block.block < grid.n_blocks(); ++block.block)
+            {
+              dealii::CellData<3> cell;
+              const auto          X = grid.coarse_vertices(block.block, block.k);
+              for (unsigned int v = 0; v < 8; ++v)
+                {
+                  const int section = (block.k + static_cast<int>(v / 4)) % grid.n_sections();
+                  cell.vertices[v]  = first + section * grid.n_corners() + grid.corners(block.block)[v % 4];
+                  vertices[cell.vertices[v]] = {X[v][0], X[v][1], X[v][2]};
+                }
+              cell.material_id = static_cast<dealii::types::material_id>(body);
+              cells.push_back(cell);
+              blocks.push_back(block);
+            }
+      }
+    triangulation_->create_triangulation(vertices, cells, dealii::SubCellData());
+    blocks_.clear();
+    for (const auto cell : triangulation_->get_p4est_tree_to_coarse_cell_permutation())
+      blocks_.push_back(blocks[cell]);
+  }
+
+
+  void
+  Discretization::lay(const PerBody<FineZone> &zones)
+  {
+    const CellTree tree(plan_, grids_, zones);
+    const Divided  divided{tree, blocks_};
+    auto *const connectivity = const_cast<p8est_connectivity_t *>(triangulation_->get_p4est()->connectivity);
+    std::unique_ptr<p8est_t, void (*)(p8est_t *)> forest(p8est_new_ext(triangulation_->get_communicator(),
+                                                                       connectivity,
+                                                                       0,
+                                                                       0,
+                                                                       1,
+                                                                       0,
+                                                                       nullptr,
+                                                                       const_cast<Divided *>(&divided)),
+                                                         p8est_destroy);
+    p8est_refine_ext(forest.get(), 1, static_cast<int>(plan_.levels), is_divided, nullptr, nullptr);
+    p8est_partition(forest.get(), 0, nullptr);
+    triangulation_->load(forest.get());
+    find_own_cells();
+    number_unknowns();
+  }
+
+
+  void
+  Discretization::find_own_cells()
+  {
+    own_cells_.clear();
+    const auto add =
+      [&](const auto &self, const Triangulation::cell_iterator &cell, const CellPlace &place) -> void {
+      if (cell->has_children())
+        for (unsigned int c = 0; c < 8; ++c)
+          self(self, cell->child(c), place.child(c));
+      else if (cell->is_locally_owned())
+        own_cells_.push_back({cell->level(), cell->index(), place});
+    };
+    const p8est_t *const forest = triangulation_->get_p4est();
+    for (p4est_topidx_t tree = forest->first_local_tree; tree <= forest->last_local_tree; ++tree)
+      add(add,
+          Triangulation::cell_iterator(
+            triangulation_.get(),
+            0,
+            static_cast<int>(triangulation_->get_p4est_tree_to_coarse_cell_permutation()[tree])),
+          blocks_[tree]);
+  }
+
+
+  CellPlace
+  Discretization::place(const dealii::CellAccessor<3> &cell) const
+  {
+    const dealii::CellId id    = cell.id();
+    CellPlace            place = blocks_[id.get_coarse_cell_id()]; // which is the number of the tree
+    for (const auto child : id.get_child_indices())
+      place = place.child(child);
+    return place;
+  }
+
+
+  void
+  Discretization::number_unknowns()
+  {
+    dofs_->reinit(*triangulation_);
+    dofs_->distribute_dofs(dealii::FE_Q<3>(1));
+    dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, *relevant_);
+    hanging_->reinit(*relevant_);
+    dealii::DoFTools::make_hanging_node_constraints(*dofs_, *hanging_);
+    hanging_->close();
+  }
+} // namespace wheelrail
