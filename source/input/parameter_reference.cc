@@ -17,19 +17,48 @@ namespace wheelrail
       return escaped;
     }
 
+    constexpr Dimension dimensions_of_entries[] = {Dimension::length,
+                                                   Dimension::mass,
+                                                   Dimension::time,
+                                                   Dimension::slowness,
+                                                   Dimension::frequency,
+                                                   Dimension::velocity,
+                                                   Dimension::force,
+                                                   Dimension::stress,
+                                                   Dimension::density,
+                                                   Dimension::stiffness,
+                                                   Dimension::turning_stiffness,
+                                                   Dimension::damping,
+                                                   Dimension::mass_moment,
+                                                   Dimension::angle,
+                                                   Dimension::spin};
+
+    /// Leaves out `part` wherever it stands in `text`.
+    void
+    leave_out(const std::string &part, std::string &text)
+    {
+      for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
+        text.erase(at, part.size());
+    }
+
     void
     write_entries(const std::string &section, std::ostream &out)
     {
       for (const Entry &entry : entries())
         if (entry.section == section && entry.repeats)
           return;
+      if (section == "Wheel material")
+        {
+          out << "\n## " << section << "\n\nThe entries are those of Rail material.\n";
+          return;
+        }
       out << "\n## " << (section.empty() ? "Outside all subsections" : section)
           << "\n\n| entry | default | accepted | meaning |\n| --- | --- | --- | --- |\n";
       for (const Entry &entry : entries())
         if (entry.section == section)
           out << "| " << cell(entry.name) << " | "
               << (entry.default_text.empty() ? "" : "`" + cell(entry.default_text) + "`") << " | "
-              << cell(entry.accepted) << " | " << cell(entry.meaning) << " |\n";
+              << cell(printed_range(entry)) << " | " << cell(entry.meaning) << " |\n";
       if (section == "Irregularity 1")
         out << "\nThe subsections Irregularity 2 to Irregularity " << most_irregularities
             << " have the same entries.\n";
@@ -40,22 +69,21 @@ namespace wheelrail
     {
       out << "\n## Units\n\nA number that measures something carries one of these units.\n\n"
              "| value | units | example |\n| --- | --- | --- |\n";
-      using D = Dimension;
-      for (const D dimension : {D::length,
-                                D::mass,
-                                D::time,
-                                D::velocity,
-                                D::force,
-                                D::stress,
-                                D::density,
-                                D::stiffness,
-                                D::damping,
-                                D::mass_moment,
-                                D::angle})
+      for (const Dimension dimension : dimensions_of_entries)
         out << "| " << dimension_name(dimension) << " | " << dimension_units(dimension) << " | `"
             << dimension_example(dimension) << "` |\n";
     }
   } // namespace
+
+  std::string
+  printed_range(const Entry &entry)
+  {
+    std::string text = entry.accepted;
+    for (const Dimension dimension : dimensions_of_entries)
+      leave_out(dimension_name(dimension) + " from ", text);
+    leave_out(dimension_name(Dimension::none) + " from ", text);
+    return text;
+  }
 
   std::string
   parameter_reference()
@@ -66,7 +94,7 @@ namespace wheelrail
          "This page is printed by `./wheelrail parameters --markdown` from the program's own table; to renew "
          "it:\n\n"
          "    ./wheelrail parameters --markdown > doc/manual/parameters.md\n\n"
-         "How a file is written tells [input.md](input.md); what the program answers to a faulty one, "
+         "How a file is written: [input.md](input.md); what helps where one is faulty: "
          "[messages.md](messages.md).\n";
     write_entries("", out);
     for (const std::string &section : section_names())
