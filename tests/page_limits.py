@@ -12,8 +12,8 @@ import sys
 from checks import check, finish
 
 ROOT = sys.argv[1]
-ALL, A_PAGE, WIDTH = 69000, 3000, 120
-PAGES = {"README.md": 800, "doc/theory/mesh.md": 5000, "doc/manual/curve.md": 3700, "doc/manual/parameters.md": 7900}
+ALL, A_PAGE, WIDTH = 65000, 2700, 120
+PAGES = {"README.md": 800, "doc/theory/mesh.md": 5000, "doc/manual/curve.md": 3200, "doc/manual/parameters.md": 7000}
 MEASURED = "doc/measured.md"
 
 
