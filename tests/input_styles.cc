@@ -1,9 +1,10 @@
 // label: fast
 
-// The parameters as JSON and XML: deal.II's ParameterHandler reads both back to the same scene, and refuses
-// what the entries refuse.
+// Parameters and deal.II's ParameterHandler: it reads the ready files, JSON and XML to the same scene as the
+// program, which reads JSON and XML itself, and refuses what the entries refuse.
 
-#include "check.h"
+#include "messages.h"
+#include "other_values.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/input/entries.h>
@@ -14,11 +15,15 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <filesystem>
+#include <fstream>
+#include <functional>
 #include <sstream>
 
 using namespace wheelrail;
 using test::check;
 using test::check_text;
+using test::message_of;
 
 namespace
 {
@@ -49,29 +54,142 @@ namespace
     return out.str();
   }
 
+  /// The listing of what a handler by itself makes of some input.
+  std::string
+  by_handler(const std::function<void(dealii::ParameterHandler &)> &parse)
+  {
+    Scene                    scene;
+    dealii::ParameterHandler handler;
+    declare_entries(handler, scene);
+    parse(handler);
+    return print_parameters(scene);
+  }
+
   void
   test_round_trip()
   {
-    const Scene scene = changed_scene();
-    {
-      Scene                    back;
-      dealii::ParameterHandler handler;
-      declare_entries(handler, back);
-      std::istringstream in(print_parameters(scene, ParameterStyle::json));
-      handler.parse_input_from_json(in);
-      check_text(print_parameters(back), print_parameters(scene), "JSON reads back");
-    }
-    {
-      Scene                    back;
-      dealii::ParameterHandler handler;
-      declare_entries(handler, back);
-      std::istringstream in(print_parameters(scene, ParameterStyle::xml));
-      handler.parse_input_from_xml(in);
-      check_text(print_parameters(back), print_parameters(scene), "XML reads back");
-    }
-    check_text(print_parameters(scene_from_text(print_parameters(scene), "listing", {}).scene),
-               print_parameters(scene),
-               "a parameter file reads back");
+    std::vector<std::string> sets;
+    for (const auto &value : test::other_values())
+      sets.push_back(value.first + " = " + value.second);
+    for (const Scene &scene : {changed_scene(), scene_from_text("", "none", sets).scene})
+      {
+        const std::string listing = print_parameters(scene);
+        const std::string json    = print_parameters(scene, ParameterStyle::json),
+                          xml     = print_parameters(scene, ParameterStyle::xml);
+        std::istringstream json_in(json), xml_in(xml);
+        check_text(by_handler([&](auto &handler) { handler.parse_input_from_json(json_in); }),
+                   listing,
+                   "ParameterHandler reads JSON");
+        check_text(by_handler([&](auto &handler) { handler.parse_input_from_xml(xml_in); }),
+                   listing,
+                   "ParameterHandler reads XML");
+        check_text(by_handler([&](auto &handler) { handler.parse_input_from_string(listing); }),
+                   listing,
+                   "ParameterHandler reads the listing");
+        const auto read_back = [](const std::string &text, const std::string &name) {
+          return print_parameters(scene_from_text(text, name, {}).scene);
+        };
+        check_text(read_back(json, "x.json"), listing, "a JSON file is read");
+        check_text(read_back(xml, "x.xml"), listing, "an XML file is read");
+        check_text(read_back(listing, "x.prm"), listing, "a parameter file is read");
+        check_text(read_back(scene_from_text(json, "x.json", {}).text, "input.prm"),
+                   listing,
+                   "and what is kept of JSON is a parameter file");
+      }
+    const SceneInput input = scene_from_text(
+      "{\"Title\": \" a {b|c}  d \", \"Run\": {\"Rolling distance\": \"30 mm\"}, "
+      "\"Output\": {\"Ticks\": 13}}",
+      "x.json",
+      {"Run/Rolling distance = 40 mm"});
+    check(input.scene.title == "a {b|c}  d" && input.scene.ticks == 13 &&
+            input.scene.rolling_distance == 0.04,
+          "JSON of values alone, with --set");
+    check_text(input.text,
+               "set Title = a {b|c}  d\nsubsection Run\n  set Rolling distance = 30 mm\nend\nsubsection "
+               "Output\n  set Ticks = 13\nend\n",
+               "its text");
+  }
+
+  void
+  test_faults()
+  {
+    const auto message = [](const std::string &text, const std::string &name) {
+      return message_of([&]() { scene_from_text(text, name, {}); });
+    };
+    check_text(
+      message("{\"Titel\": \"a\", \"Runs\": {\"Ticks\": \"1\"}, \"Wheelset\": {\"Velocity\": \"140\", "
+              "\"Velocity\": \"1 m/s\"}, \"Title\": \"a # b\"}",
+              "x.json"),
+      "x.json: Titel: no such entry; the nearest is Title\n"
+      "x.json: subsection Runs: no such subsection; the nearest is Run\n"
+      "x.json: Wheelset/Velocity = 140: a bare number; a velocity with its unit is needed, such as 140 "
+      "km/h\n"
+      "x.json: Wheelset/Velocity: set a second time; keep one of them\n"
+      "x.json: Wheelset/Velocity = 1 m/s: too small; a velocity from 5 km/h to 500 km/h is accepted\n"
+      "x.json: Title = a # b: a value is one line without #",
+      "faults in JSON");
+    check_text(message("{\n\"Title\": a}", "x.json"),
+               "x.json:2: expected value; \"./wheelrail parameters --json\" prints a complete file",
+               "no JSON");
+    std::string json, xml;
+    for (int i = 0; i < 100000; ++i)
+      {
+        json += "[";
+        xml += "<a>";
+      }
+    const std::string deep = ": subsections in each other; \"./wheelrail parameters --";
+    check_text(message(json, "x.json"), "x.json" + deep + "json\" prints a complete file", "JSON too deep");
+    check_text(message(xml, "x.xml"), "x.xml" + deep + "xml\" prints a complete file", "XML too deep");
+    check_text(
+      message("<Title>a</Title>", "x.xml"),
+      "x.xml: no <ParameterHandler> with the entries in it; \"./wheelrail parameters --xml\" prints a "
+      "complete file",
+      "no XML of ParameterHandler");
+    check_text(
+      message("<ParameterHandler><Mesh><Fine_20depth>1</Fine_20depth></Mesh></ParameterHandler>", "x.xml"),
+      "x.xml: Mesh/Fine depth = 1: a bare number; a length with its unit is needed, such as 1.5 mm",
+      "a fault in XML");
+  }
+
+  /// deal.II counts the paths of includes from where it is called. Four studies include what includes a file
+  /// beside itself: their text with all of it, as it is kept in input.prm, it reads as it reads the others'.
+  void
+  test_ready_files()
+  {
+    namespace fs          = std::filesystem;
+    const fs::path source = WHEELRAIL_SOURCE_DIR, here = fs::current_path();
+    unsigned int   files = 0, unread = 0;
+    for (const char *const folder : {"prm", "prm/studies"})
+      for (const auto &file : fs::directory_iterator(source / folder))
+        if (const std::string name = file.path().filename(); file.path().extension() == ".prm")
+          {
+            ++files;
+            const SceneInput  input    = read_scene(file.path().string(), {});
+            const std::string expected = print_parameters(input.scene);
+            check_text(by_handler([&](auto &handler) { handler.parse_input_from_string(input.text); }),
+                       expected,
+                       name + " with its includes by ParameterHandler");
+            fs::current_path(source / folder);
+            try
+              {
+                check_text(by_handler([&](auto &handler) { handler.parse_input(name); }),
+                           expected,
+                           name + " by ParameterHandler");
+              }
+            catch (const dealii::ParameterHandler::ExcCannotOpenIncludeStatementFile &)
+              {
+                ++unread;
+              }
+            fs::current_path(here);
+          }
+    check(files > 20 && unread == 4, "the ready files are read");
+    for (const auto &file : fs::directory_iterator(source / "prm/steels"))
+      {
+        const std::string text = "include " + file.path().string() + "\n";
+        check_text(by_handler([&](auto &handler) { handler.parse_input_from_string(text); }),
+                   print_parameters(scene_from_text(text, "x.prm", {}).scene),
+                   file.path().filename().string() + " by ParameterHandler");
+      }
   }
 
   void
@@ -134,6 +252,8 @@ int
 main()
 {
   test_round_trip();
+  test_faults();
+  test_ready_files();
   test_commands();
   test_patterns();
   return test::report();

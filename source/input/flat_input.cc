@@ -4,6 +4,8 @@
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>
 
+#include <boost/algorithm/string/trim.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -15,14 +17,6 @@ namespace wheelrail
 {
   namespace
   {
-    std::string
-    trim(const std::string &text)
-    {
-      const char *const blanks = " \t\r\v\f";
-      const std::size_t first = text.find_first_not_of(blanks), last = text.find_last_not_of(blanks);
-      return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-    }
-
     /// The first word of a line in small letters if it is in capital ones, and the trimmed rest.
     std::pair<std::string, std::string>
     split_word(const std::string &line)
@@ -32,7 +26,7 @@ namespace wheelrail
       if (std::all_of(word.begin(), word.end(), [](const unsigned char c) { return std::isupper(c); }))
         for (char &c : word)
           c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      return {word, trim(line.substr(end))};
+      return {word, boost::trim_copy(line.substr(end))};
     }
 
     /// A line with those that it goes on in.
@@ -130,7 +124,7 @@ namespace wheelrail
     Flattener::read_line(const Line &line, File &file)
     {
       const Place       place{file.name + ":" + std::to_string(line.number), order_++};
-      const std::string text  = trim(line.text.substr(0, line.text.find('#')));
+      const std::string text  = boost::trim_copy(line.text.substr(0, line.text.find('#')));
       const auto [word, rest] = split_word(text);
       lines_.push_back(line.text);
       if (line.is_open)
@@ -156,7 +150,7 @@ namespace wheelrail
     Flattener::read_set(const std::string &rest, const Place &place, File &file)
     {
       const std::size_t equal = rest.find('=');
-      Assignment        assignment{file.section, trim(rest.substr(0, equal)), "", place, "", ""};
+      Assignment        assignment{file.section, boost::trim_copy(rest.substr(0, equal)), "", place, "", ""};
       if (equal == std::string::npos || assignment.name.empty())
         {
           input_.problems.push_back(
@@ -164,7 +158,7 @@ namespace wheelrail
              place.order});
           return;
         }
-      assignment.value       = trim(rest.substr(equal + 1));
+      assignment.value       = boost::trim_copy(rest.substr(equal + 1));
       const std::string path = assignment.path();
       const auto        here = file.own.find(path);
       if (here != file.own.end())
@@ -286,7 +280,7 @@ namespace wheelrail
     {
       input_.assignments[assignment].replaced_at = place;
       std::string &line                          = lines_[line_of_[assignment]];
-      line                                       = "# " + trim(line) + " (replaced at " + place + ")";
+      line = "# " + boost::trim_copy(line) + " (replaced at " + place + ")";
     }
 
     FlatInput
@@ -317,9 +311,9 @@ namespace wheelrail
   parse_set(const std::string &set)
   {
     const std::size_t equal = set.find('=');
-    const std::string path  = trim(set.substr(0, equal));
+    const std::string path  = boost::trim_copy(set.substr(0, equal));
     const std::size_t slash = path.find('/');
-    const std::string name  = trim(slash == std::string::npos ? path : path.substr(slash + 1));
+    const std::string name  = boost::trim_copy(slash == std::string::npos ? path : path.substr(slash + 1));
     if (equal == std::string::npos || name.empty())
       throw InputError("--set \"" + shown_text(set) +
                        "\": the form is --set \"Section/Entry = value\", such as --set \"Wheelset/Velocity "
@@ -330,9 +324,9 @@ namespace wheelrail
         "--set \"" + shown_text(set) +
         "\": # begins a remark in parameter files, so that no value can hold it; write the value "
         "without it");
-    return {slash == std::string::npos ? "" : trim(path.substr(0, slash)),
+    return {slash == std::string::npos ? "" : boost::trim_copy(path.substr(0, slash)),
             name,
-            trim(set.substr(equal + 1)),
+            boost::trim_copy(set.substr(equal + 1)),
             {"--set"},
             "",
             ""};

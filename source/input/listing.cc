@@ -10,36 +10,7 @@ namespace wheelrail
 {
   namespace
   {
-    /// Breaks `text` at blanks into lines of at most `width` characters, each after `prefix`.
-    std::string
-    wrap(const std::string &text, const std::string &prefix, const std::size_t width)
-    {
-      std::istringstream words(text);
-      std::string        lines, line;
-      for (std::string word; words >> word;)
-        {
-          if (!line.empty() && prefix.size() + line.size() + 1 + word.size() > width)
-            {
-              lines += prefix + line + "\n";
-              line.clear();
-            }
-          line += (line.empty() ? "" : " ") + word;
-        }
-      return lines + (line.empty() ? "" : prefix + line + "\n");
-    }
-
-    std::string
-    print_entry(const Entry &entry, const Scene &scene)
-    {
-      const std::string indent = entry.section.empty() ? "" : "  ";
-      const std::string value  = entry.get(scene);
-      const std::string comment =
-        entry.meaning + " Accepted: " + entry.accepted + "." +
-        (entry.default_text.empty() || entry.default_text == value ? ""
-                                                                   : " Default: " + entry.default_text + ".");
-      return wrap(comment, indent + "# ", 100) + indent + "set " + entry.name + " =" +
-             (value.empty() ? "" : " " + value) + "\n";
-    }
+    using dealii::ParameterHandler;
 
     /// Whether a subsection of many alike is left as it is by default: it is not listed.
     bool
@@ -52,39 +23,48 @@ namespace wheelrail
     }
 
     std::string
+    printed(const ParameterHandler &handler, const ParameterHandler::OutputStyle style)
+    {
+      std::ostringstream out;
+      handler.print_parameters(out, style | ParameterHandler::KeepDeclarationOrder);
+      return out.str();
+    }
+
+    /// The values are declared as defaults: deal.II writes others behind the value, where those who read such
+    /// a file line by line do not look for them.
+    std::string
     print_prm(const Scene &scene)
     {
-      std::string text =
-        "# All entries of a scene. Entries that are not set take their default.\n"
-        "# A number that measures something carries its unit.\n\n";
-      std::string open;
+      ParameterHandler handler;
       for (const Entry &entry : entries())
-        {
-          if (entry.repeats && stays_out(entry.section, scene))
-            continue;
-          if (entry.section != open)
-            {
-              text += (open.empty() ? "" : "end\n") + std::string("\nsubsection ") + entry.section + "\n";
-              open = entry.section;
-            }
-          else if (!open.empty())
-            text += "\n";
-          text += print_entry(entry, scene);
-        }
-      return text + "end\n";
+        if (!entry.repeats || !stays_out(entry.section, scene))
+          {
+            const std::string value = entry.get(scene);
+            const bool        other = value != entry.default_text && !entry.default_text.empty();
+            if (!entry.section.empty())
+              handler.enter_subsection(entry.section);
+            handler.declare_entry(entry.name,
+                                  value,
+                                  dealii::Patterns::Anything(),
+                                  entry.meaning + " Accepted: " + entry.accepted + "." +
+                                    (other ? " Default: " + entry.default_text + "." : ""));
+            if (!entry.section.empty())
+              handler.leave_subsection();
+          }
+      return "# All entries of a scene. Entries that are not set take their default.\n"
+             "# A number that measures something carries its unit.\n" +
+             printed(handler, ParameterHandler::PRM);
     }
 
     std::string
-    print_by_handler(const Scene &scene, const dealii::ParameterHandler::OutputStyle style)
+    print_by_handler(const Scene &scene, const ParameterHandler::OutputStyle style)
     {
-      Scene                    copy;
-      dealii::ParameterHandler handler;
+      Scene            copy;
+      ParameterHandler handler;
       declare_entries(handler, copy);
       for (const Entry &entry : entries())
         set_entry(handler, entry.section, entry.name, entry.get(scene));
-      std::ostringstream out;
-      handler.print_parameters(out, style | dealii::ParameterHandler::KeepDeclarationOrder);
-      return out.str();
+      return printed(handler, style);
     }
   } // namespace
 
@@ -94,7 +74,7 @@ namespace wheelrail
   {
     if (style == ParameterStyle::prm)
       return print_prm(scene);
-    return print_by_handler(
-      scene, style == ParameterStyle::json ? dealii::ParameterHandler::JSON : dealii::ParameterHandler::XML);
+    return print_by_handler(scene,
+                            style == ParameterStyle::json ? ParameterHandler::JSON : ParameterHandler::XML);
   }
 } // namespace wheelrail

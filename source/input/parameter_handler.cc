@@ -105,6 +105,9 @@ namespace wheelrail
         handler.declare_entry(entry.name, entry.default_text, *pattern_of(entry), entry.meaning);
         handler.add_action(entry.name, [&entry, &scene](const std::string &text) { entry.set(scene, text); });
       }
+    // the actions have just set the defaults, as far as their texts tell them: 140 km/h are not all of
+    // 140/3.6
+    scene = Scene();
   }
 
 
@@ -116,5 +119,21 @@ namespace wheelrail
   {
     const InSection in_section(handler, section);
     handler.set(name, value);
+  }
+
+
+  void
+  parse_entries(const std::string &text, const std::vector<Assignment> &assignments, Scene &scene)
+  {
+    ParameterHandler handler;
+    declare_entries(handler, scene);
+    handler.parse_input_from_string(text);
+    for (const Assignment &one : assignments)
+      {
+        const std::vector<std::string> path(one.section.empty() ? 0 : 1, one.section);
+        // a brace begins values for several runs there, for which no action is called
+        if (handler.get(path, one.name) != one.value || one.value.find('{') != std::string::npos)
+          set_entry(handler, one.section, one.name, one.value);
+      }
   }
 } // namespace wheelrail

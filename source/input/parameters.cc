@@ -3,8 +3,11 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>
+#include <wheelrail/input/parameter_handler.h>
 #include <wheelrail/input/parameters.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -76,7 +79,9 @@ namespace wheelrail
   SceneInput
   scene_from_text(const std::string &text, const std::string &name, const std::vector<std::string> &sets)
   {
-    FlatInput                     input           = flatten_input(text, name);
+    const std::string ending = std::filesystem::path(name).extension();
+    FlatInput input = ending == ".json" || ending == ".xml" ? flatten_tree(text, name, ending == ".xml")
+                                                            : flatten_input(text, name);
     std::vector<Problem>         &problems        = input.problems;
     const std::vector<Assignment> on_command_line = parse_sets(sets, problems);
     for (const SectionLine &section : input.sections)
@@ -91,15 +96,12 @@ namespace wheelrail
         check(assignment, problems);
     require_no_problems(std::move(problems), name);
 
-    // Values are taken as they have been checked. deal.II's ParameterHandler would join blanks in them, and
-    // leave out without a word those with a brace, in which it sees values for several runs.
     SceneInput result{{}, name, input.text, {}};
+    const auto is_replaced = [](const Assignment &one) { return !one.replaced_at.empty(); };
+    all.erase(std::remove_if(all.begin(), all.end(), is_replaced), all.end());
+    parse_entries(result.text, all, result.scene);
     for (const Assignment &assignment : all)
-      if (assignment.replaced_at.empty())
-        {
-          find_entry(assignment.section, assignment.name)->set(result.scene, assignment.value);
-          result.origin[assignment.path()] = assignment.place;
-        }
+      result.origin[assignment.path()] = assignment.place;
     return result;
   }
 

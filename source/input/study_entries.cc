@@ -4,6 +4,8 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <boost/algorithm/string/trim.hpp>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -12,13 +14,6 @@ namespace wheelrail
 {
   namespace
   {
-    std::string
-    trim(const std::string &text)
-    {
-      const std::size_t first = text.find_first_not_of(' '), last = text.find_last_not_of(' ');
-      return first == std::string::npos ? "" : text.substr(first, last - first + 1);
-    }
-
     /// The entry of an axis. Throws InputError when there is none, or when it cannot vary.
     const Entry &
     entry_of_axis(const std::string &section, const std::string &name)
@@ -42,11 +37,11 @@ namespace wheelrail
         throw InputError("\"" + shown_text(text) +
                          "\" is no axis; write \"Section/Entry: value, value\", and a semicolon between two "
                          "axes");
-      const std::string path  = trim(text.substr(0, colon));
+      const std::string path  = boost::trim_copy(text.substr(0, colon));
       const std::size_t slash = path.find('/');
       StudyAxis         axis;
-      axis.section = slash == std::string::npos ? "" : trim(path.substr(0, slash));
-      axis.name    = slash == std::string::npos ? path : trim(path.substr(slash + 1));
+      axis.section = slash == std::string::npos ? "" : boost::trim_copy(path.substr(0, slash));
+      axis.name    = slash == std::string::npos ? path : boost::trim_copy(path.substr(slash + 1));
       axis.values  = split_list(text.substr(colon + 1), ',');
       std::string at;
       try

@@ -55,6 +55,11 @@ namespace wheelrail
   FlatInput
   flatten_input(const std::string &text, const std::string &name);
 
+  /// The same from JSON or XML as deal.II's ParameterHandler prints it, or from JSON with values alone
+  /// ({"Run": {"Rolling distance": "30 mm"}}); places have no lines. The text is that of a parameter file.
+  FlatInput
+  flatten_tree(const std::string &text, const std::string &name, bool is_xml);
+
   /// Reads "Section/Name = value" of the command line option --set. Throws InputError for another form.
   Assignment
   parse_set(const std::string &set);

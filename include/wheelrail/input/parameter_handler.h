@@ -1,8 +1,10 @@
 #pragma once
 
+#include <wheelrail/input/flat_input.h>
 #include <wheelrail/scene/scene.h>
 
 #include <string>
+#include <vector>
 
 namespace dealii
 {
@@ -22,4 +24,10 @@ namespace wheelrail
             const std::string        &section,
             const std::string        &name,
             const std::string        &value);
+
+  /// A scene from the text of a parameter file without includes. `assignments` are all that are in force,
+  /// those of --set included: what deal.II reads otherwise (a brace, and what is not in the text) is set
+  /// after it. All of it must have been checked.
+  void
+  parse_entries(const std::string &text, const std::vector<Assignment> &assignments, Scene &scene);
 } // namespace wheelrail

@@ -19,7 +19,7 @@ namespace wheelrail
   };
 
   /// The scene of an input text (flatten_input()) with the changes of --set on top, entries not given at
-  /// their defaults. `name` is the file name for messages.
+  /// their defaults. `name` is the file for messages; one that ends with .json or .xml says how to read.
   ///
   /// All lines, names and values are checked. Throws InputError whose text has one line for each fault found,
   /// in the order of the lines, those of included files at the place of the include: "prm/x.prm:12:
