@@ -380,6 +380,18 @@ namespace wheelrail
   }
 
 
+  Dimension
+  dimension_of(const std::string &unit_name)
+  {
+    if (unit_name.empty())
+      return Dimension::none;
+    const Unit *unit = find_unit(unit_name);
+    if (unit == nullptr)
+      throw std::logic_error("dimension_of: unknown unit " + unit_name);
+    return unit->dimension;
+  }
+
+
   std::string
   si_unit(const Dimension dimension)
   {

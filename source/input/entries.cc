@@ -11,12 +11,12 @@ namespace wheelrail
   namespace
   {
     /// A text that fits on a line and into a page's head.
-    Entry
+    std::vector<Entry>
     title_entry()
     {
-      Entry      entry = text_entry({"", "Title", "Name of the scene in the output."}, field(&Scene::title));
-      const auto set   = entry.set;
-      entry.set        = [set](Scene &scene, const std::string &text) {
+      EntryList list("");
+      Entry    &entry = list.text("Title", field(&Scene::title), "Name of the scene in the output.");
+      entry.set       = [set = entry.set](Scene &scene, const std::string &text) {
         // bytes of UTF-8 that continue a character do not count
         const auto n =
           std::count_if(text.begin(), text.end(), [](const char c) { return (c & 0xc0) != 0x80; });
@@ -24,7 +24,7 @@ namespace wheelrail
           throw InputError("too long, " + std::to_string(n) + " characters; at most 200 are accepted");
         set(scene, text);
       };
-      return entry;
+      return list.entries;
     }
 
     std::string
@@ -41,8 +41,9 @@ namespace wheelrail
   entries()
   {
     static const std::vector<Entry> table = [] {
-      std::vector<Entry> list{title_entry()};
-      for (const std::vector<Entry> &section : {profiles_entries(),
+      std::vector<Entry> list;
+      for (const std::vector<Entry> &section : {title_entry(),
+                                                profiles_entries(),
                                                 track_entries(),
                                                 wheelset_entries(),
                                                 contact_entries(),

@@ -11,197 +11,215 @@ namespace wheelrail
 {
   namespace
   {
-    /// "a length from 0.1 mm to 4 mm", "a mass above 0 kg".
-    std::string
-    in_words(const Dimension dimension, const Bounds &bounds)
+    /// A range of numbers as NumberHead has it.
+    struct NumberRange
     {
-      std::string words = dimension_name(dimension);
-      if (!bounds.low.empty())
-        words += (bounds.above_low ? " above " : " from ") + bounds.low;
-      if (!bounds.high.empty())
-        words += (bounds.low.empty() ? " up to " : bounds.above_low ? ", at most " : " to ") + bounds.high;
-      return words;
-    }
+      Dimension   dimension;
+      std::string low, high;
+      bool        above_low; ///< `low` itself is refused
 
-    void
-    require_bounds(const double value, const Dimension dimension, const Bounds &bounds)
-    {
-      const std::string accepted = in_words(dimension, bounds);
-      if (!bounds.low.empty())
-        {
-          const double low = parse_quantity(bounds.low, dimension);
-          if (value < low || (bounds.above_low && value == low))
-            throw InputError("too small; " + accepted + " is accepted");
-        }
-      if (!bounds.high.empty() && value > parse_quantity(bounds.high, dimension))
-        throw InputError("too large; " + accepted + " is accepted");
-    }
-  } // namespace
+      explicit NumberRange(const NumberHead &head)
+        : dimension(dimension_of(head.unit))
+        , low(head.low)
+        , high(head.high)
+        , above_low(head.low.compare(0, 2, "> ") == 0)
+      {
+        if (above_low)
+          low.erase(0, 2);
+      }
 
-  Entry
-  number_entry(const EntryHead     &head,
-               const Dimension      dimension,
-               const std::string   &unit,
-               const Bounds        &bounds,
-               const Field<double> &place)
-  {
-    Entry entry{head.section, head.name, head.meaning, in_words(dimension, bounds), {}, {}, {}, {}};
-    entry.set = [=](Scene &scene, const std::string &text) {
-      const double value = parse_quantity(text, dimension);
-      require_bounds(value, dimension, bounds);
-      place(scene) = value;
-    };
-    entry.get = [=](const Scene &scene) {
-      Scene copy = scene;
-      return format_quantity(place(copy), unit);
-    };
-    return entry;
-  }
+      /// "a length from 0.1 mm to 4 mm", "a mass above 0 kg".
+      std::string
+      in_words() const
+      {
+        std::string words = dimension_name(dimension);
+        if (!low.empty())
+          words += (above_low ? " above " : " from ") + low;
+        if (!high.empty())
+          words += (low.empty() ? " up to " : above_low ? ", at most " : " to ") + high;
+        return words;
+      }
 
-  Entry
-  length_entry(const EntryHead     &head,
-               const std::string   &unit,
-               const Bounds        &bounds,
-               const Field<double> &place)
-  {
-    return number_entry(head, Dimension::length, unit, bounds, place);
-  }
+      double
+      value_of(const std::string &text) const
+      {
+        const double value = parse_quantity(text, dimension);
+        const double least = low.empty() ? value : parse_quantity(low, dimension);
+        if (value < least || (above_low && value == least))
+          throw InputError("too small; " + in_words() + " is accepted");
+        if (!high.empty() && value > parse_quantity(high, dimension))
+          throw InputError("too large; " + in_words() + " is accepted");
+        return value;
+      }
+    };
 
-  Entry
-  pure_entry(const EntryHead &head, const Bounds &bounds, const Field<double> &place)
-  {
-    return number_entry(head, Dimension::none, "", bounds, place);
-  }
-
-  Entry
-  list_entry(const EntryHead                  &head,
-             const Dimension                   dimension,
-             const std::string                &unit,
-             const Bounds                     &bounds,
-             const std::size_t                 most,
-             const Field<std::vector<double>> &place)
-  {
-    const std::string accepted = "none, or up to " + std::to_string(most) +
-                                 " with commas between them, each " + in_words(dimension, bounds);
-    Entry entry{head.section, head.name, head.meaning, accepted, {}, {}, {}, {}};
-    entry.set = [=](Scene &scene, const std::string &text) {
-      std::vector<double> values;
-      for (const std::string &part : text == "none" ? std::vector<std::string>() : split_list(text, ','))
-        {
-          values.push_back(parse_quantity(part, dimension));
-          require_bounds(values.back(), dimension, bounds);
-        }
-      if (values.size() > most)
-        throw InputError(std::to_string(values.size()) + " values; at most " + std::to_string(most) +
-                         " are accepted");
-      place(scene) = values;
-    };
-    entry.get = [=](const Scene &scene) {
-      Scene       copy = scene;
-      std::string text;
-      for (const double value : place(copy))
-        text += (text.empty() ? "" : ", ") + format_quantity(value, unit);
-      return text.empty() ? "none" : text;
-    };
-    return entry;
-  }
-
-  Entry
-  count_entry(const EntryHead           &head,
-              const unsigned int         low,
-              const unsigned int         high,
-              const Field<unsigned int> &place)
-  {
-    const std::string accepted = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
-    Entry             entry{head.section, head.name, head.meaning, accepted, {}, {}, {}, {}};
-    entry.set = [=](Scene &scene, const std::string &text) {
-      unsigned int value  = 0;
-      const auto   result = std::from_chars(text.data(), text.data() + text.size(), value);
-      if (result.ec != std::errc() || result.ptr != text.data() + text.size())
-        throw InputError("not a whole number; " + accepted + " is needed");
-      if (value < low || value > high)
-        throw InputError(std::string(value < low ? "too small; " : "too large; ") + accepted +
-                         " is accepted");
-      place(scene) = value;
-    };
-    entry.get = [=](const Scene &scene) {
-      Scene copy = scene;
-      return std::to_string(place(copy));
-    };
-    return entry;
-  }
-
-  Entry
-  text_entry(const EntryHead &head, const Field<std::string> &place)
-  {
-    Entry      entry{head.section, head.name, head.meaning, "a text", {}, {}, {}, {}};
-    Scene      defaults;
-    const bool may_be_empty = place(defaults).empty();
-    entry.set               = [=](Scene &scene, const std::string &text) {
-      if (text.empty() && !may_be_empty)
-        throw InputError("no value; a text is needed");
-      if (text.find('\n') != std::string::npos || (!text.empty() && text.back() == '\\'))
-        throw InputError("a text is one line that does not end with a backslash");
-      place(scene) = text;
-    };
-    entry.get = [=](const Scene &scene) {
-      Scene copy = scene;
-      return place(copy);
-    };
-    return entry;
-  }
-
-  Entry
-  name_or_file_entry(const EntryHead                &head,
-                     const std::vector<std::string> &names,
-                     const std::string              &file,
-                     const Field<std::string>       &place)
-  {
-    std::vector<std::string> choices = names;
-    choices.push_back(file);
-    Entry      entry = text_entry(head, place);
-    const auto set   = entry.set;
-    entry.accepted   = join_choices(choices);
-    entry.set        = [set, names, accepted = entry.accepted](Scene &scene, const std::string &text) {
-      if (std::find(names.begin(), names.end(), text) == names.end() && !is_file_name(text))
-        throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");
-      set(scene, text);
-    };
-    return entry;
-  }
-
-  namespace
-  {
+    /// Lets an entry accept words, too.
     template <typename T>
-    Entry
-    word_for(Entry entry, const std::string &word, const T value, const Field<T> &place)
+    Entry &
+    with_words(Entry &entry, const Words<T> &words, const Field<T> &place)
     {
-      entry.accepted = word + ", or " + entry.accepted;
-      entry.set      = [=, set = entry.set](Scene &scene, const std::string &text) {
-        if (text == word)
-          place(scene) = value;
-        else
-          set(scene, text);
+      std::string accepted;
+      for (const auto &word : words)
+        accepted += word.first + ", or ";
+      entry.accepted = accepted + entry.accepted;
+      entry.set      = [words, place, set = entry.set](Scene &scene, const std::string &text) {
+        for (const auto &word : words)
+          if (text == word.first)
+            {
+              place(scene) = word.second;
+              return;
+            }
+        set(scene, text);
       };
-      entry.get = [=, get = entry.get](const Scene &scene) {
+      entry.get = [words, place, get = entry.get](const Scene &scene) {
         Scene copy = scene;
-        return place(copy) == value ? word : get(scene);
+        for (const auto &word : words)
+          if (place(copy) == word.second)
+            return word.first;
+        return get(scene);
       };
       return entry;
     }
   } // namespace
 
 
-  Entry
-  with_word(Entry entry, const std::string &word, const double value, const Field<double> &place)
+  EntryList::EntryList(const std::string &section)
+    : section_(section)
   {
-    return word_for(std::move(entry), word, value, place);
   }
 
 
-  Entry
-  with_word(Entry entry, const std::string &word, const unsigned int value, const Field<unsigned int> &place)
+  Entry &
+  EntryList::add(const std::string                                       &name,
+                 const std::string                                       &meaning,
+                 const std::string                                       &accepted,
+                 const std::function<void(Scene &, const std::string &)> &set,
+                 const std::function<std::string(const Scene &)>         &get)
   {
-    return word_for(std::move(entry), word, value, place);
+    entries.push_back({section_, name, meaning, accepted, {}, {}, set, get});
+    return entries.back();
+  }
+
+
+  Entry &
+  EntryList::number(const NumberHead    &head,
+                    const Field<double> &place,
+                    const std::string   &meaning,
+                    const Words<double> &words)
+  {
+    const NumberRange range(head);
+    Entry            &entry = add(
+      head.name,
+      meaning,
+      range.in_words(),
+      [=](Scene &scene, const std::string &text) { place(scene) = range.value_of(text); },
+      [place, unit = head.unit](const Scene &scene) {
+        Scene copy = scene;
+        return format_quantity(place(copy), unit);
+      });
+    return words.empty() ? entry : with_words(entry, words, place);
+  }
+
+
+  Entry &
+  EntryList::numbers(const NumberHead                 &head,
+                     const std::size_t                 most,
+                     const Field<std::vector<double>> &place,
+                     const std::string                &meaning)
+  {
+    const NumberRange range(head);
+    return add(
+      head.name,
+      meaning,
+      "none, or up to " + std::to_string(most) + " with commas between them, each " + range.in_words(),
+      [=](Scene &scene, const std::string &text) {
+        std::vector<double> values;
+        for (const std::string &part : text == "none" ? std::vector<std::string>() : split_list(text, ','))
+          values.push_back(range.value_of(part));
+        if (values.size() > most)
+          throw InputError(std::to_string(values.size()) + " values; at most " + std::to_string(most) +
+                           " are accepted");
+        place(scene) = values;
+      },
+      [place, unit = head.unit](const Scene &scene) {
+        Scene       copy = scene;
+        std::string text;
+        for (const double value : place(copy))
+          text += (text.empty() ? "" : ", ") + format_quantity(value, unit);
+        return text.empty() ? "none" : text;
+      });
+  }
+
+
+  Entry &
+  EntryList::count(const CountHead           &head,
+                   const Field<unsigned int> &place,
+                   const std::string         &meaning,
+                   const Words<unsigned int> &words)
+  {
+    const std::string accepted =
+      "a whole number from " + std::to_string(head.low) + " to " + std::to_string(head.high);
+    Entry &entry = add(
+      head.name,
+      meaning,
+      accepted,
+      [=](Scene &scene, const std::string &text) {
+        unsigned int value  = 0;
+        const auto   result = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (result.ec != std::errc() || result.ptr != text.data() + text.size())
+          throw InputError("not a whole number; " + accepted + " is needed");
+        if (value < head.low || value > head.high)
+          throw InputError(std::string(value < head.low ? "too small; " : "too large; ") + accepted +
+                           " is accepted");
+        place(scene) = value;
+      },
+      [place](const Scene &scene) {
+        Scene copy = scene;
+        return std::to_string(place(copy));
+      });
+    return words.empty() ? entry : with_words(entry, words, place);
+  }
+
+
+  Entry &
+  EntryList::text(const std::string &name, const Field<std::string> &place, const std::string &meaning)
+  {
+    Scene      defaults;
+    const bool may_be_empty = place(defaults).empty();
+    return add(
+      name,
+      meaning,
+      "a text",
+      [=](Scene &scene, const std::string &text) {
+        if (text.empty() && !may_be_empty)
+          throw InputError("no value; a text is needed");
+        if (text.find('\n') != std::string::npos || (!text.empty() && text.back() == '\\'))
+          throw InputError("a text is one line that does not end with a backslash");
+        place(scene) = text;
+      },
+      [place](const Scene &scene) {
+        Scene copy = scene;
+        return place(copy);
+      });
+  }
+
+
+  Entry &
+  EntryList::name_or_file(const std::string              &name,
+                          const std::vector<std::string> &names,
+                          const std::string              &file,
+                          const Field<std::string>       &place,
+                          const std::string              &meaning)
+  {
+    std::vector<std::string> choices = names;
+    choices.push_back(file);
+    Entry &entry   = text(name, place, meaning);
+    entry.accepted = join_choices(choices);
+    entry.set = [names, set = entry.set, accepted = entry.accepted](Scene &scene, const std::string &text) {
+      if (std::find(names.begin(), names.end(), text) == names.end() && !is_file_name(text))
+        throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");
+      set(scene, text);
+    };
+    return entry;
   }
 } // namespace wheelrail

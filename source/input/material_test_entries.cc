@@ -41,22 +41,15 @@ namespace wheelrail
       return text.empty() ? "none" : text;
     }
 
-    Entry
-    stations_entry(const std::string &name, const std::string &meaning, Stations MaterialTest::*place)
+    void
+    add_stations(EntryList &list, const char *name, Stations MaterialTest::*place, const char *meaning)
     {
-      Entry entry{"Material test",
-                  name,
-                  meaning,
-                  "none, or strains (0.01, -0.01) or stresses (700 MPa, -500 MPa) with commas between them",
-                  {},
-                  {},
-                  {},
-                  {}};
-      entry.set = [place](Scene &scene, const std::string &text) {
-        scene.material_test.*place = parse_stations(text);
-      };
-      entry.get = [place](const Scene &scene) { return stations_text(scene.material_test.*place); };
-      return entry;
+      list.add(
+        name,
+        meaning,
+        "none, or strains (0.01, -0.01) or stresses (700 MPa, -500 MPa) with commas between them",
+        [place](Scene &scene, const std::string &text) { scene.material_test.*place = parse_stations(text); },
+        [place](const Scene &scene) { return stations_text(scene.material_test.*place); });
     }
 
     template <typename T>
@@ -71,43 +64,33 @@ namespace wheelrail
   std::vector<Entry>
   material_test_entries()
   {
-    std::vector<Entry> list;
-    list.push_back(choice_entry<Body>({"Material test", "Body", "Whose steel the command material drives."},
-                                      {{"rail", Body::rail}, {"wheel", Body::wheel}},
-                                      test_field(&MaterialTest::body)));
-    list.push_back(
-      stations_entry("Axial",
-                     "Values that the strain or stress along x goes through in each cycle; a single one "
-                     "is held; none: free of stress.",
-                     &MaterialTest::axial));
-    list.push_back(
-      stations_entry("Shear",
-                     "The same for the shear in the plane xy, as of a thin tube in torsion; strains are "
-                     "changes of the angle.",
-                     &MaterialTest::shear));
-    list.push_back(
-      text_entry({"Material test",
-                  "File",
-                  "Rows of strains and stresses to go through instead of Axial and Shear: CSV, first a line "
-                  "of names out of E_xx ... E_xy (tensor components) and S_xx_MPa ... S_xy_MPa; what has no "
-                  "column is free of stress."},
-                 test_field(&MaterialTest::file)));
-    list.push_back(count_entry({"Material test", "Cycles", "How often the path is gone through."},
-                               1,
-                               100000,
-                               test_field(&MaterialTest::cycles)));
-    const Field<unsigned int> steps = test_field(&MaterialTest::steps);
-    list.push_back(
-      with_word(count_entry({"Material test",
-                             "Steps",
-                             "Steps of the law from one value to the next, whose errors fall with their "
-                             "number; auto: as many as answers within 0.1 % need."},
-                            1,
-                            100000,
-                            steps),
-                "auto",
-                0u,
-                steps));
-    return list;
+    EntryList list("Material test");
+    list.choice<Body>("Body",
+                      {{"rail", Body::rail}, {"wheel", Body::wheel}},
+                      test_field(&MaterialTest::body),
+                      "Whose steel the command material drives.");
+    add_stations(list,
+                 "Axial",
+                 &MaterialTest::axial,
+                 "Values that the strain or stress along x goes through in each cycle; a single one is held; "
+                 "none: free of stress.");
+    add_stations(list,
+                 "Shear",
+                 &MaterialTest::shear,
+                 "The same for the shear in the plane xy, as of a thin tube in torsion; strains are changes "
+                 "of the angle.");
+    list.text("File",
+              test_field(&MaterialTest::file),
+              "Rows of strains and stresses to go through instead of Axial and Shear: CSV, first a line of "
+              "names out of E_xx ... E_xy (tensor components) and S_xx_MPa ... S_xy_MPa; what has no column "
+              "is free of stress.");
+    list.count(
+      {"Cycles", 1, 100000}, test_field(&MaterialTest::cycles), "How often the path is gone through.");
+    list.count({"Steps", 1, 100000},
+               test_field(&MaterialTest::steps),
+               "Steps of the law from one value to the next, whose errors fall with their number; auto: as "
+               "many as answers within 0.1 % need.",
+               {{"auto", 0u}});
+    return list.entries;
   }
 } // namespace wheelrail

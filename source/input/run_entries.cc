@@ -7,137 +7,88 @@ namespace wheelrail
 {
   namespace
   {
-    using B = Bounds;
     using S = Scene;
 
     /// How far the wheel rolls, and when that is enough.
     void
-    add_distance(std::vector<Entry> &list)
+    add_distance(EntryList &list)
     {
-      list.push_back(with_word(
-        length_entry(
-          {"Run",
-           "Rolling distance",
-           "How far the wheel rolls. until steady: the run ends by itself as soon as all results "
-           "are steady and their standard errors are small enough, at Longest distance at the "
-           "latest. Passages, runs that follow a motion and runs over irregularities, which are never "
-           "steady, then roll the Longest distance."},
-          "mm",
-          B::above("0 mm", "10 m"),
-          field(&S::rolling_distance)),
-        "until steady",
-        0,
-        field(&S::rolling_distance)));
-      list.push_back(length_entry(
-        {"Run",
-         "Longest distance",
-         "How far a run rolls that should end when it is steady and does not become so. The mesh "
-         "is laid for it, and outputs lie at equal parts of it."},
-        "mm",
-        B::above("0 mm", "10 m"),
-        field(&S::longest_distance)));
-      list.push_back(pure_entry(
-        {"Run",
-         "Standard error",
-         "Standard error that every result may have for a run until steady to end, over a scale of "
-         "its own: of forces friction times load, of the creepage its value at half saturation, of "
-         "the others themselves."},
-        B::between("0.0001", "0.1"),
-        field(&S::standard_error)));
+      list.number({"Rolling distance", "mm", "> 0 mm", "10 m"},
+                  field(&S::rolling_distance),
+                  "How far the wheel rolls. until steady: the run ends by itself as soon as all results are "
+                  "steady and their standard errors are small enough, at Longest distance at the latest. "
+                  "Passages, runs that follow a motion and runs over irregularities, which are never steady, "
+                  "then roll the Longest distance.",
+                  {{"until steady", 0}});
+      list.number({"Longest distance", "mm", "> 0 mm", "10 m"},
+                  field(&S::longest_distance),
+                  "How far a run rolls that should end when it is steady and does not become so. The mesh is "
+                  "laid for it, and outputs lie at equal parts of it.");
+      list.number({"Standard error", "", "0.0001", "0.1"},
+                  field(&S::standard_error),
+                  "Standard error that every result may have for a run until steady to end, over a scale of "
+                  "its own: of forces friction times load, of the creepage its value at half saturation, of "
+                  "the others themselves.");
     }
 
     /// How many wheels pass over the rail, and when they are enough.
     void
-    add_passages(std::vector<Entry> &list)
+    add_passages(EntryList &list)
     {
-      list.push_back(with_word(
-        count_entry(
-          {"Run",
-           "Passages",
-           "Wheels that pass one after the other over a rail that yields, each a run in a folder of "
-           "its own (passage_001, ...); passages.csv has their results. until steady: as many as it "
-           "takes until the rail shakes down or each flows as much as the one before."},
-          1,
-          1000,
-          field(&S::passages)),
-        "until steady",
-        0u,
-        field(&S::passages)));
-      list.push_back(name_or_file_entry(
-        {"Run",
-         "Passage list",
-         "none: all wheels are as the scene says; else a table of wheels with a row for each, columns load, "
-         "lateral shift, traction, velocity or creepage with units in the first line, or scenes over the "
-         "same "
-         "rail, such as heavy.prm, worn.prm; Passages is how often they all pass."},
+      list.count({"Passages", 1, 1000},
+                 field(&S::passages),
+                 "Wheels that pass one after the other over a rail that yields, each a run in a folder of "
+                 "its own (passage_001, ...); passages.csv has their results. until steady: as many as it "
+                 "takes until the rail shakes down or each flows as much as the one before.",
+                 {{"until steady", 0u}});
+      list.name_or_file(
+        "Passage list",
         {"none"},
         "a table with commas, or names of .prm files",
-        field(&S::passage_list)));
-      list.push_back(
-        count_entry({"Run", "Most passages", "Wheels after which Passages = until steady ends anyway."},
-                    1,
-                    1000,
-                    field(&S::most_passages)));
-      list.push_back(
-        pure_entry({"Run",
-                    "Settled growth",
-                    "Growth of the largest plastic strain in a passage (in all of the list) below "
-                    "which the rail has shaken down."},
-                   B::above("0", "0.01"),
-                   field(&S::settled_growth)));
-      list.push_back(pure_entry({"Run",
-                                 "Settled change",
-                                 "Passages are steady when the growth of plastic strain and of forward flow "
-                                 "has changed by no more than this share, twice in succession."},
-                                B::above("0", "0.5"),
-                                field(&S::settled_change)));
+        field(&S::passage_list),
+        "none: all wheels are as the scene says; else a table of wheels with a row for each, columns load, "
+        "lateral shift, traction, velocity or creepage with units in the first line, or scenes over the same "
+        "rail, such as heavy.prm, worn.prm; Passages is how often they all pass.");
+      list.count({"Most passages", 1, 1000},
+                 field(&S::most_passages),
+                 "Wheels after which Passages = until steady ends anyway.");
+      list.number({"Settled growth", "", "> 0", "0.01"},
+                  field(&S::settled_growth),
+                  "Growth of the largest plastic strain in a passage (in all of the list) below which the "
+                  "rail has shaken down.");
+      list.number({"Settled change", "", "> 0", "0.5"},
+                  field(&S::settled_change),
+                  "Passages are steady when the growth of plastic strain and of forward flow has changed by "
+                  "no more than this share, twice in succession.");
     }
 
     /// Passages that are not computed, and what the next wheel is.
     void
-    add_jumps(std::vector<Entry> &list)
+    add_jumps(EntryList &list)
     {
-      list.push_back(with_word(
-        count_entry(
-          {"Run",
-           "Passage jump",
-           "Most passages at a time that are not computed, with a Passage list most rounds of it: the "
-           "rail is extrapolated over them from what the last ones have added, then three are "
-           "computed again; none: all are computed."},
-          1,
-          1000,
-          field(&S::passage_jump)),
-        "none",
-        0u,
-        field(&S::passage_jump)));
-      list.push_back(pure_entry(
-        {"Run",
-         "Jump error",
-         "Largest difference of extrapolated and computed growth of the plastic strain over a jump, "
-         "over that strain; a jump that misses by more is taken back and tried at half the length."},
-        B::above("0", "1"),
-        field(&S::jump_error)));
-      list.push_back(
-        choice_entry<NextWheel>({"Run",
-                                 "Next wheel",
-                                 "Of passages after the first. fresh: a new wheel; same: that of the passage "
-                                 "before, which comes back "
-                                 "with the same stretch of its tread and keeps what it has yielded."},
-                                {{"fresh", NextWheel::fresh}, {"same", NextWheel::same}},
-                                field(&S::next_wheel)));
-      list.push_back(with_word(
-        count_entry({"Run",
-                     "Staggered starts",
-                     "Places on the rail, each at least a patch farther along than the one before, "
-                     "at which passages start: the first wheel at the first, where it leaves a pit, "
-                     "those after it at the others in turn; auto: two where the path has room for "
-                     "them, else one, and one over irregularities."},
-                    1,
-                    100,
-                    field(&S::staggered_starts)),
-        "auto",
-        0u,
-        field(&S::staggered_starts)));
+      list.count({"Passage jump", 1, 1000},
+                 field(&S::passage_jump),
+                 "Most passages at a time that are not computed, with a Passage list most rounds of it: the "
+                 "rail is extrapolated over them from what the last ones have added, then three are computed "
+                 "again; none: all are computed.",
+                 {{"none", 0u}});
+      list.number({"Jump error", "", "> 0", "1"},
+                  field(&S::jump_error),
+                  "Largest difference of extrapolated and computed growth of the plastic strain over a jump, "
+                  "over that strain; a jump that misses by more is taken back and tried at half the length.");
+      list.choice<NextWheel>(
+        "Next wheel",
+        {{"fresh", NextWheel::fresh}, {"same", NextWheel::same}},
+        field(&S::next_wheel),
+        "Of passages after the first. fresh: a new wheel; same: that of the passage before, which comes back "
+        "with the same stretch of its tread and keeps what it has yielded.");
+      list.count(
+        {"Staggered starts", 1, 100},
+        field(&S::staggered_starts),
+        "Places on the rail, each at least a patch farther along than the one before, at which passages "
+        "start: the first wheel at the first, where it leaves a pit, those after it at the others in turn; "
+        "auto: two where the path has room for them, else one, and one over irregularities.",
+        {{"auto", 0u}});
     }
   } // namespace
 
@@ -145,74 +96,48 @@ namespace wheelrail
   std::vector<Entry>
   run_entries()
   {
-    std::vector<Entry> list;
+    EntryList list("Run");
     add_distance(list);
     add_passages(list);
     add_jumps(list);
-    list.push_back(
-      text_entry({"Run",
-                  "Rail",
-                  "new: a rail without stress; else the folder of a finished run, whose rail is rolled over "
-                  "as it was left."},
-                 field(&S::rail_from)));
-    list.push_back(length_entry(
-      {"Run",
-       "Start offset",
-       "How much farther along the rail the wheel starts than it does otherwise, in whole coarse "
-       "cells, the nearest number of them."},
-      "mm",
-      B::between("0 mm", "5 m"),
-      field(&S::start_offset)));
-    list.push_back(length_entry(
-      {"Run",
-       "Averaging distance",
-       "The results of the summary are means over a stretch of this length; of a run that ends when it is "
-       "steady, over the stretch that it has found."},
-      "mm",
-      B::above("0 mm", "10 m"),
-      field(&S::averaging_distance)));
-    list.push_back(
-      with_word(with_word(length_entry({"Run",
-                                        "Evaluate at",
-                                        "Middle of that stretch, as rolled distance; end: it is the last one "
-                                        "of the run; largest force: around the largest vertical force of a "
-                                        "run over irregular surfaces. A place needs a Rolling distance that "
-                                        "is given."},
-                                       "mm",
-                                       B::above("0 mm", "10 m"),
-                                       field(&S::evaluate_at)),
-                          "largest force",
-                          S::at_largest_force,
-                          field(&S::evaluate_at)),
-                "end",
-                0,
-                field(&S::evaluate_at)));
-    list.push_back(
-      choice_entry<StartState>({"Run",
-                                "Start",
-                                "What the run begins with. steady rolling: static equilibrium with the "
-                                "creepage and the tractions of "
-                                "half-spaces, and the velocities of fields that travel with the contact; "
-                                "the others leave out one of "
-                                "the three, or (normal load) all, and roll longer until they are steady."},
-                               {{"steady rolling", StartState::steady_rolling},
-                                {"without creepage", StartState::without_creepage},
-                                {"without tractions", StartState::without_tractions},
-                                {"without velocities", StartState::without_velocities},
-                                {"normal load", StartState::normal_load}},
-                               field(&S::start)));
-    list.push_back(pure_entry({"Run", "Time step factor", "Time step as a fraction of the stable one."},
-                              B::between("0.001", "0.98"),
-                              field(&S::time_step_factor)));
-    list.push_back(pure_entry({"Run", "Bulk viscosity", "Linear bulk viscosity coefficient; damps shocks."},
-                              B::between("0", "1"),
-                              field(&S::bulk_viscosity)));
-    list.push_back(
-      pure_entry({"Run",
-                  "Energy limit",
-                  "Energy error, relative to strain plus dissipated energy, at which the run stops."},
-                 B::above("0", "1"),
-                 field(&S::energy_limit)));
-    return list;
+    list.text("Rail",
+              field(&S::rail_from),
+              "new: a rail without stress; else the folder of a finished run, whose rail is rolled over as "
+              "it was left.");
+    list.number({"Start offset", "mm", "0 mm", "5 m"},
+                field(&S::start_offset),
+                "How much farther along the rail the wheel starts than it does otherwise, in whole coarse "
+                "cells, the nearest number of them.");
+    list.number({"Averaging distance", "mm", "> 0 mm", "10 m"},
+                field(&S::averaging_distance),
+                "The results of the summary are means over a stretch of this length; of a run that ends when "
+                "it is steady, over the stretch that it has found.");
+    list.number({"Evaluate at", "mm", "> 0 mm", "10 m"},
+                field(&S::evaluate_at),
+                "Middle of that stretch, as rolled distance; end: it is the last one of the run; largest "
+                "force: around the largest vertical force of a run over irregular surfaces. A place needs a "
+                "Rolling distance that is given.",
+                {{"end", 0}, {"largest force", S::at_largest_force}});
+    list.choice<StartState>(
+      "Start",
+      {{"steady rolling", StartState::steady_rolling},
+       {"without creepage", StartState::without_creepage},
+       {"without tractions", StartState::without_tractions},
+       {"without velocities", StartState::without_velocities},
+       {"normal load", StartState::normal_load}},
+      field(&S::start),
+      "What the run begins with. steady rolling: static equilibrium with the creepage and the tractions of "
+      "half-spaces, and the velocities of fields that travel with the contact; the others leave out one of "
+      "the three, or (normal load) all, and roll longer until they are steady.");
+    list.number({"Time step factor", "", "0.001", "0.98"},
+                field(&S::time_step_factor),
+                "Time step as a fraction of the stable one.");
+    list.number({"Bulk viscosity", "", "0", "1"},
+                field(&S::bulk_viscosity),
+                "Linear bulk viscosity coefficient; damps shocks.");
+    list.number({"Energy limit", "", "> 0", "1"},
+                field(&S::energy_limit),
+                "Energy error, relative to strain plus dissipated energy, at which the run stops.");
+    return list.entries;
   }
 } // namespace wheelrail

@@ -95,35 +95,28 @@ namespace wheelrail
   std::vector<Entry>
   study_entries()
   {
-    std::vector<Entry> list;
-    Entry              axes{"Study",
-               "Axes",
-               "What varies from case to case, for the command study: entries and their values, such as "
-                            "Contact/Friction coefficient: 0.1, 0.2; Wheelset/Lateral shift: -1 mm, 0 mm.",
-               "axes \"Section/Entry: value, value\" with semicolons between them, or nothing",
-               {},
-               {},
-               {},
-               {}};
-    axes.set = [](Scene &scene, const std::string &text) { scene.study.axes = parse_axes(text); };
-    axes.get = [](const Scene &scene) { return axes_text(scene.study.axes); };
-    list.push_back(axes);
-    list.push_back(choice_entry<StudyCombination>(
-      {"Study",
-       "Combine",
-       "Cases of several axes. grid: every value with every value of the others; pairs: the first values "
-       "together, the second ones, ..."},
+    EntryList list("Study");
+    list.add(
+      "Axes",
+      "What varies from case to case, for the command study: entries and their values, such as "
+      "Contact/Friction coefficient: 0.1, 0.2; Wheelset/Lateral shift: -1 mm, 0 mm.",
+      "axes \"Section/Entry: value, value\" with semicolons between them, or nothing",
+      [](Scene &scene, const std::string &text) { scene.study.axes = parse_axes(text); },
+      [](const Scene &scene) { return axes_text(scene.study.axes); });
+    list.choice<StudyCombination>(
+      "Combine",
       {{"grid", StudyCombination::grid}, {"pairs", StudyCombination::pairs}},
-      [](Scene &scene) -> StudyCombination & { return scene.study.combine; }));
-    list.push_back(choice_entry<StudyComputation>(
-      {"Study",
-       "Compute",
-       "run: finite elements; halfspace: half-spaces under the scene's own load; both: finite elements, and "
-       "half-spaces under the load and in the position of each run."},
+      field(&Scene::study, &Study::combine),
+      "Cases of several axes. grid: every value with every value of the others; pairs: the first values "
+      "together, the second ones, ...");
+    list.choice<StudyComputation>(
+      "Compute",
       {{"run", StudyComputation::run},
        {"halfspace", StudyComputation::halfspace},
        {"both", StudyComputation::both}},
-      [](Scene &scene) -> StudyComputation & { return scene.study.compute; }));
-    return list;
+      field(&Scene::study, &Study::compute),
+      "run: finite elements; halfspace: half-spaces under the scene's own load; both: finite elements, and "
+      "half-spaces under the load and in the position of each run.");
+    return list.entries;
   }
 } // namespace wheelrail

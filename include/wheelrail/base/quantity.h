@@ -78,6 +78,11 @@ namespace wheelrail
   std::string
   dimension_example(Dimension dimension);
 
+  /// The dimension that a unit measures; none of an empty one.
+  /// Throws std::logic_error for a unit that parse_quantity() does not know.
+  Dimension
+  dimension_of(const std::string &unit);
+
   /// The SI unit of a dimension: "m/s"; "1" of pure numbers.
   std::string
   si_unit(Dimension dimension);

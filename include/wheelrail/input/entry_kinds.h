@@ -58,113 +58,116 @@ namespace wheelrail
     return [part, member](Scene &scene) -> T & { return scene.*part.*member; };
   }
 
-  /// Accepted range of a number, its ends written as a user would; an empty text is no bound.
-  struct Bounds
-  {
-    std::string low, high;
-    bool        above_low = false; ///< `low` itself is refused
-
-    static Bounds
-    above(const std::string &low, const std::string &high = "")
-    {
-      return {low, high, true};
-    }
-
-    static Bounds
-    between(const std::string &low, const std::string &high)
-    {
-      return {low, high, false};
-    }
-  };
-
-  /// Head of an entry. The default of an entry is that of its place in a Scene.
-  struct EntryHead
-  {
-    std::string section, name, meaning;
-  };
-
-  /// A number with `unit` (printed in it, any unit of the dimension accepted), or a pure number
-  /// when `dimension` is none and `unit` empty.
-  Entry
-  number_entry(const EntryHead     &head,
-               Dimension            dimension,
-               const std::string   &unit,
-               const Bounds        &bounds,
-               const Field<double> &place);
-
-  /// A length.
-  Entry
-  length_entry(const EntryHead     &head,
-               const std::string   &unit,
-               const Bounds        &bounds,
-               const Field<double> &place);
-
-  /// A pure number.
-  Entry
-  pure_entry(const EntryHead &head, const Bounds &bounds, const Field<double> &place);
-
-  /// At most `most` numbers as number_entry() reads them, with commas between them; `none` for no number.
-  Entry
-  list_entry(const EntryHead                  &head,
-             Dimension                         dimension,
-             const std::string                &unit,
-             const Bounds                     &bounds,
-             std::size_t                       most,
-             const Field<std::vector<double>> &place);
-
-  /// A whole number from `low` to `high`.
-  Entry
-  count_entry(const EntryHead &head, unsigned int low, unsigned int high, const Field<unsigned int> &place);
-
-  /// One of several words; texts and values in pairs.
+  /// Texts and the values that they stand for.
   template <typename T>
-  Entry
-  choice_entry(const EntryHead                              &head,
-               const std::vector<std::pair<std::string, T>> &choices,
-               const Field<T>                               &place);
+  using Words = std::vector<std::pair<std::string, T>>;
 
-  /// Free text of one line; an empty one is accepted when the default is empty.
-  Entry
-  text_entry(const EntryHead &head, const Field<std::string> &place);
+  /// Head of a number: how it is called, the unit that it is printed in (any unit of the dimension is
+  /// accepted; a pure number has none), and its range, the ends written as a user would. An empty end is no
+  /// bound; "> 0 mm" is one that is refused itself.
+  struct NumberHead
+  {
+    std::string name, unit, low, high;
+  };
 
-  /// A text that is one of `names` or means a file (is_file_name()); `file` says which files are accepted.
-  Entry
-  name_or_file_entry(const EntryHead                &head,
-                     const std::vector<std::string> &names,
-                     const std::string              &file,
-                     const Field<std::string>       &place);
+  /// Head of a whole number from `low` to `high`.
+  struct CountHead
+  {
+    std::string  name;
+    unsigned int low, high;
+  };
 
-  /// `entry` with a word that is accepted, too, and stored as `value`: "auto", "none".
-  Entry
-  with_word(Entry entry, const std::string &word, double value, const Field<double> &place);
-  Entry
-  with_word(Entry entry, const std::string &word, unsigned int value, const Field<unsigned int> &place);
+  /// The entries of one subsection as they are declared, each once. Defaults are those of their places in a
+  /// Scene.
+  class EntryList
+  {
+  public:
+    explicit EntryList(const std::string &section);
+
+    /// A number; `words` are accepted beside it: "auto", "none".
+    Entry &
+    number(const NumberHead    &head,
+           const Field<double> &place,
+           const std::string   &meaning,
+           const Words<double> &words = {});
+
+    /// At most `most` numbers with commas between them; `none` for no number.
+    Entry &
+    numbers(const NumberHead                 &head,
+            std::size_t                       most,
+            const Field<std::vector<double>> &place,
+            const std::string                &meaning);
+
+    Entry &
+    count(const CountHead           &head,
+          const Field<unsigned int> &place,
+          const std::string         &meaning,
+          const Words<unsigned int> &words = {});
+
+    /// One of several words.
+    template <typename T>
+    Entry &
+    choice(const std::string &name,
+           const Words<T>    &choices,
+           const Field<T>    &place,
+           const std::string &meaning);
+
+    /// Free text of one line; an empty one is accepted when the default is empty.
+    Entry &
+    text(const std::string &name, const Field<std::string> &place, const std::string &meaning);
+
+    /// A text that is one of `names` or means a file (is_file_name()); `file` says which files are accepted.
+    Entry &
+    name_or_file(const std::string              &name,
+                 const std::vector<std::string> &names,
+                 const std::string              &file,
+                 const Field<std::string>       &place,
+                 const std::string              &meaning);
+
+    /// What is none of these.
+    Entry &
+    add(const std::string                                       &name,
+        const std::string                                       &meaning,
+        const std::string                                       &accepted,
+        const std::function<void(Scene &, const std::string &)> &set,
+        const std::function<std::string(const Scene &)>         &get);
+
+    std::vector<Entry> entries;
+
+  private:
+    std::string section_;
+  };
 
   // ---------------------------------------------------------------------------------------------
 
   template <typename T>
-  Entry
-  choice_entry(const EntryHead                              &head,
-               const std::vector<std::pair<std::string, T>> &choices,
-               const Field<T>                               &place)
+  Entry &
+  EntryList::choice(const std::string &name,
+                    const Words<T>    &choices,
+                    const Field<T>    &place,
+                    const std::string &meaning)
   {
     std::vector<std::string> words;
     for (const auto &choice : choices)
       words.push_back(choice.first);
-    Entry entry{head.section, head.name, head.meaning, join_choices(words), words, {}, {}, {}};
-    entry.set = [choices, words, place](Scene &scene, const std::string &text) {
-      require_choice(text, words);
-      for (const auto &choice : choices)
-        if (choice.first == text)
-          place(scene) = choice.second;
-    };
-    entry.get = [choices, place](const Scene &scene) {
-      Scene copy = scene;
-      for (const auto &choice : choices)
-        if (place(copy) == choice.second)
-          return choice.first;
-      return choices.front().first;
-    };
+    Entry &entry = add(
+      name,
+      meaning,
+      join_choices(words),
+      [choices, words, place](Scene &scene, const std::string &text) {
+        require_choice(text, words);
+        for (const auto &choice : choices)
+          if (choice.first == text)
+            place(scene) = choice.second;
+      },
+      [choices, place](const Scene &scene) {
+        Scene copy = scene;
+        for (const auto &choice : choices)
+          if (place(copy) == choice.second)
+            return choice.first;
+        return choices.front().first;
+      });
+    entry.choices = words;
     return entry;
   }
 } // namespace wheelrail

@@ -18,7 +18,7 @@ namespace wheelrail
 
   /// What the rail stands on, in the section Track.
   void
-  add_support_entries(std::vector<Entry> &list);
+  add_support_entries(EntryList &list);
 
   std::vector<Entry>
   wheelset_entries();
