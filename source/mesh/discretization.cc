@@ -52,8 +52,9 @@ namespace wheelrail
     , dofs_(std::make_unique<Dofs>())
     , relevant_(std::make_unique<dealii::IndexSet>())
     , hanging_(std::make_unique<Constraints>())
+    , bodies_(bodies)
   {
-    create_blocks(bodies);
+    create_blocks();
   }
 
 
@@ -61,12 +62,12 @@ namespace wheelrail
 
 
   void
-  Discretization::create_blocks(const std::vector<Body> &bodies)
+  Discretization::create_blocks()
   {
     std::vector<CellPlace>           blocks;
     std::vector<dealii::CellData<3>> cells;
     std::vector<dealii::Point<3>>    vertices;
-    for (const Body body : bodies)
+    for (const Body body : bodies_)
       {
         const SweptGrid &grid  = grids_[body];
         const int        first = static_cast<int>(vertices.size());
@@ -99,6 +100,16 @@ namespace wheelrail
   void
   Discretization::lay(const PerBody<FineZone> &zones)
   {
+#ifdef DEBUG
+    // load() takes a triangulation that is divided, too, but deal.II 9.4 asserts that it is not; the mesh
+    // that it makes is the same
+    if (triangulation_->n_global_levels() > 1)
+      {
+        dofs_->clear();
+        triangulation_->clear();
+        create_blocks();
+      }
+#endif
     const CellTree tree(plan_, grids_, zones);
     const Divided  divided{tree, blocks_};
     auto *const connectivity = const_cast<p8est_connectivity_t *>(triangulation_->get_p4est()->connectivity);

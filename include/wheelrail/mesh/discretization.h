@@ -118,7 +118,7 @@ namespace wheelrail
 
   private:
     void
-    create_blocks(const std::vector<Body> &bodies);
+    create_blocks();
     void
     find_own_cells();
     void
@@ -133,5 +133,6 @@ namespace wheelrail
     std::unique_ptr<dealii::IndexSet> relevant_; ///< unknowns of this rank's cells and of those beside them
     std::unique_ptr<Constraints>      hanging_;
     std::vector<Cell>                 own_cells_;
+    std::vector<Body>                 bodies_;
   };
 } // namespace wheelrail
