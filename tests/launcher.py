@@ -302,6 +302,11 @@ def commands():
         check(code == expected and said in screen + errors, f"{name}: exit code {code} {errors!r}")
         check((errors == "") == (expected == 0), "with words on stderr only where there is a fault")
         check((names := left_behind()) == files, f"it leaves {names or 'nothing'}")
+    for tool in ("cmake", "dpkg-query"):
+        write_program(tool, "sleep 9; exit 9")
+    for words in (["run", "--help"], ["compare", "--help"], ["help", "study"], ["--version"], ["version"]):
+        code, screen, errors = call(*words, timeout=5)
+        check(code == 0 and screen and errors == "", f"{' '.join(words)} waits for no tool: exit code {code} {errors!r}")
 
 
 prepare()
