@@ -15,6 +15,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <boost/property_tree/json_parser.hpp>
+
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -213,6 +215,27 @@ namespace
           "a choice is a list in deal.II's parameter GUI");
   }
 
+  /// What doc/manual/parameters.md lists is what is declared to ParameterHandler.
+  void
+  test_declarations()
+  {
+    boost::property_tree::ptree tree;
+    std::istringstream          in(print_parameters(Scene(), ParameterStyle::json));
+    boost::property_tree::read_json(in, tree);
+    for (const Entry &entry : entries())
+      {
+        const auto declared = [&](const std::string &what) {
+          return tree.get<std::string>({entry.path() + "/" + what, '/'});
+        };
+        check_text(declared("value"), entry.default_text, entry.path() + ": value");
+        check_text(declared("default_value"), entry.default_text, entry.path() + ": default");
+        check_text(declared("documentation"), entry.meaning, entry.path() + ": meaning");
+        if (entry.choices.empty())
+          check_text(
+            declared("pattern_description"), "[" + entry.accepted + "]", entry.path() + ": accepted");
+      }
+  }
+
   /// The patterns are those of the entries, also when ParameterHandler reads by itself.
   void
   test_patterns()
@@ -255,6 +278,7 @@ main()
   test_faults();
   test_ready_files();
   test_commands();
+  test_declarations();
   test_patterns();
   return test::report();
 }
