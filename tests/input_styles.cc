@@ -21,6 +21,7 @@
 #include <fstream>
 #include <functional>
 #include <sstream>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;
