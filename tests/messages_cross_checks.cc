@@ -313,8 +313,8 @@ namespace
     check_error(
       {"Mesh/Solution cell size = 5 mm", "Mesh/Coarse cell size = 20 mm", "Mesh/Fine margin = 5 mm"},
       "Mesh/Solution cell size = 5 mm: too coarse; a patch of about 20 mm x 14 mm (width x length) is "
-      "expected and needs three cells in length, so at most 4.7 mm is accepted, and a tenth of the patch for "
-      "results that can be trusted");
+      "expected and needs three cells in length, so at most 4.7 mm is accepted; take 1.25 mm for "
+      "results");
     check_error(
       {"Mesh/Solution cell size = 0.1 mm",
        "Mesh/Coarse cell size = 1.6 mm",

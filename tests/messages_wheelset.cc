@@ -6,6 +6,7 @@
 
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/reference/wheelset_contact.h>
 
 #include <string>
 #include <vector>
@@ -75,5 +76,23 @@ main()
     "Wheelset/Velocity = 140 km/h: leaves 3.0 m/s2 across the track unbalanced, where 1 m/s2 is much; "
     "look at radius, cant and velocity",
     "a fast curve");
+  Scene fast = scene_from_text("",
+                               "x.prm",
+                               {"Wheelset/Wheels = both",
+                                "Wheelset/Pose = equilibrium",
+                                "Track/Cant = 0 mm",
+                                "Track/Radius = 300 m",
+                                "Wheelset/Velocity = 500 km/h"})
+                 .scene;
+  fast.wheel_load = 100e3;
+  check_text(
+    test::message_of([&]() {
+      solve_wheelset(
+        wheel_of_wheelset(fast, false), wheel_of_wheelset(fast, true), read_wheelset_profiles(fast), {}, 1);
+    }),
+    "Wheelset/Velocity = 500 km/h: 64.3 m/s2 beyond what the cant balances lift the left-hand wheel: "
+    "the vehicle tips over, and no Wheelset/Pose = equilibrium exists; write given, or change radius, "
+    "cant or velocity",
+    "a curve in which nothing balances");
   return test::report();
 }

@@ -33,27 +33,44 @@ namespace wheelrail
           ": shares the load of an axle between two wheels; set Wheelset/Wheels = both, or write none");
     }
 
+    /// The loads of wheels with the load 1, which touch at their running circles.
+    CurveLoads
+    loads_in_curve(const Scene &scene)
+    {
+      return curve_loads(scene, 1, 1, running_circle_distance(scene.track));
+    }
+
     /// How a curve with cant loads the wheels, as half of the running circles' distance has it.
     void
     check_cant(const Scene &scene, std::vector<std::string> &warnings)
     {
-      // of wheels with the load 1, which touch at their running circles
-      const CurveLoads loads = curve_loads(scene, 1, 1, running_circle_distance(scene.track));
-      const double     over  = loads.acceleration;
+      const double over = loads_in_curve(scene).acceleration;
       if (std::isfinite(scene.track_radius) && scene.cant * scene.track_radius < 0)
         warnings.push_back(entry_text(scene, "Track", "Cant") +
                            ": the inner rail of the curve is the higher one; in " +
                            entry_text(scene, "Track", "Radius") + " a cant of the other sign leans inwards");
-      if (loads.right == 0 || loads.left == 0)
-        warnings.push_back(entry_text(scene, "Wheelset", "Velocity") + ": " + text("%.1f", std::abs(over)) +
-                           " m/s2 beyond what the cant balances lift the " + (over > 0 ? "left" : "right") +
-                           "-hand wheel; look at radius, cant and velocity");
+      if (const std::string lifted = lifted_in_curve(scene); !lifted.empty())
+        warnings.push_back(lifted + "; look at radius, cant and velocity");
       else if (std::abs(over) > 2)
         warnings.push_back(
           entry_text(scene, "Wheelset", "Velocity") + ": leaves " + text("%.1f", std::abs(over)) +
           " m/s2 across the track unbalanced, where 1 m/s2 is much; look at radius, cant and velocity");
     }
   } // namespace
+
+
+  std::string
+  lifted_in_curve(const Scene &scene)
+  {
+    if (!std::isfinite(scene.cant))
+      return "";
+    const CurveLoads loads = loads_in_curve(scene);
+    return loads.right > 0 && loads.left > 0
+             ? ""
+             : entry_text(scene, "Wheelset", "Velocity") + ": " + text("%.1f", std::abs(loads.acceleration)) +
+                 " m/s2 beyond what the cant balances lift the " +
+                 (loads.acceleration > 0 ? "left" : "right") + "-hand wheel";
+  }
 
 
   void

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace wheelrail
 {
@@ -74,6 +75,15 @@ namespace wheelrail
          interpenetration(geometry.wheel_heights(), geometry.rail_heights(), virtual_approach))
       patch.width += range.s1 - range.s0;
     return patch;
+  }
+
+
+  double
+  advised_cells(const Scene &scene, const ExpectedPatch &patch)
+  {
+    constexpr double enough = 6, too_long = 1.1;
+    const double     expected = std::min(patch.length, patch.width) / scene.cell_size;
+    return expected < enough ? expected / too_long : std::numeric_limits<double>::quiet_NaN();
   }
 
 

@@ -44,20 +44,20 @@ namespace wheelrail
     void
     check_patch(const Scene &scene, const ExpectedPatch &patch, Findings &found)
     {
-      const double      smallest = std::min(patch.length, patch.width);
-      const std::string size     = "a patch of about " + about(1e3 * patch.width) + " mm x " +
+      const double      cells   = advised_cells(scene, patch);
+      const std::string advised = rounded_mm(advised_cell(scene.cell_size, cells));
+      const std::string size    = "a patch of about " + about(1e3 * patch.width) + " mm x " +
                                about(1e3 * patch.length) + " mm (width x length) is expected";
       if (scene.cell_size > patch.length / 3)
         found.errors.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": too coarse; " + size +
                                " and needs three cells in length, so at most " +
-                               rounded_mm(std::floor(1e4 * patch.length / 3) / 1e4) +
-                               " is accepted, and a tenth of the patch for results that can be trusted");
-      else if (scene.cell_size > smallest / 6)
+                               rounded_mm(std::floor(1e4 * patch.length / 3) / 1e4) + " is accepted; take " +
+                               advised + " for results");
+      else if (std::isfinite(cells))
         found.warnings.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": coarse; " + size +
                                  ", which is less than six cells in one direction, so the peak pressure "
                                  "will be some 10 % or more off; take " +
-                                 rounded_mm(advised_cell(scene.cell_size, smallest / 1.1 / scene.cell_size)) +
-                                 " for results");
+                                 advised + " for results");
     }
 
     std::string

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/input/wheelset_checks.h>
 #include <wheelrail/reference/pair_root.h>
 #include <wheelrail/reference/wheelset_contact.h>
 #include <wheelrail/scene/one_wheel.h>
@@ -301,6 +302,10 @@ namespace wheelrail
                  const unsigned int           threads)
   {
     const PosedWheelset wheelset(right, left, profiles, torque, threads);
+    if (const std::string lifted = right.pose_balances ? lifted_in_curve(right) : ""; !lifted.empty())
+      throw InputError(lifted +
+                       ": the vehicle tips over, and no Wheelset/Pose = equilibrium exists; write given, "
+                       "or change radius, cant or velocity");
     if (right.pose_balances)
       return solve_balanced(
         right, wheelset, PosedWheelset(coarser(right), coarser(left), profiles, torque, threads));

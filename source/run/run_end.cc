@@ -238,8 +238,9 @@ namespace wheelrail
     const double centre   = summary.patch_centre_lateral;
     const Point2 place    = geometry.contact.frame.to_track({centre, geometry.rail_heights().at(centre).n});
     set_patch_place(head_place(geometry.contact.rail, scene.track, place), summary);
-    measures.place   = place_in_words(place.x);
-    measures.made_up = made_up_part(geometry, place);
+    measures.place         = place_in_words(place.x);
+    measures.made_up       = made_up_part(geometry, place);
+    measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
     measure_kinks(scene, geometry, summary, measures);
     if (scene.motion != "none")
       compare_peak_on_way(scene, geometry, summary, measures);

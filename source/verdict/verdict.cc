@@ -70,9 +70,10 @@ namespace wheelrail
           // of so few that no rule is known nothing can be trusted
           const double loss  = -m.mesh_part();
           const bool   ridge = m.cells_across_peak < 0.5 * m.cells;
-          // cells are halved from coarse to fine; 8 over a patch and 4 over a ridge cost 2 % of the peak
-          const double times = std::isnan(loss) ? std::max(8 / m.cells, ridge ? 4 / m.cells_across_peak : 0)
-                                                : std::sqrt(loss / loss_bounds.good);
+          // what was advised before the run; a ridge shows in the run alone
+          const double known = std::isnan(m.advised_cells) ? m.cells : m.advised_cells,
+                       size  = advised_cell(scene.cell_size, known),
+                       fine  = advised_cell(scene.cell_size, ridge ? 2 * m.cells_across_peak : known);
           add(verdict,
               graded(loss, loss_bounds),
               "too few cells: " + text("%.1f of ", ridge ? m.cells_across_peak : m.cells) +
@@ -80,8 +81,7 @@ namespace wheelrail
                 (std::isnan(loss)
                    ? ""
                    : ", which lowers the peak pressure by about " + text("%.0f %%", 100 * loss)) +
-                "; take Mesh/Solution cell size = " +
-                in_mm(scene.cell_size * std::exp2(-std::ceil(std::log2(times)))) + ".");
+                "; take Mesh/Solution cell size = " + in_mm(std::min(size, fine)) + ".");
         }
       if (!std::isnan(m.penetration))
         add(verdict,
@@ -97,7 +97,8 @@ namespace wheelrail
     {
       if (scene.until_steady())
         return "roll farther (Run/Longest distance)";
-      if (scene.motion != "none" || scene.several_passages() || scene.irregular())
+      // passages over a yielding rail, of which this may be one, all roll as far
+      if (scene.motion != "none" || scene.rail_material.yields() || scene.irregular())
         return "roll farther (Run/Rolling distance)";
       return "roll until steady (Run/Rolling distance = until steady)";
     }

@@ -3,8 +3,15 @@
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/scene/scene.h>
 
+#include <string>
+
 namespace wheelrail
 {
+  /// "Wheelset/Velocity = ...: ... lift the left-hand wheel" where the curve of a scene does so
+  /// (curve_loads()); empty where both wheels carry.
+  std::string
+  lifted_in_curve(const Scene &scene);
+
   /// Adds what is wrong, or to be warned of, with curve, cant and both wheels of a wheelset: entries that
   /// contradict each other, and a velocity at which the curve overturns what rests on the axle.
   void

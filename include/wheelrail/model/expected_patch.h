@@ -42,6 +42,11 @@ namespace wheelrail
   ExpectedPatch
   expected_patch(const Scene &scene, const SceneGeometry &geometry);
 
+  /// Solution cells over the shorter extent of the patch, as a run will find it; NaN where that are six and
+  /// more of the expected extent, so that nothing is advised before the run.
+  double
+  advised_cells(const Scene &scene, const ExpectedPatch &patch);
+
   /// Number of hexahedra of the mesh, to about a third: a fixed strip of solution cells on both
   /// bodies, the cells around it, and coarse cells in the rest.
   double

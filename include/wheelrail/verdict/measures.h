@@ -17,6 +17,7 @@ namespace wheelrail
 
     // what resolves the patch
     double cells             = none; ///< solution cells over the shorter extent of the patch
+    double advised_cells     = none; ///< those over which cells were advised before the run; NaN: none were
     double cells_across_peak = none; ///< and across its highest pressure, see PatchMeasures::cells_across
     double penetration       = none; ///< of the penalty law at the peak, over the approach
     double pressure_effect =
