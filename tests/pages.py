@@ -17,6 +17,7 @@ PROGRAM, _, SOURCE = sys.argv[1:4]
 FOLDER = os.path.abspath("run")
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "source", "report"))
 sys.dont_write_bytecode = True
+import numpy as np  # noqa: E402
 import sections  # noqa: E402
 import wheelrail  # noqa: E402
 
@@ -49,6 +50,13 @@ def check_patch_view(page, run):
     peak = plot(page, "view-patch", "(() => { const d = plot.data[0], row = d.z.flat(), k = row.indexOf(Math.max(...row.filter(v => v !== null)));"
                                     " return d.x[k % d.x.length]; })()")
     check(abs(shown - peak) < 1e-3, f"AA goes through the highest pressure: {shown} mm, {peak} mm")
+    tick = run.patch[-1]
+    set_control(page, "view-patch", "tick", str(len(run.patch) - 1))
+    set_control(page, "view-patch", "field", "shear")
+    shown = plot(page, "view-patch", "Number(plot.data.find(t => t.marker).hovertemplate.split(' ')[1])")
+    wanted = 1e-6 * max(np.hypot(tick[of + "shear_along"], tick[of + "shear_lateral"]).max()
+                        for of in ("", "edge_") if of + "shear_along" in tick)
+    check(close(shown, wanted), f"peak shear, also between nodes: {shown} MPa, in the file {wanted:.3f}")
 
 
 def check_cut_view(page):

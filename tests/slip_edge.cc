@@ -95,6 +95,15 @@ namespace
                largest_shear(strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0, 0)),
                0,
                "the measures of a patch hold this peak");
+    // the points that pages draw lie where theory has the line
+    const SlipEdge edge  = slip_edge(strip_patch(6e-3, 9e-3, 1.7e-3, 0.5e-3, 0.4, 0.5));
+    double         worst = 0;
+    std::size_t    inner = 0;
+    for (std::size_t k = 0; k < edge.along.size(); ++k)
+      if (const double y = edge.lateral[k]; std::abs(y) < 5e-3 && ++inner)
+        worst = std::max(worst, std::abs(edge.along[k] - (3.4e-3 - 6e-3 * std::sqrt(1 - y * y / 81e-6))));
+    check(inner > 15 && worst < 0.1e-3,
+          std::to_string(inner) + " points, off by " + std::to_string(1e3 * worst) + " mm");
     // against the rolling direction
     auto         turned = strip_patch(6e-3, 9e-3, 1.7e-3, 1e-3, 0.4, 0.1);
     const double before = largest_shear(turned);

@@ -130,7 +130,7 @@ namespace wheelrail
   }
 
   void
-  append_patch(TickFile &file, const PatchFields &patch)
+  append_patch(TickFile &file, const PatchFields &patch, const SlipEdge &edge)
   {
     const std::string name = tick_name(file.n_ticks());
     for (const PatchColumn &column : patch_columns)
@@ -149,6 +149,22 @@ namespace wheelrail
                       patch.*column.values,
                       column.unit,
                       description_of(column.name));
+      if (edge.along.empty())
+        return;
+      const auto of_edge =
+        [&](const std::string &name, const std::string &unit, const std::vector<double> &values) {
+          write_dataset(group,
+                        "edge_" + name,
+                        {values.size()},
+                        values,
+                        unit,
+                        "on the line between stick and slip: " + description_of(name));
+        };
+      of_edge("along", "m", edge.along);
+      of_edge("lateral", "m", edge.lateral);
+      of_edge("pressure", "Pa", edge.pressure);
+      of_edge("shear_along", "Pa", edge.traction_along);
+      of_edge("shear_lateral", "Pa", edge.traction_lateral);
     });
   }
 

@@ -25,16 +25,16 @@ def draw(run, fields_of, plane, name):
         options = dict(color=color, linewidth=1.4)
         mark = dict(marker="o", markersize=3) if fields is next(iter(fields_of.values())) else {}
         label = who or "pressure"
-        axes[0].plot(x, on_line(fields.pressure), label=label, **options, **mark)
-        axes[1].plot(x, on_line(fields.shear), label=f"magnitude, {who}" if several else "magnitude",
+        axes[0].plot(x, on_line("pressure"), label=label, **options, **mark)
+        axes[1].plot(x, on_line("shear"), label=f"magnitude, {who}" if several else "magnitude",
                      **options, **mark)
         if run.friction is not None:
-            axes[1].plot(x, run.friction * on_line(fields.pressure), color=color, linewidth=1.0, linestyle="--",
+            axes[1].plot(x, run.friction * on_line("pressure"), color=color, linewidth=1.0, linestyle="--",
                          label=f"bound, {who}" if several else f"bound $\\mu p$, $\\mu$ = {run.friction:g}")
         if not several:
-            axes[1].plot(x, on_line(fields.shear_along), color=style.ORANGE, linewidth=1.2,
+            axes[1].plot(x, on_line("shear_along"), color=style.ORANGE, linewidth=1.2,
                          label="component along the track")
-            axes[1].plot(x, on_line(fields.shear_lateral), color=style.GREEN, linewidth=1.2,
+            axes[1].plot(x, on_line("shear_lateral"), color=style.GREEN, linewidth=1.2,
                          label="lateral component")
     axes[0].set_ylabel("pressure [MPa]")
     axes[0].set_ylim(0, None)

@@ -155,11 +155,11 @@ def draw_cuts(run, cases, plane):
             if fields is None:
                 continue
             x, on_line = fields.line(plane, fields.places()[plane])
-            column[0].plot(x, on_line(fields.pressure), color=color, linewidth=1.2, label=case.label)
+            column[0].plot(x, on_line("pressure"), color=color, linewidth=1.2, label=case.label)
             # signed as the traction on the wheel: positive when it drives
-            column[1].plot(x, -on_line(fields.shear_along), color=color, linewidth=1.3)
+            column[1].plot(x, -on_line("shear_along"), color=color, linewidth=1.3)
             if case.friction is not None:
-                bound = case.friction * on_line(fields.pressure)
+                bound = case.friction * on_line("pressure")
                 sign = -1 if np.sum(-fields.shear_along) < 0 else 1
                 column[1].plot(x, sign * bound, color=color, linewidth=0.8, linestyle="--")
         column[0].set_title(f"{kind}, plane {plane}")

@@ -29,6 +29,23 @@ class Fields:
         self.span = None if span is None else (1e3 * span[0], 1e3 * span[1])  # first and last place s of the patch
         self.area = patch["area"][cut] if "area" in patch else np.ones_like(self.pressure)
         self.edge = self.edge_level(patch, cut)
+        self.between = self.points_between(patch)
+
+    @staticmethod
+    def points_between(patch):
+        """Points between the nodes at which shear peaks, where stick and slip meet (slip_edge() of sampling/): places
+        and values by the names of the fields; no points where the file has none."""
+        none = np.zeros(0)
+        read = {name: factor * np.asarray(patch.get("edge_" + name, none)) for name, factor in
+                (("along", 1e3), ("lateral", 1e3), ("pressure", 1e-6), ("shear_along", 1e-6), ("shear_lateral", 1e-6))}
+        return {**read, "shear": np.hypot(read["shear_along"], read["shear_lateral"])}
+
+    def peak_shear(self):
+        """Place (s, along) and size of the largest shear traction, at or between the nodes."""
+        s, along, shear = (np.append(getattr(self, name).ravel(), self.between[name])
+                           for name in ("lateral", "along", "shear"))
+        k = np.argmax(shear)
+        return s[k], along[k], shear[k]
 
     def edge_level(self, patch, cut):
         """A field whose zero line is the edge: gap^(2/3) outside, -(p^2) inside, both linear at the edge,
@@ -75,14 +92,23 @@ class Fields:
         return {"AA": self.lateral[peak], "BB": self.along[peak]}
 
     def line(self, plane, place):
-        """Positions on the line AA (at s = place) or BB (at along = place), and a function that gives a field
-        there, interpolated between the rows of nodes."""
+        """Positions on the line AA (at s = place) or BB (at along = place), and a function that gives a field by its
+        name there, interpolated between the rows of nodes; on AA also at the points between nodes."""
         axis = 1 if plane == "AA" else 0
         across = self.lateral[0] if axis else self.along[:, 0]
         k = int(np.clip(np.searchsorted(across, place) - 1, 0, len(across) - 2))
         weight = np.clip((place - across[k]) / (across[k + 1] - across[k]), 0, 1)
-        position = self.along[:, 0] if axis else self.lateral[0]
-        return position, lambda field: ((1 - weight) * np.take(field, k, axis) + weight * np.take(field, k + 1, axis))
+        near = np.abs(self.between["lateral"] - place) < 0.5 * abs(across[1] - across[0])
+        near &= axis == 1
+        position = np.append(self.along[:, 0] if axis else self.lateral[0], self.between["along"][near])
+        order = np.argsort(position)
+
+        def on_line(name):
+            field = getattr(self, name)
+            nodal = (1 - weight) * np.take(field, k, axis) + weight * np.take(field, k + 1, axis)
+            return np.append(nodal, self.between[name][near])[order]
+
+        return position[order], on_line
 
 
 def touches(mask):

@@ -30,8 +30,8 @@ class Scale:
         self.lateral = (min(s.min() for s, _ in inside) - across, max(s.max() for s, _ in inside) + across)
         self.along = (min(x.min() for _, x in inside) - along, max(x.max() for _, x in inside) + along)
         self.pressure = self.peaks.get("pressure", max(f.pressure.max() for f in fields))
-        self.shear = self.peaks.get("shear", max(max(f.shear.max() for f in fields), 1e-9))
-        self.shear_peak = max(max(f.shear.max() for f in fields), 1e-9)
+        self.shear_peak = max(max(f.peak_shear()[2] for f in fields), 1e-9)
+        self.shear = self.peaks.get("shear", self.shear_peak)
 
     @property
     def ratio(self):
@@ -108,14 +108,21 @@ def arrows(axes, fields, scale, most=18):
 
 
 def shear(axes, fields, scale, title):
-    filled = axes.contourf(fields.lateral, fields.along, np.minimum(fields.shear, scale.shear), levels=style.levels_to(scale.shear),
-                           cmap="YlOrRd")
+    places = [fields.lateral, fields.along, np.minimum(fields.shear, scale.shear)]
+    draw = axes.contourf
+    if fields.between["shear"].size:  # no grid any more
+        places = [np.append(nodal.ravel(), np.minimum(between, limit)) for nodal, between, limit in
+                  zip(places, (fields.between[name] for name in ("lateral", "along", "shear")), (np.inf, np.inf, scale.shear))]
+        draw = axes.tricontourf
+    filled = draw(*places, levels=style.levels_to(scale.shear), cmap="YlOrRd")
     inside = PathPatch(draw_edge(axes, fields), transform=axes.transData, facecolor="none", edgecolor="none")
     axes.add_patch(inside)
     for area in filled.collections:
         area.set_clip_path(inside)
     arrows(axes, fields, scale)
-    dress(axes, fields, scale, f"{title}, peak {scale.peaks.get('shear', fields.shear.max()):.0f} MPa")
+    s, along, peak = fields.peak_shear()
+    axes.plot(s, along, "+", color=style.BLUE, markersize=11, markeredgewidth=1.8)
+    dress(axes, fields, scale, f"{title}, peak {scale.peaks.get('shear', peak):.0f} MPa (+)")
     return filled
 
 

@@ -138,6 +138,9 @@ function patchMaps(view, field, number, withArrows) {
       text: tick.fields[field.key].map(row => row.map(v => field.kind === "states" ? ["open", "stick", "slip"][v] : v === null ? "open" : `${v} ${field.unit}`))});
     traces.push({x: tick.edge[0], y: tick.edge[1], mode: "lines", line: {color: "black", width: 1.5}, hoverinfo: "skip", ...axes});
     if (withArrows) traces.push({...arrows(tick, shear.top), ...axes});
+    if (field === shear)
+      traces.push({x: [tick.peak_shear[0]], y: [tick.peak_shear[1]], mode: "markers", marker: {color: "#1f5fa8", symbol: "cross-thin-open", size: 12, line: {width: 2}}, ...axes,
+        hovertemplate: `peak ${tick.peak_shear[2]} MPa<extra></extra>`, showlegend: false});
     layout["xaxis" + id] = {domain: domain(k, n), range: range.s, title: "lateral s [mm]", zeroline: false, anchor: "y" + id, constrain: "domain"};
     layout["yaxis" + id] = {range: range.along, title: k ? "" : "along the rail, rolling direction \u2191 [mm]", zeroline: false, scaleanchor: "x" + id, anchor: "x" + id, constrain: "domain"};
     layout.shapes.push({type: "path", path: around(tick.edge, range), fillrule: "evenodd", fillcolor: "white", line: {width: 0}, xref: "x" + id, yref: "y" + id});
@@ -199,14 +202,20 @@ async function drawPatch(view) {
   return redraw();
 }
 
-// values of a field on a line of the patch, interpolated between the rows of nodes
+// points [position, value] of a field on a line of the patch, interpolated between the rows of nodes; on AA also the points
+// between nodes at which shear peaks
 function onLine(tick, key, plane, place) {
   const across = plane === "AA" ? tick.s : tick.along;
   let k = 0;
   while (k < across.length - 2 && across[k + 1] <= place) ++k;
   const w = Math.min(1, Math.max(0, (place - across[k]) / (across[k + 1] - across[k])));
   const value = (i, j) => (plane === "AA" ? tick.fields[key][i][j] : tick.fields[key][j][i]) ?? 0;
-  return (plane === "AA" ? tick.along : tick.s).map((_, i) => (1 - w) * value(i, k) + w * value(i, k + 1));
+  const points = (plane === "AA" ? tick.along : tick.s).map((x, i) => [x, (1 - w) * value(i, k) + w * value(i, k + 1)]);
+  if (plane === "AA")
+    tick.between.lateral.forEach((s, i) => {
+      if (Math.abs(s - place) < 0.5 * Math.abs(tick.s[1] - tick.s[0])) points.push([tick.between.along[i], tick.between[key][i]]);
+    });
+  return points.sort((a, b) => a[0] - b[0]);
 }
 
 async function drawCuts(view) {
@@ -222,15 +231,15 @@ async function drawCuts(view) {
   const redraw = () => {
     const traces = [], AA = plane.value === "AA", number = Number(tick.value);
     patch.sources.forEach((source, k) => {
-      const t = tickOf(source, number), x = AA ? t.along : t.s, name = source.name ? ", " + source.name : "";
+      const t = tickOf(source, number), name = source.name ? ", " + source.name : "";
       const line = key => onLine(t, key, plane.value, Number(place.value));
       const style = {mode: "lines+markers", marker: {size: 4}, line: {color: COLORS[k], width: 2}, hovertemplate: "%{x} mm: %{y:.6} MPa<extra>%{fullData.name}</extra>"};
-      const pressure = line("pressure");
-      traces.push({x, y: pressure, name: "pressure" + name, ...style});
-      traces.push({x, y: line("shear"), name: "shear traction" + name, ...style, yaxis: "y2"});
+      const pressure = line("pressure"), x = pressure.map(p => p[0]);
+      traces.push({x, y: pressure.map(p => p[1]), name: "pressure" + name, ...style});
+      traces.push({x, y: line("shear").map(p => p[1]), name: "shear traction" + name, ...style, yaxis: "y2"});
       const friction = t.friction ?? view.friction;  // of a study each case has its own
       if (friction !== null)
-        traces.push({x, y: pressure.map(p => friction * p), name: "bound" + name, yaxis: "y2", mode: "lines", line: {color: COLORS[k], dash: "dash", width: 1.2}, hovertemplate: style.hovertemplate});
+        traces.push({x, y: pressure.map(p => friction * p[1]), name: "bound" + name, yaxis: "y2", mode: "lines", line: {color: COLORS[k], dash: "dash", width: 1.2}, hovertemplate: style.hovertemplate});
     });
     const layout = {font: FONT, height: 520, margin: {l: 60, r: 20, t: 20, b: 50}, legend: {orientation: "h", y: -0.14},
       xaxis: {title: AA ? "along the rail, rolling direction \u2192 [mm]" : "lateral s (G.C. on the left) [mm]", range: AA ? range.along : range.s, anchor: "y2"},

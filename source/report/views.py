@@ -65,7 +65,8 @@ def patch_tick(tick, label, digits=6, where=None):
             inside = np.where(fields.loaded, factor * array, 0 if key == "state" else np.nan)
             values[key] = plain(inside, digits)
     head = {} if where is None else {"head": head_of(fields, where)}
-    return {**head, "label": label, "s": plain(fields.lateral[0]), "along": plain(fields.along[:, 0]), "fields": values,
+    between = {name: plain(values, digits) for name, values in fields.between.items()}
+    return {**head, "label": label, "between": between, "peak_shear": plain(fields.peak_shear(), digits), "s": plain(fields.lateral[0]), "along": plain(fields.along[:, 0]), "fields": values,
             "edge": edge_lines(fields), "places": {name: round(float(v), 4) for name, v in fields.places().items()}}
 
 
@@ -91,6 +92,8 @@ def patch_views(sources, friction, start, peaks=None):
     for field in fields:
         values = [abs(value) for source in sources for tick in source["ticks"] for row in tick["fields"][field["key"]]
                   for value in row if value is not None]
+        if field["key"] == "shear":
+            values += [tick["peak_shear"][2] for source in sources for tick in source["ticks"]]
         field["top"] = float(f"{(peaks or {}).get(field['key'], max(values, default=1.0) or 1.0):.4g}")
     start = min(start, max(len(source["ticks"]) for source in sources) - 1)
     return [{"id": "view-patch", "type": "patch", "title": "Contact patch", "sources": sources, "fields": fields,

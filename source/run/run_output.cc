@@ -2,6 +2,7 @@
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/run_output.h>
 #include <wheelrail/sampling/slices.h>
+#include <wheelrail/sampling/slip_edge.h>
 
 #include <cstdio>
 
@@ -37,7 +38,8 @@ namespace wheelrail
     stress_below_       = largest_stress_below(slices, parts_.scene.cell_size);
     stress_below_at_    = time;
     on_root(parts_.communicator, [&]() {
-      append_patch(*patch_file_, patch_fields(*parts_.model.contact, parts_.axle, time));
+      const PatchFields patch = patch_fields(*parts_.model.contact, parts_.axle, time);
+      append_patch(*patch_file_, patch, slip_edge(patch));
       append_slices(*slice_file_, time, travelled, slices);
       write_history(parts_.recorder.state().history, parts_.scene.folder + "/history.h5");
       write_history(parts_.recorder.state().patches, parts_.scene.folder + "/patch_history.h5");

@@ -110,16 +110,10 @@ namespace wheelrail
   } // namespace
 
 
-  double
-  largest_shear(const PatchFields &patch)
+  SlipEdge
+  slip_edge(const PatchFields &patch)
   {
-    const auto nodal = [&](const std::size_t k) {
-      return std::hypot(patch.traction_along[k], patch.traction_lateral[k]);
-    };
-    double largest = 0;
-    for (std::size_t k = 0; k < patch.pressure.size(); ++k)
-      largest = std::max(largest, nodal(k));
-
+    SlipEdge edge;
     for (int i = 0; i < int(patch.n_along); ++i)
       for (int j = 0; j < int(patch.n_lateral); ++j)
         for (const int direction : {-1, 1})
@@ -130,11 +124,30 @@ namespace wheelrail
             const double x = place_of_line(line);
             if (std::isnan(x))
               continue;
-            const double p = pressure_at(line, x);
             // near the rim of the patch a polynomial may leave the values of its nodes
-            const double p_within = std::min(p, std::max(line.pressure(0), line.pressure(1)));
-            largest               = std::max(largest, nodal(line.index(0)) / line.pressure(0) * p_within);
+            const double p = std::min(pressure_at(line, x), std::max(line.pressure(0), line.pressure(1)));
+            const std::size_t slip = line.index(0);
+            edge.along.push_back(patch.along[slip] + direction * x);
+            edge.lateral.push_back(patch.lateral[slip]);
+            edge.pressure.push_back(p);
+            edge.traction_along.push_back(patch.traction_along[slip] / line.pressure(0) * p);
+            edge.traction_lateral.push_back(patch.traction_lateral[slip] / line.pressure(0) * p);
           }
+    return edge;
+  }
+
+
+  double
+  largest_shear(const PatchFields &patch)
+  {
+    double     largest = 0;
+    const auto look    = [&](const std::vector<double> &along, const std::vector<double> &lateral) {
+      for (std::size_t k = 0; k < along.size(); ++k)
+        largest = std::max(largest, std::hypot(along[k], lateral[k]));
+    };
+    const SlipEdge edge = slip_edge(patch);
+    look(patch.traction_along, patch.traction_lateral);
+    look(edge.traction_along, edge.traction_lateral);
     return largest;
   }
 } // namespace wheelrail

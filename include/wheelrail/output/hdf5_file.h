@@ -4,6 +4,7 @@
 #include <wheelrail/output/tick_file.h>
 
 #include <string>
+#include <vector>
 
 namespace wheelrail
 {
@@ -20,11 +21,21 @@ namespace wheelrail
   History
   read_history(const std::string &path);
 
+  /// Points of a patch between its nodes, on the line between stick and slip, where the shear traction is
+  /// largest.
+  struct SlipEdge
+  {
+    std::vector<double> along, lateral;                   ///< as those of PatchFields [m]
+    std::vector<double> pressure;                         ///< [Pa]
+    std::vector<double> traction_along, traction_lateral; ///< shear traction on the rail [Pa]
+  };
+
   /// Adds a contact patch as the next tick of a file, with the attributes `n_along`, `n_lateral` and each
   /// field as a dataset of n_along x n_lateral numbers with the attribute `unit` (names as in
-  /// PatchFields). Throws RunError when a field has another length, or when the file cannot be written.
+  /// PatchFields); points of the edge as datasets of their own, `edge_along` and the like. Throws RunError
+  /// when a field has another length, or when the file cannot be written.
   void
-  append_patch(TickFile &file, const PatchFields &patch);
+  append_patch(TickFile &file, const PatchFields &patch, const SlipEdge &edge = {});
 
   /// Reads one tick of a file of append_patch() back; `tick` counts from 0. Throws RunError naming the
   /// file when it is missing or has no such tick.
