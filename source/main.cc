@@ -22,9 +22,10 @@ namespace
 
   enum ExitCode
   {
-    finished  = 0,
-    bad_input = 1,
-    stopped   = 2
+    finished    = 0,
+    bad_input   = 1,
+    stopped     = 2,
+    interrupted = 3
   };
 
   struct Failure
@@ -49,6 +50,12 @@ namespace
       {
         return {stopped, error.what()};
       }
+    catch (const Interrupted &left)
+      {
+        const std::string kept = left.what();
+        return {interrupted,
+                "interrupted; " + (kept.empty() ? "nothing is kept: the same command starts anew" : kept)};
+      }
     catch (const std::bad_alloc &)
       {
         return {stopped, "out of memory: take larger cells, a shorter rail, or a machine with more memory"};
@@ -70,7 +77,8 @@ namespace
   {
     std::istringstream lines(failure.text);
     for (std::string line; std::getline(lines, line);)
-      print(STDERR_FILENO, (line.empty() || line[0] == ' ' ? "" : "error: ") + line + "\n");
+      print(STDERR_FILENO,
+            (failure.code == interrupted || line.empty() || line[0] == ' ' ? "" : "error: ") + line + "\n");
   }
 
   /// Whether all ranks get here within a few seconds. One that failed alone would leave the others
@@ -112,12 +120,9 @@ int
 main(int argc, char **argv)
 {
   const Arguments arguments(argv + 1, argv + argc);
+  catch_interrupts();
   if (needs_mpi(arguments))
-    {
-      if (arguments.front() == "run") // which saves its state; wear has kept all but the step under way
-        catch_interrupts();
-      return run_in_parallel(argc, argv, arguments);
-    }
+    return run_in_parallel(argc, argv, arguments);
   const Failure failure = guarded([&]() { return execute(arguments, run_scene, std::cout); });
   print_failure(failure);
   return failure.code;

@@ -5,11 +5,14 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/application/scene_row.h>
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/vehicle.h>
+#include <wheelrail/reference/vehicle_rows.h>
 
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -222,13 +225,47 @@ namespace
     const MotionFile motion = read_motion_file(file.path());
     check(motion.rows() == 4 && std::abs((*motion.find(MotionQuantity::yaw))[2] - 3e-3) < 1e-15, "four rows");
     const WheelsetProfiles profiles = read_wheelset_profiles(scene);
-    const VehicleWheel     wheel = solve_vehicle(scene, profiles, motion, [](std::size_t) {}).wheels.front();
+    const VehicleWheel     wheel    = solve_vehicle(scene, profiles, motion).wheels.front();
     check(wheel.faults[0].empty() && wheel.faults[1].empty() && wheel.faults[2].empty(),
           "three rows have contact");
     check(wheel.faults[3].find("no contact point") != std::string::npos,
           "the last one has none, and says so");
     check_near(wheel.rows[1].normal_force, 0, 0, "no load, no force [N]");
     check_near(wheel.rows[0].vertical_force, 100e3, 200, "load of the first row [N]");
+
+    // interrupted and gone on with: the same bits
+    std::filesystem::remove("rows.kept");
+    try
+      {
+        VehicleRows kept("rows.kept", "a scene", motion);
+        solve_vehicle(scene, profiles, motion, &kept, [&]() {
+          if (kept.count() == 3)
+            throw Interrupted();
+        });
+      }
+    catch (const Interrupted &)
+      {
+      }
+    std::ofstream("rows.kept", std::ios::app) << "\n{\"row\": 0, \"giv"; // torn
+    VehicleRows kept("rows.kept", "a scene", motion);
+    check(kept.count() >= 3, "three rows are kept, or one more that another thread had");
+    std::size_t        again = 0;
+    const VehicleWheel gone_on =
+      solve_vehicle(scene, profiles, motion, &kept, [&]() { ++again; }).wheels.front();
+    bool identical = gone_on.faults == wheel.faults;
+    for (std::size_t k = 0; k < motion.rows(); ++k)
+      {
+        Summary one = gone_on.rows[k], other = wheel.rows[k];
+        one.wall_time = other.wall_time = 0; // of rows whose stresses are asked for, which are solved again
+        identical                       = identical && summary_as_text(one) == summary_as_text(other);
+      }
+    check(identical && again < 4, "gone on with " + std::to_string(again) + " rows to the same bits");
+    test::check_text(
+      test::message_of([&]() { VehicleRows("rows.kept", "another", motion); }),
+      "\"rows.kept\": rows of another scene, or of another version of the program, from a call that "
+      "was interrupted. Set the entries back to go on with them, choose another Output/Folder, or give "
+      "--overwrite to start anew.",
+      "rows of another scene");
 
     // a row is the scene with its values
     Scene row                    = scene;
@@ -254,7 +291,7 @@ namespace
     const auto left           = solve_wheel_rail(row, other, load, scene_offsets(row));
     scene.rigid_axle          = false;
     scene.both_wheels         = true;
-    const VehicleResult both  = solve_vehicle(scene, profiles, motion, [](std::size_t) {});
+    const VehicleResult both  = solve_vehicle(scene, profiles, motion);
     check(std::isnan(get_figure(both.axle[2], "axle_pitch_rate_rad_per_s")),
           "independent wheels have no one rate");
     check_near(
@@ -275,7 +312,7 @@ namespace
       "0,-2,100,60,0,0\n1,-2,100,60,4,300\n2,-2,100,0,0,0\n");
     const MotionFile       motion   = read_motion_file(file.path());
     const WheelsetProfiles profiles = read_wheelset_profiles(scene);
-    const VehicleResult    both     = solve_vehicle(scene, profiles, motion, [](std::size_t) {});
+    const VehicleResult    both     = solve_vehicle(scene, profiles, motion);
     check(both.axle.size() == 3 && both.wheels.size() == 2, "three rows of two wheels on one axle");
     const auto force = [&](const std::size_t wheel, const std::size_t row) {
       return get_figure(both.wheels[wheel].rows[row], "wheelset_longitudinal_force_N");
@@ -291,8 +328,7 @@ namespace
     // one wheel that does not touch is enough
     scene.track.flange_back_distance = 1.37;
     const File          off("distance [m],lateral shift [mm],load [kN]\n0,11.9,80\n");
-    const VehicleResult none =
-      solve_vehicle(scene, profiles, read_motion_file(off.path()), [](std::size_t) {});
+    const VehicleResult none = solve_vehicle(scene, profiles, read_motion_file(off.path()));
     check(none.wheels[0].faults[0].find("no contact point") != std::string::npos &&
             std::isnan(get_figure(none.axle[0], "axle_torque_Nm")),
           "a row that does not touch has no figures, and says so");
@@ -310,7 +346,7 @@ namespace
       "distance [m],load [kN],velocity [km/h],radius [m],cant [mm]\n"
       "0,80,72,500,0\n1,80,72,-500,0\n2,80,200,500,0\n");
     const VehicleResult vehicle =
-      solve_vehicle(scene, read_wheelset_profiles(scene), read_motion_file(file.path()), [](std::size_t) {});
+      solve_vehicle(scene, read_wheelset_profiles(scene), read_motion_file(file.path()));
     const auto load = [&](const std::size_t wheel, const std::size_t row) {
       return vehicle.wheels[wheel].rows[row].vertical_force;
     };

@@ -80,22 +80,32 @@ namespace
       std::filesystem::remove_all(folder + "-wear");
     MPI_Barrier(MPI_COMM_WORLD);
     std::ostringstream out;
-    const int          code = execute({"wear",
-                                       WHEELRAIL_SOURCE_DIR "/prm/wear.prm",
-                                       "--no-pictures",
-                                       "--set",
-                                       "Wear/Mix = " WHEELRAIL_SOURCE_DIR "/prm/wear_mix.csv",
-                                       "--set",
-                                       "Wear/Gross load = 0.2 Mt",
-                                       "--set",
-                                       "Half-space/Element size = 1 mm",
-                                       "--set",
-                                       "Output/Folder = " + folder},
-                             {},
-                             out);
-    check(code == 0, "the command ends");
+    const auto         wear = [&](const std::string &load) {
+      return execute({"wear",
+                      WHEELRAIL_SOURCE_DIR "/prm/wear.prm",
+                      "--no-pictures",
+                      "--set",
+                      "Wear/Gross load = " + load,
+                      "--set",
+                      "Half-space/Element size = 1 mm",
+                      "--set",
+                      "Output/Folder = " + folder},
+                     {},
+                     out);
+    };
+    check(wear("0.2 Mt") == 0, "the command ends");
     check(out.str().empty() == (rank != 0), "the first process alone speaks");
     check(std::filesystem::exists(folder + "-wear/wear.csv"), "and writes");
+    MPI_Barrier(MPI_COMM_WORLD);
+    test::check_text(
+      test::message_of([&]() { wear("0.1 Mt"); }),
+      folder +
+        "-wear: holds states of another scene, up to 0.2 Mt: Wear/Gross load = 0.1 Mt, saved with "
+        "0.2 Mt; set it back to go on with them, choose another Output/Folder, or give --overwrite to "
+        "start anew",
+      "a shorter plan");
+    MPI_Barrier(MPI_COMM_WORLD);
+    check(!std::filesystem::exists(folder + "-wear/run.lock"), "no lock is left");
   }
 } // namespace
 

@@ -21,6 +21,7 @@
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/output/folder.h>
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/wear_mix.h>
 #include <wheelrail/reference/wheelset_contact.h>
@@ -57,6 +58,7 @@ namespace wheelrail
       const CheckedScene checked = check_scene(input.scene, this_machine(ranks_of_launcher()));
       const Findings    &found   = checked.found;
       require_none(found.errors, input);
+      require_possible_folder(input.scene.folder);
       passing_wheels(input.scene, *checked.geometry); // throws where their list cannot be read
       print_note(drive_note(options, input), out);
       print_notes(checked.geometry->notes, out);
@@ -177,8 +179,12 @@ namespace wheelrail
       throw InputError(
         "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
     settle_bodies(input.scene, "", out);
-    return run_vehicle_command(
-      input.scene, profiles_with_notes(input.scene, out), motion, !options.count("no-pictures"), out);
+    return run_vehicle_command(input.scene,
+                               profiles_with_notes(input.scene, out),
+                               motion,
+                               !options.count("no-pictures"),
+                               options.count("overwrite") > 0,
+                               out);
   }
 
 
@@ -206,7 +212,7 @@ namespace wheelrail
     if (team_of_job().rank == 0)
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
-    return run_wear_command(scene, !options.count("no-pictures"), out);
+    return run_wear_command(scene, !options.count("no-pictures"), options.count("overwrite") > 0, out);
   }
 
 
@@ -281,6 +287,7 @@ namespace wheelrail
         out << plan;
         return 0;
       }
+    require_possible_folder(input.scene.folder);
     print_note(former_drive_note(input), out);
     out.flush();
     std::vector<std::string> words;

@@ -173,6 +173,7 @@ namespace wheelrail
          add_traction_option(options);
          add_bodies_option(options, "real");
          add_no_pictures_option(options);
+         options.add_options()("overwrite", "start anew where an interrupted call has kept rows");
        },
        act_vehicle},
       {"wear",
@@ -183,6 +184,7 @@ namespace wheelrail
          add_set_option(options);
          add_bodies_option(options, "half-spaces");
          add_no_pictures_option(options);
+         options.add_options()("overwrite", "start anew where the folder holds states of another scene");
        },
        act_wear},
       {"parameters",

@@ -11,6 +11,7 @@
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/output/figures.h>
+#include <wheelrail/output/folder_lock.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/body_pose.h>
@@ -131,8 +132,9 @@ namespace wheelrail
                        "output folder of a run");
     if (!std::filesystem::exists(path / "summary.json"))
       throw InputError("The folder " + folder + " holds no summary.json; give the output folder of a run.");
-    Summary    run   = read_summary((path / "summary.json").string());
-    SceneInput input = read_scene((path / "parameters.prm").string(), sets);
+    const FolderLock held(folder); // no run, and no other comparison, works in it meanwhile
+    Summary          run   = read_summary((path / "summary.json").string());
+    SceneInput       input = read_scene((path / "parameters.prm").string(), sets);
     use_kept_profiles(input.scene, folder);
     if (const double place = get_figure(run, "motion_distance_m"); std::isfinite(place))
       input.scene = scene_on_way(input.scene, place);
@@ -158,8 +160,9 @@ namespace wheelrail
     const Comparison       comparison = compare_figures(run, halfspace, half_spaces, out);
     nlohmann::ordered_json bodies =
       with_bodies ? compare_bodies(scene, geometry, load, run, out) : nlohmann::ordered_json();
-    Measures measures = measures_of_run(scene, run);
-    measures.beyond   = comparison.beyond;
+    Measures measures      = measures_of_run(scene, run);
+    measures.beyond        = comparison.beyond;
+    measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
     measure_against(halfspace_pressure(result), scene, run, measures);
     if (!bodies.is_null() && bodies["converged"])
       measures.bodies_difference = get_figure(run, "bodies_relative_difference_max_pressure");

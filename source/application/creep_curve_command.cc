@@ -115,7 +115,9 @@ namespace wheelrail
                           const bool           draws,
                           std::ostream        &out)
   {
-    MotionFile other;
+    const ResultFolder           held(scene.folder, "-halfspace");
+    const std::filesystem::path &folder = held.path();
+    MotionFile                   other;
     if (!beside.empty())
       other = read_curve_file(
         beside, curve.axis == CreepAxis::spin ? MotionQuantity::spin : MotionQuantity::creepage);
@@ -163,7 +165,6 @@ namespace wheelrail
     table.add("verdict", "1", grades);
     print_table(curve, table, out);
     print_row_verdicts(verdicts, "points", "verdict of creep_curve.csv", out);
-    const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     table.write_csv((folder / "creep_curve.csv").string());
     table.write_hdf5((folder / "creep_curve.h5").string());

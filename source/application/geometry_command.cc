@@ -1,5 +1,6 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/value_list.h>
 #include <wheelrail/geometry/conicity.h>
@@ -42,6 +43,7 @@ namespace wheelrail
     std::optional<ContactGeometry>
     contact_at(const Pair &pair, const double shift, std::string &reason)
     {
+      leave_if_interrupted();
       try
         {
           WheelsetPose pose  = pair.pose;

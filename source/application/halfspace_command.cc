@@ -91,8 +91,10 @@ namespace wheelrail
                         const bool               draws,
                         std::ostream            &out)
   {
-    const bool          given = distance_is_given(scene);
-    const WheelRailLoad load  = given ? WheelRailLoad() : scene_load(scene, *geometry);
+    const ResultFolder           held(scene.folder, "-halfspace");
+    const std::filesystem::path &folder = held.path();
+    const bool                   given  = distance_is_given(scene);
+    const WheelRailLoad          load   = given ? WheelRailLoad() : scene_load(scene, *geometry);
     print_head(scene, load.force, out);
     if (!given)
       print_left_out(scene, out);
@@ -140,7 +142,6 @@ namespace wheelrail
     if (real)
       out << halfspaces_beside(figures) << '\n';
 
-    const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     remove_earlier_results(folder);
     write_halfspace_folder(scene, result, results, folder.string());
     if (!given)

@@ -89,8 +89,10 @@ namespace wheelrail
   int
   run_material_command(const Scene &scene, const bool draws, std::ostream &out)
   {
-    const MaterialTest            &test = scene.material_test;
-    const std::vector<PointTarget> path = material_path(test);
+    const ResultFolder             held(scene.folder, "-material");
+    const std::filesystem::path   &folder = held.path();
+    const MaterialTest            &test   = scene.material_test;
+    const std::vector<PointTarget> path   = material_path(test);
     const MaterialLaw              law =
       material_law(test.body == Body::rail ? scene.rail_material : scene.wheel_material);
     const bool             given  = test.steps > 0;
@@ -102,7 +104,6 @@ namespace wheelrail
     print_cycles(answer.cycles, out);
     tell_large_strains(answer.cycles, out);
 
-    const std::filesystem::path folder = folder_beside(scene.folder, "-material");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     answer.steps.write_csv((folder / "material.csv").string());
     cycle_table(answer.cycles).write_csv((folder / "cycles.csv").string());

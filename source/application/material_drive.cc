@@ -1,5 +1,6 @@
 #include <wheelrail/application/material_drive.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/quantity.h>
 
 #include <cstddef>
@@ -98,6 +99,7 @@ namespace wheelrail
       PointTarget        part  = target;
       for (unsigned int n = 1; n <= steps; ++n)
         {
+          leave_if_interrupted();
           for (std::size_t k = 0; k < 6; ++k)
             {
               const double from = target.of_stress[k] ? stress[k] : strain[k];

@@ -143,13 +143,14 @@ namespace wheelrail
                      const bool             draws,
                      std::ostream          &out)
   {
-    const double load = scene_load(scene, geometry).force;
+    const ResultFolder           held(scene.folder, "-halfspace");
+    const std::filesystem::path &folder = held.path();
+    const double                 load   = scene_load(scene, geometry).force;
     print_head(scene, load, out);
     const std::vector<PlaceContact> contacts = solve_places(scene, geometry, load, places);
     print_table(places, contacts, out);
     const std::size_t failed = print_verdicts(places, contacts, out);
 
-    const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     const FigureTable table = table_of(contacts);
     table.write_csv((folder / "places.csv").string());

@@ -4,6 +4,7 @@
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
@@ -102,6 +103,7 @@ namespace wheelrail
       for (const double f : blow.frequency)
         if (f >= next)
           {
+            leave_if_interrupted();
             frequency.push_back(f);
             const auto all = waves.receptances(f, blow.fading);
             for (std::size_t face = 0; face < all.size(); ++face)
@@ -253,10 +255,12 @@ namespace wheelrail
                          const ReceptanceOptions &options,
                          std::ostream            &out)
   {
-    const bool  rail   = options.body == Body::rail;
-    std::string beside = options.beside.empty() ? "" : beside_text(options.beside);
-    const auto  body   = make_lone_body(scene, geometry, options.body, MPI_COMM_WORLD);
-    RailPlaces  places;
+    const ResultFolder           held(scene.folder, "-receptance");
+    const std::filesystem::path &folder = held.path();
+    const bool                   rail   = options.body == Body::rail;
+    std::string                  beside = options.beside.empty() ? "" : beside_text(options.beside);
+    const auto                   body   = make_lone_body(scene, geometry, options.body, MPI_COMM_WORLD);
+    RailPlaces                   places;
     if (rail)
       places = rail_places(scene, body->plan.rail, options.at, options.lateral);
     else
@@ -268,18 +272,17 @@ namespace wheelrail
     const auto        peaks  = resonances(blow.frequency, *table.find("mobility_m_per_Ns"));
     print_peaks(peaks, out);
 
-    nlohmann::ordered_json      summary = {{"title", scene.title},
-                                           {"program_version", WHEELRAIL_VERSION},
-                                           {"body", rail ? "rail" : "wheel"},
-                                           {"direction", options.lateral ? "lateral" : "vertical"},
-                                           {"at_m", rail ? nlohmann::ordered_json(places.along) : nullptr},
-                                           {"duration_s", options.duration},
-                                           {"time_steps", record.time_steps},
-                                           {"elements", body->solid.quality.elements},
-                                           {"energy_error", record.energy_error},
-                                           {"left_at_the_end", blow.left},
-                                           {"fading_per_s", blow.fading}};
-    const std::filesystem::path folder  = folder_beside(scene.folder, "-receptance");
+    nlohmann::ordered_json summary = {{"title", scene.title},
+                                      {"program_version", WHEELRAIL_VERSION},
+                                      {"body", rail ? "rail" : "wheel"},
+                                      {"direction", options.lateral ? "lateral" : "vertical"},
+                                      {"at_m", rail ? nlohmann::ordered_json(places.along) : nullptr},
+                                      {"duration_s", options.duration},
+                                      {"time_steps", record.time_steps},
+                                      {"elements", body->solid.quality.elements},
+                                      {"energy_error", record.energy_error},
+                                      {"left_at_the_end", blow.left},
+                                      {"fading_per_s", blow.fading}};
     for (const char *const old : {"waves.csv", "beside.csv"})
       std::filesystem::remove(folder / old);
     if (rail && options.waves)

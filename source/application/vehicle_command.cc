@@ -3,8 +3,11 @@
 #include <wheelrail/application/vehicle_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/interrupt.h>
+#include <wheelrail/base/progress.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/input/scene_files.h>
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/figures.h>
@@ -12,6 +15,7 @@
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/several_patches.h>
 #include <wheelrail/reference/vehicle.h>
+#include <wheelrail/reference/vehicle_rows.h>
 #include <wheelrail/reference/wheelset_figures.h>
 #include <wheelrail/verdict/verdict.h>
 
@@ -20,7 +24,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -266,6 +269,40 @@ namespace wheelrail
                          out);
       return faults;
     }
+    std::filesystem::path
+    rows_file(const std::filesystem::path &folder)
+    {
+      return folder / "rows.kept";
+    }
+
+    /// All rows; those that an interrupted call has kept in the folder are not solved again.
+    VehicleResult
+    solve_rows(const Scene                 &scene,
+               const WheelsetProfiles      &profiles,
+               const MotionFile            &motion,
+               const std::filesystem::path &folder,
+               const bool                   overwrite,
+               std::ostream                &out)
+    {
+      if (overwrite)
+        std::filesystem::remove(rows_file(folder));
+      VehicleRows kept(rows_file(folder).string(), scene_digest(scene, WHEELRAIL_VERSION), motion);
+      if (kept.count() > 0)
+        out << "going on behind " << kept.count() << " of " << motion.rows() << " rows" << std::endl;
+      TaskCount count("rows", motion.rows(), kept.count(), out);
+      try
+        {
+          return solve_vehicle(scene, profiles, motion, &kept, [&]() { count.one_more(); });
+        }
+      catch (const Interrupted &)
+        {
+          if (kept.count() == 0)
+            throw;
+          throw Interrupted(std::to_string(kept.count()) + " of " + std::to_string(motion.rows()) +
+                            " rows are kept in " + folder.string() +
+                            ": the same command goes on with the others");
+        }
+    }
   } // namespace
 
 
@@ -274,19 +311,16 @@ namespace wheelrail
                       const WheelsetProfiles &profiles,
                       const MotionFile       &motion,
                       const bool              draws,
+                      const bool              overwrite,
                       std::ostream           &out)
   {
-    const auto          begin = std::chrono::steady_clock::now();
-    std::mutex          lock;
-    const VehicleResult vehicle = solve_vehicle(scene, profiles, motion, [&](const std::size_t done) {
-      const std::lock_guard<std::mutex> guard(lock);
-      if (done % 200 == 0)
-        out << done << " of " << motion.rows() << " rows" << std::endl;
-    });
-    const std::vector<VehicleWheel> &wheels = vehicle.wheels;
+    const auto                       begin = std::chrono::steady_clock::now();
+    const ResultFolder               held(scene.folder, "-vehicle");
+    const std::filesystem::path     &folder  = held.path();
+    const VehicleResult              vehicle = solve_rows(scene, profiles, motion, folder, overwrite, out);
+    const std::vector<VehicleWheel> &wheels  = vehicle.wheels;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 
-    const std::filesystem::path folder = folder_beside(scene.folder, "-vehicle");
     for (const char *const name : {"vehicle.html", "sections_left.json", "sections_right.json"})
       std::filesystem::remove(folder / name); // of an earlier call, with other wheels
     Scene answered = scene;
@@ -312,6 +346,7 @@ namespace wheelrail
     const std::size_t faults = print_verdicts(wheels, out);
     print_worst(table, wheels, out);
     print_halfspaces(wheels, out);
+    std::filesystem::remove(rows_file(folder)); // all is in the tables
     out << "Results in " << folder.string() << std::endl;
     if (draws)
       draw_results("vehicle.py", folder.string());

@@ -3,15 +3,20 @@
 #include <wheelrail/application/wear_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/interrupt.h>
+#include <wheelrail/base/progress.h>
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/scene_files.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/wear_files.h>
 #include <wheelrail/reference/wheel_load.h>
+#include <wheelrail/state/checkpoint_checks.h>
 
 #include <cmath>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -49,21 +54,29 @@ namespace wheelrail
         out << text("note: the weights of the mix add up to %.6g; each row has its share of that\n", weights);
     }
 
-    void
-    print_step(const WearState &state, const WornBody worn, std::ostream &out)
+    double
+    share_of_plan(const WearStep &step, const WearPlan &plan)
     {
+      return plan.worn == WornBody::wheel ? step.distance / plan.distance : step.gross_load / plan.gross_load;
+    }
+
+    void
+    print_step(const WearState &state, const WearPlan &plan, const Progress &progress, std::ostream &out)
+    {
+      const WornBody  worn = plan.worn;
       const WearStep &step = state.steps.back();
       std::string     depths;
       if (worn != WornBody::wheel)
         depths = text("rail %.4f mm", 1e3 * step.rail_depth);
       if (worn != WornBody::rail)
         depths += text("%swheel %.4f mm", depths.empty() ? "" : ", ", 1e3 * step.wheel_depth);
-      out << text("%5zu  %-22s %s worn; mean of the mix: peak pressure %.0f MPa, T-gamma %.2f N",
+      out << text("%5zu  %-22s %s worn; mean of the mix: peak pressure %.0f MPa, T-gamma %.2f N; %s",
                   state.steps.size() - 1,
                   reached(step).c_str(),
                   depths.c_str(),
                   1e-6 * step.mean_pressure,
-                  step.mean_t_gamma)
+                  step.mean_t_gamma,
+                  progress.at(share_of_plan(step, plan)).c_str())
           << std::endl;
     }
 
@@ -99,6 +112,25 @@ namespace wheelrail
         write("wheel", state.wheel);
       wear_table(state).write_csv((folder / "wear.csv").string());
       replace_file((folder / "wear.json").string(), wear_state_as_text(state, digest));
+    }
+
+    /// The states in the folder, where there are some; throws InputError where they are of another scene.
+    std::optional<WearState>
+    kept_states(const Scene &scene, const std::string &digest, const fs::path &folder)
+    {
+      std::optional<KeptWear> kept = read_wear_state((folder / "wear.json").string());
+      if (!kept)
+        return {};
+      if (kept->digest == digest)
+        return std::move(kept->state);
+      const fs::path    old = folder / "parameters.prm";
+      const std::string other =
+        fs::exists(old) ? other_entries(read_whole_file(old.string()), print_parameters(scene), false) : "";
+      throw InputError(
+        folder.string() + ": holds states of another scene, up to " + reached(kept->state.steps.back()) +
+        ": " + (other.empty() ? "a profile or the mix has changed, or the program" : other) +
+        "; set it back to go on with them, choose another Output/Folder, or give --overwrite to "
+        "start anew");
     }
 
     void
@@ -149,43 +181,44 @@ namespace wheelrail
 
 
   int
-  run_wear_command(const Scene &scene, const bool draws, std::ostream &screen)
+  run_wear_command(const Scene &scene, const bool draws, const bool overwrite, std::ostream &screen)
   {
-    const RowTeam             team  = team_of_job();
-    const bool                leads = team.rank == 0; // who writes and speaks for all
-    std::ostringstream        unheard;
-    std::ostream             &out      = leads ? screen : unheard;
+    const RowTeam                       team  = team_of_job();
+    const bool                          leads = team.rank == 0; // who writes and speaks for all
+    std::ostringstream                  unheard;
+    std::ostream                       &out = leads ? screen : unheard;
+    const std::unique_ptr<ResultFolder> held =
+      leads ? std::make_unique<ResultFolder>(scene.folder, "-wear") : nullptr;
     const SceneProfiles       profiles = read_profiles(scene);
     const double              load     = static_wheel_load(scene, profiles.wheel);
     double                    weights  = 1;
     const std::vector<MixRow> rows     = mix_rows(scene, load, weights);
     print_traffic(scene, rows, weights, out);
     const std::string        digest = scene_digest(scene, WHEELRAIL_VERSION);
-    const fs::path           place  = fs::path(scene.folder + "-wear") / "wear.json";
-    std::optional<WearState> kept   = read_wear_state(place.string(), digest);
+    const fs::path           folder = folder_beside(scene.folder, "-wear");
+    std::optional<WearState> kept   = overwrite ? std::nullopt : kept_states(scene, digest, folder);
     WearState                state  = kept ? *kept : begin_wear(profiles);
     if (kept)
       out << (kept->finished ? "everything is there: " : "going on from step ")
-          << (kept->finished ? fs::path(place).parent_path().string()
-                             : std::to_string(kept->steps.size() - 1))
-          << '\n';
+          << (kept->finished ? folder.string() : std::to_string(kept->steps.size() - 1)) << '\n';
     if (kept && !kept->finished)
       state.steps.pop_back(); // which is computed again
     std::string torn;
-    fs::path    folder;
+    bool        begun = false;
+    Progress    progress(state.steps.empty() ? 0 : share_of_plan(state.steps.back(), scene.wear_plan));
     const auto  keep = [&](const WearState &now) {
       if (!leads)
         return;
-      if (folder.empty()) // made once the first state is computed: bad input leaves none
+      if (!begun) // not before the first state is computed: bad input changes nothing
         {
-          folder = folder_beside(scene.folder, "-wear");
           if (!kept)
             fs::remove_all(folder / "profiles");
           fs::create_directories(folder / "profiles");
           replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+          begun = true;
         }
       write_state(folder, now, scene.wear_plan.worn, digest);
-      print_step(now, scene.wear_plan.worn, out);
+      print_step(now, scene.wear_plan, progress, out);
     };
     try
       {
@@ -198,7 +231,14 @@ namespace wheelrail
           throw;
         torn = error.what();
       }
-    folder = place.parent_path();
+    catch (const Interrupted &)
+      {
+        const WearState &known = state.steps.empty() && kept ? *kept : state;
+        if (known.steps.empty())
+          throw;
+        throw Interrupted("the states up to " + reached(known.steps.back()) + " are kept in " +
+                          folder.string() + ": the same command goes on from there");
+      }
     print_end(state, scene.wear_plan.worn, out);
     if (!torn.empty())
       out << "stopped: " << torn << '\n';

@@ -131,6 +131,8 @@ namespace wheelrail
                        const bool              draws,
                        std::ostream           &out)
   {
+    const ResultFolder           held(scene.folder, "-halfspace");
+    const std::filesystem::path &folder = held.path();
     print_head(scene, static_wheel_load(scene, profiles.right.wheel), out);
     Solved                          solved   = solve(scene, profiles);
     WheelsetSolution               &wheelset = solved.wheelset;
@@ -150,7 +152,6 @@ namespace wheelrail
       scene, wheelset, wheels[0] ? &wheels[0]->figures : nullptr, wheels[1] ? &wheels[1]->figures : nullptr);
     if (axle.note.empty())
       axle.note = solved.note;
-    const std::filesystem::path folder = folder_beside(scene.folder, "-halfspace");
     remove_earlier_results(folder);
     Scene answered            = scene;
     answered.halfspace_bodies = wheelset.right.scene.halfspace_bodies;

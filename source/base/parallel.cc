@@ -1,3 +1,4 @@
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/base/parallel.h>
 
 #include <algorithm>
@@ -23,6 +24,7 @@ namespace wheelrail
       for (std::size_t i = next++; i < n; i = next++)
         try
           {
+            leave_if_interrupted();
             work(i);
           }
         catch (...)

@@ -1,3 +1,4 @@
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/bodies/body_table.h>
 #include <wheelrail/bodies/line_loads.h>
 
@@ -190,7 +191,10 @@ namespace wheelrail
                             : between(lowest_wavenumber, highest_wavenumber, n_of_rail))
       table.waves.push_back(k);
     for (const double wave : table.waves)
-      table.remainder.push_back(remainder(stiffness, rows, table, wave));
+      {
+        leave_if_interrupted();
+        table.remainder.push_back(remainder(stiffness, rows, table, wave));
+      }
     return table;
   }
 } // namespace wheelrail

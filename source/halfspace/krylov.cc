@@ -1,3 +1,4 @@
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/halfspace/krylov.h>
 
 #include <deal.II/lac/solver_control.h>
@@ -21,6 +22,7 @@ namespace wheelrail
       void
       vmult(Vector &result, const Vector &argument) const
       {
+        leave_if_interrupted();
         from.assign(argument.begin(), argument.end());
         map(from, to);
         std::copy(to.begin(), to.end(), result.begin());

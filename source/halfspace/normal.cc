@@ -1,3 +1,4 @@
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/halfspace/normal.h>
 
 #include <algorithm>
@@ -84,6 +85,7 @@ namespace wheelrail
     // conjugate gradients on what presses, with projection on p >= 0 (Polonsky and Keer 1999)
     for (contact.iterations = 0;; ++contact.iterations)
       {
+        leave_if_interrupted();
         product(p, u);
         for (std::size_t k = 0; k < n; ++k)
           // the gap, e = h - approach + u_n; a given force has the approach that makes it 0 in the mean of

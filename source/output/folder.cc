@@ -107,9 +107,10 @@ namespace wheelrail
         }
     }
 
-    /// Makes the folder and those above it that are missing; gives the topmost one made, or an empty path.
+    /// The topmost folder on the path that is missing, or an empty path. Throws InputError where a file lies
+    /// on it.
     fs::path
-    make_folders(const std::string &folder)
+    topmost_missing(const std::string &folder)
     {
       fs::path        topmost;
       std::error_code error;
@@ -124,6 +125,15 @@ namespace wheelrail
           if (path.has_filename())
             topmost = path;
         }
+      return topmost;
+    }
+
+    /// Makes the folder and those above it that are missing; gives the topmost one made, or an empty path.
+    fs::path
+    make_folders(const std::string &folder)
+    {
+      const fs::path  topmost = topmost_missing(folder);
+      std::error_code error;
       fs::create_directories(folder, error);
       if (error)
         {
@@ -233,16 +243,43 @@ namespace wheelrail
   }
 
 
+  void
+  require_possible_folder(const std::string &folder)
+  {
+    topmost_missing(folder);
+  }
+
+
   std::filesystem::path
   folder_beside(const std::string &folder, const std::string &tail)
   {
     std::filesystem::path path = folder;
     if (!path.has_filename())
       path = path.parent_path();
-    path += tail;
-    std::error_code ignored; // a folder that cannot be made shows when its first file is written
-    std::filesystem::create_directories(path, ignored);
-    return path;
+    return path += tail;
+  }
+
+
+  ResultFolder::ResultFolder(const std::string &folder, const std::string &tail)
+    : path_(folder_beside(folder, tail))
+    , made_(make_folders(path_.string()))
+  {
+    try
+      {
+        lock_ = std::make_unique<FolderLock>(path_.string());
+      }
+    catch (...)
+      {
+        remove_made(path_.string(), made_);
+        throw;
+      }
+  }
+
+
+  ResultFolder::~ResultFolder()
+  {
+    lock_.reset();
+    remove_made(path_.string(), made_);
   }
 
 

@@ -99,6 +99,19 @@ namespace wheelrail
   }
 
   void
+  append_to_file(const std::string &path, const std::string &text)
+  {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (file < 0)
+      fail(path, errno);
+    int reason = write_all(file, text.data(), text.size());
+    if (::close(file) != 0 && reason == 0)
+      reason = errno;
+    if (reason != 0)
+      fail(path, reason);
+  }
+
+  void
   replace_file(const std::string &path, const std::string &text)
   {
     replace_file(path, text.data(), text.size());

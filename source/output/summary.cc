@@ -103,8 +103,8 @@ namespace wheelrail
   }
 
 
-  void
-  write_summary(const Summary &summary, const std::string &path)
+  std::string
+  summary_as_text(const Summary &summary)
   {
     nlohmann::ordered_json json;
     json["title"]           = summary.title;
@@ -129,18 +129,24 @@ namespace wheelrail
     json["largest_drift_of"] = summary.largest_drift_of;
 
     // a title may hold bytes that are no UTF-8; they must not stop a run at its end
-    replace_file(path, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  }
+
+
+  void
+  write_summary(const Summary &summary, const std::string &path)
+  {
+    replace_file(path, summary_as_text(summary));
     replace_file(std::filesystem::path(path).replace_filename("figures.json").string(), figures_as_json());
   }
 
-  Summary
-  read_summary(const std::string &path)
-  {
-    const auto json = nlohmann::ordered_json::parse(read_whole_file(path), nullptr, false);
-    if (!json.is_object())
-      throw RunError("The file \"" + path + "\" is no summary of a run; compute it again with \"" +
-                     own_call() + " run\".");
 
+  Summary
+  summary_from_text(const std::string &text)
+  {
+    const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
+    if (!json.is_object())
+      throw RunError("no summary of a run");
     Summary summary;
     for (const auto &item : json.items())
       if (item.value().is_number())
@@ -152,5 +158,21 @@ namespace wheelrail
       else if (item.value().is_null())
         set_figure(summary, item.key(), Summary::none);
     return summary;
+  }
+
+
+  Summary
+  read_summary(const std::string &path)
+  {
+    const std::string text = read_whole_file(path);
+    try
+      {
+        return summary_from_text(text);
+      }
+    catch (const RunError &error)
+      {
+        throw RunError("The file \"" + path + "\" is " + error.what() + "; compute it again with \"" +
+                       own_call() + " run\".");
+      }
   }
 } // namespace wheelrail

@@ -1,3 +1,4 @@
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/dynamics/time_loop.h>
 #include <wheelrail/mesh/discretization.h>
 #include <wheelrail/model/model.h>
@@ -93,6 +94,7 @@ namespace wheelrail
       {
         if (loop.steps() % every == 0)
           {
+            leave_if_interrupted();
             for (std::size_t f = 0; f < faces.size(); ++f)
               {
                 places[f] = 0;

@@ -5,12 +5,12 @@
 #include <wheelrail/reference/halfspace_stresses.h>
 #include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/vehicle.h>
+#include <wheelrail/reference/vehicle_rows.h>
 #include <wheelrail/reference/wheel_load.h>
 #include <wheelrail/reference/wheelset_contact.h>
 #include <wheelrail/reference/wheelset_figures.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -78,7 +78,7 @@ namespace wheelrail
       {
         const std::lock_guard<std::mutex> guard(lock_);
         rows_.push_back(std::move(row));
-        if (rows_.size() > most)
+        if (rows_.size() > VehicleWheel::rows_with_stresses)
           rows_.erase(std::min_element(
             rows_.begin(), rows_.end(), [](const Row &a, const Row &b) { return a.pressure < b.pressure; }));
       }
@@ -90,9 +90,8 @@ namespace wheelrail
       }
 
     private:
-      static constexpr std::size_t most = 10;
-      std::mutex                   lock_;
-      std::vector<Row>             rows_;
+      std::mutex       lock_;
+      std::vector<Row> rows_;
     };
 
     /// The figures of a wheel from its solution of a row.
@@ -125,10 +124,11 @@ namespace wheelrail
 
 
   VehicleResult
-  solve_vehicle(const Scene                            &scene,
-                const WheelsetProfiles                 &profiles,
-                const MotionFile                       &motion,
-                const std::function<void(std::size_t)> &report)
+  solve_vehicle(const Scene                 &scene,
+                const WheelsetProfiles      &profiles,
+                const MotionFile            &motion,
+                VehicleRows                 *kept,
+                const std::function<void()> &report)
   {
     const bool        both = scene.both_wheels;
     VehicleResult     vehicle;
@@ -140,9 +140,10 @@ namespace wheelrail
     // the weight of the wheel is the same in all rows
     Scene base      = scene;
     base.wheel_load = static_wheel_load(base, profiles.right.wheel);
-    std::atomic<std::size_t> done{0};
-    std::vector<Highest>     highest(sides.size());
+    std::vector<Highest> highest(sides.size());
     parallel_for(motion.rows(), [&](const std::size_t row) {
+      if (kept && kept->restore(row, vehicle))
+        return;
       const std::optional<double> torque = torque_of(motion, row);
       Scene                       own    = base; // its bodies are those that answer in this row
       const auto                  keep   = [&](const std::size_t                side,
@@ -194,7 +195,10 @@ namespace wheelrail
           if (!note.empty())
             wheel.rows[row].note = note;
         }
-      report(++done);
+      if (kept)
+        kept->keep(row, vehicle);
+      if (report)
+        report();
     });
     for (std::size_t side = 0; side < sides.size(); ++side)
       add_stresses(highest[side], vehicle.wheels[side]);

@@ -109,17 +109,15 @@ namespace wheelrail
   }
 
 
-  std::optional<WearState>
-  read_wear_state(const std::string &path, const std::string &digest)
+  std::optional<KeptWear>
+  read_wear_state(const std::string &path)
   {
     if (!std::filesystem::exists(path))
       return {};
     try
       {
         const Json json = Json::parse(read_whole_file(path));
-        if (json.at("scene") != digest)
-          return {};
-        WearState state{shape_from(json.at("new_rail")),
+        WearState  state{shape_from(json.at("new_rail")),
                         shape_from(json.at("new_wheel")),
                         shape_from(json.at("rail")),
                         shape_from(json.at("wheel")),
@@ -139,11 +137,14 @@ namespace wheelrail
               const Json &value           = json.at("steps").at(quantity.name).at(k);
               quantity.of(state.steps[k]) = value.is_null() ? std::nan("") : value.get<double>();
             }
-        return state;
+        return KeptWear{json.at("scene"), std::move(state)};
       }
     catch (const Json::exception &)
       {
-        return {};
+        throw InputError(
+          "\"" + path +
+          "\": damaged, so that nobody can go on from it. Choose another Output/Folder, or give "
+          "--overwrite to start anew.");
       }
   }
 

@@ -13,6 +13,8 @@ import json
 import os
 import sys
 
+from whole_file import part_of
+
 STYLE = """
 body { font-family: sans-serif; color: #222; max-width: 76rem; margin: 2rem auto; padding: 0 1rem; line-height: 1.45; }
 h1 { font-size: 1.6rem; margin-bottom: 0.2rem; } h2 { font-size: 1.2rem; margin-top: 2.2rem; }
@@ -274,7 +276,6 @@ def write(path, title, parts, views, script):
                       '<meta name="viewport" content="width=device-width, initial-scale=1">',
                       f"<title>{html.escape(title)}</title><style>{STYLE}</style></head><body>",
                       f"<h1>{html.escape(title)}</h1>", *parts, scripts_html(views, script), "</body></html>"])
-    with open(path + ".part", "w", encoding="utf-8") as file:
+    with part_of(path) as part, open(part, "w", encoding="utf-8") as file:
         file.write(text)
-    os.replace(path + ".part", path)
     return path

@@ -10,6 +10,7 @@ import os
 import numpy as np
 
 import run_data
+from whole_file import part_of
 
 #: unit in the files -> unit in the tables, factor
 SHOWN = {"Pa": ("MPa", 1e-6), "m": ("mm", 1e3), "m2": ("mm2", 1e6), "N": ("kN", 1e-3), "s": ("ms", 1e3), "rad": ("mrad", 1e3)}
@@ -25,12 +26,11 @@ def header(name, unit):
 def write(path, columns):
     """Columns (header, values) of equal length; values that are not finite are left empty."""
     os.makedirs(os.path.dirname(path), exist_ok=True)
-    with open(path + ".part", "w", encoding="utf-8", newline="") as file:
+    with part_of(path) as part, open(part, "w", encoding="utf-8", newline="") as file:
         lines = csv.writer(file, lineterminator="\n")
         lines.writerow([head for head, _ in columns])
         for row in zip(*[values for _, values in columns]):
             lines.writerow([value if isinstance(value, str) else f"{value:.7g}" if np.isfinite(value) else "" for value in row])
-    os.replace(path + ".part", path)
     return path
 
 

@@ -46,6 +46,12 @@ namespace wheelrail
       return single.count(path) > 0;
     }
 
+    bool
+    of_result(const std::string &path)
+    {
+      return path != "Title" && path.rfind("Output/", 0) != 0 && path.rfind("Study/", 0) != 0;
+    }
+
     std::string
     or_nothing(const std::string &value)
     {
@@ -68,13 +74,13 @@ namespace wheelrail
 
 
   std::string
-  other_entries(const std::string &saved, const std::string &now)
+  other_entries(const std::string &saved, const std::string &now, const bool of_run)
   {
     auto        before = entries_of(saved), after = entries_of(now);
     std::string differences;
     for (const auto &table : {before, after})
       for (const auto &[path, value] : table)
-        if (before[path] != after[path] && !may_differ(path))
+        if (before[path] != after[path] && (of_run ? !may_differ(path) : of_result(path)))
           {
             differences += (differences.empty() ? "" : "; ") + path + " = " + or_nothing(after[path]) +
                            ", saved with " + or_nothing(before[path]);

@@ -14,7 +14,12 @@ import fcntl
 import json
 import os
 import socket
+import sys
 import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "report"))
+
+from whole_file import part_of
 
 #: before the keys of results, and what they are those of; the first is the run's, or what a study computes alone
 SOURCES = {"": "Finite elements", "halfspace_": "Half-spaces", "bodies_": "True bodies"}
@@ -43,11 +48,10 @@ def read_json(path):
 
 def replace(path, text):
     """Writes a file as a whole: a reader finds the old or the new one."""
-    with open(path + ".part", "w", encoding="utf-8") as file:
+    with part_of(path) as part, open(part, "w", encoding="utf-8") as file:
         file.write(text)
         file.flush()
         os.fsync(file.fileno())
-    os.replace(path + ".part", path)
 
 
 def is_held(path):

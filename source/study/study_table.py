@@ -21,6 +21,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.p
 
 import page
 from study_folder import SOURCES, replace
+from whole_file import part_of
 
 # figures that say what a run cost; they are not the same from run to run, or from machine to machine
 COSTS = ["wall_time_s", "ranks", "peak_memory_bytes", "elements", "time_steps", "time_step_s", "element_updates_per_second"]
@@ -160,7 +161,7 @@ def write(study, failures):
 
 def write_hdf5(study, columns, states):
     path = study.path("table.h5")
-    with h5py.File(path + ".part", "w") as file:
+    with part_of(path) as part, h5py.File(part, "w") as file:
         file.attrs["title"], file.attrs["program_version"] = study.title, study.version
         for a, axis in enumerate(study.axes):
             values = [case["values"][a] for case in study.cases]
@@ -183,7 +184,6 @@ def write_hdf5(study, columns, states):
                 if values is not None:
                     file[key] = values
                     file[key].attrs["unit"] = column.si
-    os.replace(path + ".part", path)
 
 
 def show(study):

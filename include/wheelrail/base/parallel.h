@@ -6,7 +6,8 @@
 namespace wheelrail
 {
   /// Calls work(i) for i from 0 to n - 1 on `threads` threads (0: as many as the machine has processors),
-  /// each taking the next index that is free. An exception of `work` ends the loop and is thrown again here.
+  /// each taking the next index that is free. An exception of `work` ends the loop and is thrown again here,
+  /// and so is Interrupted once a signal has come (leave_if_interrupted()).
   void
   parallel_for(std::size_t n, const std::function<void(std::size_t)> &work, unsigned int threads = 0);
 

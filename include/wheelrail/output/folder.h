@@ -56,10 +56,39 @@ namespace wheelrail
   bool
   holds_finished_run(const std::string &folder);
 
-  /// The folder for results that are no run's, beside that of a scene's run and made where it is not there:
-  /// "output/rolling" and "-halfspace" give "output/rolling-halfspace".
+  /// Throws InputError where `folder` cannot be one: something above it, or it itself, is a file.
+  void
+  require_possible_folder(const std::string &folder);
+
+  /// The folder for results that are no run's, beside that of a scene's run: "output/rolling" and
+  /// "-halfspace" give "output/rolling-halfspace".
   std::filesystem::path
   folder_beside(const std::string &folder, const std::string &tail);
+
+  /// Such a folder, made where it is not there, and held by this process (FolderLock) to the end of its
+  /// results. Throws InputError as OutputFolder does.
+  class ResultFolder
+  {
+  public:
+    ResultFolder(const std::string &folder, const std::string &tail);
+
+    /// Lets go; folders that were made and are empty are removed again: bad input leaves none.
+    ~ResultFolder();
+
+    ResultFolder(const ResultFolder &) = delete;
+    ResultFolder &
+    operator=(const ResultFolder &) = delete;
+
+    const std::filesystem::path &
+    path() const
+    {
+      return path_;
+    }
+
+  private:
+    std::filesystem::path       path_, made_;
+    std::unique_ptr<FolderLock> lock_;
+  };
 
   /// Removes what an earlier call wrote into a folder of the program's own (known by its parameters.prm), and
   /// into those of its wheels: a solution of one wheel and one of a wheelset have other files, and a page

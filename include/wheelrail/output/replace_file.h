@@ -17,6 +17,11 @@ namespace wheelrail
   void
   replace_file(const std::string &path, const std::string &text);
 
+  /// Adds text at the end of a file, which is made where it is not there, by one call of write(). Throws
+  /// RunError naming the file and the reason; a part of the text may then stand in it.
+  void
+  append_to_file(const std::string &path, const std::string &text);
+
   /// "The output file "x" cannot be written: reason. What to do.", for an error number of the system.
   std::string
   cannot_write(const std::string &path, int reason);

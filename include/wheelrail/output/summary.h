@@ -81,6 +81,12 @@ namespace wheelrail
   std::string
   verdict_line(const Summary &summary);
 
+  /// A summary as the text of its file, and back, to the same bits; throws RunError for other texts.
+  std::string
+  summary_as_text(const Summary &summary);
+  Summary
+  summary_from_text(const std::string &text);
+
   /// Writes the flat summary.json: keys with their SI unit, in the order above; counts as whole
   /// numbers; NaN and infinite values as null; and beside it figures.json, which says how they are shown
   /// (figures_as_json()). The files are replaced as a whole. To be called on one rank; throws RunError

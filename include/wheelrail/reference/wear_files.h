@@ -13,9 +13,16 @@ namespace wheelrail
   std::string
   wear_state_as_text(const WearState &state, const std::string &digest);
 
-  /// The state of a file, or nothing where there is none, it is no such text, or is of another scene.
-  std::optional<WearState>
-  read_wear_state(const std::string &path, const std::string &digest);
+  /// What a file holds.
+  struct KeptWear
+  {
+    std::string digest; ///< of its scene
+    WearState   state;
+  };
+
+  /// The state of a file, or nothing where there is none. Throws InputError where it is no such text.
+  std::optional<KeptWear>
+  read_wear_state(const std::string &path);
 
   /// The states so far, a row each, under names with their units [SI].
   FigureTable

@@ -11,10 +11,10 @@ namespace wheelrail
   std::string
   obstacle_to_resume(const Checkpoint &saved, const Scene &scene, const std::string &parameters);
 
-  /// In which entries that steps depend on two lists of entries differ, "path = now, saved with ...", with
-  /// semicolons between; empty when in none.
+  /// In which entries that results depend on two lists of entries differ, "path = now, saved with ...", with
+  /// semicolons between; empty when in none. `of_run`: those that steps of a run depend on alone.
   std::string
-  other_entries(const std::string &saved, const std::string &now);
+  other_entries(const std::string &saved, const std::string &now, bool of_run = true);
 
   /// In which entries of the rail's material two lists of entries differ, a sentence; empty when in none.
   std::string
