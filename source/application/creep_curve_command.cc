@@ -2,6 +2,7 @@
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/row_verdicts.h>
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/progress.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/output/figure_table.h>
@@ -121,11 +122,16 @@ namespace wheelrail
     if (!beside.empty())
       other = read_curve_file(
         beside, curve.axis == CreepAxis::spin ? MotionQuantity::spin : MotionQuantity::creepage);
-    const bool given  = distance_is_given(scene);
-    const auto points = solve_creep_curve(scene, curve, [&](const Scene &point) {
-      return given ? solve_given_distance(point, geometry)
-                   : solve_wheel_rail(point, *geometry, scene_load(point, *geometry), scene_offsets(point));
-    });
+    const bool given = distance_is_given(scene);
+    TaskCount  count("points", curve.values.size(), 0, out);
+    const auto points = solve_creep_curve(
+      scene,
+      curve,
+      [&](const Scene &point) {
+        return given ? solve_given_distance(point, geometry)
+                     : solve_wheel_rail(point, *geometry, scene_load(point, *geometry), scene_offsets(point));
+      },
+      &count);
 
     std::vector<Summary> summaries;
     std::size_t          failed = 0;

@@ -3,6 +3,7 @@
 #include <wheelrail/application/report_script.h>
 #include <wheelrail/application/row_verdicts.h>
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/progress.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
@@ -147,7 +148,8 @@ namespace wheelrail
     const std::filesystem::path &folder = held.path();
     const double                 load   = scene_load(scene, geometry).force;
     print_head(scene, load, out);
-    const std::vector<PlaceContact> contacts = solve_places(scene, geometry, load, places);
+    TaskCount                       count("places", places.values.size(), 0, out);
+    const std::vector<PlaceContact> contacts = solve_places(scene, geometry, load, places, &count);
     print_table(places, contacts, out);
     const std::size_t failed = print_verdicts(places, contacts, out);
 

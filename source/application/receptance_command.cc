@@ -5,6 +5,7 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/interrupt.h>
+#include <wheelrail/base/progress.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/scene_checks.h>
@@ -266,10 +267,15 @@ namespace wheelrail
     else
       places.faces = wheel_faces(geometry, options.lateral);
     print_start(scene, *body, options, places, out);
-    const BlowRecord  record = strike(scene, *body, places.faces, options.duration, MPI_COMM_WORLD);
-    const Receptances blow   = receptances(record, 1, lowest_hz, highest_hz);
-    const FigureTable table  = make_response_table(blow.frequency, blow.of_face, places.distance);
-    const auto        peaks  = resonances(blow.frequency, *table.find("mobility_m_per_Ns"));
+    Progress         progress;
+    const BlowRecord record =
+      strike(scene, *body, places.faces, options.duration, MPI_COMM_WORLD, [&](const double share) {
+        if (progress.due())
+          out << progress.at(share) << std::endl;
+      });
+    const Receptances blow  = receptances(record, 1, lowest_hz, highest_hz);
+    const FigureTable table = make_response_table(blow.frequency, blow.of_face, places.distance);
+    const auto        peaks = resonances(blow.frequency, *table.find("mobility_m_per_Ns"));
     print_peaks(peaks, out);
 
     nlohmann::ordered_json summary = {{"title", scene.title},

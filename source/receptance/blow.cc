@@ -63,11 +63,12 @@ namespace wheelrail
 
 
   BlowRecord
-  strike(const Scene                   &scene,
-         LoneBody                      &body,
-         const std::vector<HammerFace> &faces,
-         const double                   duration,
-         MPI_Comm                       communicator)
+  strike(const Scene                       &scene,
+         LoneBody                          &body,
+         const std::vector<HammerFace>     &faces,
+         const double                       duration,
+         MPI_Comm                           communicator,
+         const std::function<void(double)> &report)
   {
     constexpr double peak = 1e3, pulse = 0.25e-3; // zero at 8 kHz, a third of its spectrum left at 5 kHz
     constexpr double sample = 20e-6, balance = 1e-3;
@@ -95,6 +96,8 @@ namespace wheelrail
         if (loop.steps() % every == 0)
           {
             leave_if_interrupted();
+            if (report)
+              report(loop.time() / duration);
             for (std::size_t f = 0; f < faces.size(); ++f)
               {
                 places[f] = 0;

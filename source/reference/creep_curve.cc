@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/parallel.h>
+#include <wheelrail/base/progress.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/value_list.h>
 #include <wheelrail/reference/creep_curve.h>
@@ -113,11 +114,14 @@ namespace wheelrail
   std::vector<WheelRailSolution>
   solve_creep_curve(const Scene                                           &scene,
                     const CreepCurve                                      &curve,
-                    const std::function<WheelRailSolution(const Scene &)> &solve)
+                    const std::function<WheelRailSolution(const Scene &)> &solve,
+                    TaskCount                                             *count)
   {
     std::vector<WheelRailSolution> points(curve.values.size());
     parallel_for(points.size(), [&](const std::size_t i) {
       points[i] = solve_point(scene, curve.axis, curve.values[i], solve);
+      if (count)
+        count->one_more();
     });
     return points;
   }

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/parallel.h>
+#include <wheelrail/base/progress.h>
 #include <wheelrail/base/value_list.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/irregular_places.h>
@@ -144,7 +145,8 @@ namespace wheelrail
   solve_places(const Scene           &scene,
                const SceneGeometry   &geometry,
                const double           load,
-               const IrregularPlaces &places)
+               const IrregularPlaces &places,
+               TaskCount             *count)
   {
     SceneGeometry smooth = geometry;
     smooth.surfaces.rail.set_irregularities(nullptr);
@@ -158,6 +160,8 @@ namespace wheelrail
       results[k].place   = place;
       results[k].pitch   = pitch;
       results[k].drop -= level;
+      if (count)
+        count->one_more();
     });
     return results;
   }

@@ -5,6 +5,7 @@
 #include <wheelrail/receptance/hammer.h>
 #include <wheelrail/scene/scene.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -39,11 +40,13 @@ namespace wheelrail
     unsigned long                    time_steps   = 0;
   };
 
-  /// The blow on `faces[0]`, observed at all of them for `duration` [s], at steps of some 20 us. Collective.
+  /// The blow on `faces[0]`, observed at all of them for `duration` [s], at steps of some 20 us; `report` is
+  /// told the share of it that is done. Collective.
   BlowRecord
-  strike(const Scene                   &scene,
-         LoneBody                      &body,
-         const std::vector<HammerFace> &faces,
-         double                         duration,
-         MPI_Comm                       communicator);
+  strike(const Scene                       &scene,
+         LoneBody                          &body,
+         const std::vector<HammerFace>     &faces,
+         double                             duration,
+         MPI_Comm                           communicator,
+         const std::function<void(double)> &report = {});
 } // namespace wheelrail

@@ -8,6 +8,8 @@
 
 namespace wheelrail
 {
+  class TaskCount;
+
   /// What a creep curve runs over: creepage along the rail, lateral creepage, spin.
   enum class CreepAxis
   {
@@ -34,9 +36,10 @@ namespace wheelrail
   /// Solves a scene for each value of the curve, on all processors. Creepages count at the reference point of
   /// the contact (ContactReference) where wheel and rail have one; what the curve does not run over is that
   /// of the scene, but for the creepage along the rail, which is given where the curve runs over it. `solve`
-  /// is called from several threads at a time.
+  /// is called from several threads at a time, and `count` is told of each point.
   std::vector<WheelRailSolution>
   solve_creep_curve(const Scene                                           &scene,
                     const CreepCurve                                      &curve,
-                    const std::function<WheelRailSolution(const Scene &)> &solve);
+                    const std::function<WheelRailSolution(const Scene &)> &solve,
+                    TaskCount                                             *count = nullptr);
 } // namespace wheelrail

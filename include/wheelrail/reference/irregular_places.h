@@ -10,6 +10,8 @@
 
 namespace wheelrail
 {
+  class TaskCount;
+
   /// Where the wheel stands on irregular surfaces.
   struct IrregularPlaces
   {
@@ -45,7 +47,11 @@ namespace wheelrail
   /// Solves the normal contact of half-spaces under the vertical load of the scene [N] at each place: at a
   /// place along the track the wheel has rolled there from the start, so that its own irregularities have
   /// turned with it; at a pitch the wheel alone has turned, on the place of the start. Without friction; in
-  /// the plane of the smooth contact.
+  /// the plane of the smooth contact. `count` is told of each place.
   std::vector<PlaceContact>
-  solve_places(const Scene &scene, const SceneGeometry &geometry, double load, const IrregularPlaces &places);
+  solve_places(const Scene           &scene,
+               const SceneGeometry   &geometry,
+               double                 load,
+               const IrregularPlaces &places,
+               TaskCount             *count = nullptr);
 } // namespace wheelrail
