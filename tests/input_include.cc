@@ -85,6 +85,38 @@ namespace
     check_near(read("scenes/c.prm").energy_limit, 0.02, 0, "the keyword in capital letters");
   }
 
+  // Each scene has its own output folder; files that it names lie here, or beside the scene that names them.
+  void
+  test_own_folder()
+  {
+    write("ready/base.prm",
+          "subsection Profiles\n  set Rail   = worn.txt # beside\n  set Wheel = here.txt\nend\nsubsection "
+          "Output\n  set Folder = output/base\n  set Ticks = 3\nend\n");
+    write("ready/worn.txt", "");
+    write("ready/here.txt", "");
+    std::ofstream("here.txt") << "";
+    write("mine.prm", "include ready/base.prm\n");
+    write("named.prm", "include ready/base.prm\nsubsection Output\n  set Folder = runs/a\nend\n");
+    write("folder.prm", "set Folder = runs/b\n");
+    write("part.prm", "subsection Output\n  include folder.prm\nend\n");
+    check_text(read("ready/base.prm").folder, "output/base", "a folder of its own");
+    check_text(read("mine.prm").folder, "output/mine", "an included scene keeps its folder");
+    check(read("mine.prm").ticks == 3, "and nothing else");
+    check_text(read("named.prm").folder, "runs/a", "a folder that the scene names");
+    check_text(read("part.prm").folder, "runs/b", "part of a subsection in a file of its own");
+    check_text(read("mine.prm", {"Output/Folder = runs/c"}).folder, "runs/c", "a folder of the command line");
+    check_text(read("base.prm").folder, "output/base", "none at all");
+    check_text(read("mine.prm").rail_profile, "include/ready/worn.txt", "a file beside the included scene");
+    check_text(read("mine.prm").wheel_profile, "here.txt", "one where the command is given goes before");
+    check_text(read("mine.prm", {"Profiles/Rail = worn.txt"}).rail_profile,
+               "worn.txt",
+               "one of the command line lies here");
+    check(read_scene("include/mine.prm", {}).text.find("set Rail   = include/ready/worn.txt # beside") !=
+            std::string::npos,
+          "the text that is kept names it as it was found");
+    fs::remove("here.txt");
+  }
+
   // input.prm of the output folder: one file, each entry set once, remarks kept.
   void
   test_text()
@@ -100,7 +132,7 @@ namespace
       "(replaced at include/kept.prm:6)\nend\n# end of include/base.prm\n\nsubsection Run\n  set Energy "
       "limit = 0.05\nend\n",
       "the text with the included files");
-    check_text(print_parameters(scene_from_text(flat, "flat", {}).scene),
+    check_text(print_parameters(scene_from_text(flat, "kept.prm", {}).scene),
                print_parameters(read("kept.prm")),
                "it reads back to the same scene");
     RunOptions        options;
@@ -203,6 +235,7 @@ main()
   fs::remove_all("include");
   test_order();
   test_paths();
+  test_own_folder();
   test_text();
   test_faults();
   test_circles();

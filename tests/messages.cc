@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 using namespace wheelrail;
@@ -93,6 +94,15 @@ namespace
     check_file("subsection Wheelset\nset Velocty = 1 m/s\nend",
                "x.prm:2: Wheelset/Velocty: no such entry; the nearest is Wheelset/Velocity",
                "a misspelt entry");
+    for (const auto &[written, told] :
+         std::map<std::string, std::string>{{"Axle load = 22.5 t", "110.36 kN"},
+                                            {"Static axle load = 200 kN", "100 kN"},
+                                            {"axle weight = heavy", "... kN"}})
+      check_file("subsection Wheelset\nset " + written + "\nend",
+                 "x.prm:2: Wheelset/" + written.substr(0, written.find(" =")) +
+                   ": no such entry; a wheel carries half of it: write \"set Wheel load = " + told +
+                   "\" in subsection Wheelset",
+                 written);
     check_file("set Velocity = 1 m/s",
                "x.prm:1: Velocity: no such entry; the nearest is Wheelset/Velocity",
                "an entry outside its subsection");

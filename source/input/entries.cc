@@ -1,10 +1,13 @@
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/section_entries.h>
 
 #include <algorithm>
+#include <cctype>
+#include <utility>
 
 namespace wheelrail
 {
@@ -34,6 +37,29 @@ namespace wheelrail
       for (const std::string &part : parts)
         text += (text.empty() ? "" : between) + part;
       return text;
+    }
+    /// Of an entry that is called an axle load: half of its value, given as a force or as a mass, as a force;
+    /// empty of all others.
+    std::string
+    half_of_axle_load(const std::string &name, const std::string &value)
+    {
+      std::string small;
+      for (const char c : name)
+        small += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      const auto has = [&](const char *word) { return small.find(word) != std::string::npos; };
+      if (!has("axle") || !(has("load") || has("weight")))
+        return "";
+      for (const auto &[dimension, factor] :
+           {std::pair(Dimension::force, 1.), std::pair(Dimension::mass, Scene().gravity)})
+        try
+          {
+            return text("%.5g kN", 0.5e-3 * factor * parse_quantity(value, dimension));
+          }
+        catch (const InputError &)
+          {
+            // of another dimension, or no number
+          }
+      return "... kN";
     }
   } // namespace
 
@@ -105,8 +131,11 @@ namespace wheelrail
   }
 
   std::string
-  unknown_entry(const std::string &section, const std::string &name)
+  unknown_entry(const std::string &section, const std::string &name, const std::string &value)
   {
+    if (const std::string load = half_of_axle_load(name, value); !load.empty())
+      return "no such entry; a wheel carries half of it: write \"set Wheel load = " + load +
+             "\" in subsection Wheelset";
     const std::vector<std::string> nearest = nearest_entries(section, name);
     if (!nearest.empty())
       return "no such entry; the nearest " + std::string(nearest.size() == 1 ? "is " : "are ") +

@@ -213,8 +213,9 @@ namespace wheelrail
   {
     std::vector<std::string> choices = names;
     choices.push_back(file);
-    Entry &entry   = text(name, place, meaning);
-    entry.accepted = join_choices(choices);
+    Entry &entry      = text(name, place, meaning);
+    entry.accepted    = join_choices(choices);
+    entry.names_files = true;
     entry.set = [names, set = entry.set, accepted = entry.accepted](Scene &scene, const std::string &text) {
       if (std::find(names.begin(), names.end(), text) == names.end() && !is_file_name(text))
         throw InputError((text.empty() ? "no value; " : "not known here; ") + accepted + " is accepted");

@@ -264,6 +264,11 @@ namespace wheelrail
       lines_.push_back("# end of " + inner.name);
       for (const auto &[path, assignment] : inner.set)
         {
+          if (path == "Output/Folder" && file.section.empty()) // each scene has its own
+            {
+              replace(assignment, file.name);
+              continue;
+            }
           if (const auto own = file.own.find(path); own != file.own.end())
             {
               replace(assignment, own->second);

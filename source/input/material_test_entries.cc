@@ -79,11 +79,13 @@ namespace wheelrail
                  &MaterialTest::shear,
                  "The same for the shear in the plane xy, as of a thin tube in torsion; strains are changes "
                  "of the angle.");
-    list.text("File",
-              test_field(&MaterialTest::file),
-              "Rows of strains and stresses to go through instead of Axial and Shear: CSV, first a line of "
-              "names out of E_xx ... E_xy (tensor components) and S_xx_MPa ... S_xy_MPa; what has no column "
-              "is free of stress.");
+    list
+      .text("File",
+            test_field(&MaterialTest::file),
+            "Rows of strains and stresses to go through instead of Axial and Shear: CSV, first a line of "
+            "names out of E_xx ... E_xy (tensor components) and S_xx_MPa ... S_xy_MPa; what has no column "
+            "is free of stress.")
+      .names_files = true;
     list.count(
       {"Cycles", 1, 100000}, test_field(&MaterialTest::cycles), "How often the path is gone through.");
     list.count({"Steps", 1, 100000},

@@ -9,10 +9,10 @@ namespace wheelrail
   output_entries()
   {
     EntryList list("Output");
-    list.text(
-      "Folder",
-      field(&Scene::folder),
-      "Folder of the results, made by the program; a relative one counts from where the command is given.");
+    list.text("Folder",
+              field(&Scene::folder),
+              "Folder of the results, made by the program; a relative one counts from where the command is "
+              "given. Where the scene itself names none: output/ and the name of its file.");
     list.count({"Ticks", 1, 10000},
                field(&Scene::ticks),
                "Evenly spaced outputs of patch and surface fields over the run.");

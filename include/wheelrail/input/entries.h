@@ -28,9 +28,10 @@ namespace wheelrail
   std::string
   unknown_section(const std::string &section);
 
-  /// What to say of an entry that is not there: the nearest ones, or all of its subsection.
+  /// What to say of an entry that is not there, and of its value: what to write in the place of an axle load;
+  /// the nearest ones, or all of its subsection.
   std::string
-  unknown_entry(const std::string &section, const std::string &name);
+  unknown_entry(const std::string &section, const std::string &name, const std::string &value = "");
 
   /// Paths of at most three entries whose names resemble `name` the most, those of `section` first
   /// among equals; empty when nothing resembles it.

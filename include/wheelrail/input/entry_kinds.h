@@ -30,7 +30,8 @@ namespace wheelrail
     /// The text that `set` turns back into the value of the scene.
     std::function<std::string(const Scene &)> get;
 
-    bool repeats = false; ///< the same as in the first one of numbered subsections
+    bool repeats     = false; ///< the same as in the first one of numbered subsections
+    bool names_files = false; ///< its value may be the name of a file, or of several with commas between
 
     /// "Section/Name", as messages and --set write it.
     std::string

@@ -50,7 +50,8 @@ namespace wheelrail
   ///
   /// `name` is the file name for messages; the path of an included file counts from the folder of the file
   /// that includes it. What a file sets itself goes before what it includes, in whatever order they stand;
-  /// of two included files the later one goes before. Never throws for a fault in the text or for a file
+  /// of two included files the later one goes before. The output folder of an included scene is not taken
+  /// over. Never throws for a fault in the text or for a file
   /// that cannot be read: all faults are in `problems`.
   FlatInput
   flatten_input(const std::string &text, const std::string &name);
