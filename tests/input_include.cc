@@ -115,6 +115,28 @@ namespace
             std::string::npos,
           "the text that is kept names it as it was found");
     fs::remove("here.txt");
+    write("ready/lacks.prm",
+          "subsection Profiles\n  set Rail = gone.txt\nend\nsubsection Wear\n  set Mix = gone.csv\nend\n");
+    write("lacks.prm", "include ready/lacks.prm\n");
+    for (const std::string command : {"run", "geometry", "wear"})
+      {
+        std::ostringstream out;
+        check_text(
+          message_of([&]() {
+            execute({command, "include/lacks.prm"}, {}, out);
+          }),
+          "include/ready/lacks.prm:2: Profiles/Rail: gone.txt: no such file; profiles are looked for where "
+          "the command is given, then beside the scene",
+          command + " names the line of the included file");
+      }
+    std::ostringstream out;
+    check_text(message_of([&]() {
+                 execute({"wear", "include/lacks.prm", "--set", "Profiles/Rail = 54E1"}, {}, out);
+               }),
+               "include/ready/lacks.prm:5: Wear/Mix: gone.csv: no such file; Wear/Mix needs a table with a "
+               "row for each kind "
+               "of traffic",
+               "a table that is not there");
   }
 
   // input.prm of the output folder: one file, each entry set once, remarks kept.

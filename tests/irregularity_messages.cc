@@ -227,6 +227,10 @@ namespace
     says(read("few.h5"), "15 heights for 4 x 4 places; a row for each place across is needed");
     write_datasets("back.h5", {0, 20, 10, 30}, std::vector<double>(16, 0.));
     says(read("back.h5"), "back.h5: the places along or across do not ascend");
+    std::vector<double> high(16, 0.);
+    high[5] = 2e6;
+    write_datasets("high.h5", along, high);
+    says(read("high.h5"), "high.h5: a height of 2000 mm; -5 mm to 5 mm is accepted");
     write_datasets("nan.h5", along, std::vector<double>(16, std::nan("")));
     says(read("nan.h5"), "nan.h5: a height that is no number; fill the holes of the grid");
     H5Fclose(H5Fcreate("none.h5", H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));

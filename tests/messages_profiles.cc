@@ -100,7 +100,7 @@ namespace
     };
     check_file(
       "nowhere.prr",
-      "nowhere.prr: no such file; a profile file is sought from the folder where the command is given");
+      "nowhere.prr: no such file; profiles are looked for where the command is given, then beside the scene");
     check_file(".", ".: not a file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");
     std::ofstream("large.txt") << std::string(largest_profile_file + 1, ' ');
     check_file(

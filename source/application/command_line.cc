@@ -1,12 +1,15 @@
 #include <wheelrail/application/command_line.h>
+#include <wheelrail/application/command_scene.h>
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
+#include <wheelrail/input/parameters.h>
 
 #include <boost/program_options.hpp>
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 
 namespace wheelrail
 {
@@ -161,6 +164,26 @@ namespace wheelrail
                                             launched("PMI_RANK") || launched("MPI_LOCALRANKID")));
   }
 
+  namespace
+  {
+    /// With the line of the scene's file that the error is about, where one is.
+    std::string
+    placed_in_file(const std::string &error, const po::variables_map &options)
+    {
+      try
+        {
+          if (std::filesystem::path(file_of(options)).extension() == ".prm")
+            return with_place(error, file_input_of(options));
+        }
+      catch (const InputError &)
+        {
+          // the scene cannot be read, and that is the error
+        }
+      return error;
+    }
+  } // namespace
+
+
   int
   execute(const Arguments &arguments, const RunFunction &run, std::ostream &out)
   {
@@ -177,6 +200,13 @@ namespace wheelrail
       parse_options(command, Arguments(arguments.begin() + 1, arguments.end()));
     if (options.count("help"))
       return print_help(command, out);
-    return command.act(options, run, out);
+    try
+      {
+        return command.act(options, run, out);
+      }
+    catch (const InputError &error)
+      {
+        throw InputError(placed_in_file(error.what(), options));
+      }
   }
 } // namespace wheelrail

@@ -58,6 +58,13 @@ namespace wheelrail
         }
     }
 
+    /// The entry that a sentence begins with, "Section/Name = value: ..." or "Section/Name: ...".
+    std::string
+    entry_of(const std::string &sentence)
+    {
+      return sentence.substr(0, std::min(sentence.find(" = "), sentence.find(": ")));
+    }
+
     /// Writes another value where the text sets the entry: where the name and an equals sign precede it.
     void
     replace_value(const Assignment &assignment, const std::string &value, std::string &text)
@@ -162,6 +169,25 @@ namespace wheelrail
   }
 
 
+  std::string
+  with_place(const std::string &sentence, const SceneInput &input)
+  {
+    const auto placed = [&](const std::string &path, const std::string &before) {
+      const auto origin = input.origin.find(path);
+      return origin == input.origin.end() || origin->second.order == Place::last_line
+               ? ""
+               : origin->second.text + ": " + before + sentence;
+    };
+    if (const std::string said = placed(entry_of(sentence), ""); !said.empty())
+      return said;
+    for (const Entry &entry : entries())
+      if (entry.names_files && sentence.rfind(entry.get(input.scene) + ":", 0) == 0)
+        if (const std::string said = placed(entry.path(), entry.path() + ": "); !said.empty())
+          return said;
+    return sentence;
+  }
+
+
   SceneInput
   read_scene(const std::string &prm_path, const std::vector<std::string> &sets)
   {
@@ -175,7 +201,7 @@ namespace wheelrail
     std::vector<Problem> problems;
     for (const std::string &sentence : errors)
       {
-        const auto  origin = input.origin.find(sentence.substr(0, sentence.find(" = ")));
+        const auto  origin = input.origin.find(entry_of(sentence));
         const Place place  = origin == input.origin.end() ? Place{input.name} : origin->second;
         problems.push_back({place.text + ": " + sentence, place.order});
       }

@@ -37,7 +37,7 @@ namespace wheelrail
       const auto      status = fs::status(path, error);
       if (!fs::exists(status))
         throw InputError(
-          path + ": no such file; a profile file is sought from the folder where the command is given");
+          path + ": no such file; profiles are looked for where the command is given, then beside the scene");
       if (!fs::is_regular_file(status))
         throw InputError(path +
                          ": not a file; a profile file (.prr, .prw, .ban, .whl or two columns) is needed");

@@ -32,6 +32,11 @@ namespace wheelrail
   SceneInput
   read_scene(const std::string &prm_path, const std::vector<std::string> &sets);
 
+  /// A sentence that begins with an entry, or with the file that an entry names, after the place where a file
+  /// sets that entry; as it is where none does.
+  std::string
+  with_place(const std::string &sentence, const SceneInput &input);
+
   /// Throws InputError with all `errors` of a scene, if any, each after the place where the entry was set
   /// that it begins with.
   void
