@@ -133,8 +133,8 @@ def rows(entries, summary=None, of=FINITE):
         found += [("steel", _steel(entry)), ("support", _support(entry)), ("cells", entry("Mesh/Solution cell size")),
                   ("rolling distance", entry("Run/Rolling distance"))]
     else:
-        bodies = {"real": "true ones, the elasticity of this wheel and this rail"}
-        found.append(("bodies", bodies.get(entry("Half-space/Bodies"), "half-spaces")))
+        found.append(("bodies", "half-spaces" if entry("Half-space/Bodies") == "half-spaces" or given else
+                      "true ones, the elasticity of this wheel and this rail"))
         found.append(("elements", entry("Half-space/Element size")))
     return [(label, text) for label, text in found if text]
 

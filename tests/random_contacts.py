@@ -1,0 +1,206 @@
+"""Random contacts that need no run: what is wrong in them is never trusted.
+
+Usage: random_contacts.py PROGRAM MPIEXEC FAMILY FIRST LAST
+
+Input N of a family is drawn from seed N. Families:
+
+  halfspaces  profiles, cones, shift, yaw, load, elastic constants, friction and traction, solved by `halfspace` with
+              half-spaces and with true bodies: half-spaces that are trusted lie within 5.2 % of the peak of the latter
+  heights     a dent as a table of heights in another form (separators, decimal commas, units, order of rows and
+              columns, unequal spacing): the same pressure and drop as by the entries Kind = dent within 1 %
+  caches      kept tables of true bodies with bytes that were changed, cut off, added or taken from another table: the
+              same answer to the last digit
+
+What came of each input is a line of FAMILY.jsonl in the present folder; seeds that have one are not solved again.
+"""
+
+import csv
+import glob
+import json
+import math
+import os
+import random
+import shutil
+import sys
+
+from checks import check, finish
+from random_search import TESTS, as_options, execute, log_uniform, sentence_of
+
+HELD = 0.052
+
+
+def contact_entries(draw):
+    """Changed entries of a contact, each with a probability of 0.3."""
+    def number(low, high, unit="", digits=4):
+        return f"{draw.uniform(low, high):.{digits}g} {unit}".strip()
+
+    profiles = os.path.join(TESTS, "profiles")
+    found = {
+        "Profiles/Wheel": draw.choice(["S1002", "cone 1:20", "cone 1:40", os.path.join(profiles, "worn_S1002.prw")]),
+        "Profiles/Rail": draw.choice(["54E1", "60E1", "60E1", os.path.join(profiles, "worn_54E1.ban")]),
+        "Track/Gauge": number(1430, 1445, "mm"),
+        "Track/Rail inclination": draw.choice(["0", "1/20", "1/30"]),
+        "Wheelset/Nominal rolling radius": number(420, 600, "mm"),
+        "Wheelset/Lateral shift": draw.choice([number(-6, 6, "mm"), number(-3, 3, "mm")]),
+        "Wheelset/Yaw": draw.choice([number(-10, 10, "mrad"), number(-3, 3, "mrad")]),
+        "Wheelset/Wheel load": f"{log_uniform(draw, 10, 300):.3g} kN",
+        "Wheelset/Velocity": f"{log_uniform(draw, 20, 300):.3g} km/h",
+        "Wheelset/Traction coefficient": number(-0.4, 0.4),
+        "Contact/Friction coefficient": number(0.1, 0.8),
+    }
+    for body in ("Rail material", "Wheel material"):
+        found[body + "/Young's modulus"] = draw.choice([number(180, 230, "GPa"), f"{log_uniform(draw, 20, 1000):.3g} GPa"])
+        found[body + "/Poisson's ratio"] = draw.choice([number(0.2, 0.35), number(0, 0.49)])
+    return {name: value for name, value in found.items() if draw.random() < 0.3}
+
+
+def contact(program, scene, bodies, options):
+    """Summary of the contact with some bodies, or the sentence that refuses it."""
+    code, screen = execute(program, "halfspace", scene, "--no-pictures", "--bodies", bodies, *options)
+    if code not in (0, 1, 2) or "fault in the program" in screen:
+        return None, screen[-3000:]
+    if code == 1:
+        return None, sentence_of(screen)
+    with open(scene.replace(".prm", "-halfspace/summary.json")) as text:
+        return json.load(text), ""
+
+
+def scene_file(seed, lines=""):
+    path = f"contact_{seed}.prm"
+    with open(path, "w") as file:
+        file.write("# more entries by --set\n" + lines)
+    return path
+
+
+def halfspaces(program, seed):
+    draw, refused, scene = random.Random(seed), [], scene_file(seed)
+    while True:
+        chosen = {"Wheelset/Traction coefficient": "0", **contact_entries(draw), "Output/Folder": scene[:-4]}
+        options = as_options(chosen)
+        half, why = contact(program, scene, "half-spaces", options)
+        if half:
+            break
+        if "\n" in why or not why:
+            return {"fault": why, "entries": chosen}
+        refused.append(why)
+    result = {"entries": chosen, "refused": refused, "halfspaces": half["verdict"], "doubts": half["doubts"]}
+    real, why = contact(program, scene, "real", options)
+    result["bodies"] = real["verdict"] if real else why
+    if real and real["finished"] and half["max_pressure_Pa"]:
+        result["miss"] = half["max_pressure_Pa"] / real["max_pressure_Pa"] - 1
+    if half["verdict"] == "trusted" and not abs(result.get("miss", 1)) <= HELD:
+        result["fault"] = f"trusted, {100 * result.get('miss', math.nan):+.1f} %"
+    return result
+
+
+def dent_table(draw, depth, length):
+    """A dent d cos^2(pi z / l) as a table [mm] in some form, as a text."""
+    decimal, unit = draw.choice(".,"), draw.choice(["mm", "um", "m"])
+    separator = draw.choice([";", "\t"] if decimal == "," else [",", ";", "\t", " "])
+    along = draw.choice(["mm", "m"])
+    places = [length * (k / 80 - 0.5) for k in range(81)]
+    if draw.random() < 0.5:  # unequal spacing
+        places = sorted([places[0], places[-1]] + [z + draw.uniform(-0.3, 0.3) * length / 80 for z in places[1:-1]])
+    per_mm = {"mm": 1, "m": 1e-3, "um": 1e3}
+    rows = [(z * per_mm[along], -depth * math.cos(math.pi * z / length) ** 2 * per_mm[unit]) for z in places]
+    form = draw.choice(["{}_{}", "{} [{}]", "{} ({})"])
+    names = [form.format("along", along), form.format("height", unit)]
+    turned = draw.random() < 0.5
+    if draw.random() < 0.3:
+        draw.shuffle(rows)
+    if separator == " ":
+        names = [name.replace(" ", "_").replace("[", "").replace("]", "").replace("(", "").replace(")", "") for name in names]
+    lines = [separator.join(reversed(names) if turned else names)]
+    for row in rows:
+        values = [f"{value:.9f}".replace(".", decimal) for value in row]
+        lines.append(separator.join(reversed(values) if turned else values))
+    return "\n".join(lines) + "\n"
+
+
+def heights(program, seed):
+    draw, scene = random.Random(seed), scene_file(seed)
+    depth, length = log_uniform(draw, 0.02, 0.3), draw.uniform(40, 120)
+    table = dent_table(draw, depth, length)
+    with open(f"dent_{seed}.csv", "w") as file:
+        file.write(table)
+    common = {"Wheelset/Traction coefficient": "0", "Irregularity 1/Place": "100 mm", "Half-space/Element size": "1 mm",
+              "Output/Folder": scene[:-4]}
+    found = []
+    for own in ({"Irregularity 1/Kind": "file", "Irregularity 1/File": f"dent_{seed}.csv"},
+                {"Irregularity 1/Kind": "dent", "Irregularity 1/Depth": f"{depth} mm", "Irregularity 1/Length": f"{length} mm"}):
+        code, screen = execute(program, "halfspace", scene, "--no-pictures", "--places", "100,110 mm", *as_options({**common, **own}))
+        if code == 1 and sentence_of(screen):
+            return {"refused": [sentence_of(screen)], "table": table[:200]}
+        if code != 0:
+            return {"fault": screen[-1000:], "table": table[:200]}
+        with open(scene[:-4] + "-halfspace/places.csv") as file:
+            found.append([[float(row[key]) for key in ("max_pressure_Pa", "wheel_drop_m")] for row in csv.DictReader(file)])
+    miss = max(abs(a / b - 1) for one, other in zip(*found) for a, b in zip(one, other))
+    return {"miss": miss, "table": table[:200], **({"fault": f"{100 * miss:.1f} % off"} if miss > 0.01 else {})}
+
+
+def damaged(draw, data, other):
+    """Bytes of a kept table, damaged."""
+    kind, at = draw.choice(["flip", "zero", "cut", "add", "swap", "empty"]), draw.randrange(len(data))
+    if kind == "flip":
+        return data[:at] + bytes([data[at] ^ (1 << draw.randrange(8))]) + data[at + 1:]
+    if kind == "zero":
+        return data[:at] + bytes(len(data) - at)
+    if kind == "swap":
+        return other
+    return {"cut": data[:at], "add": data + bytes(draw.randrange(1, 100)), "empty": b""}[kind]
+
+
+def caches(program, seed):
+    draw, scene = random.Random(seed), scene_file(seed)
+    folder = os.path.abspath(f"cache_{seed}")
+    os.environ["WHEELRAIL_CACHE"] = folder
+    options = as_options({"Half-space/Element size": "1 mm", "Output/Folder": scene[:-4]})
+    first, why = contact(program, scene, "real", options)
+    tables = sorted(glob.glob(f"{folder}/body-*.h5"))
+    if not first or len(tables) != 2:
+        return {"fault": why or f"{len(tables)} tables"}
+    whole = [open(path, "rb").read() for path in tables]
+    which = draw.randrange(2)
+    with open(tables[which], "wb") as file:
+        file.write(damaged(draw, whole[which], whole[1 - which]))
+    again, why = contact(program, scene, "real", options)
+    shutil.rmtree(folder)
+    same = again and again["max_pressure_Pa"] == first["max_pressure_Pa"] and again["creepage"] == first["creepage"]
+    return {"miss": 0} if same else {"fault": why or f"{again['max_pressure_Pa']:.6g} in place of {first['max_pressure_Pa']:.6g} Pa"}
+
+
+def known(path):
+    if not os.path.exists(path):
+        return {}
+    with open(path) as lines:
+        return {result["seed"]: result for result in map(json.loads, lines)}
+
+
+def print_grades(results):
+    for word in ("trusted", "with care", "not trusted"):
+        misses = [100 * result["miss"] for result in results if result.get("halfspaces") == word and "miss" in result]
+        if misses:
+            print(f"{word:11} {len(misses):4}: {min(misses):+.1f} to {max(misses):+.1f} % of the true bodies")
+
+
+def main():
+    program, family, first, last = os.path.abspath(sys.argv[1]), sys.argv[3], int(sys.argv[4]), int(sys.argv[5])
+    path = f"{family}.jsonl"
+    for seed in range(first, last + 1):
+        if seed not in known(path):
+            result = {"halfspaces": halfspaces, "heights": heights, "caches": caches}[family](program, seed)
+            with open(path, "a") as file:
+                file.write(json.dumps({"seed": seed, **result}) + "\n")
+            for left in glob.glob(f"contact_{seed}*") + glob.glob(f"dent_{seed}.csv"):
+                shutil.rmtree(left) if os.path.isdir(left) else os.remove(left)
+    results = {seed: result for seed, result in known(path).items() if first <= seed <= last}
+    for seed, result in sorted(results.items()):
+        check("fault" not in result, f"seed {seed}: {result.get('fault', 'well')}")
+    print(f"{sum(1 for result in results.values() if 'miss' not in result)} of {len(results)} not compared")
+    print_grades(results.values())
+    finish()
+
+
+if __name__ == "__main__":
+    main()
