@@ -105,7 +105,7 @@ namespace
         points.push_back(p);
     check_text(message_of([&]() { joined_rail(points); }),
                "p.txt: neither side of the head reaches 14 mm below the top, where the gauge is measured; a "
-               "profile that goes deeper is needed",
+               "profile that goes deeper is needed, or Profiles/Rail origin (for half-spaces)",
                "no side of the head");
     points.clear();
     for (const Point2 &p : head())

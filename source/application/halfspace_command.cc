@@ -1,3 +1,4 @@
+#include <wheelrail/application/command_scene.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/halfspace_results.h>
 #include <wheelrail/application/report_script.h>
@@ -99,11 +100,12 @@ namespace wheelrail
     if (!given)
       print_left_out(scene, out);
     WheelRailSolution result;
-    const std::string why  = solve_with_bodies(scene, [&]() {
+    const std::string why = solve_with_bodies(scene, [&]() {
       result = given ? solve_given_distance(scene, geometry)
-                      : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
+                     : solve_wheel_rail(scene, *geometry, load, scene_offsets(scene));
     });
-    const bool        real = scene.halfspace_bodies == ContactBodies::real;
+    print_notes(result.notes, out);
+    const bool real = scene.halfspace_bodies == ContactBodies::real;
     if (!given)
       hold_against_bodies(scene, *geometry, result);
     HalfspaceResults results = halfspace_results(scene, result);

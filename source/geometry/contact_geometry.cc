@@ -38,7 +38,7 @@ namespace wheelrail
     constexpr double steepest_slope = 20;
 
     /// The last parameter of the tread, going down the flange, with a slope of 45 degrees or more:
-    /// beyond it the wheel has climbed and stands on its flange.
+    /// beyond it the wheel has climbed and stands on its flange. The end of a tread without such a flank.
     double
     find_flank_end(const Curve &tread)
     {
@@ -61,7 +61,7 @@ namespace wheelrail
                 }
             }
         }
-      return found;
+      return found > 0 ? found : tread.parameter_end();
     }
 
     std::vector<GapMinimum>

@@ -50,6 +50,11 @@ namespace wheelrail
         top = std::max(top, placement.to_track(position_on(g, t0)).y);
       }
 
+    if (rail.placed)
+      {
+        placement.origin = {0, -top};
+        return placement;
+      }
     const auto above = [&](const Point2 &p) { return placement.to_track(p).y - (top - track.gauge_height); };
     double     gauge_side = -std::numeric_limits<double>::max();
     for (const double t : head.roots(above, 0, head.parameter_end()))

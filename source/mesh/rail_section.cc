@@ -305,6 +305,10 @@ namespace wheelrail
       throw InputError("The rail section cannot be divided into blocks of " + in_mm(block_size) +
                        ": a positive block size is needed, 16 mm is usual.");
 
+    if (profile.outline.segments().empty())
+      throw InputError("Rail '" + profile.name +
+                       "' is a crown without sides: only half-spaces take it (halfspace with "
+                       "Half-space/Bodies = half-spaces). Give a head with its sides.");
     Rail rail;
     rail.head        = {std::make_shared<const Curve>(profile.head), 1, 0};
     rail.outline     = {std::make_shared<const Curve>(profile.outline), 1, 0};

@@ -130,6 +130,10 @@ namespace wheelrail
   WheelSectionOutline
   make_wheel_section_outline(const WheelProfile &profile, const WheelDimensions &dimensions)
   {
+    if (profile.crown)
+      throw InputError("Wheel '" + profile.name +
+                       "' is a crown without flange: only half-spaces take it (halfspace with "
+                       "Half-space/Bodies = half-spaces). Give a tread with its flange.");
     check_dimensions(dimensions,
                      profile.tread.at(0).position.x -
                        profile.tread.at(profile.tread.parameter_end()).position.x);

@@ -45,10 +45,12 @@ namespace wheelrail
     {
       if (!is_file_name(scene.wheel_profile))
         return wheel_profile(scene.wheel_profile);
+      ProfileFileOptions options = scene.wheel_file;
+      options.placed             = scene.wheel_origin == WheelOrigin::running_circle;
       return from_file(
         entry_of(scene, "Wheel", scene.wheel_profile, scene.left_wheel_profile),
         scene.wheel_profile,
-        scene.wheel_file,
+        options,
         [&](const MeasuredProfile &measured, std::vector<std::string> &more) {
           return measured_wheel(measured, scene.wheel.rim_width, more, scene.wheel_origin);
         },

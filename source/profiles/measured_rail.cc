@@ -69,7 +69,7 @@ namespace wheelrail
       const std::string depth = in_mm(side_depth) + " below the top, where the gauge is measured; a profile ";
       if (!marks.field && !marks.gauge)
         throw InputError(profile.file + ": neither side of the head reaches " + depth +
-                         "that goes deeper is needed");
+                         "that goes deeper is needed, or Profiles/Rail origin (for half-spaces)");
       if (!marks.gauge)
         throw InputError(profile.file + ": only the field side of the head reaches " + depth +
                          "that goes deeper on the gauge side is needed (when the sides are exchanged, set "
@@ -241,13 +241,25 @@ namespace wheelrail
   measured_rail(const MeasuredProfile &profile, const std::string &body_name, std::vector<std::string> &notes)
   {
     const HeadMarks marks = marks_of(profile.curve);
+    if (profile.crown)
+      {
+        notes.push_back(
+          "a crown without sides, which half-spaces alone take: its x = 0 lies on the running "
+          "circle, its top at y = 0");
+        std::vector<Segment> head;
+        for (const Segment &g : profile.curve.segments())
+          head.push_back(moved(g, {0, -marks.top}));
+        return {profile.file, {}, 0, true, Curve(head)};
+      }
     check_gauge_side(marks, profile);
-    const RailProfile body      = choose_body(profile, marks, body_name, notes);
-    const Point2      move      = find_move(marks, body, notes);
-    const auto        head      = running_part(profile.curve, move, body);
-    const Point2      field_end = head.front().start, gauge_end = head.back().end;
-    const auto        field = lower_part(body, field_end, profile.file, "field", notes);
-    const auto        gauge =
+    const RailProfile body = choose_body(profile, marks, body_name, notes);
+    const Point2      move = profile.placed ? Point2{0, -marks.top} : find_move(marks, body, notes);
+    if (profile.placed)
+      notes.push_back("moved by " + in_mm(move.y) + ": top to y = 0; x = 0 lies on the running circle");
+    const auto   head      = running_part(profile.curve, move, body);
+    const Point2 field_end = head.front().start, gauge_end = head.back().end;
+    const auto   field = lower_part(body, field_end, profile.file, "field", notes);
+    const auto   gauge =
       on_gauge_side(lower_part(body, {-gauge_end.x, gauge_end.y}, profile.file, "gauge", notes));
     notes.push_back("joined to the sides of " + body.name + " " + in_mm(-field_end.y, 10) +
                     " (field side) and " + in_mm(-gauge_end.y, 10) +
@@ -271,6 +283,7 @@ namespace wheelrail
     rail.outline = Curve(outline);
     rail.head    = Curve(running);
     rail.height  = body.height;
+    rail.placed  = profile.placed;
     return rail;
   }
 } // namespace wheelrail

@@ -104,7 +104,10 @@ namespace wheelrail
       const Curve &tread  = profile.curve;
       const Flange flange = flange_of(tread);
       double       x      = 0;
-      if (origin == WheelOrigin::automatic)
+      if (profile.crown)
+        notes.push_back(
+          "a crown without flange, which half-spaces alone take: its x = 0 is the running circle");
+      else if (origin == WheelOrigin::automatic)
         x = lateral_move(flange, profile.file, notes);
       else
         {
@@ -213,6 +216,8 @@ namespace wheelrail
     std::vector<Segment> pieces;
     for (const Segment &g : profile.curve.segments())
       pieces.push_back(moved(g, move));
+    if (profile.crown)
+      return {profile.file, Curve(pieces), true};
     const Point2 tip = flange_tip(profile.curve) + move;
     finish_field_side(pieces, rim_width - circle_distance, notes);
     finish_back(pieces, tip, profile.file, notes);

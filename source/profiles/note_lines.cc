@@ -20,7 +20,8 @@ namespace wheelrail
                           "joined to",
                           " side ends ",
                           "continued ",
-                          "cut at the rim face"};
+                          "cut at the rim face",
+                          "crown"};
     const Words mended = {"outlier",
                           " bridged",
                           "step of ",

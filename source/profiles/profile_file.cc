@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/profiles/profile_cleaning.h>
+#include <wheelrail/profiles/profile_crown.h>
 #include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/profiles/profile_orientation.h>
 #include <wheelrail/profiles/profile_outliers.h>
@@ -167,6 +168,30 @@ namespace wheelrail
                                 " kept");
       profile.curve = curve;
     }
+    /// Turned as its kind is, a crown as its format is: y out of a roller, else up.
+    std::vector<FilePoint>
+    oriented(std::vector<FilePoint>    points,
+             const FileContent        &content,
+             const std::string        &file,
+             const ProfileFileOptions &options,
+             MeasuredProfile          &profile)
+    {
+      const bool wheel = options.kind == ProfileKind::wheel;
+      if (options.roller)
+        return oriented_crown(std::move(points), content.down && !wheel, ProfileMirror::no, 1, profile.notes);
+      if (options.placed)
+        {
+          std::vector<FilePoint> upright = points;
+          for (FilePoint &p : upright)
+            p.position.y *= content.down ? -1 : 1;
+          profile.crown = is_crown(upright, options.kind);
+        }
+      if (profile.crown)
+        return oriented_crown(std::move(points), content.down, options.mirror, wheel ? -1 : 1, profile.notes);
+      return wheel
+               ? oriented_wheel(std::move(points), file, options.mirror, profile.notes)
+               : oriented_rail(std::move(points), file, options.mirror, content.gauge_right, profile.notes);
+    }
   } // namespace
 
 
@@ -183,19 +208,17 @@ namespace wheelrail
     FileContent content = parse_profile_text(text, file);
     check_kind(content, file, options.kind);
     MeasuredProfile profile;
-    profile.kind  = options.kind;
-    profile.file  = file;
-    profile.notes = {content.format + ", " + counted(content.listed, "point")};
+    profile.kind   = options.kind;
+    profile.placed = options.placed;
+    profile.file   = file;
+    profile.notes  = {content.format + ", " + counted(content.listed, "point")};
     profile.notes.insert(profile.notes.end(), content.notes.begin(), content.notes.end());
     const double unit = find_unit(content, file, options, profile.notes);
     for (FilePoint &p : content.points)
       p.position = unit * p.position;
 
     std::vector<FilePoint> points = cleaned_points(content.points, file, profile.notes);
-    profile.points                = options.roller ? oriented_roller(points, profile.notes)
-                                    : options.kind == ProfileKind::wheel
-                                      ? oriented_wheel(points, file, options.mirror, profile.notes)
-                                      : oriented_rail(points, file, options.mirror, content.gauge_right, profile.notes);
+    profile.points                = oriented(points, content, file, options, profile);
     smooth(profile, options.noise);
     return profile;
   }

@@ -51,6 +51,7 @@ namespace wheelrail
     LeftOut      left_out;
     std::size_t  free       = 0;
     content.format          = "MiniProf";
+    content.down            = true;
     content.metres_per_unit = 1e-3;
     content.gauge_right     = true;
     for (std::size_t i = 0; i < begin; ++i)

@@ -205,21 +205,6 @@ namespace wheelrail
 
 
   std::vector<FilePoint>
-  oriented_roller(std::vector<FilePoint> points, std::vector<std::string> &notes)
-  {
-    start_at_field_side(points, notes);
-    const Point2 from = points.front().position, chord = points.back().position - from;
-    double       out = 0; // of all points over the line between the ends, twice an area
-    for (const FilePoint &p : points)
-      out += cross(p.position - from, chord);
-    // the ends lie at +x and -x: what lies above the line is on its right
-    if (out < 0)
-      turn_over(points, notes);
-    return points;
-  }
-
-
-  std::vector<FilePoint>
   oriented_wheel(std::vector<FilePoint>    points,
                  const std::string        &file,
                  const ProfileMirror       mirror,

@@ -164,6 +164,7 @@ namespace wheelrail
     LeftOut      left_out;
     bool         in_spline = false, inside = false, ended = false;
     content.format = "SIMPACK";
+    content.down   = true;
     for (const Line &whole : lines)
       {
         const Line        line{without_comment(whole.text, "!"), whole.number};

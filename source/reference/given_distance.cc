@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace wheelrail
 {
@@ -26,6 +27,8 @@ namespace wheelrail
       double                                lowest = 0, lowest_x = 0, lowest_y = 0; ///< [m]
       double                                width =
         0; ///< of a body that ends at its sides, in the middle of which y = 0 lies; 0: it does not
+      std::function<double(double)> middle = {}; ///< height of the surfaces over y [m]; none: flat
+      std::vector<std::string>      notes  = {}; ///< of files
     };
 
     GivenSurfaces
@@ -47,7 +50,9 @@ namespace wheelrail
               rollers.lowest,
               0,
               rollers.lowest_at,
-              scene.roller_width};
+              scene.roller_width,
+              rollers.middle,
+              rollers.notes};
     }
 
     GivenSurfaces
@@ -121,6 +126,25 @@ namespace wheelrail
                 j0 = std::max(index(1.2 * y0 - 0.2 * y1) - 2, index(surfaces.y_min) + 1),
                 j1 = std::min(index(1.2 * y1 - 0.2 * y0) + 3, index(surfaces.y_max));
       return {i1 - i0 + 1, j1 - j0 + 1, h, h, i0 * h, j0 * h};
+    }
+
+    /// By how much the surfaces turn from one side of the patch to the other [rad].
+    double
+    turn_across(const GivenSurfaces &surfaces, const HalfspaceSolution &solution)
+    {
+      if (!surfaces.middle)
+        return 0;
+      double least = HUGE_VAL, largest = -HUGE_VAL;
+      for (int j = 0; j < solution.grid.my; ++j)
+        for (int i = 0; i < solution.grid.mx; ++i)
+          if (solution.pressure[i + solution.grid.mx * j] > 0)
+            {
+              const double y = solution.grid.y(j), step = 0.5 * solution.grid.dy;
+              const double slope = (surfaces.middle(y + step) - surfaces.middle(y - step)) / (2 * step);
+              least              = std::min(least, std::atan(slope));
+              largest            = std::max(largest, std::atan(slope));
+            }
+      return std::max(0., largest - least);
     }
 
     /// The normal problem, on a grid that is enlarged until the contact keeps off its edge or all that is
@@ -218,6 +242,8 @@ namespace wheelrail
         problem.xi                       = result.solution.xi;
       }
     result.spin     = problem.phi;
+    result.turn     = turn_across(surfaces, normal);
+    result.notes    = surfaces.notes;
     result.vertical = result.solution.fn;
     result.lateral  = -result.solution.fy;
     result.patch    = halfspace_patch(result.solution);

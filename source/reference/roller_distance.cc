@@ -2,6 +2,7 @@
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/frame_profile.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/profiles/note_lines.h>
 #include <wheelrail/reference/roller_distance.h>
 
 #include <algorithm>
@@ -29,7 +30,10 @@ namespace wheelrail
 
     /// How far the crown of a profile file lies below y = 0 of the file.
     Height
-    crown_of_file(const Scene &scene, const std::string &entry, const bool wheel)
+    crown_of_file(const Scene              &scene,
+                  const std::string        &entry,
+                  const bool                wheel,
+                  std::vector<std::string> &notes)
     {
       const std::string name     = wheel ? "Wheel" : "Rail",
                         &path    = wheel ? scene.wheel_profile : scene.rail_profile;
@@ -55,6 +59,8 @@ namespace wheelrail
               path + ": the crown reaches from " + in_mm(low) + " to " + in_mm(high) + "; " +
               entry_text(scene, "Half-space", "Roller width") +
               " needs as much on both sides of 0: give a smaller width, or move the origin of the file");
+          for (const std::string &note : note_lines(crown.notes))
+            notes.push_back("Profiles/" + name + " = " + path + ": " + note);
           return [heights, at](const double y) { return -heights->at(y - at).n; };
         }
       catch (const InputError &error)
@@ -64,13 +70,13 @@ namespace wheelrail
     }
 
     Height
-    height_of(const Scene &scene, const bool wheel)
+    height_of(const Scene &scene, const bool wheel, std::vector<std::string> &notes)
     {
       const RollerShape &shape = wheel ? scene.wheel_roller : scene.rail_roller;
       const std::string  entry = wheel ? "Wheel roller crown" : "Rail roller crown";
       if (shape.crown == 0)
         return [](double) { return 0.; };
-      return shape.crown > 0 ? arc(scene, entry, shape.crown) : crown_of_file(scene, entry, wheel);
+      return shape.crown > 0 ? arc(scene, entry, shape.crown) : crown_of_file(scene, entry, wheel, notes);
     }
 
     double
@@ -89,12 +95,13 @@ namespace wheelrail
       throw InputError(
         "Half-space/Wheel roller radius = straight: and so is Half-space/Rail roller radius; one of "
         "them must roll");
-    const Height   wheel = height_of(scene, true), rail = height_of(scene, false);
     RollerDistance rollers;
+    const Height wheel = height_of(scene, true, rollers.notes), rail = height_of(scene, false, rollers.notes);
     rollers.radius_along = 1 / along;
     rollers.high         = 0.5 * scene.roller_width;
     rollers.low          = -rollers.high;
     rollers.across       = [wheel, rail](const double y) { return wheel(y) + rail(y); };
+    rollers.middle       = [wheel, rail](const double y) { return 0.5 * (wheel(y) - rail(y)); };
     rollers.lowest       = std::numeric_limits<double>::max();
     constexpr int n      = 2000;
     for (int k = 0; k <= n; ++k)

@@ -9,12 +9,14 @@ namespace wheelrail
 {
   /// A rail section in its own frame: origin at the top of the un-inclined rail on the symmetry
   /// axis, x positive to the field side, y up [m]. The outline is closed and runs clockwise from
-  /// the crown over the field side (x > 0), the base, and the gauge side back to the crown.
+  /// the crown over the field side (x > 0), the base, and the gauge side back to the crown. Of a crown
+  /// without sides it is empty: half-spaces alone take it.
   struct RailProfile
   {
     std::string name;
     Curve       outline;
-    double      height = 0; ///< [m]
+    double      height = 0;     ///< [m]
+    bool        placed = false; ///< x = 0 lies on the nominal running circle, wherever the gauge side is
 
     /// Running surface: open curve from the lower field-side corner of the head over the crown to
     /// the lower gauge-side corner, running towards the track centre (x descending). Curvature is
@@ -31,6 +33,7 @@ namespace wheelrail
   {
     std::string name;
     Curve       tread;
+    bool        crown = false; ///< without flange: half-spaces alone take it
   };
 
   /// Section properties of a closed outline [SI].

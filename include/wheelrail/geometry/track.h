@@ -43,7 +43,8 @@ namespace wheelrail
   /// Rail placement: the track plane has X = 0 at the nominal running circle (half the flange-back
   /// distance plus 70 mm from the track centre), X positive to the track centre, and Y = 0 at the
   /// highest point of the inclined rail head. The gauge side of the head cuts the height
-  /// Y = -gauge_height at half the gauge from the track centre.
+  /// Y = -gauge_height at half the gauge from the track centre; of a rail that is `placed` the origin of the
+  /// section has X = 0 instead.
   /// Throws InputError when the head has no point at that height.
   Placement
   place_rail(const RailProfile &rail, const TrackDimensions &track);

@@ -41,6 +41,7 @@ namespace wheelrail
     ProfileUnit   unit   = ProfileUnit::automatic;
     double        noise  = -1;    ///< standard deviation to smooth away [m]; negative: that of the points
     bool          roller = false; ///< the crown of a test rig's roller, without flange or gauge side
+    bool          placed = false; ///< the scene says where its origin lies: flange or sides may lack
   };
 
   /// A profile from a file, checked, turned, cleaned and smoothed.
@@ -48,10 +49,12 @@ namespace wheelrail
   {
     ProfileKind              kind = ProfileKind::rail;
     std::string              file;
-    std::vector<FilePoint>   points;    ///< cleaned, in the order of the curve [m]
-    Curve                    curve;     ///< smoothed; from the field side to the gauge side or flange back
-    double                   noise = 0; ///< standard deviation that was smoothed away [m]
-    std::vector<std::string> notes;     ///< what was found and what was done, one sentence each
+    std::vector<FilePoint>   points;     ///< cleaned, in the order of the curve [m]
+    Curve                    curve;      ///< smoothed; from the field side to the gauge side or flange back
+    double                   noise  = 0; ///< standard deviation that was smoothed away [m]
+    bool                     placed = false; ///< by the scene, see ProfileFileOptions
+    bool                     crown  = false; ///< and without flange or sides
+    std::vector<std::string> notes;          ///< what was found and what was done, one sentence each
   };
 
   /// Whether a value that may be a name of the program's own (of a standard profile, say) means a file: it
@@ -63,7 +66,7 @@ namespace wheelrail
   /// into x positive to the field side, y up, running from the field side to the gauge side (rail:
   /// the head down to at most 35 mm below its top) or to the flange back (wheel). The origin stays
   /// that of the file; measured_rail() and measured_wheel() move it. The crown of a roller runs from its
-  /// largest x to its smallest, y pointing out of the roller.
+  /// largest x to its smallest, y pointing out of the roller, as do crowns without flange or sides, y up.
   ///
   /// Throws InputError that names the file, the line where one is to blame, what was found, what is
   /// accepted and what to do. Returns or throws for any bytes in a time that their number bounds.

@@ -35,6 +35,7 @@ namespace wheelrail
     ProfileKind              kind            = ProfileKind::rail; ///< when stated
     unsigned int             kind_line       = 0;                 ///< where
     bool                     gauge_right = false; ///< by the habit of the format x grows to the gauge side
+    bool                     down        = false; ///< by the habit of the format y points down
     std::vector<std::string> notes;               ///< what was done and what was found, for the log
   };
 

@@ -19,12 +19,6 @@ namespace wheelrail
                  ProfileMirror             mirror,
                  std::vector<std::string> &notes);
 
-  /// The points of a roller's crown [m] from the largest x to the smallest, y pointing out of the roller: to
-  /// the side where the middle stands out over the line between the ends. Adds a sentence for everything
-  /// changed.
-  std::vector<FilePoint>
-  oriented_roller(std::vector<FilePoint> points, std::vector<std::string> &notes);
-
   /// The points of a rail head [m] with x positive to the field side, y up, running from the field
   /// side to the gauge side, down to at most 35 mm below the top. Which side is the gauge side
   /// cannot be seen: with ProfileMirror::automatic x is mirrored when `gauge_right` says that it

@@ -62,9 +62,10 @@ namespace wheelrail
     double       bodies_effect = Measures::none; ///< of half-spaces, see hold_against_bodies()
     SurfaceKinks kinks;                          ///< of the surfaces under pressure
     std::string  made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
-    double       time         = 0;       ///< computing time [s]
-    int          enlargements = 0;       ///< of the grid, until the contact did not touch its edge
-    std::array<BodyLoads, 2> body_loads; ///< of true bodies: on the rail, on the wheel
+    std::vector<std::string> notes;            ///< what was done to files that were read for it
+    double                   time         = 0; ///< computing time [s]
+    int                      enlargements = 0; ///< of the grid, until the contact did not touch its edge
+    std::array<BodyLoads, 2> body_loads;       ///< of true bodies: on the rail, on the wheel
     /// Patches beside this one, in planes of their own. What stands above is of one patch each.
     std::vector<WheelRailSolution> others;
   };
