@@ -14,7 +14,9 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace wheelrail;
@@ -205,6 +207,105 @@ namespace
       }
   }
 
+  /// Slices of the wheel of a scene with a smooth flat of 60 mm, 0.4 mm deep, at places along [m].
+  void
+  write_measured_flat(const std::string         &name,
+                      const Curve               &tread,
+                      const std::vector<double> &places,
+                      const int                  kind,
+                      const double               noise)
+  {
+    std::mt19937_64                  random(7);
+    std::normal_distribution<double> normal(0, noise);
+    std::ofstream                    slices(name + ".slcw");
+    slices << "0 1 offset, scale\n" << places.size() << " NSLC\n0 0 0\n" << kind << "\n";
+    const double radius = 0.46, length = 60e-3;
+    const double whole = tread.length(0, tread.parameter_end());
+    for (std::size_t k = 0; k < places.size(); ++k)
+      {
+        const double u     = places[k];
+        const double depth = std::abs(u) < 0.5 * length ? 0.2e-3 * (1 + std::cos(2 * M_PI * u / length)) : 0;
+        const std::string file = name + std::to_string(k) + ".txt";
+        char              line[80];
+        std::snprintf(line, sizeof line, "%.9f '%s'\n", u / radius, file.c_str());
+        slices << line;
+        std::ofstream out(file);
+        double        t = tread.advance(0, 8e-3);
+        for (double s = 8e-3; s < whole - 40e-3; s += 0.5e-3, t = tread.advance(t, 0.5e-3))
+          {
+            const CurvePoint p  = tread.at(t);
+            const double     up = depth + normal(random);
+            std::snprintf(line,
+                          sizeof line,
+                          "%.7f %.7f\n",
+                          1e3 * (p.position.x - up * p.tangent.y),
+                          -1e3 * (p.position.y + up * p.tangent.x));
+            out << line;
+          }
+      }
+  }
+
+  std::vector<double>
+  every(const double step)
+  {
+    std::vector<double> places;
+    for (double u = -60e-3; u < 60.001e-3; u += step)
+      places.push_back(u);
+    return places;
+  }
+
+  std::vector<PlaceContact>
+  places_on(const std::string &file)
+  {
+    Scene scene;
+    scene.halfspace_element_size = 0.8e-3;
+    scene.irregularities[0].kind = IrregularKind::file;
+    scene.irregularities[0].file = file + ".slcw";
+    scene.irregularities[0].body = IrregularBody::wheel;
+    return solve_places(scene, make_geometry(scene), 100e3, parse_irregular_places("-24:24:12 mm", false));
+  }
+
+  /// The largest differences of drop [m] and, over it, of peak pressure.
+  std::pair<double, double>
+  differences(const std::vector<PlaceContact> &a, const std::vector<PlaceContact> &b)
+  {
+    std::pair<double, double> most{0, 0};
+    for (std::size_t k = 0; k < a.size(); ++k)
+      {
+        most.first  = std::max(most.first, std::abs(a[k].drop - b[k].drop));
+        most.second = std::max(most.second, std::abs(a[k].peak_pressure / b[k].peak_pressure - 1));
+      }
+    return most;
+  }
+
+  /// A flat that was measured with noise is the flat; unevenly spaced slices are the even ones.
+  void
+  test_measured_flats()
+  {
+    const Curve tread = make_geometry(Scene()).wheel.tread;
+    write_measured_flat("even", tread, every(1e-3), 1, 0);
+    const auto even = places_on("even");
+    for (const double step : {2e-3, 5e-3})
+      {
+        write_measured_flat("noisy", tread, every(step), 1, 10e-6);
+        const auto [drop, peak] = differences(places_on("noisy"), even);
+        const std::string at    = "10 um of noise, slices each " + std::to_string(1e3 * step) + " mm: ";
+        check_near(1e6 * drop, 0, 5, at + "drop [um]");
+        check_near(peak, 0, 0.02, at + "peak pressure");
+      }
+    std::vector<double> uneven;
+    for (double u = -60e-3, step = 1e-3; u < 60e-3; u += step, step = step == 1e-3 ? 3e-3 : 1e-3)
+      uneven.push_back(u);
+    for (const int kind : {1, 2})
+      {
+        write_measured_flat("uneven", tread, uneven, kind, 0);
+        const auto [drop, peak] = differences(places_on("uneven"), even);
+        const std::string at    = "slices 1 and 3 mm apart, kind " + std::to_string(kind) + ": ";
+        check_near(1e6 * drop, 0, 2, at + "drop [um]");
+        check_near(peak, 0, 0.01, at + "peak pressure");
+      }
+  }
+
   /// A long shallow hollow lowers the wheel by its depth, its slope pushes with load times slope, and a wave
   /// has the same contact at the next crest.
   void
@@ -314,6 +415,7 @@ main()
 {
   test_rounded_flat();
   test_smooth_files();
+  test_measured_flats();
   test_waves();
   test_together();
   test_strip();

@@ -43,8 +43,9 @@ namespace wheelrail
         throw InputError(data.file + ": slices of a " + (slices.wheel ? "wheel" : "rail") + " on the " +
                          (at.wheel ? "wheel" : "rail") + "; change Body");
       const Curve &curve = at.wheel ? profiles.wheel.tread : profiles.rail.head;
-      return slices_irregularity(
-        heights_of_slices(slices, curve, at.radius, data.file), at.size.place, at.circumference());
+      return slices_irregularity(heights_of_slices(slices, curve, at.radius, options.noise, data.file),
+                                 at.size.place,
+                                 at.circumference());
     }
 
     Irregularity

@@ -1,17 +1,13 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/base/read_file.h>
-#include <wheelrail/geometry/frame_profile.h>
 #include <wheelrail/profiles/profile_text.h>
 #include <wheelrail/profiles/slices_file.h>
-
-#include <gsl/gsl_spline.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -133,92 +129,6 @@ namespace wheelrail
       return text.substr(begin + 1, end - begin - 1);
     }
 
-    /// A curve through the points of a slice: cubic splines over the length of the chords.
-    class SliceCurve
-    {
-    public:
-      explicit SliceCurve(const std::vector<Point2> &points)
-        : length_{0}
-      {
-        std::vector<double> x{points.front().x}, y{points.front().y};
-        for (std::size_t k = 1; k < points.size(); ++k)
-          {
-            length_.push_back(length_.back() + norm(points[k] - points[k - 1]));
-            x.push_back(points[k].x);
-            y.push_back(points[k].y);
-          }
-        for (const auto &[spline, values] : {std::make_pair(&x_, &x), {&y_, &y}})
-          {
-            spline->reset(gsl_spline_alloc(gsl_interp_cspline, values->size()), gsl_spline_free);
-            gsl_spline_init(spline->get(), length_.data(), values->data(), values->size());
-          }
-        const auto [low, high] = std::minmax_element(x.begin(), x.end());
-        low_                   = *low;
-        high_                  = *high;
-      }
-
-      double
-      low() const
-      {
-        return low_;
-      }
-      double
-      high() const
-      {
-        return high_;
-      }
-
-      /// Over its chords [m].
-      double
-      length() const
-      {
-        return length_.back();
-      }
-
-      /// Where the line from `point` along `normal` meets the curve nearest, or misses an end of it by less
-      /// than `beside`: the way to it [m]; nothing where it does not within `reach`.
-      std::optional<double>
-      way_to(const Point2 &point, const Point2 &normal, const double reach, const double beside) const
-      {
-        std::optional<double> nearest;
-        const auto            side   = [&](const double s) { return cross(normal, at(s) - point); };
-        double                before = side(length_.front());
-        for (std::size_t k = 1; k < length_.size(); ++k)
-          {
-            const double now = side(length_[k]);
-            if ((before > 0) != (now > 0))
-              {
-                double a = length_[k - 1], b = length_[k], f = before;
-                for (double m = 0.5 * (a + b); m > a && m < b && b - a > 1e-15; m = 0.5 * (a + b))
-                  if (const double value = side(m); (value > 0) == (f > 0))
-                    a = m;
-                  else
-                    b = m;
-                const double way = dot(at(0.5 * (a + b)) - point, normal);
-                if (std::abs(way) < reach && (!nearest || std::abs(way) < std::abs(*nearest)))
-                  nearest = way;
-              }
-            before = now;
-          }
-        for (const double end : {length_.front(), length_.back()})
-          if (const Point2 d = at(end) - point;
-              !nearest && std::abs(cross(normal, d)) < beside && std::abs(dot(normal, d)) < reach)
-            nearest = dot(normal, d);
-        return nearest;
-      }
-
-    private:
-      Point2
-      at(const double s) const
-      {
-        return {gsl_spline_eval(x_.get(), s, nullptr), gsl_spline_eval(y_.get(), s, nullptr)};
-      }
-
-      std::vector<double>         length_;
-      std::shared_ptr<gsl_spline> x_, y_;
-      double                      low_ = 0, high_ = 0;
-    };
-
     void
     read_slices(SlicesText &text, const std::string &path, const ProfileUnit unit, Slices &slices)
     {
@@ -274,75 +184,5 @@ namespace wheelrail
     SlicesText text(path);
     read_slices(text, path, unit, slices);
     return slices;
-  }
-
-
-  HeightGrid
-  heights_of_slices(const Slices &slices, const Curve &profile, const double radius, const std::string &path)
-  {
-    // `beside`: what a normal may miss the end of a slice by that is moved or tilted against the profile
-    constexpr double        spacing = 0.5e-3, reach = 5e-3, beside = 0.2e-3, least = 10e-3, steepest = 4;
-    std::vector<SliceCurve> curves;
-    HeightGrid              grid;
-    for (const Slices::Slice &slice : slices.slices)
-      {
-        curves.emplace_back(slice.points);
-        grid.along.push_back(slices.wheel ? radius * slice.along : slice.along);
-      }
-    // s of this frame is minus x of the section
-    const FrameProfile base(profile, Placement(), ContactFrame(), steepest);
-    double             low = -base.s_max(), high = -base.s_min();
-    for (const SliceCurve &curve : curves)
-      {
-        low  = std::max(low, curve.low());
-        high = std::min(high, curve.high());
-      }
-    if (!(high - low > least))
-      throw InputError(path + ": slices and profile lie beside each other over less than " + in_mm(least) +
-                       "; their lateral origins must be the same, y to the field side");
-    // as CONTACT divides the longest slice: between its points a spline rings beside kinks, and the pressure
-    // there depends on where they lie
-    double longest = 0;
-    for (const SliceCurve &curve : curves)
-      longest = std::max(longest, curve.length());
-    const int n = 1 + static_cast<int>(std::floor(longest / spacing));
-    for (int i = 0; i <= n; ++i)
-      grid.across.push_back(low + (high - low) * i / n);
-    for (const double x : grid.across)
-      {
-        const CurvePoint p = profile.at(base.parameter(-x));
-        const Point2     normal =
-          slices.wheel ? Point2{-p.tangent.y, p.tangent.x} : Point2{p.tangent.y, -p.tangent.x};
-        for (std::size_t k = 0; k < curves.size(); ++k)
-          {
-            const auto way = curves[k].way_to(p.position, normal, reach, beside);
-            if (!way)
-              throw InputError(path + ": slice " + std::to_string(k + 1) + " is more than " + in_mm(reach) +
-                               " away from the profile at " + in_mm(x) +
-                               "; slices have y to the field side and z down, and the origin of the profile");
-            grid.height.push_back(*way);
-          }
-      }
-    if (slices.smoothed)
-      {
-        // heights are control points of a uniform cubic B-spline, continued along a line at the ends
-        const std::size_t m = grid.along.size();
-        for (std::size_t row = 0; row < grid.height.size(); row += m)
-          {
-            const std::vector<double> control(grid.height.begin() + row, grid.height.begin() + row + m);
-            for (std::size_t k = 1; k + 1 < m; ++k)
-              grid.height[row + k] = (control[k - 1] + 4 * control[k] + control[k + 1]) / 6;
-          }
-      }
-    return grid;
-  }
-
-
-  Irregularity
-  slices_irregularity(const HeightGrid &heights, const double place, const double circumference)
-  {
-    Irregularity shape = grid_irregularity(heights, place, 0, circumference);
-    shape.endless      = true;
-    return shape;
   }
 } // namespace wheelrail

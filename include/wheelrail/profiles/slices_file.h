@@ -35,10 +35,15 @@ namespace wheelrail
   is_slices_file(const std::string &path);
 
   /// The heights of slices over a profile, along its outward normal: each 0.5 mm across where slices and
-  /// profile lie beside each other. `radius` of the circle on which the arcs of a wheel count [m]. Throws
+  /// profile lie beside each other, smoothed across and along as profiles are. `radius` of the circle on
+  /// which the arcs of a wheel count [m], `noise` of the points [m] (negative: as found in them). Throws
   /// InputError where a slice is more than 5 mm away from the profile or narrower than 10 mm of it.
   HeightGrid
-  heights_of_slices(const Slices &slices, const Curve &profile, double radius, const std::string &path);
+  heights_of_slices(const Slices      &slices,
+                    const Curve       &profile,
+                    double             radius,
+                    double             noise,
+                    const std::string &path);
 
   /// The irregularity of such heights: before the first slice and behind the last one they stay.
   Irregularity

@@ -1,0 +1,243 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/geometry/frame_profile.h>
+#include <wheelrail/profiles/profile_outliers.h>
+#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/profiles/smoothing_spline.h>
+
+#include <gsl/gsl_spline.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Heights over places, ascending [m].
+    using Heights = std::vector<Point2>;
+
+    /// Standard deviation of heights where they are noisiest: parts of 24 mm that are exact, as a flange from
+    /// a drawing, do not lower it [m].
+    double
+    largest_noise(const Heights &heights)
+    {
+      constexpr double      window = 24e-3;
+      constexpr std::size_t least  = 20;
+      double                noise  = estimated_noise(heights);
+      for (std::size_t first = 0, last = 0; last < heights.size();
+           first += std::max<std::size_t>(1, least / 2))
+        {
+          last = std::min(first + least, heights.size());
+          while (last < heights.size() && heights[last].x < heights[first].x + window)
+            ++last;
+          if (last - first >= least)
+            noise = std::max(noise, estimated_noise({heights.begin() + first, heights.begin() + last}));
+        }
+      return noise;
+    }
+
+    /// In the spline of heights over places (smoothing_spline()) lengths count a third where there is noise:
+    /// what deviates from a profile is longer than the arcs of a profile.
+    constexpr double most_stretch = 3;
+
+    /// Of noise across [m].
+    double
+    stretch_of(const double noise)
+    {
+      return std::clamp(std::sqrt(noise / 1e-6), 1., most_stretch);
+    }
+
+    /// The heights without their noise [m], at other places; beyond the ends those of the ends.
+    std::vector<double>
+    smoothed(Heights heights, const double noise, const double stretch, const std::vector<double> &places)
+    {
+      for (Point2 &p : heights)
+        p.x /= stretch;
+      const std::vector<Segment> pieces = smoothing_spline(heights, {}, noise);
+      std::vector<double>        values;
+      std::size_t                piece = 0;
+      for (const double place : places)
+        {
+          const double x = place / stretch;
+          while (piece + 1 < pieces.size() && pieces[piece].end.x < x)
+            ++piece;
+          double a = 0, b = 1;
+          for (double m = 0.5; m > a && m < b && b - a > 1e-14; m = 0.5 * (a + b))
+            (position_on(pieces[piece], m).x < x ? a : b) = m;
+          values.push_back(position_on(pieces[piece], 0.5 * (a + b)).y);
+        }
+      return values;
+    }
+
+    /// Heights of the points of a slice over a profile along its outward normal, over x of the section, where
+    /// the profile is not steeper than `base` has it and not farther away than `reach` [m].
+    Heights
+    heights_over(const std::vector<Point2> &points,
+                 const Curve               &profile,
+                 const FrameProfile        &base,
+                 const double               outwards,
+                 const double               reach)
+    {
+      constexpr double least = 1e-6, beside = 0.2e-3; // between two places; an end that tilts
+      Heights          heights;
+      for (const Point2 &p : points)
+        {
+          const CurvePoint foot = profile.at(profile.closest(p));
+          const Point2 normal = outwards * Point2{foot.tangent.y, -foot.tangent.x}, way = p - foot.position;
+          const double x = foot.position.x + dot(way, foot.tangent) * foot.tangent.x;
+          // beside an end of the profile, or on a steep part of it
+          if (std::abs(dot(way, foot.tangent)) < beside && norm(way) < reach && -x > base.s_min() - beside &&
+              -x < base.s_max() + beside)
+            heights.push_back({x, dot(way, normal)});
+        }
+      std::sort(heights.begin(), heights.end(), [](const Point2 &a, const Point2 &b) { return a.x < b.x; });
+      heights.erase(std::unique(heights.begin(),
+                                heights.end(),
+                                [](const Point2 &a, const Point2 &b) { return b.x - a.x < least; }),
+                    heights.end());
+      return heights;
+    }
+
+    /// Smooths the lines along of what each slice has by itself. Their noise is that of the lines within 12
+    /// mm beside them.
+    void
+    smooth_along(HeightGrid &grid)
+    {
+      constexpr double     reach = 12e-3;
+      const std::size_t    n = grid.along.size(), rows = grid.across.size();
+      std::vector<Heights> lines(rows);
+      std::vector<double>  found;
+      for (std::size_t row = 0; row < rows; ++row)
+        {
+          for (std::size_t k = 0; k < n; ++k)
+            lines[row].push_back({grid.along[k], grid.height[row * n + k]});
+          found.push_back(estimated_noise(lines[row]));
+        }
+      for (std::size_t row = 0; row < rows; ++row)
+        {
+          std::vector<double> near;
+          for (std::size_t other = 0; other < rows; ++other)
+            if (std::abs(grid.across[other] - grid.across[row]) < reach)
+              near.push_back(found[other]);
+          std::nth_element(near.begin(), near.begin() + near.size() / 2, near.end());
+          const std::vector<double> values =
+            smoothed(lines[row], near[near.size() / 2], most_stretch, grid.along);
+          std::copy(values.begin(), values.end(), grid.height.begin() + row * n);
+        }
+    }
+
+    /// Heights as values of a cubic B-spline whose knots are the slices, with the heights of an interpolating
+    /// spline at the averages of three knots as control points: even slices have their own heights there. It
+    /// keeps straight lines straight and goes through the first and the last slice.
+    void
+    approximate_along(HeightGrid &grid)
+    {
+      const std::vector<double> &u = grid.along;
+      const int                  n = static_cast<int>(u.size());
+      // beyond the ends knots lie as far as inside
+      const auto knot = [&](const int k) {
+        return k < 0 ? 2 * u.front() - u[-k] : k >= n ? 2 * u.back() - u[2 * n - 2 - k] : u[k];
+      };
+      const std::unique_ptr<gsl_spline, decltype(&gsl_spline_free)> spline(
+        gsl_spline_alloc(gsl_interp_cspline, n), gsl_spline_free);
+      for (std::size_t row = 0; row < grid.height.size(); row += n)
+        {
+          gsl_spline_init(spline.get(), u.data(), grid.height.data() + row, n);
+          const auto control = [&](const int k) {
+            return gsl_spline_eval(spline.get(),
+                                   std::clamp((knot(k - 1) + knot(k) + knot(k + 1)) / 3, u.front(), u.back()),
+                                   nullptr);
+          };
+          for (int k = 1; k + 1 < n; ++k)
+            {
+              const double before = knot(k) - knot(k - 1), behind = knot(k + 1) - knot(k),
+                           left  = behind * behind / ((before + behind) * (knot(k + 1) - knot(k - 2))),
+                           right = before * before / ((before + behind) * (knot(k + 2) - knot(k - 1)));
+              grid.height[row + k] =
+                left * control(k - 1) + (1 - left - right) * control(k) + right * control(k + 1);
+            }
+        }
+    }
+  } // namespace
+
+
+  HeightGrid
+  heights_of_slices(const Slices      &slices,
+                    const Curve       &profile,
+                    const double       radius,
+                    const double       noise,
+                    const std::string &path)
+  {
+    constexpr double   spacing = 0.5e-3, reach = 5e-3, least = 10e-3, steepest = 4;
+    const FrameProfile base(
+      profile, Placement(), ContactFrame(), steepest); // its s is minus x of the section
+    std::vector<Heights> heights;
+    HeightGrid           grid;
+    double               low = -base.s_max(), high = -base.s_min(), longest = 0;
+    const auto           narrow = [&]() {
+      if (!(high - low > least))
+        throw InputError(path + ": slices and profile lie beside each other over less than " + in_mm(least) +
+                         "; their lateral origins must be the same, y to the field side");
+    };
+    for (const Slices::Slice &slice : slices.slices)
+      {
+        double length = 0, left = HUGE_VAL, right = -HUGE_VAL;
+        for (const Point2 &p : slice.points)
+          {
+            length += norm(p - (&p == slice.points.data() ? p : *(&p - 1)));
+            left  = std::min(left, p.x);
+            right = std::max(right, p.x);
+          }
+        longest = std::max(longest, length);
+        low     = std::max(low, left);
+        high    = std::min(high, right);
+      }
+    narrow();
+    for (const Slices::Slice &slice : slices.slices)
+      {
+        grid.along.push_back(slices.wheel ? radius * slice.along : slice.along);
+        heights.push_back(heights_over(slice.points, profile, base, slices.wheel ? -1 : 1, reach));
+        if (heights.back().size() < 8)
+          throw InputError(
+            path + ": slice " + std::to_string(heights.size()) + " is more than " + in_mm(reach) +
+            " away from the profile; slices have y to the field side and z down, and the origin "
+            "of the profile");
+        low  = std::max(low, heights.back().front().x);
+        high = std::min(high, heights.back().back().x);
+      }
+    narrow();
+    // as CONTACT divides the longest slice: between its points a spline rings beside kinks, and the pressure
+    // there depends on where they lie
+    const int n = 1 + static_cast<int>(std::floor(longest / spacing));
+    for (int i = 0; i <= n; ++i)
+      grid.across.push_back(low + (high - low) * i / n);
+    const std::size_t m = grid.along.size();
+    grid.height.resize(m * grid.across.size());
+    for (std::size_t k = 0; k < m; ++k)
+      {
+        const double              deviation = noise >= 0 ? noise : largest_noise(heights[k]);
+        const std::vector<double> line = smoothed(heights[k], deviation, stretch_of(deviation), grid.across);
+        for (std::size_t row = 0; row < line.size(); ++row)
+          grid.height[row * m + k] = line[row];
+      }
+    if (noise < 0)
+      smooth_along(grid);
+    if (slices.smoothed)
+      approximate_along(grid);
+    return grid;
+  }
+
+
+  Irregularity
+  slices_irregularity(const HeightGrid &heights, const double place, const double circumference)
+  {
+    Irregularity shape = grid_irregularity(heights, place, 0, circumference);
+    shape.endless      = true;
+    return shape;
+  }
+} // namespace wheelrail
