@@ -14,11 +14,27 @@ namespace wheelrail
       const std::size_t before = j > 0 ? j - 1 : j, after = j + 1 < lateral.size() ? j + 1 : j;
       return after > before ? std::abs(lateral[after] - lateral[before]) / (after - before) : 0;
     }
+
+    /// Slip of node i along in row j, averaged with those of its neighbours in contact.
+    double
+    averaged_slip(const PatchFields &patch, const std::size_t i, const std::size_t j)
+    {
+      double along = 0, lateral = 0, weights = 0;
+      for (std::size_t k = i > 0 ? i - 1 : i; k <= i + 1 && k < patch.n_along; ++k)
+        if (const std::size_t e = j + patch.n_lateral * k; patch.pressure[e] > 0)
+          {
+            const double weight = k == i ? 2 : 1;
+            weights += weight;
+            along += weight * patch.slip_along[e];
+            lateral += weight * patch.slip_lateral[e];
+          }
+      return weights > 0 ? std::hypot(along, lateral) / weights : 0;
+    }
   } // namespace
 
 
   WearProfile
-  wear_profile(const PatchFields &patch, const double velocity, const WearData &data)
+  wear_profile(const PatchFields &patch, const double velocity, const WearData &data, const bool of_nodes)
   {
     WearProfile profile;
     // nodes go across the rail first
@@ -33,7 +49,9 @@ namespace wheelrail
             const std::size_t e    = j + patch.n_lateral * i;
             const double      step = patch.area[e] / row,
                          slip      = std::hypot(patch.slip_along[e], patch.slip_lateral[e]),
-                         k         = archard_coefficient(velocity * slip, patch.pressure[e], data);
+                         k = archard_coefficient(velocity * (of_nodes ? averaged_slip(patch, i, j) : slip),
+                                                 patch.pressure[e],
+                                                 data);
             profile.depth[j] += k * patch.pressure[e] * slip * step / data.hardness;
             profile.work[j] += step * (patch.traction_along[e] * patch.slip_along[e] +
                                        patch.traction_lateral[e] * patch.slip_lateral[e]);

@@ -27,7 +27,7 @@ namespace wheelrail
   {
     recorder.add(rolling, axle, communicator);
     const PatchFields patch = patch_fields(*model.contact, axle, rolling.time());
-    recorder.add_patch(patch, wear_profile(patch, axle.velocity(), scene.wear));
+    recorder.add_patch(patch, wear_profile(patch, axle.velocity(), scene.wear, true));
   }
 
 

@@ -20,9 +20,11 @@ namespace wheelrail
 
   /// Sums the fields of a patch along the track: depth = sum of k p |s| dx / H with the slip s over the
   /// velocity V [m/s], k from archard_coefficient() (Archard 1953), and the work of friction, tractions times
-  /// slip. Fields on a grid with even spacing or not: `area` over the width of a row is its step dx.
+  /// slip. Fields on a grid with even spacing or not: `area` over the width of a row is its step dx. With
+  /// `of_nodes`, which stick and slip by turns, k is that of a slip averaged over a node and its neighbours
+  /// along (1, 2, 1): beyond 0.2 m/s it is seven times as large, so that bursts would wear too much.
   WearProfile
-  wear_profile(const PatchFields &patch, double velocity, const WearData &data);
+  wear_profile(const PatchFields &patch, double velocity, const WearData &data, bool of_nodes = false);
 
   /// A table for wear.csv, without rows: patch, lateral_m, archard_depth_m, friction_work_N_per_m.
   FigureTable
