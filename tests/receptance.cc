@@ -7,6 +7,7 @@
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/model/scene_parts.h>
+#include <wheelrail/receptance/cut_peak.h>
 #include <wheelrail/receptance/hammer_places.h>
 #include <wheelrail/receptance/spectra.h>
 #include <wheelrail/receptance/track_waves.h>
@@ -145,6 +146,11 @@ namespace
                            track_data(scene),
                            {rail_places(scene, section, "sleeper", false).faces[0]});
     check_relative(waves.pinned_pinned(), 1067, 0.03, "pinned-pinned over that of the beam");
+    // a record with two fifths of the mobility of the waves has lost 8 dB
+    const double of_waves = 2 * M_PI * found.frequency * std::abs(waves.receptances(found.frequency, 0)[0]);
+    const auto   cut      = most_cut({{found.frequency, 0.4 * of_waves, 0.05}}, waves, 0);
+    check_near(cut ? cut->decibel : 0, 7.96, 0.3, "a peak that a record cuts [dB]");
+    check(!most_cut({{found.frequency, of_waves, 0.05}}, waves, 0), "a whole one is not cut");
   }
 
   /// A short blow on a rail on continuous pads.

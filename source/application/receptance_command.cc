@@ -14,6 +14,7 @@
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
+#include <wheelrail/receptance/cut_peak.h>
 #include <wheelrail/receptance/hammer_places.h>
 #include <wheelrail/receptance/spectra.h>
 #include <wheelrail/receptance/track_waves.h>
@@ -301,6 +302,12 @@ namespace wheelrail
         const FigureTable second = make_waves_table(waves, blow, places.distance);
         second.write_csv((folder / "waves.csv").string());
         print_difference(table, second, summary, out);
+        if (const auto cut = most_cut(peaks, waves, blow.fading))
+          {
+            summary["cut_peak_Hz"] = cut->frequency;
+            summary["cut_peak_dB"] = cut->decibel;
+            out << cut_note(*cut, options.duration, scene.rail_length) << '\n';
+          }
         if (scene.support.kind == RailSupport::sleepers)
           {
             summary["pinned_pinned_Hz"] = waves.pinned_pinned();
