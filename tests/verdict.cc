@@ -454,11 +454,51 @@ namespace
                "Half-space/Bodies = real.",
                "one that does");
   }
+
+  /// Elastic bodies beyond the shakedown of their steel: of the weaker, of the given yield stress, of the
+  /// hardest that has a name.
+  void
+  test_steels()
+  {
+    const auto doubt = [](const std::vector<std::string> &settings,
+                          const double                    peak,
+                          const double                    traction,
+                          const bool                      computed = false) {
+      return steel_doubt(scene_from_text("", "x.prm", settings).scene, peak, traction, computed);
+    };
+    holds(doubt({}, 2421e6, 0), "R350HT, the hardest that has a name, 1764 MPa", "no steel is named");
+    check(doubt({}, 1300e6, 0.25).empty(), "the main scene is below");
+    // 4 k, k = 0.55 880 MPa/sqrt(3)
+    holds(doubt({"Rail material/Steel = R260"}, 1200e6, 0), "of R260 1118 MPa at a traction of 0.00", "R260");
+    check(doubt({"Rail material/Steel = R260"}, 1100e6, 0).empty(), "R260 below its limit");
+    holds(
+      doubt({"Rail material/Steel = R260"}, 1000e6, 0.25), "of R260 851 MPa", "traction lowers the limit");
+    holds(doubt({"Rail material/Steel = R350HT", "Wheel material/Steel = ER7"}, 1300e6, 0),
+          "of ER7",
+          "the wheel");
+    holds(doubt({"Rail material/Steel = R200", "Rail material/Yield stress = 600 MPa"}, 1500e6, 0),
+          "of a yield stress of 600 MPa 1386 MPa",
+          "a given yield stress goes before the name");
+    check(
+      doubt({"Rail material/Steel = R200", "Rail material/Yield stress = 600 MPa"}, 1500e6, 0, true).empty(),
+      "a run computes it");
+    Measures m       = good();
+    m.plastic_strain = 4.2e-3;
+    check(judge_run(Scene(), m).grade() == Grade::trusted, "plastic strain on 12.8 cells");
+    m.cells = 9.5;
+    holds(
+      judge_run(Scene(), m).doubts(), "about 26 % below that of the steel", "plastic strain on 9.5 cells");
+    m        = good();
+    m.yields = "this steel yields.";
+    check(judge_run(Scene(), m).grade() == Grade::with_care, "a run is then with care");
+    check(judge_halfspaces(m).grade() == Grade::with_care, "and half-spaces are");
+  }
 } // namespace
 
 int
 main()
 {
+  test_steels();
   test_rules();
   test_without_reference();
   test_wear();

@@ -43,6 +43,10 @@ namespace
     check_near(burstow_damage(500, data), 0, 0, "none beyond");
 
     check_near(fatigue_index(0.3, 300e6, 1000e6), 0, 1e-15, "the surface fatigues above mu = k/p0");
+    check_near(shakedown_limit(0), 4, 1e-12, "line contact shakes down up to 4 k (Johnson 1985)");
+    check_near(shakedown_limit(-0.2), 3.202, 1e-12, "with traction up to less, whichever way it points");
+    check_near(
+      shakedown_limit(1.2) / shakedown_limit(0.6), 0.5, 1e-12, "then by the traction of the surface");
     check_near(archard_coefficient(0.1, 1e9, data), 5e-4, 0, "mild wear");
     check_near(archard_coefficient(0.5, 1e9, data), 35e-4, 0, "severe wear at 0.2 to 0.7 m/s");
     check_near(archard_coefficient(1, 1e9, data), 5e-4, 0, "mild again");
@@ -195,6 +199,31 @@ namespace
     check_near(get_figure(none, "usfd_wear_rate_kg_per_m3"), 0, 1e-15, "without friction no wear");
     check_near(get_figure(none, "t_gamma_N"), 0, 1e-12, "and no T-gamma");
   }
+
+  /// A node that slips 0.3 m/s while its neighbours stick wears as its mean slip of 0.15 m/s does: a seventh.
+  void
+  test_bursts()
+  {
+    PatchFields patch;
+    patch.n_along   = 5;
+    patch.n_lateral = 3;
+    const WearData data;
+    const double   V = 10;
+    for (int e = 0; e < 15; ++e)
+      {
+        patch.lateral.push_back(1e-3 * (e % 3));
+        patch.pressure.push_back(e / 3 > 0 ? 1e8 : 0);
+        patch.traction_along.push_back(0);
+        patch.traction_lateral.push_back(0);
+        patch.slip_along.push_back(e / 3 == 2 ? 0.3 / V : 0);
+        patch.slip_lateral.push_back(0);
+        patch.area.push_back(1e-6);
+      }
+    const WearProfile single = wear_profile(patch, V, data), nodes = wear_profile(patch, V, data, true);
+    const double      of_k = 1e8 * 0.3 / V * 1e-3 / data.hardness;
+    check_near(single.depth[1] / of_k, 35e-4, 1e-15, "coefficient of a steady slip of 0.3 m/s");
+    check_near(nodes.depth[1] / of_k, 5e-4, 1e-15, "of a burst between nodes that stick");
+  }
 } // namespace
 
 
@@ -206,5 +235,6 @@ main()
   test_ball();
   test_readings();
   test_figures();
+  test_bursts();
   return test::report();
 }

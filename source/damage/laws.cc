@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace wheelrail
 {
@@ -47,6 +48,21 @@ namespace wheelrail
   {
     // mu - k / p0 (Ekberg, Kabo and Andersson 2002)
     return traction - shear_yield / peak_pressure;
+  }
+
+
+  double
+  shakedown_limit(const double traction)
+  {
+    constexpr double step     = 0.05; // of the traction
+    constexpr double limits[] = {
+      4.000, 3.772, 3.564, 3.375, 3.202, 3.044, 2.900, 2.615, 2.316, 2.077, 1.882, 1.720, 1.583};
+    constexpr int last  = std::size(limits) - 1;
+    const double  place = std::abs(traction) / step;
+    if (place >= last)
+      return limits[last] * last / place; // the shear traction of the surface
+    const int k = static_cast<int>(place);
+    return limits[k] + (place - k) * (limits[k + 1] - limits[k]);
   }
 
 

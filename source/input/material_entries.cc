@@ -1,5 +1,6 @@
 #include <wheelrail/input/entry_kinds.h>
 #include <wheelrail/input/section_entries.h>
+#include <wheelrail/scene/steels.h>
 
 #include <limits>
 #include <string>
@@ -59,6 +60,15 @@ namespace wheelrail
                 "Lateral over axial strain, elastic.");
     list.number(
       {"Density", "kg/m3", "100 kg/m3", "30000 kg/m3"}, field(part, &M::density), "Mass per volume.");
+    Words<std::string> steels{{"any", "any"}};
+    for (const Steel &steel : part == &Scene::rail_material ? rail_steels() : wheel_steels())
+      steels.push_back({steel.name, steel.name});
+    list.choice<std::string>(
+      "Steel",
+      steels,
+      field(part, &M::steel),
+      "EN 13674-1; wheels: ER6 to ER9, EN 13262. Beyond its shakedown limit elastic results "
+      "are with care; any: R350HT. Yield stress overrides it.");
     list.choice<SteelLaw>(
       "Law",
       {{"elastic", SteelLaw::elastic}, {"bilinear", SteelLaw::bilinear}, {"Chaboche", SteelLaw::chaboche}},

@@ -7,6 +7,7 @@
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/reference_figures.h>
 #include <wheelrail/reference/several_patches.h>
+#include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/verdict.h>
 
 #include <algorithm>
@@ -88,6 +89,10 @@ namespace wheelrail
         effect.creep, (result.solution.area / result.measures.area - 1) * result.measures.stick_fraction);
       if (slides(scene, result.solution))
         measures.slides = sliding_note(-result.solution.fx);
+      measures.yields = steel_doubt(scene,
+                                    result.solution.peak_pressure,
+                                    std::hypot(result.solution.fx, result.solution.fy) / result.solution.fn,
+                                    false);
       return judge_halfspaces(measures);
     }
 
@@ -144,7 +149,7 @@ namespace wheelrail
       worn.area             = result.measures.area;
       worn.t_gamma          = t_gamma;
       worn.velocity         = scene.velocity;
-      worn.yield_stress     = scene.rail_material.yield_stress;
+      worn.yield_stress     = yield_strength(scene.rail_material);
       set_wear_figures(worn, scene.wear, summary);
       summary.finished    = s.converged() && !s.touches_grid_edge;
       summary.stop_reason = s.not_reached;

@@ -15,6 +15,7 @@
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/body_figures.h>
+#include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
 
@@ -126,7 +127,7 @@ namespace wheelrail
       worn.area             = summary.contact_area;
       worn.t_gamma          = get_figure(summary, "t_gamma_N");
       worn.velocity         = summary.velocity;
-      worn.yield_stress     = scene.rail_material.yield_stress;
+      worn.yield_stress     = yield_strength(scene.rail_material);
       set_wear_figures(worn, scene.wear, summary);
     }
 

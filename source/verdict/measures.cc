@@ -1,5 +1,7 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/damage/laws.h>
+#include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/measures.h>
 
 #include <algorithm>
@@ -31,6 +33,34 @@ namespace wheelrail
     return std::string("The whole patch slides: the wheel ") +
            (longitudinal_force < 0 ? "locks" : "spins up") +
            ", since friction does not carry what drives or brakes it.";
+  }
+
+
+  std::string
+  steel_doubt(const Scene &scene, const double peak_pressure, const double traction, const bool computed)
+  {
+    Steel weakest{"", std::numeric_limits<double>::infinity()};
+    for (const MaterialData *material : {&scene.rail_material, &scene.wheel_material})
+      {
+        if (computed && material->yields())
+          continue;
+        Steel steel{material->steel, yield_strength(*material)};
+        if (std::isfinite(material->yield_stress))
+          steel.name = text("a yield stress of %.0f MPa", 1e-6 * material->yield_stress);
+        else if (!std::isfinite(steel.strength))
+          steel = {rail_steels().back().name + ", the hardest that has a name,",
+                   rail_steels().back().strength};
+        if (steel.strength < weakest.strength)
+          weakest = steel;
+      }
+    const double limit = shakedown_limit(traction) * weakest.strength / std::sqrt(3.);
+    if (!(peak_pressure > limit))
+      return "";
+    return text("this steel yields: elastic bodies bear %.0f MPa, above the limit of shakedown of ",
+                1e-6 * peak_pressure) +
+           weakest.name +
+           text(" %.0f MPa at a traction of %.2f times the normal force", 1e-6 * limit, traction) +
+           "; the pressure of yielding bodies is lower (Rail material/Steel, Yield stress).";
   }
 
 
@@ -96,6 +126,11 @@ namespace wheelrail
       m.slides = sliding_note(asked);
     if (run.max_plastic_strain > 0)
       m.plastic_strain = run.max_plastic_strain;
+    const double largest = figure("largest_pressure_Pa"), traction = figure("utilised_friction");
+    m.yields = steel_doubt(scene,
+                           std::max(run.max_pressure, std::isfinite(largest) ? largest : 0),
+                           std::isfinite(traction) ? traction : 0,
+                           true);
     return m;
   }
 } // namespace wheelrail

@@ -46,6 +46,12 @@ namespace wheelrail
   double
   fatigue_index(double traction, double shear_yield, double peak_pressure);
 
+  /// Limit of shakedown of line contact with full slip, peak pressure over yield stress in shear, over the
+  /// traction (Melan's theorem; Johnson 1985, section 9.2; source/report/shakedown.py draws it): 4.0 without
+  /// traction. Contacts that are as wide as long bear up to 4.7 (Ponter, Hearle, Johnson 1985).
+  double
+  shakedown_limit(double traction);
+
   /// Archard's coefficient over slip velocity [m/s] and pressure [Pa] (KTH; Jendel 2002), the middle of each
   /// field: 5e-4 below 0.2 m/s and above 0.7 m/s, 35e-4 between, 350e-4 where the pressure exceeds 0.8 of the
   /// hardness; or the one that is given.

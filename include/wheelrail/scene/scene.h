@@ -33,13 +33,14 @@ namespace wheelrail
   /// Steel [SI].
   struct MaterialData
   {
-    SteelLaw law                 = SteelLaw::bilinear;
-    double   youngs_modulus      = 210e9;
-    double   poissons_ratio      = 0.3;
-    double   density             = 7900;
-    double   yield_stress        = std::numeric_limits<double>::infinity(); ///< infinite: elastic
-    double   tangent_modulus     = 21e9;
-    double   kinematic_hardening = 0; ///< fraction, 0 isotropic, 1 kinematic
+    SteelLaw    law                 = SteelLaw::bilinear;
+    double      youngs_modulus      = 210e9;
+    double      poissons_ratio      = 0.3;
+    double      density             = 7900;
+    double      yield_stress        = std::numeric_limits<double>::infinity(); ///< infinite: elastic
+    double      tangent_modulus     = 21e9;
+    double      kinematic_hardening = 0;     ///< fraction, 0 isotropic, 1 kinematic
+    std::string steel               = "any"; ///< by which elastic results are judged, see material/steels.h
     /// Of the law of Chaboche; its yield stress is the one above.
     CyclicHardening cyclic;
 

@@ -49,6 +49,7 @@ namespace wheelrail
 
     // what the patch bears, and on what
     double      peak_pressure = none; ///< [Pa]
+    std::string yields;  ///< of an elastic body beyond shakedown, see steel_doubt(); empty: none is
     std::string place;   ///< of the patch, in words: "31.2 mm to the gauge side of ..."; may be empty
     std::string made_up; ///< part of a profile that was not measured and is touched; empty: none
 
@@ -104,6 +105,12 @@ namespace wheelrail
   /// the wheel [N]) or braked.
   std::string
   sliding_note(double longitudinal_force);
+
+  /// What is to be told of elastic bodies beyond the limit of shakedown of their steel (shakedown_limit()),
+  /// the weaker of both, under a peak pressure [Pa] with a traction T/N; empty: none is. `computed`: bodies
+  /// that yield in the result are left out, as in a run.
+  std::string
+  steel_doubt(const Scene &scene, double peak_pressure, double traction, bool computed);
 
   /// The size of cells [m] that costs 2 % of the peak pressure at most where `cells` of `size` lie over the
   /// patch: halved from `size` on, as meshes are.
