@@ -59,7 +59,7 @@ namespace wheelrail
             {name + " roller crown", "mm", "1 mm", "100 m"},
             crown,
             "For rollers: radius across; flat: a cylinder; profile: the crown in the file of Profiles/" +
-              name + ", y outwards.",
+              name + ".",
             {{"profile", -1}, {"flat", 0}});
         }
       list.number({"Roller width", "mm", "0.5 mm", "1 m"},

@@ -68,7 +68,7 @@ namespace wheelrail
       steels,
       field(part, &M::steel),
       "EN 13674-1; wheels: ER6 to ER9, EN 13262. Beyond its shakedown limit elastic results "
-      "are with care; any: R350HT. Yield stress overrides it.");
+      "are with care; any: R350HT.");
     list.choice<SteelLaw>(
       "Law",
       {{"elastic", SteelLaw::elastic}, {"bilinear", SteelLaw::bilinear}, {"Chaboche", SteelLaw::chaboche}},

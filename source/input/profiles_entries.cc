@@ -136,12 +136,10 @@ namespace wheelrail
       &Scene::rail_file,
       "Whether the lateral coordinate of the rail file is turned to the other side; auto: MiniProf files are "
       "(gauge side on the right), others are not (field side on the right).");
-    list.choice<bool>(
-      "Rail origin",
-      {{"auto", false}, {"running circle", true}},
-      field(&Scene::rail_file, &ProfileFileOptions::placed),
-      "Of the rail file; auto: by sides and gauge; running circle: below it; sides may lack, for "
-      "half-spaces.");
+    list.choice<bool>("Rail origin",
+                      {{"auto", false}, {"running circle", true}},
+                      field(&Scene::rail_file, &ProfileFileOptions::placed),
+                      "Of the rail file; auto: by sides and gauge; running circle: below it.");
     add_body(list);
     add_smoothing(list);
     return list.entries;
