@@ -76,7 +76,7 @@ namespace wheelrail
     const double        step   = steps_ == 0 ? 0 : scheme.time_step;
     const double        before = body_energy(solid_, inertia_, step, communicator_);
     const SolidChoice   choice = solid_.choice;
-    const SolidTransfer transfer(std::move(solid_), middle, communicator_);
+    SolidTransfer transfer(std::move(solid_), middle, communicator_);
     solid_.choice = choice;
     remake();
     prepare();

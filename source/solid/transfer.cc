@@ -1,5 +1,6 @@
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/cell_place.h>
+#include <wheelrail/mesh/fetch_rows.h>
 #include <wheelrail/solid/elastic_meanwhile.h>
 #include <wheelrail/solid/momentum.h>
 #include <wheelrail/solid/transfer.h>
@@ -35,6 +36,13 @@ namespace wheelrail
       std::copy(v.begin(), v.end(), &values[4 * node]);
     }
 
+    void
+    make_unique(std::vector<std::uint64_t> &keys)
+    {
+      std::sort(keys.begin(), keys.end());
+      keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    }
+
     std::vector<char>
     hanging_marks(const LocalMesh &mesh)
     {
@@ -53,17 +61,55 @@ namespace wheelrail
   {
     distribute(before_.mesh, before_.displacement.data());
     distribute(before_.mesh, before_.velocity.data());
-    gather_nodes();
-    gather_cells();
+    gradient_u_ = nodal_gradient(before_, before_.displacement.data(), communicator_);
+    gradient_v_ = nodal_gradient(before_, before_.velocity.data(), communicator_);
+  }
+
+
+  /// What old cells in the blocks of this rank's new ones have, and then what their nodes and the new ones
+  /// do.
+  void
+  SolidTransfer::fetch(const Solid &after)
+  {
+    const auto block_of = [](const std::uint64_t cell) { return CellPlace::of_key(cell).ancestor(0).key(); };
+    std::vector<std::uint64_t> wanted, blocks;
+    for (const std::uint64_t cell : after.mesh.cell_key)
+      wanted.push_back(block_of(cell));
+    make_unique(wanted);
+    using Corners = std::array<std::uint64_t, 9>; // keys of the nodes, and of the cell
+    std::vector<Corners> own;
+    const LocalMesh     &mesh = before_.mesh;
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+      {
+        blocks.push_back(block_of(mesh.cell_key[c]));
+        Corners &cell = own.emplace_back();
+        for (unsigned int v = 0; v < 8; ++v)
+          cell[v] = mesh.node_key[mesh.cells[c][v]];
+        cell[8] = mesh.cell_key[c];
+      }
+    const auto                 cells = fetch_rows(blocks, own, wanted, communicator_);
+    std::vector<std::uint64_t> nodes = after.mesh.node_key;
+    for (const Corners &cell : cells)
+      nodes.insert(nodes.end(), cell.begin(), cell.end() - 1);
+    make_unique(nodes);
+    fetch_nodes(nodes);
+    cell_.reserve(2 * cells.size());
+    for (const Corners &cell : cells)
+      {
+        cell_[cell[8]] = corners_.size();
+        auto &corners  = corners_.emplace_back();
+        for (unsigned int v = 0; v < 8; ++v)
+          corners[v] = static_cast<std::uint32_t>(node_.at(cell[v]));
+      }
+    for (const auto &[name, history] : cell_histories(before_))
+      histories_[name] = {history.components, fetch_rows(blocks, history.values, wanted, communicator_)};
   }
 
 
   void
-  SolidTransfer::gather_nodes()
+  SolidTransfer::fetch_nodes(const std::vector<std::uint64_t> &wanted)
   {
     const LocalMesh           &mesh = before_.mesh;
-    const auto                 H    = nodal_gradient(before_, before_.displacement.data(), communicator_);
-    const auto                 D    = nodal_gradient(before_, before_.velocity.data(), communicator_);
     std::vector<std::uint64_t> own_keys;
     std::vector<Value>         own;
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
@@ -74,37 +120,14 @@ namespace wheelrail
           value.X      = three(mesh.reference, n);
           value.u      = three(before_.displacement, n);
           value.v      = three(before_.velocity, n);
-          std::copy_n(&H[9 * n], 9, value.H.begin());
-          std::copy_n(&D[9 * n], 9, value.D.begin());
+          std::copy_n(&gradient_u_[9 * n], 9, value.H.begin());
+          std::copy_n(&gradient_v_[9 * n], 9, value.D.begin());
         }
-    const auto keys = gather_all(own_keys, communicator_);
+    const auto keys = fetch_rows(own_keys, own_keys, wanted, communicator_);
     node_.reserve(2 * keys.size());
     for (std::size_t k = 0; k < keys.size(); ++k)
       node_[keys[k]] = k;
-    values_ = gather_all(own, communicator_);
-  }
-
-
-  void
-  SolidTransfer::gather_cells()
-  {
-    const LocalMesh           &mesh = before_.mesh;
-    std::vector<std::uint64_t> corner_keys;
-    for (const auto &cell : mesh.cells)
-      for (const unsigned int node : cell)
-        corner_keys.push_back(mesh.node_key[node]);
-    const auto keys    = gather_all(mesh.cell_key, communicator_);
-    const auto corners = gather_all(corner_keys, communicator_);
-    cell_.reserve(2 * keys.size());
-    corners_.resize(keys.size());
-    for (std::size_t c = 0; c < keys.size(); ++c)
-      {
-        cell_[keys[c]] = c;
-        for (unsigned int v = 0; v < 8; ++v)
-          corners_[c][v] = static_cast<std::uint32_t>(node_.at(corners[8 * c + v]));
-      }
-    for (const auto &[name, own] : cell_histories(before_))
-      histories_[name] = {own.components, gather_all(own.values, communicator_)};
+    values_ = fetch_rows(own_keys, own, wanted, communicator_);
   }
 
 
@@ -229,7 +252,7 @@ namespace wheelrail
   }
 
 
-  /// Keys of the cells of all ranks that have not changed.
+  /// Keys of the cells that have not changed, of those that the rank had or has.
   std::unordered_set<std::uint64_t>
   SolidTransfer::kept_cells(const Solid &after) const
   {
@@ -238,8 +261,10 @@ namespace wheelrail
     for (std::size_t c = 0; c < same.size(); ++c)
       if (same[c])
         own.push_back(after.mesh.cell_key[c]);
-    const auto all = gather_all(own, communicator_);
-    return {all.begin(), all.end()};
+    std::unordered_set<std::uint64_t> kept(own.begin(), own.end());
+    for (const std::uint64_t key : fetch_rows(own, own, before_.mesh.cell_key, communicator_))
+      kept.insert(key);
+    return kept;
   }
 
 
@@ -315,8 +340,9 @@ namespace wheelrail
 
 
   void
-  SolidTransfer::fill(Solid &after, const std::vector<NodeInertia> &inertia, const double time_step) const
+  SolidTransfer::fill(Solid &after, const std::vector<NodeInertia> &inertia, const double time_step)
   {
+    fetch(after);
     fill_nodes(after);
     const auto kept = kept_cells(after);
     conserve_momentum(

@@ -156,7 +156,7 @@ namespace wheelrail
           }
         model.window               = start;
         const SolidChoice   choice = model.solid.choice;
-        const SolidTransfer transfer(std::move(model.solid), 0, communicator);
+        SolidTransfer transfer(std::move(model.solid), 0, communicator);
         model.solid.choice = choice;
         prepare_mesh(model, communicator);
         transfer.fill(model.solid, node_inertia(model.solid), 0);

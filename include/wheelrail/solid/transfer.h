@@ -32,9 +32,10 @@ namespace wheelrail
 
     /// Fills displacement, velocity and histories of bodies that are prepared for another mesh; nodes without
     /// inverse mass in `inertia` keep the velocity that is interpolated. The bulk viscosity finds its
-    /// dilatation at the step behind, `time_step` [s] ago (0: there was none). Collective.
+    /// dilatation at the step behind, `time_step` [s] ago (0: there was none). Once for each object.
+    /// Collective.
     void
-    fill(Solid &after, const std::vector<NodeInertia> &inertia, double time_step) const;
+    fill(Solid &after, const std::vector<NodeInertia> &inertia, double time_step);
 
   private:
     using Gradient = std::array<double, 9>;
@@ -47,9 +48,9 @@ namespace wheelrail
     };
 
     void
-    gather_nodes();
+    fetch(const Solid &after);
     void
-    gather_cells();
+    fetch_nodes(const std::vector<std::uint64_t> &wanted);
     bool
     find(const Solid &after, std::size_t node, std::size_t cell, unsigned int vertex, Value &value) const;
     void
@@ -63,12 +64,14 @@ namespace wheelrail
     std::unordered_set<std::uint64_t>
     kept_cells(const Solid &after) const;
 
-    Solid                                          before_;
-    double                                         middle_;
-    MPI_Comm                                       communicator_;
-    std::vector<Value>                             values_; ///< of all nodes of all ranks
+    Solid               before_;
+    double              middle_;
+    MPI_Comm            communicator_;
+    std::vector<double> gradient_u_, gradient_v_; ///< of own old nodes, 9 numbers each
+    // of the old mesh what this rank's part of the new one asks for, from all ranks
+    std::vector<Value>                             values_;
     std::unordered_map<std::uint64_t, std::size_t> node_, cell_;
-    std::vector<std::array<std::uint32_t, 8>>      corners_; ///< of all cells
+    std::vector<std::array<std::uint32_t, 8>>      corners_;
     std::map<std::string, NumberedValues>          histories_;
   };
 
