@@ -73,10 +73,10 @@ namespace wheelrail
   {
     const Stopwatch watch(clock, timing_.mesh);
     // a start has displacements and velocities at the same instant
-    const double        step   = steps_ == 0 ? 0 : scheme.time_step;
-    const double        before = body_energy(solid_, inertia_, step, communicator_);
-    const SolidChoice   choice = solid_.choice;
-    SolidTransfer transfer(std::move(solid_), middle, communicator_);
+    const double      step   = steps_ == 0 ? 0 : scheme.time_step;
+    const double      before = body_energy(solid_, inertia_, step, communicator_);
+    const SolidChoice choice = solid_.choice;
+    SolidTransfer     transfer(std::move(solid_), middle, communicator_);
     solid_.choice = choice;
     remake();
     prepare();
