@@ -154,9 +154,9 @@ namespace wheelrail
             keep_flowed(scene, model, body, communicator);
             start.kept[body] = model.window.kept[body];
           }
-        model.window               = start;
-        const SolidChoice   choice = model.solid.choice;
-        SolidTransfer transfer(std::move(model.solid), 0, communicator);
+        model.window             = start;
+        const SolidChoice choice = model.solid.choice;
+        SolidTransfer     transfer(std::move(model.solid), 0, communicator);
         model.solid.choice = choice;
         prepare_mesh(model, communicator);
         transfer.fill(model.solid, node_inertia(model.solid), 0);
