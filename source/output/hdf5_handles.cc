@@ -136,6 +136,43 @@ namespace wheelrail
       return value;
     }
 
+    namespace
+    {
+      /// Makes a dataset of `shape` and fills it; `doing` says in messages what is done with it.
+      Handle
+      write_all(const hid_t                 group,
+                const std::string          &name,
+                const std::vector<hsize_t> &shape,
+                const void                 *values,
+                const hid_t                 stored,
+                const hid_t                 native,
+                const std::string          &doing)
+      {
+        const std::string what = doing + name;
+        const Handle      space(
+          H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
+        Handle set(H5Dcreate2(group, name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                   H5Dclose,
+                   what);
+        if (H5Sget_simple_extent_npoints(space) > 0)
+          require(H5Dwrite(set, native, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
+        return set;
+      }
+
+      template <typename T>
+      std::vector<T>
+      read_all(const hid_t group, const std::string &name, const hid_t native, const std::string &doing)
+      {
+        const std::string what = doing + name;
+        const Handle      set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, what);
+        const Handle      space(H5Dget_space(set), H5Sclose, what);
+        std::vector<T>    values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+        if (!values.empty())
+          require(H5Dread(set, native, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
+        return values;
+      }
+    } // namespace
+
     void
     write_dataset(const hid_t                 group,
                   const std::string          &name,
@@ -150,15 +187,8 @@ namespace wheelrail
         throw RunError("The field " + name + " has " + std::to_string(values.size()) + " values where " +
                        std::to_string(expected) + " belong.");
 
-      const std::string what = "write the dataset " + name;
-      const Handle      space(
-        H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
-      const Handle set(
-        H5Dcreate2(group, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-        H5Dclose,
-        what);
-      if (!values.empty())
-        require(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
+      const Handle set =
+        write_all(group, name, shape, values.data(), H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, "write the dataset ");
       write_attribute(set, "unit", unit);
       if (!description.empty())
         write_attribute(set, "description", description);
@@ -167,69 +197,33 @@ namespace wheelrail
     void
     write_text(const hid_t group, const std::string &name, const std::string &text)
     {
-      const std::string what = "write the text " + name;
-      const hsize_t     size = text.size();
-      const Handle      space(H5Screate_simple(1, &size, nullptr), H5Sclose, what);
-      const Handle      set(
-        H5Dcreate2(group, name.c_str(), H5T_STD_U8LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-        H5Dclose,
-        what);
-      if (!text.empty())
-        require(H5Dwrite(set, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), what);
+      write_all(group, name, {text.size()}, text.data(), H5T_STD_U8LE, H5T_NATIVE_UCHAR, "write the text ");
     }
 
     std::string
     read_text(const hid_t group, const std::string &name)
     {
-      const std::string what = "read the text " + name;
-      const Handle      set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, what);
-      const Handle      space(H5Dget_space(set), H5Sclose, what);
-      std::string       text(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)), '\0');
-      if (!text.empty())
-        require(H5Dread(set, H5T_NATIVE_UCHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text[0]), what);
-      return text;
+      const auto bytes = read_all<char>(group, name, H5T_NATIVE_UCHAR, "read the text ");
+      return {bytes.begin(), bytes.end()};
     }
 
     void
     write_keys(const hid_t group, const std::string &name, const std::vector<std::uint64_t> &keys)
     {
-      const std::string what = "write the dataset " + name;
-      const hsize_t     size = keys.size();
-      const Handle      space(H5Screate_simple(1, &size, nullptr), H5Sclose, what);
-      const Handle      set(
-        H5Dcreate2(group, name.c_str(), H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-        H5Dclose,
-        what);
-      if (!keys.empty())
-        require(H5Dwrite(set, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, keys.data()), what);
+      write_all(
+        group, name, {keys.size()}, keys.data(), H5T_STD_U64LE, H5T_NATIVE_UINT64, "write the dataset ");
     }
-
-    namespace
-    {
-      template <typename T>
-      std::vector<T>
-      read_all(const hid_t group, const std::string &name, const hid_t type)
-      {
-        const std::string what = "read the dataset " + name;
-        const Handle      set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, what);
-        const Handle      space(H5Dget_space(set), H5Sclose, what);
-        std::vector<T>    values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-        if (!values.empty())
-          require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
-        return values;
-      }
-    } // namespace
 
     std::vector<std::uint64_t>
     read_keys(const hid_t group, const std::string &name)
     {
-      return read_all<std::uint64_t>(group, name, H5T_NATIVE_UINT64);
+      return read_all<std::uint64_t>(group, name, H5T_NATIVE_UINT64, "read the dataset ");
     }
 
     std::vector<double>
     read_dataset(const hid_t group, const std::string &name)
     {
-      return read_all<double>(group, name, H5T_NATIVE_DOUBLE);
+      return read_all<double>(group, name, H5T_NATIVE_DOUBLE, "read the dataset ");
     }
   } // namespace hdf5
 } // namespace wheelrail
