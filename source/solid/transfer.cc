@@ -111,23 +111,28 @@ namespace wheelrail
   {
     const LocalMesh           &mesh = before_.mesh;
     std::vector<std::uint64_t> own_keys;
-    std::vector<Value>         own;
+    std::vector<KeyedValue>    own;
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
       if (mesh.owned[n])
         {
           own_keys.push_back(mesh.node_key[n]);
-          Value &value = own.emplace_back();
-          value.X      = three(mesh.reference, n);
-          value.u      = three(before_.displacement, n);
-          value.v      = three(before_.velocity, n);
+          KeyedValue &keyed = own.emplace_back();
+          keyed.key         = mesh.node_key[n];
+          Value &value      = keyed.value;
+          value.X           = three(mesh.reference, n);
+          value.u           = three(before_.displacement, n);
+          value.v           = three(before_.velocity, n);
           std::copy_n(&gradient_u_[9 * n], 9, value.H.begin());
           std::copy_n(&gradient_v_[9 * n], 9, value.D.begin());
         }
-    const auto keys = fetch_rows(own_keys, own_keys, wanted, communicator_);
-    node_.reserve(2 * keys.size());
-    for (std::size_t k = 0; k < keys.size(); ++k)
-      node_[keys[k]] = k;
-    values_ = fetch_rows(own_keys, own, wanted, communicator_);
+    const auto rows = fetch_rows(own_keys, own, wanted, communicator_);
+    node_.reserve(2 * rows.size());
+    values_.reserve(rows.size());
+    for (const KeyedValue &row : rows)
+      {
+        node_[row.key] = values_.size();
+        values_.push_back(row.value);
+      }
   }
 
 

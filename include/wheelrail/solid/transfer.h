@@ -47,6 +47,13 @@ namespace wheelrail
       Gradient H{}, D{}; ///< gradients of displacement and velocity
     };
 
+    /// That of a node.
+    struct KeyedValue
+    {
+      std::uint64_t key;
+      Value         value;
+    };
+
     void
     fetch(const Solid &after);
     void
