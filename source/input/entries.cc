@@ -5,8 +5,9 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/section_entries.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 namespace wheelrail
@@ -38,15 +39,14 @@ namespace wheelrail
         text += (text.empty() ? "" : between) + part;
       return text;
     }
+
     /// Of an entry that is called an axle load: half of its value, given as a force or as a mass, as a force;
     /// empty of all others.
     std::string
     half_of_axle_load(const std::string &name, const std::string &value)
     {
-      std::string small;
-      for (const char c : name)
-        small += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      const auto has = [&](const char *word) { return small.find(word) != std::string::npos; };
+      const std::string small = boost::to_lower_copy(name);
+      const auto        has   = [&](const char *word) { return small.find(word) != std::string::npos; };
       if (!has("axle") || !(has("load") || has("weight")))
         return "";
       for (const auto &[dimension, factor] :

@@ -4,6 +4,7 @@
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
@@ -24,8 +25,7 @@ namespace wheelrail
       const std::size_t end  = std::min(line.find(' '), line.size());
       std::string       word = line.substr(0, end);
       if (std::all_of(word.begin(), word.end(), [](const unsigned char c) { return std::isupper(c); }))
-        for (char &c : word)
-          c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        boost::to_lower(word);
       return {word, boost::trim_copy(line.substr(end))};
     }
 

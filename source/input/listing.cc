@@ -41,15 +41,12 @@ namespace wheelrail
           {
             const std::string value = entry.get(scene);
             const bool        other = value != entry.default_text && !entry.default_text.empty();
-            if (!entry.section.empty())
-              handler.enter_subsection(entry.section);
+            const InSection   in_section(handler, entry.section);
             handler.declare_entry(entry.name,
                                   value,
                                   dealii::Patterns::Anything(),
                                   entry.meaning + " Accepted: " + entry.accepted + "." +
                                     (other ? " Default: " + entry.default_text + "." : ""));
-            if (!entry.section.empty())
-              handler.leave_subsection();
           }
       return "# All entries of a scene. Entries that are not set take their default.\n"
              "# A number that measures something carries its unit.\n" +

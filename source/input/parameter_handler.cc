@@ -66,34 +66,23 @@ namespace wheelrail
         words += (words.empty() ? "" : "|") + choice;
       return std::make_unique<dealii::Patterns::Selection>(words);
     }
-
-    /// Enters a subsection of a handler, if it has a name, and leaves it also when a value is refused.
-    class InSection
-    {
-    public:
-      InSection(ParameterHandler &handler, const std::string &section)
-        : handler_(handler)
-        , entered_(!section.empty())
-      {
-        if (entered_)
-          handler_.enter_subsection(section);
-      }
-
-      ~InSection()
-      {
-        if (entered_)
-          handler_.leave_subsection();
-      }
-
-      InSection(const InSection &) = delete;
-      InSection &
-      operator=(const InSection &) = delete;
-
-    private:
-      ParameterHandler &handler_;
-      bool              entered_;
-    };
   } // namespace
+
+
+  InSection::InSection(ParameterHandler &handler, const std::string &section)
+    : handler_(handler)
+    , entered_(!section.empty())
+  {
+    if (entered_)
+      handler_.enter_subsection(section);
+  }
+
+
+  InSection::~InSection()
+  {
+    if (entered_)
+      handler_.leave_subsection();
+  }
 
 
   void

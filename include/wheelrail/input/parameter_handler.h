@@ -13,6 +13,22 @@ namespace dealii
 
 namespace wheelrail
 {
+  /// Stands in a subsection of a handler, if it has a name, and leaves it also when a value is refused.
+  class InSection
+  {
+  public:
+    InSection(dealii::ParameterHandler &handler, const std::string &section);
+    ~InSection();
+
+    InSection(const InSection &) = delete;
+    InSection &
+    operator=(const InSection &) = delete;
+
+  private:
+    dealii::ParameterHandler &handler_;
+    bool                      entered_;
+  };
+
   /// Declares all entries with default, pattern and meaning. `scene` gets their defaults, and from then on
   /// whatever the handler reads or is told; it must live as long as the handler does that.
   void
