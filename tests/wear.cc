@@ -4,6 +4,7 @@
 
 #include "check.h"
 
+#include <wheelrail/base/read_file.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/reference/halfspace_case.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 
 using namespace wheelrail;
@@ -51,6 +53,21 @@ namespace
     check_near(archard_coefficient(0.5, 1e9, data), 35e-4, 0, "severe wear at 0.2 to 0.7 m/s");
     check_near(archard_coefficient(1, 1e9, data), 5e-4, 0, "mild again");
     check_near(archard_coefficient(0.1, 2.1e9, data), 350e-4, 0, "seizure above 0.8 H");
+  }
+
+  /// Pages draw the limits by which elastic results are judged.
+  void
+  test_drawn_limits()
+  {
+    std::istringstream script(read_whole_file(WHEELRAIL_SOURCE_DIR "/source/report/shakedown.py"));
+    std::string        line;
+    while (std::getline(script, line) && line.rfind("SHAKEDOWN = [", 0) != 0)
+      ;
+    std::istringstream numbers(line.substr(line.find('[') + 1));
+    int                k = 0;
+    for (double limit = 0; numbers >> limit; ++k, numbers.ignore())
+      check_near(shakedown_limit(0.05 * k), limit, 1e-9, "limit of shakedown of the picture");
+    check(k == 13, "all of the picture's limits");
   }
 
   /// V = k F s / H of whatever shape: a wheel that slides as a whole, and the main scene.
@@ -231,6 +248,7 @@ int
 main()
 {
   test_laws();
+  test_drawn_limits();
   test_volume();
   test_ball();
   test_readings();
