@@ -269,6 +269,7 @@ namespace wheelrail
                          out);
       return faults;
     }
+
     std::filesystem::path
     rows_file(const std::filesystem::path &folder)
     {

@@ -355,13 +355,12 @@ namespace wheelrail
   std::vector<CoarseLevel>
   coarse_levels(const Discretization &discretization, const LocalMesh &finest)
   {
-    const auto            communicator  = discretization.communicator();
-    const auto           &triangulation = discretization.triangulation();
-    const HangingVertices hangs(discretization);
-    Level                 finer   = finest_level(discretization, finest);
-    const unsigned int    deepest = triangulation.n_global_levels() - 1;
-    // which later levels point to
-    std::vector<CoarseLevel> levels(deepest);
+    const auto               communicator  = discretization.communicator();
+    const auto              &triangulation = discretization.triangulation();
+    const HangingVertices    hangs(discretization);
+    Level                    finer   = finest_level(discretization, finest);
+    const unsigned int       deepest = triangulation.n_global_levels() - 1;
+    std::vector<CoarseLevel> levels(deepest); // which later levels point to
     const LocalMesh         *finer_mesh = &finest;
     for (std::size_t k = 0; k < levels.size(); ++k)
       {

@@ -168,6 +168,7 @@ namespace wheelrail
                                 " kept");
       profile.curve = curve;
     }
+
     /// Turned as its kind is, a crown as its format is: y out of a roller, else up.
     std::vector<FilePoint>
     oriented(std::vector<FilePoint>    points,

@@ -40,7 +40,7 @@ namespace wheelrail
     double      yield_stress        = std::numeric_limits<double>::infinity(); ///< infinite: elastic
     double      tangent_modulus     = 21e9;
     double      kinematic_hardening = 0;     ///< fraction, 0 isotropic, 1 kinematic
-    std::string steel               = "any"; ///< by which elastic results are judged, see material/steels.h
+    std::string steel               = "any"; ///< by which elastic results are judged, see scene/steels.h
     /// Of the law of Chaboche; its yield stress is the one above.
     CyclicHardening cyclic;
 

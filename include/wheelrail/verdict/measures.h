@@ -117,9 +117,8 @@ namespace wheelrail
   double
   advised_cell(double size, double cells);
 
-  /// How far the wear of a run can be trusted, in words; empty: as far as the run. Where fewer than eight
-  /// cells lie across what slides, their slip scatters about the 0.2 m/s from which the coefficient of the
-  /// map rises sevenfold: 3.7 cells wear 15 % more, 1.9 a third more, and less than one (free rolling) half.
+  /// How far the wear of a run can be trusted, in words; empty: as far as the run. Fewer than eight cells
+  /// across what slides do not show its slip: less than one (free rolling) wears half of half-spaces.
   std::string
   wear_doubt(const Scene &scene, const Summary &run);
 
