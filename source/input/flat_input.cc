@@ -210,7 +210,7 @@ namespace wheelrail
       std::string names;
       for (const File *at = &file; at != nullptr; at = at->includer)
         {
-          names = at->name + ", " + names;
+          names.insert(0, at->name + ", ");
           if (at->path == path)
             return names + at->name;
         }
