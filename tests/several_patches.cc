@@ -199,6 +199,41 @@ namespace
     const double head = shift_effect(Scene(), make_geometry(Scene()), 103e3);
     check(head > 0.05 && head < 0.15, "54E1, shift 0: " + std::to_string(head));
   }
+
+  /// Half-spaces under the load of a scene and held against true bodies.
+  WheelRailSolution
+  held(Scene scene)
+  {
+    scene.halfspace_bodies       = ContactBodies::half_spaces;
+    scene.halfspace_element_size = 0.8e-3;
+    const SceneGeometry geometry = make_geometry(scene);
+    WheelRailSolution   result =
+      solve_wheel_rail(scene, geometry, scene_load(scene, geometry), scene_offsets(scene));
+    hold_against_bodies(scene, geometry, result);
+    return result;
+  }
+
+  /// A lateral force turns head and rim: the half-spaces of a wheel with 5 mrad of yaw are 29 % above.
+  void
+  test_hold()
+  {
+    Scene scene;
+    check(std::abs(held(scene).bodies_effect) < 0.06 && held(scene).unheld.empty(), "the main scene is held");
+    scene.yaw                     = 5e-3;
+    const WheelRailSolution yawed = held(scene);
+    check_near(yawed.bodies_effect, 0.29, 0.04, "5 mrad of yaw: over the true bodies");
+    check(std::isnan(yawed.shift_effect), "and then nothing is guessed");
+    scene.yaw                      = 0;
+    scene.halfspace_lateral        = 0.1e-3;
+    const WheelRailSolution placed = held(scene);
+    check(placed.unheld.find("Half-space/Lateral offset = 0.1 mm: a position given by hand") == 0 &&
+            std::isnan(placed.bodies_effect) && placed.shift_effect > 0,
+          "a position by hand is not [" + placed.unheld + "]");
+    scene.halfspace_lateral = 0;
+    scene.both_wheels       = true;
+    scene.pose_balances     = true;
+    check(!held(scene).unheld.empty(), "nor is the pose of half-spaces in balance");
+  }
 } // namespace
 
 int
@@ -208,5 +243,6 @@ main()
   test_against_one_grid(0.02, 0.1 * load);
   test_tread_and_root();
   test_shift_effect();
+  test_hold();
   return test::report();
 }

@@ -276,7 +276,12 @@ namespace
     const WearState none       = worn(scene);
     check(none.steps.back().rail_depth == 0 && none.note.find("Nothing wears") != std::string::npos,
           "without friction nothing wears: " + none.note);
-    check(wear_verdict(none).findings.empty(), "contacts on the head are trusted");
+    test::check_text(
+      wear_verdict(none).doubts(),
+      "Up to 100 % of the passages are with care, such as the scene: The peak pressure is 6 % above that "
+      "of the true bodies, whose head and rim turn and move under these forces, which half-spaces do not "
+      "know; take Half-space/Bodies = real.",
+      "contacts on the head are held against true bodies");
     scene.lateral_shift      = -4.5e-3;
     const WearState   corner = worn(scene);
     const std::string doubts = wear_verdict(corner).doubts();
@@ -284,7 +289,7 @@ namespace
             doubts.rfind(
               "Up to 100 % of the passages are not trusted, such as the scene: Too few elements: the peak ",
               0) == 0 &&
-            doubts.find("The surfaces turn by ") != std::string::npos,
+            doubts.find("The peak pressure is 35 % above that of the true bodies") != std::string::npos,
           "the corner of the head is not: " + doubts);
     check_near(corner.steps.back().not_trusted, 1, 0, "all of its passages");
     std::ofstream("mix.csv") << "lateral shift [mm],yaw [mrad],weight\n0,0,1\n-11.9,50,1\n";

@@ -164,6 +164,8 @@ namespace wheelrail
     measures.beyond        = comparison.beyond;
     measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
     measure_against(halfspace_pressure(result), scene, run, measures);
+    if (with_bodies && force_is_a_result(scene))
+      measure_against_bodies(scene, geometry, run, measures);
     if (!bodies.is_null() && bodies["converged"])
       measures.bodies_difference = get_figure(run, "bodies_relative_difference_max_pressure");
     measures.pose_effect =

@@ -9,6 +9,7 @@
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/given_distance.h>
+#include <wheelrail/reference/shift_effect.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -130,6 +131,10 @@ namespace wheelrail
       [&](const Scene &point) {
         return given ? solve_given_distance(point, geometry)
                      : solve_wheel_rail(point, *geometry, scene_load(point, *geometry), scene_offsets(point));
+      },
+      [&](const Scene &point, WheelRailSolution &result) {
+        if (!given)
+          hold_against_bodies(point, *geometry, result);
       },
       &count);
 

@@ -10,7 +10,10 @@
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/tick_file.h>
+#include <wheelrail/reference/shift_effect.h>
+#include <wheelrail/verdict/rules.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -73,16 +76,38 @@ namespace wheelrail
         }
     }
 
-    Grade
-    grade_of_place(const PlaceContact &contact)
+    /// Half-spaces of the smooth contact beside the true bodies, which know no irregular surfaces: places are
+    /// trusted no more.
+    Verdict
+    judge_smooth_contact(const Scene &scene, SceneGeometry smooth, const double force)
     {
-      return contact.fault.empty() ? contact.verdict.grade() : Grade::not_trusted;
+      smooth.surfaces.rail.set_irregularities(nullptr);
+      smooth.surfaces.wheel.set_irregularities(nullptr);
+      WheelRailLoad load;
+      load.force               = force;
+      load.vertical            = true;
+      WheelRailSolution result = solve_wheel_rail(scene, smooth, load, scene_offsets(scene));
+      hold_against_bodies(scene, smooth, result);
+      Measures measures;
+      measures.bodies_effect = result.bodies_effect;
+      measures.shift_effect  = result.shift_effect;
+      measures.unheld        = result.unheld;
+      Verdict verdict;
+      judge_held(measures, verdict);
+      return verdict;
+    }
+
+    Grade
+    grade_of_place(const PlaceContact &contact, const Verdict &smooth)
+    {
+      return contact.fault.empty() ? std::min(contact.verdict.grade(), smooth.grade()) : Grade::not_trusted;
     }
 
     /// Returns the number of places that could not be solved.
     std::size_t
     print_verdicts(const IrregularPlaces           &places,
                    const std::vector<PlaceContact> &contacts,
+                   const Verdict                   &smooth,
                    std::ostream                    &out)
     {
       std::size_t             faults = 0;
@@ -92,15 +117,17 @@ namespace wheelrail
           faults += c.fault.empty() ? 0 : 1;
           verdicts.push_back(
             {places.pitch ? text("pitch %g deg", c.pitch * 180 / M_PI) : text("place %g mm", 1e3 * c.place),
-             grade_of_place(c),
+             grade_of_place(c, smooth),
              c.fault.empty() ? c.verdict.doubts() : c.fault});
         }
       print_row_verdicts(verdicts, places.pitch ? "pitch angles" : "places", "verdict of places.csv", out);
+      if (!smooth.findings.empty())
+        out << "on the smooth rail: " << smooth.doubts() << '\n';
       return faults;
     }
 
     FigureTable
-    table_of(const std::vector<PlaceContact> &contacts)
+    table_of(const std::vector<PlaceContact> &contacts, const Verdict &smooth)
     {
       FigureTable table;
       const auto  column = [&](const char *key, const char *unit, const auto &value) {
@@ -123,7 +150,7 @@ namespace wheelrail
       column("wheel_drop_m", "m", [](C c) { return c.drop; });
       column("normal_force_N", "N", [](C c) { return c.normal_force; });
       column("slope_force_N", "N", [](C c) { return c.slope_force; });
-      column("verdict", "1", [](C c) { return static_cast<double>(grade_of_place(c)); });
+      column("verdict", "1", [&](C c) { return static_cast<double>(grade_of_place(c, smooth)); });
       return table;
     }
 
@@ -150,11 +177,12 @@ namespace wheelrail
     print_head(scene, load, out);
     TaskCount                       count("places", places.values.size(), 0, out);
     const std::vector<PlaceContact> contacts = solve_places(scene, geometry, load, places, &count);
+    const Verdict                   smooth   = judge_smooth_contact(scene, geometry, load);
     print_table(places, contacts, out);
-    const std::size_t failed = print_verdicts(places, contacts, out);
+    const std::size_t failed = print_verdicts(places, contacts, smooth, out);
 
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
-    const FigureTable table = table_of(contacts);
+    const FigureTable table = table_of(contacts, smooth);
     table.write_csv((folder / "places.csv").string());
     write_patches(contacts, (folder / "places.h5").string());
     out << "Table in " << (folder / "places.csv").string() << std::endl;

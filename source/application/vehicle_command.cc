@@ -254,12 +254,16 @@ namespace wheelrail
       for (const VehicleWheel &wheel : wheels)
         for (std::size_t row = 0; row < wheel.rows.size(); ++row)
           {
-            const bool fault = !wheel.faults[row].empty();
-            faults += fault ? 1 : 0;
-            verdicts.push_back(
-              {"row " + std::to_string(row + 1) + ", " + (wheel.left ? "left" : "right") + " wheel",
-               grade_of_row(wheel, row),
-               fault ? wheel.faults[row] : wheel.rows[row].doubts});
+            const std::string &fault = wheel.faults[row];
+            const bool         of_both =
+              wheels.size() > 1 && !fault.empty() && wheels[0].faults[row] == wheels[1].faults[row];
+            const std::string side = wheel.left ? ", left wheel" : ", right wheel";
+            faults += fault.empty() ? 0 : 1;
+            verdicts.push_back({"row " + std::to_string(row + 1) + (of_both ? "" : side),
+                                grade_of_row(wheel, row),
+                                of_both && &wheel != &wheels[0] ? "" // told with the other wheel
+                                : fault.empty()                 ? wheel.rows[row].doubts
+                                                                : fault});
           }
       print_row_verdicts(verdicts,
                          wheels.size() > 1 ? "contacts of both wheels" : "rows",

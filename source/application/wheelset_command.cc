@@ -90,7 +90,7 @@ namespace wheelrail
                                "reference_lateral",
                                "patch_centre_from_axis",
                                "patch_centre_from_gauge_face",
-                               "rolling_radius",
+                               "reference_radius",
                                "subsurface_von_mises"})
         {
           const Figure &figure = figure_named(name);

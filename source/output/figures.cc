@@ -117,6 +117,7 @@ namespace wheelrail
       {"reference_lateral", "m", "reference point, from the running circle", "positive to the track centre", "mm", 1e3, 3, false, nullptr},
       {"reference_vertical", "m", "reference point, height", "above the top of the rail", "mm", 1e3, 3, false, nullptr},
       {"reference_along", "m", "reference point, along the track", "ahead of the middle of the wheelset", "mm", 1e3, 3, false, nullptr},
+      {"reference_radius", "m", "rolling radius, reference point", "from the axle", "mm", 1e3, 2, false, nullptr},
       {"reference_ahead_of_axle", "m", "reference point, ahead of the axle", "", "mm", 1e3, 3, false, nullptr},
       {"reference_angle", "rad", "contact angle, reference point", "positive when the tangent falls to the gauge side", "mrad", 1e3, 2, false, nullptr},
       {"reference_creepage", "", "longitudinal creepage, reference point", "positive when driving; over the mean speed", "1e-3", 1e3, 3, false, nullptr},

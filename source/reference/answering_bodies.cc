@@ -8,31 +8,40 @@
 namespace wheelrail
 {
   std::string
-  solve_with_bodies(Scene &scene, const std::function<void()> &solve)
+  fault_of(const std::function<void()> &solve)
   {
-    if (scene.halfspace_bodies != ContactBodies::automatic)
-      {
-        solve();
-        return "";
-      }
-    scene.halfspace_bodies = ContactBodies::real;
-    std::string why;
     try
       {
         solve();
-        return "";
       }
     catch (const RunError &error)
       {
-        why = error.what();
+        return error.what();
       }
-    catch (const InputError &error) // what half-spaces do not take either they say themselves
+    catch (const InputError &error)
       {
-        why = error.what();
+        return error.what();
       }
-    scene.halfspace_bodies = ContactBodies::half_spaces;
+    return "";
+  }
+
+
+  std::string
+  solve_with_bodies(Scene &scene, const std::function<void()> &solve)
+  {
+    std::string note;
+    if (scene.halfspace_bodies == ContactBodies::automatic)
+      {
+        scene.halfspace_bodies = ContactBodies::real;
+        const std::string why  = fault_of(solve);
+        if (why.empty())
+          return "";
+        scene.halfspace_bodies =
+          ContactBodies::half_spaces; // what these do not take either they say themselves
+        note = "By half-spaces, since true bodies have no answer: " + why;
+      }
     solve();
-    return "By half-spaces, since true bodies have no answer: " + why;
+    return note;
   }
 
 
@@ -44,21 +53,18 @@ namespace wheelrail
   {
     Scene alone            = scene;
     alone.halfspace_bodies = ContactBodies::half_spaces;
-    try
-      {
-        const Summary figures =
-          halfspace_summary(alone, solve_wheel_rail(alone, geometry, load, scene_offsets(alone)));
-        for (const char *name : {"max_pressure", "contact_area", "creepage", "lateral_force"})
-          {
-            const std::string key = figure_named(name).key();
-            set_figure(bodies, "halfspace_" + key, get_figure(figures, key));
-          }
-        set_figure(
-          bodies, "relative_difference_max_pressure", bodies.max_pressure / figures.max_pressure - 1);
-      }
-    catch (const InputError &)
-      {
-      }
+    fault_of([&]() { // where half-spaces do not touch there is nothing to add
+      const WheelRailSolution result = solve_wheel_rail(alone, geometry, load, scene_offsets(alone));
+      const double            peak   = halfspace_pressure(result).peak;
+      const auto              set    = [&](const char *name, const double value) {
+        set_figure(bodies, "halfspace_" + figure_named(name).key(), value);
+      };
+      set("max_pressure", peak);
+      set("contact_area", sum_over_patches(result, [](const auto &patch) { return patch.measures.area; }));
+      set("creepage", steady_creepage(result));
+      set("lateral_force", sum_over_patches(result, [](const auto &patch) { return patch.lateral; }));
+      set_figure(bodies, "relative_difference_max_pressure", bodies.max_pressure / peak - 1);
+    });
   }
 
 

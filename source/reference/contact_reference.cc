@@ -63,7 +63,8 @@ namespace wheelrail
     reference.along = sections.region().along + point.x;
     reference.ahead =
       (reference.along * axle[0] - (reference.place.x - geometry.axis.middle.x) * axle[2]) / level;
-    reference.angle = -point.angle;
+    reference.angle  = -point.angle;
+    reference.radius = point.slice.radius;
 
     const RigidSlip slip       = rigid_slip(point.slice, motion, solution.xi);
     const double    creepage   = solution.xi + slip.along;

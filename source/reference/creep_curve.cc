@@ -23,8 +23,9 @@ namespace wheelrail
       return over_velocity(value) - over_velocity(at.creepage);
     }
 
+    /// Leaves the scene with the creepage or spin at which the value is met.
     WheelRailSolution
-    solve_point(Scene                                                  scene,
+    solve_point(Scene                                                 &scene,
                 const CreepAxis                                        axis,
                 const double                                           value,
                 const std::function<WheelRailSolution(const Scene &)> &solve)
@@ -112,17 +113,33 @@ namespace wheelrail
 
 
   std::vector<WheelRailSolution>
-  solve_creep_curve(const Scene                                           &scene,
-                    const CreepCurve                                      &curve,
-                    const std::function<WheelRailSolution(const Scene &)> &solve,
-                    TaskCount                                             *count)
+  solve_creep_curve(const Scene                                                   &scene,
+                    const CreepCurve                                              &curve,
+                    const std::function<WheelRailSolution(const Scene &)>         &solve,
+                    const std::function<void(const Scene &, WheelRailSolution &)> &hold,
+                    TaskCount                                                     *count)
   {
     std::vector<WheelRailSolution> points(curve.values.size());
+    std::vector<Scene>             scenes(points.size(), scene);
     parallel_for(points.size(), [&](const std::size_t i) {
-      points[i] = solve_point(scene, curve.axis, curve.values[i], solve);
+      points[i] = solve_point(scenes[i], curve.axis, curve.values[i], solve);
       if (count)
         count->one_more();
     });
+    const auto [least, most] = std::minmax_element(
+      points.begin(), points.end(), [](const auto &a, const auto &b) { return a.lateral < b.lateral; });
+    hold(scenes[least - points.begin()], *least);
+    if (most != least)
+      hold(scenes[most - points.begin()], *most);
+    const double      slope  = most->lateral > least->lateral
+                                 ? (most->bodies_effect - least->bodies_effect) / (most->lateral - least->lateral)
+                                 : 0;
+    const std::string unheld = least->unheld.empty() ? most->unheld : least->unheld;
+    for (WheelRailSolution &point : points)
+      {
+        point.unheld        = unheld;
+        point.bodies_effect = least->bodies_effect + slope * (point.lateral - least->lateral);
+      }
     return points;
   }
 } // namespace wheelrail

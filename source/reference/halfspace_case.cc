@@ -27,6 +27,25 @@ namespace wheelrail
   }
 
 
+  double
+  sum_over_patches(const WheelRailSolution                                &result,
+                   const std::function<double(const WheelRailSolution &)> &of)
+  {
+    double sum = of(result);
+    for (const WheelRailSolution &other : result.others)
+      sum += of(other);
+    return sum;
+  }
+
+
+  double
+  steady_creepage(const WheelRailSolution &result)
+  {
+    const HalfspaceSolution &s = result.solution;
+    return !result.problem.friction.frictionless() && (s.within_friction || s.xi < 0) ? s.xi : Summary::none;
+  }
+
+
   SectionOffsets
   scene_offsets(const Scene &scene)
   {

@@ -34,6 +34,7 @@ namespace wheelrail
       set("reference_lateral_m", at.place.x);
       set("reference_vertical_m", at.place.y);
       set("reference_along_m", at.along);
+      set("reference_radius_m", at.radius);
       set_reference_figures(at, determined, summary);
       set("reference_spin_moment_Nm", at.spin_moment);
       set("tangential_lateral_force_N", at.traction);
@@ -74,6 +75,7 @@ namespace wheelrail
       measures.made_up       = result.made_up;
       measures.shift_effect  = result.shift_effect;
       measures.bodies_effect = result.bodies_effect;
+      measures.unheld        = result.unheld;
       if (scene.halfspace_bodies != ContactBodies::real)
         measures.turn = turn;
       if (result.reference)
@@ -116,20 +118,19 @@ namespace wheelrail
       summary.patch_centre_longitudinal = result.measures.centre_along + result.ahead;
       summary.max_shear_traction        = result.measures.max_traction;
       summary.stick_fraction            = result.measures.stick_fraction;
-      // a wheel that spins up has no steady creepage, and without friction there is none to find
-      const bool determined = !result.problem.friction.frictionless() && (s.within_friction || s.xi < 0);
-      summary.creepage      = determined ? s.xi : Summary::none;
-      summary.friction_coefficient = scene.friction.at_rest;
-      summary.velocity             = scene.velocity;
-      summary.elements             = s.contact_elements;
-      summary.wall_time            = result.time;
-      summary.further              = {{"approach_m", s.approach},
-                                      {"spin_per_m", result.spin},
-                                      {"contact_angle_rad", -result.angle},
-                                      {"area_of_whole_elements_m2", s.area},
-                                      {"grid_spacing_m", s.grid.dx},
-                                      {"grid_elements_along", double(s.grid.mx)},
-                                      {"grid_elements_lateral", double(s.grid.my)}};
+      summary.creepage                  = steady_creepage(result);
+      const bool determined             = std::isfinite(summary.creepage);
+      summary.friction_coefficient      = scene.friction.at_rest;
+      summary.velocity                  = scene.velocity;
+      summary.elements                  = s.contact_elements;
+      summary.wall_time                 = result.time;
+      summary.further                   = {{"approach_m", s.approach},
+                                           {"spin_per_m", result.spin},
+                                           {"contact_angle_rad", -result.angle},
+                                           {"area_of_whole_elements_m2", s.area},
+                                           {"grid_spacing_m", s.grid.dx},
+                                           {"grid_elements_along", double(s.grid.mx)},
+                                           {"grid_elements_lateral", double(s.grid.my)}};
       if (result.centre)
         set_patch_place(head_place(result.rail, scene.track, *result.centre), summary);
       add_reference(scene, result, determined, summary);
@@ -246,10 +247,7 @@ namespace wheelrail
     Verdict      verdict = judge_with(scene, result, turn);
     for (const WheelRailSolution &other : result.others)
       for (const Finding &finding : judge_with(scene, other, turn).findings)
-        if (std::none_of(verdict.findings.begin(), verdict.findings.end(), [&](const Finding &told) {
-              return told.sentence == finding.sentence;
-            }))
-          verdict.findings.push_back(finding);
+        add_finding(finding, verdict);
     return verdict;
   }
 

@@ -10,7 +10,7 @@ namespace wheelrail
   {
     // normal forces and friction at their bound carry between these shares; what else changes meanwhile, such
     // as the creepage, can make a secant anything
-    constexpr double enough = 1e-3, least_slope = 0.1, largest_slope = 2;
+    constexpr double enough = 1e-4, least_slope = 0.1, largest_slope = 2;
     const double     missed_before = missed_, now = pressed_;
     missed_ = vertical - load_;
     if (std::abs(missed_) < enough * load_)

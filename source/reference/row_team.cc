@@ -23,6 +23,7 @@ namespace boost
       archive &wear.mean_pressure &wear.peak_pressure;
       archive &wear.mean_t_gamma &wear.peak_t_gamma;
       archive &wear.axle_load &wear.at_end &wear.fault;
+      archive &wear.bodies_low &wear.bodies_high;
       archive &wear.with_care &wear.not_trusted &wear.doubts;
     }
   } // namespace serialization

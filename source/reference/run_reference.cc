@@ -1,3 +1,4 @@
+#include <wheelrail/reference/answering_bodies.h>
 #include <wheelrail/reference/run_reference.h>
 
 #include <algorithm>
@@ -29,6 +30,36 @@ namespace wheelrail
     measures.turn = halfspace.turn;
     if (const double patches = get_figure(run, "patches"); patches > 1 && patches != halfspace.patches)
       measures.patches = patches;
+  }
+
+
+  bool
+  force_is_a_result(const Scene &scene)
+  {
+    return scene.drive == Drive::rate && scene.motion == "none" && !scene.irregular();
+  }
+
+
+  void
+  measure_against_bodies(const Scene         &scene,
+                         const SceneGeometry &geometry,
+                         const Summary       &run,
+                         Measures            &measures)
+  {
+    Scene bodies            = scene;
+    bodies.halfspace_bodies = ContactBodies::real;
+    WheelRailLoad load;
+    load.force     = run.vertical_force;
+    load.vertical  = true;
+    load.rate_held = true;
+    load.creepage  = run.creepage;
+    fault_of([&]() {
+      const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
+      if (!real.solution.converged())
+        return;
+      measures.bodies_difference = run.max_pressure / real.solution.peak_pressure - 1;
+      measures.force_difference  = (run.longitudinal_force + real.solution.fx) / run.vertical_force;
+    });
   }
 
 

@@ -1,7 +1,12 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/input/cross_checks.h>
+#include <wheelrail/reference/answering_bodies.h>
 #include <wheelrail/reference/shift_effect.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
 
 namespace wheelrail
 {
@@ -32,51 +37,40 @@ namespace wheelrail
   {
     if (scene.halfspace_bodies == ContactBodies::real)
       return;
-    double force = result.solution.fn;
-    for (const WheelRailSolution &other : result.others)
-      force += other.solution.fn;
-    try
-      {
-        result.shift_effect = shift_effect(scene, geometry, force);
-      }
-    catch (const InputError &) // profiles that end there; what was solved is no worse for it
-      {
-      }
+    const double force = sum_over_patches(result, [](const auto &patch) { return patch.solution.fn; });
+    // profiles that end there: what was solved is no worse for it
+    fault_of([&]() { result.shift_effect = shift_effect(scene, geometry, force); });
   }
 
 
   void
   hold_against_bodies(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result)
   {
-    find_shift_effect(scene, geometry, result);
-    if (scene.halfspace_bodies == ContactBodies::real || scene.halfspace_lateral != 0 ||
-        scene.halfspace_inclination != 0)
+    if (scene.halfspace_bodies == ContactBodies::real)
       return;
-    WheelRailLoad load;
-    load.force        = result.vertical;
-    load.vertical     = true;
-    double peak       = result.solution.peak_pressure;
-    load.longitudinal = result.reference ? result.reference->driving : -result.solution.fx;
-    load.slides       = !result.solution.within_friction;
-    for (const WheelRailSolution &other : result.others)
-      {
-        load.force += other.vertical;
-        load.longitudinal += other.reference ? other.reference->driving : -other.solution.fx;
-        peak = std::max(peak, other.solution.peak_pressure);
-      }
     Scene bodies            = scene;
     bodies.halfspace_bodies = ContactBodies::real;
-    try
+    bodies.halfspace_spin   = HalfspaceSpin::local_radius;
+    const std::string fault = fault_of([&]() {
+      if (const std::vector<std::string> refused = refused_by_bodies(bodies); !refused.empty())
+        throw InputError(refused.front());
+      WheelRailLoad load;
+      load.vertical     = true;
+      load.force        = sum_over_patches(result, [](const auto &patch) { return patch.vertical; });
+      load.longitudinal = sum_over_patches(result, [](const auto &patch) {
+        return patch.reference ? patch.reference->driving : -patch.solution.fx;
+      });
+      load.slides       = !result.solution.within_friction;
+      const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
+      if (real.solution.converged() && !real.solution.touches_grid_edge)
+        result.bodies_effect = halfspace_pressure(result).peak / real.solution.peak_pressure - 1;
+    });
+    if (!std::isfinite(result.bodies_effect))
       {
-        const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
-        if (real.solution.converged())
-          result.bodies_effect = peak / real.solution.peak_pressure - 1;
+        result.unheld = fault.empty() ? "their solution is not exact" : fault;
+        find_shift_effect(scene, geometry, result);
       }
-    catch (const InputError &) // sections that have no tables
-      {
-      }
-    catch (const RunError &)
-      {
-      }
+    else if (scene.both_wheels && scene.pose_balances)
+      result.unheld = "shift and yaw are those at which half-spaces balance";
   }
 } // namespace wheelrail

@@ -1,4 +1,3 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/reference/answering_bodies.h>
 #include <wheelrail/reference/halfspace_case.h>
@@ -175,19 +174,8 @@ namespace wheelrail
             keep(0, wheel, std::numeric_limits<double>::quiet_NaN(), solve_alone(wheel, torque));
           }
       };
-      std::string note, fault;
-      try
-        {
-          note = solve_with_bodies(own, solve);
-        }
-      catch (const InputError &error)
-        {
-          fault = error.what();
-        }
-      catch (const RunError &error) // of bodies that were asked for
-        {
-          fault = error.what();
-        }
+      std::string       note;
+      const std::string fault = fault_of([&]() { note = solve_with_bodies(own, solve); });
       for (VehicleWheel &wheel : vehicle.wheels)
         {
           if (!fault.empty())

@@ -84,6 +84,8 @@ namespace wheelrail
       step.wheel_cracks  = largest(state.wheel.cracks);
       step.rail_ground   = state.rail_ground;
       step.wheel_turned  = state.wheel_turned;
+      step.bodies_low    = wear.bodies_low;
+      step.bodies_high   = wear.bodies_high;
       step.with_care     = wear.with_care;
       step.not_trusted   = wear.not_trusted;
       return step;
@@ -117,6 +119,20 @@ namespace wheelrail
     {
       if (state.note.find(sentence) == std::string::npos)
         state.note += (state.note.empty() ? "" : " ") + sentence;
+    }
+
+    /// How far the half-spaces of the first and the last state are from the true bodies.
+    void
+    tell_bound(WearState &state)
+    {
+      const double low  = std::fmin(state.steps.front().bodies_low, state.steps.back().bodies_low),
+                   high = std::fmax(state.steps.front().bodies_high, state.steps.back().bodies_high);
+      if (std::isfinite(low))
+        note(text("Peak pressures of these half-spaces are %+.1f to %+.1f %% beside those of the true "
+                  "bodies, on new and on worn profiles.",
+                  100 * low,
+                  100 * high),
+             state);
     }
 
     /// The most that a step may take off; says where the scene asks for more.
@@ -242,9 +258,9 @@ namespace wheelrail
     while (!state.finished)
       {
         const SceneProfiles profiles = profiles_of(state.rail, state.wheel, scene);
-        const MixWear       wear     = wear_of_mix(rows, profiles, state.rail, state.wheel, team);
-        const double        turns    = plan.worn == WornBody::both ? turns_of_a_passage(scene) : 1;
-        const auto          rail =
+        MixWear      wear  = wear_of_mix(rows, profiles, state.rail, state.wheel, team, state.steps.empty());
+        const double turns = plan.worn == WornBody::both ? turns_of_a_passage(scene) : 1;
+        const auto   rail =
           taken(wear.rail_section, state.rail, plan.worn == WornBody::wheel ? 0 : 1, plan.smoothing);
         const auto tread =
           taken(wear.wheel_section, state.wheel, plan.worn == WornBody::rail ? 0 : turns, plan.smoothing);
@@ -258,6 +274,8 @@ namespace wheelrail
           steps = stop;
         if (left - steps < 1e-9 * left) // no step of a few passages at the end
           steps = left;
+        if (steps <= 0 && !state.steps.empty())
+          wear = wear_of_mix(rows, profiles, state.rail, state.wheel, team, true);
         if (wear.at_end)
           note("A patch lies on the end of a profile: what lies beyond was not measured, or is not modelled.",
                state);
@@ -269,6 +287,8 @@ namespace wheelrail
         state.finished = steps <= 0;
         state.steps.push_back(measured(state, profiles, scene, wear));
         state.steps.back().step_depth = state.finished || event ? 0 : steps * depth;
+        if (state.finished)
+          tell_bound(state);
         keep(state);
         if (state.finished)
           return;

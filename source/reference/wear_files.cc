@@ -52,6 +52,8 @@ namespace wheelrail
         {"wheel_net_cracks", "1", [](S &s) -> double & { return s.wheel_cracks; }},
         {"rail_ground_section_m2", "m2", [](S &s) -> double & { return s.rail_ground; }},
         {"wheel_turned_section_m2", "m2", [](S &s) -> double & { return s.wheel_turned; }},
+        {"halfspace_peak_beyond_bodies_low", "1", [](S &s) -> double & { return s.bodies_low; }},
+        {"halfspace_peak_beyond_bodies_high", "1", [](S &s) -> double & { return s.bodies_high; }},
         {"share_with_care", "1", [](S &s) -> double & { return s.with_care; }},
         {"share_not_trusted", "1", [](S &s) -> double & { return s.not_trusted; }}};
       return list;

@@ -141,11 +141,22 @@ namespace wheelrail
       sum.peak_t_gamma = std::max(sum.peak_t_gamma, t_gamma);
     }
 
+    void
+    add_range(const double low, const double high, MixWear &sum)
+    {
+      sum.bodies_low  = std::fmin(sum.bodies_low, low);
+      sum.bodies_high = std::fmax(sum.bodies_high, high);
+    }
+
     /// Judges a wheel, and keeps what is off where it is the worst so far.
     void
-    add_verdict(Solved &wheel, const std::string &row, MixWear &sum)
+    add_verdict(Solved &wheel, const std::string &row, const bool held, MixWear &sum)
     {
-      find_shift_effect(wheel.scene, wheel.geometry, *wheel.solution);
+      if (held)
+        hold_against_bodies(wheel.scene, wheel.geometry, *wheel.solution);
+      else
+        find_shift_effect(wheel.scene, wheel.geometry, *wheel.solution);
+      add_range(wheel.solution->bodies_effect, wheel.solution->bodies_effect, sum);
       Verdict verdict = judge_contact(wheel.scene, *wheel.solution);
       if (!wheel.solution->solution.not_reached.empty())
         verdict.findings.push_back({Grade::not_trusted, wheel.solution->solution.not_reached});
@@ -173,7 +184,8 @@ namespace wheelrail
     wear_of_row(const MixRow        &row,
                 const SceneProfiles &profiles,
                 const WornShape     &rail,
-                const WornShape     &wheel)
+                const WornShape     &wheel,
+                const bool           held)
     {
       MixWear        wear = empty_wear(rail, wheel);
       WearingSurface on_rail(rail, wear.rail_section, wear.rail_damage, wear.rail_cracks),
@@ -188,7 +200,7 @@ namespace wheelrail
               if (!one.solution)
                 continue;
               add_wheel(one, on_rail, on_tread, wear);
-              add_verdict(one, row.name, wear);
+              add_verdict(one, row.name, held, wear);
             }
         }
       catch (const InputError &error)
@@ -219,6 +231,7 @@ namespace wheelrail
       sum.at_end = sum.at_end || row.at_end;
       if (sum.doubts.empty() || (sum.not_trusted == 0 && row.not_trusted > 0))
         sum.doubts = row.doubts;
+      add_range(row.bodies_low, row.bodies_high, sum);
       sum.with_care += row.with_care;
       sum.not_trusted += row.not_trusted;
     }
@@ -271,7 +284,8 @@ namespace wheelrail
               const SceneProfiles       &profiles,
               const WornShape           &rail,
               const WornShape           &wheel,
-              const RowTeam             &team)
+              const RowTeam             &team,
+              const bool                 held)
   {
     std::vector<MixWear> of_rows(rows.size());
     const std::size_t    own = rows.size() / team.size + (team.rank < rows.size() % team.size ? 1 : 0);
@@ -279,7 +293,7 @@ namespace wheelrail
       own,
       [&](const std::size_t k) {
         const std::size_t row = team.rank + k * team.size;
-        of_rows[row]          = wear_of_row(rows[row], profiles, rail, wheel);
+        of_rows[row]          = wear_of_row(rows[row], profiles, rail, wheel, held);
       },
       team.size > 1 ? processors_of_process() : 0);
     if (team.share)

@@ -88,6 +88,7 @@ namespace wheelrail
                                 "reference_lateral_m",
                                 "patch_centre_from_axis_m",
                                 "patch_centre_from_gauge_face_m",
+                                "reference_radius_m",
                                 "rolling_radius_m",
                                 "t_gamma_N",
                                 "max_pressure_Pa",

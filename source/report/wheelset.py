@@ -80,6 +80,7 @@ def shown(figure, value):
 def table_of_wheels(summary, figures):
     """Both wheels side by side, Y/Q first."""
     figures = dict(sorted(figures.items(), key=lambda item: item[0] != "lateral_over_vertical"))
+    figures.pop("rolling_radius_m", None)  # of the rigid contact; creepages are those of the reference point
     rows = ["<table><tr><th></th><th class=number>left</th><th class=number>right</th><th></th></tr>"]
     for key, figure in figures.items():
         sides = [side + key for side in ("left_", "right_")]

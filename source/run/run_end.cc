@@ -247,6 +247,8 @@ namespace wheelrail
       compare_peak_on_way(scene, geometry, summary, measures);
     else if (!measures.off_rail())
       compare_peak(scene, geometry, summary, measures);
+    if (force_is_a_result(scene))
+      measure_against_bodies(scene, geometry, summary, measures);
     const Verdict verdict = judge_run(scene, measures);
     set_verdict(summary, verdict);
     if (summary.note.empty() && !measures.off_rail())

@@ -1,65 +1,35 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/scene/rail_bending.h>
-#include <wheelrail/verdict/verdict.h>
+#include <wheelrail/verdict/rules.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace wheelrail
 {
   namespace
   {
-    /// Up to `good` a measure is as it should be, from there to `fair` it asks for care.
-    struct Bounds
-    {
-      double good, fair;
-    };
-
     // doc/manual/compare.md has this table, with what the main scene has
-    constexpr Bounds loss_bounds{0.02, 0.05}; ///< of the peak pressure, to the cells or to the penalty
-    constexpr Bounds unsteadiness_bounds{0.01, 0.05};
-    constexpr Bounds pressure_noise_bounds{0.05, 0.1};
-    constexpr Bounds swing_bounds{0.02, 0.05};
-    constexpr Bounds drift_bounds{0.01, 0.05};
-    constexpr Bounds energy_bounds{0.005, 0.01};
-    constexpr Bounds load_bounds{0.01, 0.03};
-    constexpr Bounds torque_bounds{0.01, 0.05};
-    constexpr Bounds peak_bounds{0.05, 0.1};
-    constexpr double most_turn         = 0.2;  ///< of surfaces that half-spaces stand for [rad]
-    constexpr double most_shift_effect = 0.25; ///< of half-spaces
-    constexpr double least_plastic     = 1e-4; ///< strain from which on steel has flowed
-    constexpr double most_strain_loss  = 0.25; ///< of the plastic strain to the cells
-    constexpr Bounds edge_bounds{0.01, 0.02};  ///< growth of the peak with each halving of elements
-    // changes on elements twice as large: pressure errs by a third of that, creep by about as much
-    constexpr Bounds pressure_effect_bounds{0.1, 0.2}, creep_effect_bounds{0.05, 0.1};
-    constexpr double highest_of_any_rail = 4e9; ///< [Pa]
+    constexpr GradeBounds loss_bounds{0.02, 0.05}; ///< of the peak pressure, to the cells or to the penalty
+    constexpr GradeBounds unsteadiness_bounds{0.01, 0.05};
+    constexpr GradeBounds pressure_noise_bounds{0.05, 0.1};
+    constexpr GradeBounds swing_bounds{0.02, 0.05};
+    constexpr GradeBounds drift_bounds{0.01, 0.05};
+    constexpr GradeBounds energy_bounds{0.005, 0.01};
+    constexpr GradeBounds load_bounds{0.01, 0.03};
+    constexpr GradeBounds torque_bounds{0.01, 0.05};
+    constexpr GradeBounds force_bounds{0.02, 0.05}; ///< some 0.15e-3 and 0.4e-3 of creepage
+    constexpr double      least_plastic    = 1e-4;  ///< strain from which on steel has flowed
+    constexpr double      most_strain_loss = 0.25;  ///< of the plastic strain to the cells
 
     std::string
     percent(const double share)
     {
       return std::isfinite(share) ? text("%.1f %%", 100 * std::abs(share)) : "an unknown part";
-    }
-
-    /// The grade of a measure that should be small; one that is no number is not trusted.
-    Grade
-    graded(const double value, const Bounds &bounds)
-    {
-      return value <= bounds.good   ? Grade::trusted
-             : value <= bounds.fair ? Grade::with_care
-                                    : Grade::not_trusted;
-    }
-
-    void
-    add(Verdict &verdict, const Grade grade, const std::string &sentence)
-    {
-      if (grade == Grade::trusted)
-        return;
-      verdict.findings.push_back({grade, sentence});
-      char &first = verdict.findings.back().sentence[0]; // a sentence may begin with the name of a figure
-      first       = static_cast<char>(std::toupper(static_cast<unsigned char>(first)));
     }
 
     /// Cells and penalty: what keeps a run from the answer of its own equations.
@@ -162,6 +132,19 @@ namespace wheelrail
               roll_on(scene) + ", where friction can carry the torque.");
     }
 
+    /// A creepage that is given leaves the longitudinal force to the run.
+    void
+    judge_creep_force(const Measures &m, Verdict &verdict)
+    {
+      if (!std::isnan(m.force_difference) && m.plastic_strain <= least_plastic)
+        add(verdict,
+            graded(std::abs(m.force_difference), force_bounds),
+            "the longitudinal force is " + percent(m.force_difference) + " of the load " +
+              (m.force_difference < 0 ? "below" : "above") +
+              " that of the true bodies with the same creepage; take finer cells, or roll farther "
+              "(Run/Rolling distance).");
+    }
+
     /// Over irregular surfaces: whether the means are those of a contact, and the largest force is known.
     void
     judge_way(const Measures &m, Verdict &verdict)
@@ -199,83 +182,6 @@ namespace wheelrail
             Grade::with_care,
             "the rail's foot is clamped: the largest force may be twice that of a rail on sleepers; take "
             "Track/Support = sleepers, as prm/sleepers.prm does.");
-    }
-
-    /// What no steel bears, and what nobody has measured.
-    void
-    judge_place(const Measures &m, Verdict &verdict)
-    {
-      const std::string where = m.place.empty() ? "" : ", " + m.place + ",";
-      if (m.peak_pressure > highest_of_any_rail)
-        add(verdict,
-            Grade::not_trusted,
-            "the peak pressure of " + text("%.1f GPa", 1e-9 * m.peak_pressure) + where +
-              " is more than any rail steel bears (4 GPa): the profiles touch at an edge, or the steel would "
-              "yield; look at the contact with \"./wheelrail geometry\".");
-      if (!m.made_up.empty())
-        add(verdict,
-            Grade::not_trusted,
-            "the patch" + where + " lies on " + m.made_up +
-              ", which no file holds; take a profile that "
-              "reaches farther, or another lateral shift.");
-    }
-
-    /// Kinks in the patch, under which no cells or elements find a pressure; forces, which a run is for
-    /// there, hold.
-    void
-    judge_edges(const Measures &m, const bool run, Verdict &verdict)
-    {
-      const auto tell = [&](const double edge, const std::string &what, const std::string &where) {
-        const Grade grade = graded(m.growth(edge), edge_bounds);
-        add(verdict,
-            run ? std::max(grade, Grade::with_care) : grade,
-            what + " does not hold, forces do: " + where +
-              text(" an edge of %.3g mrad, where elastic pressure has no bound: each halving of the %s adds "
-                   "%.0f MPa; round the edge.",
-                   1e3 * edge,
-                   run ? "cells" : "elements",
-                   1e-6 * m.growth(edge) * m.peak_pressure));
-        return grade != Grade::trusted;
-      };
-      if (tell(m.edge, "the peak pressure", "in the patch lies") ||
-          tell(m.edge_on_path, "the largest pressure of the path", "it acts at"))
-        return;
-      if (m.growth(m.notch) > edge_bounds.good)
-        add(verdict,
-            Grade::with_care,
-            text("in the patch lies a sharp notch of %.3g mrad: peak pressure is that of an edge that stays "
-                 "sharp; forces hold.",
-                 1e3 * m.notch));
-    }
-
-    /// Elements of half-spaces.
-    void
-    judge_elements(const Measures &m, Verdict &verdict)
-    {
-      const auto told =
-        [&](const double effect, const Bounds &bounds, const std::string &what, const std::string &verb) {
-          if (!std::isnan(effect))
-            add(verdict,
-                graded(effect, bounds),
-                "too few elements: " + what + " " + verb + text(" by %.0f %%", 100 * effect) +
-                  " on elements twice as large; take a smaller Half-space/Element size.");
-        };
-      told(m.pressure_effect, pressure_effect_bounds, "the peak pressure", "changes");
-      told(m.creep_effect, creep_effect_bounds, "creepage and creep forces", "change");
-    }
-
-    void
-    judge_sliding(const Measures &m, Verdict &verdict)
-    {
-      if (!m.slides.empty())
-        add(verdict, Grade::with_care, m.slides);
-    }
-
-    void
-    judge_steel(const Measures &m, Verdict &verdict)
-    {
-      if (!m.yields.empty())
-        add(verdict, Grade::with_care, m.yields);
     }
 
     void
@@ -355,6 +261,16 @@ namespace wheelrail
   }
 
 
+  void
+  add_finding(const Finding &finding, Verdict &verdict)
+  {
+    if (std::none_of(verdict.findings.begin(), verdict.findings.end(), [&](const Finding &told) {
+          return told.sentence == finding.sentence;
+        }))
+      verdict.findings.push_back(finding);
+  }
+
+
   Verdict
   judge_run(const Scene &scene, const Measures &measures)
   {
@@ -368,46 +284,10 @@ namespace wheelrail
     else
       judge_steadiness(scene, measures, verdict);
     judge_balances(scene, measures, verdict);
+    judge_creep_force(measures, verdict);
     judge_support(scene, verdict);
     find_limits(scene, measures, verdict);
     judge_agreement(measures, verdict);
-    judge_steel(measures, verdict);
-    return verdict;
-  }
-
-
-  Verdict
-  judge_halfspaces(const Measures &measures)
-  {
-    Verdict verdict;
-    judge_place(measures, verdict);
-    judge_edges(measures, false, verdict);
-    judge_elements(measures, verdict);
-    judge_sliding(measures, verdict);
-    if (measures.turn >= most_turn)
-      add(
-        verdict,
-        Grade::with_care,
-        text(
-          "the surfaces turn by %.0f degrees across the contact, as in the flange root, which half-spaces do "
-          "not know: the peak pressure may be off by 10 %% and more; take Half-space/Bodies = real.",
-          measures.turn * 180 / M_PI));
-    else if (measures.shift_effect >= most_shift_effect)
-      add(
-        verdict,
-        Grade::with_care,
-        text("the peak pressure changes by %.0f %% within the lateral shift by which wheel and rail give way "
-             "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know; take "
-             "Half-space/Bodies = real.",
-             100 * measures.shift_effect));
-    if (verdict.findings.empty() && std::abs(measures.bodies_effect) > peak_bounds.good)
-      add(verdict,
-          Grade::with_care,
-          text(
-            "the peak pressure is %.0f %% %s that of the true bodies, whose head and rim turn and move under "
-            "these forces, which half-spaces do not know; take Half-space/Bodies = real.",
-            100 * std::abs(measures.bodies_effect),
-            measures.bodies_effect < 0 ? "below" : "above"));
     judge_steel(measures, verdict);
     return verdict;
   }

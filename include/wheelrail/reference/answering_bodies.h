@@ -8,6 +8,10 @@
 
 namespace wheelrail
 {
+  /// Why `solve` has no answer, an InputError or a RunError in words; nothing where it has one.
+  std::string
+  fault_of(const std::function<void()> &solve);
+
   /// Calls `solve` with the bodies of the scene. Half-space/Bodies = auto becomes real, or half-spaces where
   /// these cannot be: sections that cannot be meshed, a contact beside their tables. Returns why, or nothing.
   /// What `solve` throws with bodies that were asked for is thrown.

@@ -15,10 +15,11 @@ namespace wheelrail
   /// to 0.03 mm across and 0.02 mm along the rail, and 0.3 mrad in the angle (tests/halfspace_yaw.cc).
   struct ContactReference
   {
-    Point2 place;     ///< on the rail, in the track plane [m]
-    double along = 0; ///< ahead of the middle of the wheelset [m]
-    double ahead = 0; ///< ahead of the axle, across it [m]
-    double angle = 0; ///< contact angle, positive when the tangent falls to the gauge side [rad]
+    Point2 place;      ///< on the rail, in the track plane [m]
+    double along  = 0; ///< ahead of the middle of the wheelset [m]
+    double ahead  = 0; ///< ahead of the axle, across it [m]
+    double angle  = 0; ///< contact angle, positive when the tangent falls to the gauge side [rad]
+    double radius = 0; ///< of the wheel there, distance from the axle [m]
     double speed =
       1; ///< mean of rolling speed of the wheel and velocity, over velocity: what creepages count in
     double creepage         = 0; ///< along the rail, positive driving

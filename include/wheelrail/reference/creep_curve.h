@@ -36,10 +36,14 @@ namespace wheelrail
   /// Solves a scene for each value of the curve, on all processors. Creepages count at the reference point of
   /// the contact (ContactReference) where wheel and rail have one; what the curve does not run over is that
   /// of the scene, but for the creepage along the rail, which is given where the curve runs over it. `solve`
-  /// is called from several threads at a time, and `count` is told of each point.
+  /// is called from several threads at a time. `hold` holds the points of least and largest lateral force
+  /// against the true bodies (hold_against_bodies()); the others have a `bodies_effect` on the line between.
+  /// `count` is told of each point.
   std::vector<WheelRailSolution>
-  solve_creep_curve(const Scene                                           &scene,
-                    const CreepCurve                                      &curve,
-                    const std::function<WheelRailSolution(const Scene &)> &solve,
-                    TaskCount                                             *count = nullptr);
+  solve_creep_curve(
+    const Scene                                                   &scene,
+    const CreepCurve                                              &curve,
+    const std::function<WheelRailSolution(const Scene &)>         &solve,
+    const std::function<void(const Scene &, WheelRailSolution &)> &hold  = [](const Scene &, auto &) {},
+    TaskCount                                                     *count = nullptr);
 } // namespace wheelrail

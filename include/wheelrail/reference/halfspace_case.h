@@ -11,6 +11,7 @@
 #include <wheelrail/verdict/verdict.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,6 +61,7 @@ namespace wheelrail
     std::optional<ContactReference> reference;   ///< of wheel and rail; none where the distance is given
     double       shift_effect  = Measures::none; ///< of half-spaces, of all patches, see shift_effect()
     double       bodies_effect = Measures::none; ///< of half-spaces, see hold_against_bodies()
+    std::string  unheld;                         ///< why the latter cannot be, or is not all; empty: it is
     SurfaceKinks kinks;                          ///< of the surfaces under pressure
     std::string  made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
     std::vector<std::string> notes;            ///< what was done to files that were read for it
@@ -79,6 +81,15 @@ namespace wheelrail
     ContactReference reference;              ///< creepages and spin of the rigid bodies, without forces
     double patches = 1; ///< in planes of their own; what stands above is that of the highest pressure
   };
+
+  /// The sum of a quantity over all patches of a solution.
+  double
+  sum_over_patches(const WheelRailSolution                                &result,
+                   const std::function<double(const WheelRailSolution &)> &of);
+
+  /// At the rolling radius of 2D-Geo; NaN where a wheel spins up and has no steady one, and without friction.
+  double
+  steady_creepage(const WheelRailSolution &result);
 
   /// What the scene's own entries ask for: static wheel load, traction coefficient or creepage.
   WheelRailLoad

@@ -20,7 +20,7 @@ namespace wheelrail
       return pressed_;
     }
 
-    /// Tells what came of it [N]; whether it is within 1e-3 of the load.
+    /// Tells what came of it [N]; whether it is within 1e-4 of the load.
     bool
     carried(double vertical);
 

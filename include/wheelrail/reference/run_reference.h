@@ -14,6 +14,19 @@ namespace wheelrail
                   const Summary           &run,
                   Measures                &measures);
 
+  /// Whether a run holds a creepage, in one place on smooth surfaces, so that its longitudinal force is to be
+  /// judged.
+  bool
+  force_is_a_result(const Scene &scene);
+
+  /// Adds how far peak pressure and longitudinal force of a run are from those of the true bodies under its
+  /// vertical force and with its creepage; nothing where these have no answer.
+  void
+  measure_against_bodies(const Scene         &scene,
+                         const SceneGeometry &geometry,
+                         const Summary       &run,
+                         Measures            &measures);
+
   /// The load of a finished run: means of its vertical and longitudinal force.
   WheelRailLoad
   load_of_run(const Summary &run);

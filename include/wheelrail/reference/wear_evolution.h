@@ -24,7 +24,8 @@ namespace wheelrail
     double         rail_damage = 0, wheel_damage = 0; ///< largest so far, shares of a life
     double         rail_cracks = 0, wheel_cracks = 0; ///< the same of crack growth less wear
     double         rail_ground = 0, wheel_turned = 0; ///< taken off by machines so far [m2]
-    double         with_care = 0, not_trusted = 0;    ///< shares of passages, as those of MixWear
+    double         bodies_low = 0, bodies_high = 0; ///< as those of MixWear, of the first and the last state
+    double         with_care = 0, not_trusted = 0;  ///< shares of passages, as those of MixWear
   };
 
   /// Profiles on their way, from which it can go on.

@@ -34,9 +34,12 @@ namespace wheelrail
     double              mean_t_gamma = 0, peak_t_gamma = 0;   ///< [N]
     double              axle_load = 0;                        ///< [N]
     bool                at_end    = false;                    ///< whether a patch lies on the end of a shape
-    double              with_care = 0, not_trusted = 0;       ///< shares of passages with this verdict
-    std::string         doubts; ///< what is off in the worst row, with its name; empty: nothing
-    std::string         fault;  ///< why a row could not be solved, or nothing
+    /// Peak pressures of the half-spaces over those of the true bodies, less 1: the least and the largest of
+    /// rows that were held against them; NaN: none was.
+    double      bodies_low = Measures::none, bodies_high = Measures::none;
+    double      with_care = 0, not_trusted = 0; ///< shares of passages with this verdict
+    std::string doubts; ///< what is off in the worst row, with its name; empty: nothing
+    std::string fault;  ///< why a row could not be solved, or nothing
   };
 
   /// Who solves which rows: the process `rank` of `size` takes each size-th one. share() is collective: it
@@ -56,11 +59,13 @@ namespace wheelrail
   /// on one axle, and the line has as many curves to either side: rail and wheel see each wheel of the row in
   /// half of the passages. Rows are added in their order, so that sums are the same bits on any number of
   /// processes and threads. Throws InputError with the row's name, on all processes, where the profiles do
-  /// not touch or where friction does not carry the traction, so that the wheel locks or spins up.
+  /// not touch or where friction does not carry the traction, so that the wheel locks or spins up. `held`:
+  /// each row against the true bodies (hold_against_bodies()), else find_shift_effect() judges it.
   MixWear
   wear_of_mix(const std::vector<MixRow> &rows,
               const SceneProfiles       &profiles,
               const WornShape           &rail,
               const WornShape           &wheel,
-              const RowTeam             &team = {});
+              const RowTeam             &team = {},
+              bool                       held = false);
 } // namespace wheelrail

@@ -57,13 +57,16 @@ namespace wheelrail
     double peak_difference = none; ///< (run - half-space) / half-space
     /// The same against the true bodies under the same forces; they know neither flow nor irregularities.
     double bodies_difference = none;
-    double turn              = none; ///< of the surfaces across the patch [rad]
-    double shift_effect      = none; ///< of half-spaces, see shift_effect() of reference/
-    double bodies_effect     = none; ///< peak of half-spaces over that of the true bodies, less 1
-    double pose_effect       = none; ///< peak with the pose over peak without it, less 1
-    double plastic_strain    = 0;    ///< largest one of the run, 0 where nothing has flowed
-    double patches           = 1;    ///< separate ones of the run, where the half-spaces have not as many
-    std::vector<std::string> beyond; ///< other figures that differ by more than their limit, in words
+    /// Longitudinal force less that of the true bodies with the same creepage, over the vertical force.
+    double      force_difference = none;
+    double      turn             = none; ///< of the surfaces across the patch [rad]
+    double      shift_effect     = none; ///< of half-spaces, see shift_effect() of reference/
+    double      bodies_effect    = none; ///< peak of half-spaces over that of the true bodies, less 1
+    std::string unheld; ///< why half-spaces are not held against true bodies, or not all; empty: they are
+    double      pose_effect    = none; ///< peak with the pose over peak without it, less 1
+    double      plastic_strain = 0;    ///< largest one of the run, 0 where nothing has flowed
+    double      patches        = 1;    ///< separate ones of the run, where the half-spaces have not as many
+    std::vector<std::string> beyond;   ///< other figures that differ by more than their limit, in words
     std::string              no_reference; ///< why there are no half-spaces to compare with; empty: there are
 
     /// What an edge adds to the peak, over it, with each halving of the elements: E* edge ln 2/(2 pi).

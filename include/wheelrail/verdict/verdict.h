@@ -46,6 +46,10 @@ namespace wheelrail
     doubts() const;
   };
 
+  /// Adds it, unless it was told before.
+  void
+  add_finding(const Finding &finding, Verdict &verdict);
+
   /// Judges a finished run by the rules of doc/manual/compare.md. Cells, penalty, steadiness, balances and
   /// places are judged whatever the reference; the difference to half-spaces where they are one.
   Verdict

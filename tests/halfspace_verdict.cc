@@ -1,0 +1,132 @@
+// label: fast
+
+// The verdict on half-spaces: elements, edges, parts that no file holds, true bodies that judge them.
+
+#include <wheelrail/geometry/made_up_part.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/verdict/verdict.h>
+
+#include "check.h"
+
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  /// Parts of a profile that no file holds: where a measured head is joined to a standard body.
+  void
+  test_made_up()
+  {
+    const SceneInput input = scene_from_text(
+      "", "worn", {"Profiles/Rail = " + std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_54E1.prr"});
+    const SceneGeometry geometry = require_touching(input);
+    const Curve        &head     = geometry.rail.head;
+    const auto          part_at  = [&](const double t) {
+      return made_up_part(geometry, geometry.contact.rail.to_track(head.at(t).position));
+    };
+    std::vector<double> joined;
+    for (std::size_t k = 0; k < head.segments().size(); ++k)
+      if (head.segments()[k].name == "joined side")
+        joined.push_back(k + 0.5);
+    check(joined.size() == 2, "a measured head is joined on both sides");
+    check_text(part_at(joined.front()), "the joined side of the rail head", "on the field side");
+    check_text(part_at(joined.back()), "the joined side of the rail head", "on the gauge side");
+    check_text(part_at(0.5), "the joined side of the rail head", "below the joint, on the body's side");
+    check_text(part_at(joined.front() + 1), "", "on what was measured beside it");
+    check_text(made_up_part(geometry, geometry.contact.frame.origin), "", "at the contact point");
+    Segment tip                 = geometry.wheel.tread.segments().back();
+    tip.name                    = "continued flange";
+    std::vector<Segment> pieces = geometry.wheel.tread.segments();
+    pieces.back()               = tip;
+    TouchingProfiles changed    = geometry;
+    changed.wheel.tread         = Curve(pieces);
+    check_text(made_up_part(changed, geometry.contact.wheel.to_track(point_on(tip, 0.5).position)),
+               "the continued flange of the wheel",
+               "the flange of a wheel that was cut off");
+  }
+
+  void
+  test_halfspaces()
+  {
+    Measures m;
+    m.cells         = 20;
+    m.peak_pressure = 1.2e9;
+    check(judge_halfspaces(m).findings.empty(), "half-spaces are trusted");
+    m.peak_pressure = 4.1e9;
+    check(judge_halfspaces(m).grade() == Grade::not_trusted, "but for pressures that no steel bears");
+    m.peak_pressure   = 1.2e9;
+    m.pressure_effect = 0.13;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "Too few elements: the peak pressure changes by 13 % on elements twice as large; take a smaller "
+      "Half-space/Element size.",
+      "few elements");
+    m.pressure_effect = 0.05;
+    m.creep_effect    = 0.12;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "Too few elements: creepage and creep forces change by 12 % on elements twice as large; take a "
+      "smaller Half-space/Element size.",
+      "few elements for creep");
+    m.creep_effect = 0.04;
+    m.slides       = sliding_note(1);
+    check(judge_halfspaces(m).grade() == Grade::with_care, "a patch that slides as a whole");
+    m.slides.clear();
+    m.contact_modulus = 115.4e9;
+    m.edge            = 32.6e-3;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "The peak pressure does not hold, forces do: in the patch lies an edge of 32.6 mrad, where elastic "
+      "pressure has no bound: each halving of the elements adds 415 MPa; round the edge.",
+      "an edge");
+    check(judge_halfspaces(m).grade() == Grade::not_trusted, "under which no pressure is trusted");
+    m.edge  = 0.5e-3;
+    m.notch = 10e-3;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "In the patch lies a sharp notch of 10 mrad: peak pressure is that of an edge that stays sharp; "
+      "forces hold.",
+      "a notch; joints of profiles that are rounded numbers are none");
+    m.notch = 0;
+    m.turn  = 0.51;
+    check_text(judge_halfspaces(m).doubts(),
+               "The surfaces turn by 29 degrees across the contact, as in the flange root, which half-spaces "
+               "do not know: the peak pressure may be off by 10 % and more; take Half-space/Bodies = real.",
+               "the flange root");
+    m.turn         = 0.1;
+    m.shift_effect = 0.2;
+    check(judge_halfspaces(m).findings.empty(), "a peak that hardly depends on the shift");
+    m.bodies_effect = 0.21;
+    check_text(
+      judge_halfspaces(m).doubts(),
+      "The peak pressure is 21 % above that of the true bodies, whose head and rim turn and move under "
+      "these forces, which half-spaces do not know; take Half-space/Bodies = real.",
+      "half-spaces that a lateral force would move");
+    m.bodies_effect = -0.049;
+    m.unheld        = "Half-space/Lateral offset = 0.1 mm: a position given by hand";
+    check_text(judge_halfspaces(m).doubts(),
+               "True bodies do not confirm these half-spaces: Half-space/Lateral offset = 0.1 mm: a position "
+               "given by hand.",
+               "half-spaces that nothing confirms");
+    m.unheld.clear();
+    check(judge_halfspaces(m).grade() == Grade::trusted, "half-spaces within 5 % of the true bodies");
+    m.shift_effect = 0.68;
+    check_text(judge_halfspaces(m).doubts(),
+               "The peak pressure changes by 68 % within the lateral shift by which wheel and rail give way "
+               "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know; take "
+               "Half-space/Bodies = real.",
+               "one that does");
+  }
+} // namespace
+
+int
+main()
+{
+  test_made_up();
+  test_halfspaces();
+  return report();
+}
