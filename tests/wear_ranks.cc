@@ -10,10 +10,12 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace wheelrail;
 using test::check;
@@ -69,7 +71,18 @@ namespace
           "a row that does not touch, on each process: " + said);
   }
 
-  /// The command: the first process alone speaks and writes.
+  /// Lines of the table of a folder.
+  std::vector<std::string>
+  rows_of(const std::string &folder)
+  {
+    std::ifstream            file(folder + "-wear/wear.csv");
+    std::vector<std::string> rows;
+    for (std::string row; std::getline(file, row);)
+      rows.push_back(row);
+    return rows;
+  }
+
+  /// The command: the first process alone speaks and writes; a longer plan goes on.
   void
   test_command()
   {
@@ -77,10 +90,12 @@ namespace
                        size  = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
     const std::string folder = "worn_by_" + std::to_string(size);
     if (rank == 0)
-      std::filesystem::remove_all(folder + "-wear");
+      for (const char *const end : {"-wear", "_at_once-wear"})
+        std::filesystem::remove_all(folder + end);
     MPI_Barrier(MPI_COMM_WORLD);
     std::ostringstream out;
-    const auto         wear = [&](const std::string &load) {
+    const auto         wear = [&](const std::string &load, const std::string &folder) {
+      out.str("");
       return execute({"wear",
                       WHEELRAIL_SOURCE_DIR "/prm/wear.prm",
                       "--no-pictures",
@@ -93,18 +108,38 @@ namespace
                      {},
                      out);
     };
-    check(wear("0.2 Mt") == 0, "the command ends");
+    check(wear("0.2 Mt", folder) == 0, "the command ends");
     check(out.str().empty() == (rank != 0), "the first process alone speaks");
     check(std::filesystem::exists(folder + "-wear/wear.csv"), "and writes");
     MPI_Barrier(MPI_COMM_WORLD);
     test::check_text(
-      test::message_of([&]() { wear("0.1 Mt"); }),
+      test::message_of([&]() { wear("0.1 Mt", folder); }),
       folder +
         "-wear: holds states of another scene, up to 0.2 Mt: Wear/Gross load = 0.1 Mt, saved with "
         "0.2 Mt; set it back to go on with them, choose another Output/Folder, or give --overwrite to "
         "start anew",
       "a shorter plan");
+    const std::vector<std::string> before = rows_of(folder);
     MPI_Barrier(MPI_COMM_WORLD);
+    check(wear("0.3 Mt", folder) == 0, "a longer plan goes on");
+    check((rank == 0) == (out.str().find("going on from step ") != std::string::npos), "and says so");
+    check(wear("0.3 Mt", folder + "_at_once") == 0, "one at once");
+    MPI_Barrier(MPI_COMM_WORLD);
+    const std::vector<std::string> after = rows_of(folder), at_once = rows_of(folder + "_at_once");
+    check(after.size() > before.size() &&
+            std::equal(before.begin(), before.end() - 1, after.begin()), // the last one had no step from it
+          "states up to the old end are kept");
+    check(at_once.front() == after.front(), "the same columns");
+    const auto section = [](const std::string &row) {
+      std::istringstream values(row);
+      std::string        value;
+      for (int column = 0; column <= 6; ++column)
+        std::getline(values, value, ',');
+      return std::stod(value);
+    };
+    check(at_once.front().find("rail_depth_m,wheel_depth_m,rail_section_m2") != std::string::npos,
+          "columns: " + at_once.front());
+    check_near(section(after.back()) / section(at_once.back()), 1, 0.01, "worn section of both");
     check(!std::filesystem::exists(folder + "-wear/run.lock"), "no lock is left");
   }
 } // namespace

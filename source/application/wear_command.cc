@@ -114,15 +114,30 @@ namespace wheelrail
       replace_file((folder / "wear.json").string(), wear_state_as_text(state, digest));
     }
 
-    /// The states in the folder, where there are some; throws InputError where they are of another scene.
+    constexpr double same_share = 1e-9;
+
+    /// Of all that states depend on: how far the plan goes is none of that.
+    std::string
+    digest_of_states(Scene scene)
+    {
+      scene.wear_plan.gross_load = scene.wear_plan.distance = 0;
+      return scene_digest(scene, WHEELRAIL_VERSION);
+    }
+
+    /// The states in the folder, where there are some; throws InputError where they are of another scene, or
+    /// beyond its plan.
     std::optional<WearState>
     kept_states(const Scene &scene, const std::string &digest, const fs::path &folder)
     {
       std::optional<KeptWear> kept = read_wear_state((folder / "wear.json").string());
       if (!kept)
         return {};
-      if (kept->digest == digest)
-        return std::move(kept->state);
+      const double share = share_of_plan(kept->state.steps.back(), scene.wear_plan);
+      if (kept->digest == digest && share < 1 + same_share)
+        {
+          kept->state.finished = kept->state.finished && share > 1 - same_share;
+          return std::move(kept->state);
+        }
       const fs::path    old = folder / "parameters.prm";
       const std::string other =
         fs::exists(old) ? other_entries(read_whole_file(old.string()), print_parameters(scene), false) : "";
@@ -174,8 +189,9 @@ namespace wheelrail
       row("equivalent conicity at 3 mm", first.conicity, last.conicity, "");
       row("peak pressure, mean of the mix", 1e-6 * first.mean_pressure, 1e-6 * last.mean_pressure, "MPa");
       row("T-gamma, mean of the mix", first.mean_t_gamma, last.mean_t_gamma, "N");
-      if (!state.note.empty())
-        out << "note: " << state.note << '\n';
+      for (const std::string &note : {state.note, beside_bodies(state)})
+        if (!note.empty())
+          out << "note: " << note << '\n';
     }
   } // namespace
 
@@ -194,7 +210,7 @@ namespace wheelrail
     double                    weights  = 1;
     const std::vector<MixRow> rows     = mix_rows(scene, load, weights);
     print_traffic(scene, rows, weights, out);
-    const std::string        digest = scene_digest(scene, WHEELRAIL_VERSION);
+    const std::string        digest = digest_of_states(scene);
     const fs::path           folder = folder_beside(scene.folder, "-wear");
     std::optional<WearState> kept   = overwrite ? std::nullopt : kept_states(scene, digest, folder);
     WearState                state  = kept ? *kept : begin_wear(profiles);
@@ -202,7 +218,7 @@ namespace wheelrail
       out << (kept->finished ? "everything is there: " : "going on from step ")
           << (kept->finished ? folder.string() : std::to_string(kept->steps.size() - 1)) << '\n';
     if (kept && !kept->finished)
-      state.steps.pop_back(); // which is computed again
+      take_back_last(state);
     std::string torn;
     bool        begun = false;
     Progress    progress(state.steps.empty() ? 0 : share_of_plan(state.steps.back(), scene.wear_plan));

@@ -121,20 +121,6 @@ namespace wheelrail
         state.note += (state.note.empty() ? "" : " ") + sentence;
     }
 
-    /// How far the half-spaces of the first and the last state are from the true bodies.
-    void
-    tell_bound(WearState &state)
-    {
-      const double low  = std::fmin(state.steps.front().bodies_low, state.steps.back().bodies_low),
-                   high = std::fmax(state.steps.front().bodies_high, state.steps.back().bodies_high);
-      if (std::isfinite(low))
-        note(text("Peak pressures of these half-spaces are %+.1f to %+.1f %% beside those of the true "
-                  "bodies, on new and on worn profiles.",
-                  100 * low,
-                  100 * high),
-             state);
-    }
-
     /// The most that a step may take off; says where the scene asks for more.
     double
     step_bound(const Scene &scene, const MixWear &wear, WearState &state)
@@ -246,6 +232,30 @@ namespace wheelrail
   }
 
 
+  std::string
+  beside_bodies(const WearState &state)
+  {
+    const WearStep &first = state.steps.front(), &last = state.steps.back();
+    if (!state.finished || !std::isfinite(last.bodies_low))
+      return "";
+    return text(
+      "Peak pressures of these half-spaces are %+.1f to %+.1f %% beside those of the true bodies, on "
+      "new and on worn profiles.",
+      100 * std::fmin(first.bodies_low, last.bodies_low),
+      100 * std::fmax(first.bodies_high, last.bodies_high));
+  }
+
+
+  void
+  take_back_last(WearState &state)
+  {
+    state.finished = false;
+    state.steps.pop_back();
+    if (wear_verdict(state).findings.empty())
+      state.doubts.clear();
+  }
+
+
   void
   wear_on(const Scene                                       &scene,
           const std::vector<MixRow>                         &rows,
@@ -287,8 +297,6 @@ namespace wheelrail
         state.finished = steps <= 0;
         state.steps.push_back(measured(state, profiles, scene, wear));
         state.steps.back().step_depth = state.finished || event ? 0 : steps * depth;
-        if (state.finished)
-          tell_bound(state);
         keep(state);
         if (state.finished)
           return;

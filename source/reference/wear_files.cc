@@ -95,6 +95,7 @@ namespace wheelrail
               {"doubts", verdict.doubts()},
               {"worst_row", state.doubts},
               {"note", state.note},
+              {"beside_bodies", beside_bodies(state)},
               {"passages", state.passages},
               {"rail_ground", state.rail_ground},
               {"wheel_turned", state.wheel_turned},

@@ -138,8 +138,9 @@ def remarks(folder):
     with open(path, encoding="utf-8") as file:
         state = json.load(file)
     sentences = [] if state["finished"] else ["Not finished: the same command goes on from here."]
+    sentences += [state["note"], state.get("beside_bodies")]
     verdict = page.verdict_sentence({**state, "finished": True}) if "verdict" in state else ""
-    return verdict + "".join(f"<p>{html.escape(sentence)}</p>" for sentence in sentences + [state["note"]] if sentence)
+    return verdict + "".join(f"<p>{html.escape(sentence)}</p>" for sentence in sentences if sentence)
 
 
 def make_page(folder):

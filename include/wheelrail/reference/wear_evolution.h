@@ -46,6 +46,16 @@ namespace wheelrail
   Verdict
   wear_verdict(const WearState &state);
 
+  /// How far peak pressures of half-spaces are from those of the true bodies, of the first and the last state
+  /// of a plan that is done, as a sentence; nothing where that is not known.
+  std::string
+  beside_bodies(const WearState &state);
+
+  /// Forgets what was found in the last state, so that wear_on() computes it again and goes on, be it to the
+  /// end of a longer plan.
+  void
+  take_back_last(WearState &state);
+
   /// Profiles as they are new.
   WearState
   begin_wear(const SceneProfiles &profiles);
