@@ -2,15 +2,20 @@
 // modes, profiles in the contact frame, interpenetration, refused shifts.
 
 #include "check.h"
+#include "other_values.h"
 #include "reference_table.h"
 
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/geometry/contact_geometry.h>
+#include <wheelrail/input/without_effect.h>
+#include <wheelrail/reference/wheelset_contact.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <sstream>
+#include <vector>
 
 using namespace wheelrail;
 using namespace test;
@@ -243,6 +248,24 @@ namespace
               std::string::npos &&
             two.str().find("\n    -4.60   0.0086   -18.560   -16.047    7.679") != std::string::npos,
           "further points have lines of their own");
+    // cones on both sides: conicity is half the sum of their slopes, around where both roll alike
+    Scene cones                  = scene;
+    cones.both_wheels            = true;
+    cones.wheel_profile          = "cone 1:20";
+    cones.left_wheel_profile     = "cone 1:40";
+    const WheelsetProfiles sides = read_wheelset_profiles(cones);
+    std::ostringstream     unlike;
+    run_geometry_command(cones, sides.right, {0}, unlike, &sides.left);
+    check(unlike.str().find("460.2709     0.3225") != std::string::npos,
+          "difference of the radii of two cones: 0.32254 mm");
+    check(unlike.str().find("amplitude 1 mm   0.0375") != std::string::npos, "conicity of two cones");
+    // the line lies 4.3 mm to one side, where the flange comes to the rail 2 mm farther; not on a wider track
+    cones.track.gauge = 1.445;
+    std::ostringstream wider;
+    run_geometry_command(cones, sides.right, {0}, wider, &sides.left);
+    for (const char *const amplitude : {"1", "2", "3", "4"})
+      check(wider.str().find(std::string("amplitude ") + amplitude + " mm   0.0375") != std::string::npos,
+            std::string("conicity of two cones on a wide track, amplitude [mm]: ") + amplitude);
     std::ostringstream rolled;
     scene.roll       = RollMode::given;
     scene.roll_angle = 2e-3;
@@ -291,6 +314,91 @@ namespace
     check_near(lowest, 0, round_off, "other tracks: nothing interpenetrates [m]");
     check_near(steps, 0, 1e-9, "other tracks: the rolling radius falls with the shift [m]");
   }
+
+  // What is said to be without effect has none, all of it together.
+  void
+  test_without_effect()
+  {
+    std::vector<std::string> sets;
+    for (const auto &[path, value] : test::other_values())
+      sets.push_back(path + " = " + value);
+    const auto        told   = entries_without_effect(scene_from_text("", "x.prm", sets), "geometry");
+    const std::string begin  = "without effect in geometry: ";
+    const std::string unread = told.empty() ? "" : told.back().substr(begin.size());
+    check(unread.find("Wheelset/Velocity, ") != std::string::npos &&
+            unread.find("Mesh/Solution cell size, ") != std::string::npos &&
+            unread.find("Profiles") == std::string::npos,
+          "geometry tells what it does not read");
+    std::vector<std::string> without;
+    for (const std::string &set : sets)
+      if (unread.find(set.substr(0, set.find(" = ")) + ",") != std::string::npos)
+        without.push_back(set);
+    check(without.size() > 100, std::to_string(without.size()) + " entries without effect in geometry");
+    const auto answer = [](const Scene &scene) {
+      std::ostringstream out;
+      run_geometry_command(scene, read_profiles(scene), {0, 2e-3}, out);
+      return out.str();
+    };
+    check(answer(Scene()) == answer(scene_from_text("", "x.prm", without).scene),
+          "and the answer is the same");
+
+    const auto left = entries_without_effect(
+      scene_from_text("", "x.prm", {"Profiles/Wheel left = cone 1:40", "Contact/Friction decay = 0.5 s/m"}),
+      "halfspace");
+    check(left ==
+            std::vector<std::string>{
+              "Profiles/Wheel left = cone 1:40: without effect, since Wheelset/Wheels = one",
+              "Contact/Friction decay = 0.5 s/m: without effect, since Contact/Friction law = constant"},
+          "entries that another one leaves without effect");
+    check(
+      entries_without_effect(
+        scene_from_text("", "x.prm", {"Wheel material/Steel = ER7", "Wheel material/Yield stress = 500 MPa"}),
+        "halfspace") ==
+        std::vector<std::string>{
+          "Wheel material/Steel = ER7: without effect, since Wheel material/Yield stress = 500 MPa"},
+      "a yield stress stands in the place of that of a named steel");
+    check(entries_without_effect(
+            scene_from_text("", "x.prm", {"Profiles/Wheel left = cone 1:40", "Wheelset/Wheels = both"}),
+            "halfspace")
+            .empty(),
+          "and that it does not");
+
+    const auto of_study = [](const std::string &axes, const char *const more) {
+      return entries_without_effect(
+        scene_from_text("", "x.prm", {"Study/Axes = " + axes, "Study/Compute = halfspace", more}), "study");
+    };
+    check(
+      of_study("Run/Rolling distance: 50 mm, 90 mm", "Wheelset/Axle = independent") ==
+        std::vector<std::string>{"Wheelset/Axle = independent: without effect, since Wheelset/Wheels = one",
+                                 "without effect in halfspace: Run/Rolling distance"},
+      "an axis that its cases do not read");
+    check(of_study("Contact/Friction law: constant, exponential", "Contact/Friction decay = 0.5 s/m").empty(),
+          "an entry that some cases read");
+
+    // a file serves all commands
+    namespace fs     = std::filesystem;
+    unsigned int all = 0;
+    for (const fs::directory_entry &file : fs::recursive_directory_iterator(WHEELRAIL_SOURCE_DIR "/prm"))
+      if (file.path().extension() == ".prm")
+        for (const char *const command : {"geometry",
+                                          "halfspace",
+                                          "vehicle",
+                                          "wear",
+                                          "receptance",
+                                          "material",
+                                          "compare",
+                                          "run",
+                                          "parameters",
+                                          "study"})
+          {
+            const auto notes = entries_without_effect(read_scene(file.path(), {}), command);
+            check(notes.empty(),
+                  command + (" " + file.path().string()) + ": " +
+                    (notes.empty() ? "no note" : notes.front()));
+            ++all;
+          }
+    check(all > 250, "all ready scenes");
+  }
 } // namespace
 
 
@@ -304,6 +412,7 @@ main()
   test_other_pair();
   test_other_tracks();
   test_command();
+  test_without_effect();
   refused(60e-3, RollMode::none);
   refused(60e-3, RollMode::from_contact);
   refused(-60e-3, RollMode::none);

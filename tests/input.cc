@@ -97,6 +97,7 @@ namespace
       s.wheel_profile, std::string(WHEELRAIL_TEST_DIR) + "/profiles/worn_S1002.prw", "field wheel_profile");
     check(s.wheel_file.mirror == ProfileMirror::no && s.rail_file.mirror == ProfileMirror::yes,
           "fields mirror");
+    check(s.wheel_file.turn == ProfileMirror::yes && s.rail_file.turn == ProfileMirror::yes, "fields turn");
     check(s.wheel_origin == WheelOrigin::running_circle, "field wheel_origin");
     check(s.wheel_file.unit == ProfileUnit::millimetre && s.rail_file.unit == ProfileUnit::inch,
           "fields unit");

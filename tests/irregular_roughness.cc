@@ -141,7 +141,10 @@ namespace
       "the band of 501.19 mm has no line of the spectrum, since these lie 1/length apart: take a Length of ");
     const auto file = [](const char *text, const std::string &part) {
       std::ofstream("bad.csv") << text;
-      const std::string message = test::message_of([] { read_roughness_file("bad.csv"); });
+      const std::string message = test::message_of([] {
+        std::vector<std::string> notes;
+        read_roughness_file("bad.csv", notes);
+      });
       check(message.find(part) != std::string::npos, "\"" + part + "\" in \"" + message + "\"");
     };
     file("", "bad.csv: no rows; such a table has a first line with names and units, and rows of numbers");

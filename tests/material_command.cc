@@ -148,11 +148,12 @@ namespace
     check(path.size() == 2 && path[0].value[0] == 0.001 && !path[0].of_stress[0] && path[0].of_stress[5] &&
             path[0].value[5] == 50e6 && path[0].of_stress[1],
           "rows of a file");
-    check_text(fault(with_file("E_xx, strain\n0.001, 50\n")),
-               "material_path_test.csv:1: column \"strain\" is not known; there are e xx, e yy, e zz, e yz, "
-               "e xz, e xy, "
-               "s xx, s yy, s zz, s yz, s xz and s xy, each with its unit in brackets, such as \"load [kN]\"",
-               "a column of another name");
+    check_text(
+      fault(with_file("E_xx, strain\n0.001, 50\n")),
+      "material_path_test.csv:1: column \"strain\" is not known; there are E_xx, E_yy, E_zz, E_yz, "
+      "E_xz, E_xy, S_xx, S_yy, S_zz, S_yz, S_xz and S_xy, each with its unit in brackets, such as \"S_xx "
+      "[Pa]\"",
+      "a column of another name");
     check_text(fault(with_file("E_xx, S_xx_MPa\n0.001, 50\n")),
                "material_path_test.csv: two columns for the component xx; a strain and its stress cannot "
                "both be given",
@@ -161,7 +162,7 @@ namespace
                "material_path_test.csv:2: a row of 1 values, the first line names 2 columns",
                "a short row");
     check_text(fault(with_file("E_xx\n1 %\n")),
-               "material_path_test.csv:2: \"1 %\" of e xx is not a number; units stand in the first line",
+               "material_path_test.csv:2: \"1 %\" of E_xx is not a number; units stand in the first line",
                "no number");
     check_text(fault(with_file("E_xx\n")),
                "material_path_test.csv: no rows; such a table has a first line with names and units, and "

@@ -236,13 +236,13 @@ namespace
     for (int i = 1; i < 100; ++i)
       loop += point(-13.8 + 0.276 * i + 8 * std::sin(M_PI * i / 50), 3 - 3 * std::cos(M_PI * i / 50));
     check_profile(loop + head_points(0.55, 1),
-                  "r.txt: the line of points crosses itself between line 222 and line 279; a profile without "
+                  "r.txt: the line of points crosses itself between line 223 and line 280; a profile without "
                   "loops is needed: remove the points of the loop");
     std::vector<Point2> kinked;
     for (int i = 0; i < 20; ++i)
       kinked.push_back({5e-4 * i, 0});
     check_text(message_of([&]() {
-                 smoothing_spline(kinked, {8, 10}, 1e-5);
+                 smoothing_spline(kinked, {8, 10}, std::vector<double>(kinked.size(), 1e-5));
                }),
                "between two kinks of the profile lie fewer than four points: measure denser",
                "kinks too close");
@@ -290,11 +290,11 @@ namespace
                   "Profiles/Wheel takes those)");
     check_profile(
       head_points(0, 1, 200, 0.8),
-      "r.txt: no wheel profile: 56 mm wide, its lowest part 13.5 mm below the middle one; a tread with its "
+      "r.txt: no wheel profile: 56 mm wide, its lowest part 15.7 mm below the tread; a tread with its "
       "flange is needed, at least 60 mm wide and 15 mm deep (this may be a rail: Profiles/Rail takes those)",
       wheel_options());
     check_profile(head_points(0, 1, 900, 3),
-                  "r.txt: no wheel profile: 210 mm wide, its lowest part 50.5 mm below the middle one; up to "
+                  "r.txt: no wheel profile: 210 mm wide, its lowest part 59 mm below the tread; up to "
                   "200 mm and 45 mm are accepted",
                   wheel_options());
     std::string tread;

@@ -229,7 +229,7 @@ namespace
   {
     refused("shift [mm]\n1\n",
             ":1: column \"shift [mm]\" is not known; there are load, lateral shift, traction, velocity and "
-            "creepage, each with its unit in brackets, such as \"load [kN]\"");
+            "creepage, each with its unit in brackets, such as \"load [N]\"");
     refused("traction [kN]\n1\n",
             ":1: column \"traction [kN]\": \"kN\" is no unit of a traction; %, or 1 is accepted");
     refused("load [kN]\n0\n",

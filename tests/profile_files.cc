@@ -6,14 +6,21 @@
 #include "profile_samples.h"
 
 #include <wheelrail/geometry/contact_geometry.h>
+#include <wheelrail/input/parameters.h>
+#include <wheelrail/model/scene_checks.h>
 #include <wheelrail/profiles/measured_profiles.h>
+#include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/profiles/smoothing_spline.h>
+#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/reference/noise_effect.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace wheelrail;
@@ -147,15 +154,16 @@ namespace
     std::vector<Point2> points;
     for (int i = 0; i <= 80; ++i)
       points.push_back({5e-4 * i, i < 40 ? 0. : 5e-4 * (i - 40)});
-    const auto kinks = find_kinks(points, 0);
+    const std::vector<double> exact(points.size(), 0);
+    const auto                kinks = find_kinks(points, exact);
     check(kinks.size() == 1 && kinks[0] == 40, "one kink of 45 degrees found where it is");
-    const Curve curve(smoothing_spline(points, kinks, 1e-5));
+    const Curve curve(smoothing_spline(points, kinks, std::vector<double>(points.size(), 1e-5)));
     check_near(norm(curve.at(curve.closest(points[40])).position - points[40]), 0, 1e-8, "and kept [m]");
 
     points.clear();
     for (int i = 0; i <= 60; ++i)
       points.push_back({3e-3 * std::cos(0.05 * i), 3e-3 * std::sin(0.05 * i)});
-    check(find_kinks(points, 0).empty(), "an arc of 3 mm has no kinks");
+    check(find_kinks(points, std::vector<double>(points.size(), 0)).empty(), "an arc of 3 mm has no kinks");
   }
 
   // A defect, what is done about it, and how little it moves the curve.
@@ -257,6 +265,87 @@ namespace
           check_near(relative, 1, c.radius, name + "relative lateral curvature, measured over exact");
         }
   }
+
+  // Peak pressure of half-spaces [Pa] with a profile of these points, and by what share noise may move it.
+  std::pair<double, double>
+  peak_and_noise_effect(const ProfileKind kind, const std::string &text)
+  {
+    std::ofstream("noise.txt") << text;
+    SceneInput input = scene_from_text(
+      "",
+      "noise",
+      {std::string("Profiles/") + (kind == ProfileKind::rail ? "Rail" : "Wheel") + " = noise.txt"});
+    input.scene.halfspace_bodies       = ContactBodies::half_spaces;
+    input.scene.halfspace_element_size = 0.8e-3;
+    const SceneGeometry geometry       = require_touching(input);
+    return {halfspace_pressure(input.scene, geometry, 100e3, scene_offsets(input.scene)).peak,
+            noise_effect(input.scene, geometry, 100e3)};
+  }
+
+  // The peak with noisy points differs from the exact one by less than is said of them, of 19 in 20.
+  void
+  test_coverage()
+  {
+    unsigned int beyond = 0;
+    for (const ProfileKind kind : {ProfileKind::rail, ProfileKind::wheel})
+      {
+        const Curve curve =
+          kind == ProfileKind::rail ? rail_profile("60E1").head : wheel_profile("S1002").tread;
+        const auto with = [&](const double noise, const unsigned int seed) {
+          std::vector<Point2> points;
+          for (const Point2 &p : sampled(curve, 0.5e-3, noise, seed))
+            if (kind == ProfileKind::wheel || p.y > -28e-3)
+              points.push_back(p);
+          return peak_and_noise_effect(kind, columns(points));
+        };
+        const double exact = with(0, 1).first;
+        for (unsigned int seed = 100; seed < 105; ++seed)
+          {
+            const auto [peak, effect] = with(1e-5, seed);
+            beyond += std::abs(peak / exact - 1) > effect;
+            check(effect < 0.4,
+                  "noise of 10 micrometres moves the peak by " + std::to_string(100 * effect) + " %");
+          }
+      }
+    check(beyond <= 1, std::to_string(beyond) + " of 10 noisy profiles move the peak farther than is said");
+  }
+
+  // Noise and rounding of a rail are found, are no kinks, and are counted by what they do to the pressure.
+  void
+  test_noise()
+  {
+    const Curve head = rail_profile("60E1").head;
+    struct Case
+    {
+      double      noise, rounding, least, most;
+      const char *what;
+    };
+    for (const Case &c : {Case{0, 0, 0, 0.01, "exact rail"},
+                          Case{1e-5, 0, 0, 1, "rail with 10 micrometres of noise"},
+                          Case{5e-5, 0, 0.05, INFINITY, "rail with 50 micrometres of noise"},
+                          Case{0, 1e-4, 0.05, INFINITY, "rail in tenths of a millimetre"}})
+      {
+        const std::string   name = c.what;
+        std::vector<Point2> points;
+        for (const Point2 &p : sampled(head, 0.5e-3, c.noise, 11))
+          if (p.y > -28e-3)
+            points.push_back(
+              c.rounding > 0 ? c.rounding * Point2{std::round(p.x / c.rounding), std::round(p.y / c.rounding)}
+                             : p);
+        const std::string text = columns(points);
+        if (c.noise > 0)
+          check_near(read_profile_text(text, "p.txt", options(ProfileKind::rail)).noise / c.noise,
+                     1,
+                     0.3,
+                     name + ": found, over the real one");
+        const Point2 rounding = rounding_of(points);
+        check_near(rounding.x, c.rounding, 1e-9, name + ": rounding of x [m]");
+        check_near(rounding.y, c.rounding, 1e-9, name + ": rounding of y [m]");
+        const double effect = peak_and_noise_effect(ProfileKind::rail, text).second;
+        check(effect >= c.least && effect <= c.most,
+              name + ": moves the peak pressure by " + std::to_string(100 * effect) + " %");
+      }
+  }
 } // namespace
 
 int
@@ -267,5 +356,7 @@ main()
   test_kinks();
   test_mending();
   test_contact();
+  test_noise();
+  test_coverage();
   return test::report();
 }

@@ -195,11 +195,13 @@ namespace
     for (const Point2 &p : points)
       if (p.y > 12.5e-3 || p.x > 20e-3)
         faces.push_back(p);
-    faces.push_back(faces.back() + Point2{0, -12e-3});
+    for (const double step : {5e-3, 12e-3}) // the second one ends more than 15 mm above the tread
+      faces.push_back(faces.back() + Point2{0, -step});
     const Read wheel = read(ProfileKind::wheel, "ProgramName=x\n\n" + columns(faces));
     check_tells(wheel, "taken as a straight face", "steps of 12 mm on the faces");
     check_tells(
       wheel, "face of the rim left out, more than 8 mm above the running circle", "the face of the rim");
+    check_tells(wheel, "1 point more than 15 mm above the tread left out", "the high part of that face");
     check_on(wheel, S1002(), -60e-3, 55e-3, 1e-5, "steps of 12 mm on the faces");
 
     Points hole;
@@ -245,6 +247,69 @@ namespace
             check(profile.points.size() > 100, "the same as the crown of a roller");
           }
       }
+  }
+
+  /// What decides on the shape is the line of points, not how densely its parts were measured, and what is
+  /// left out may have gaps.
+  void
+  test_spacing()
+  {
+    for (const double depth : {25e-3, 32e-3})
+      for (const double step : {0.1e-3, 1e-3, 12e-3})
+        for (const double sign : {1., -1.})
+          {
+            const Points tread = sampled(S1002(), 0.5e-3, 0, 1);
+            Points       wheel;
+            for (double y = depth; y > 0.5 * step; y -= step)
+              wheel.push_back(tread.front() + Point2{1e-3 * y, y});
+            wheel.insert(wheel.end(), tread.begin(), tread.end());
+            for (Point2 &p : wheel)
+              p.y *= sign;
+            const std::string what =
+              "a rim measured " + std::to_string(depth) + " m up every " + std::to_string(step);
+            const Read rim = read(ProfileKind::wheel, columns(wheel));
+            check_tells(rim, "more than 15 mm above the tread left out", what);
+            check(rim.tells("turned upside down") == (sign < 0), what + ": which way is up");
+            check_on(rim, S1002(), -69e-3, 55e-3, 1e-5, what);
+          }
+
+    Points whole = {
+      {75e-3, -172e-3}, {75e-3, -160.5e-3}, {9e-3, -145e-3}, {8.25e-3, -120e-3}, {8.25e-3, -60e-3}};
+    for (std::size_t k = whole.size(); k-- > 0;)
+      whole.push_back({-whole[k].x, whole[k].y});
+    const Points top = head("60E1");
+    whole.insert(whole.begin() + 5, top.begin(), top.end());
+    if (top.front().x < top.back().x)
+      std::reverse(whole.begin() + 5, whole.begin() + 5 + top.size());
+    check_on(read(ProfileKind::rail, columns(whole)),
+             rail_profile("60E1").head,
+             -35e-3,
+             35e-3,
+             1e-5,
+             "a whole rail, of whose web and foot only corners are given");
+
+    ProfileFileOptions options;
+    options.kind            = ProfileKind::wheel;
+    options.turn            = ProfileMirror::yes;
+    Points      turned      = sampled(S1002(), 0.5e-3, 0, 1);
+    const auto  read_turned = [&]() { return read_profile_text(columns(turned), "p.txt", options).notes; };
+    std::string fault;
+    try
+      {
+        read_turned();
+      }
+    catch (const InputError &error)
+      {
+        fault = error.what();
+      }
+    check(fault.find("no wheel profile") != std::string::npos,
+          "a wheel turned over by hand that hangs right");
+    for (Point2 &p : turned)
+      p.y = -p.y;
+    const auto notes = read_turned();
+    check(std::find(notes.begin(), notes.end(), "turned upside down: Profiles/Wheel upside down = yes") !=
+            notes.end(),
+          "a wheel turned over by hand");
   }
 
   void
@@ -302,6 +367,7 @@ main()
   test_decimal_commas();
   test_origins();
   test_long_steps();
+  test_spacing();
   test_other_bodies();
   test_cut_flange();
   return test::report();

@@ -61,7 +61,8 @@ def results():
     program("run", "keys.prm", "--overwrite", "--set", "Run/Passages = 2", "--set", "Output/Folder = many")
     of_run = "many/passage_001"
     program("compare", of_run, "--no-pictures")
-    program("halfspace", "keys.prm", "--no-pictures")
+    worn = os.path.join(os.path.dirname(os.path.abspath(__file__)), "profiles", "worn_S1002.prw")
+    program("halfspace", "keys.prm", "--no-pictures", "--set", f"Profiles/Wheel = {worn}")
     program("vehicle", "keys.prm", "rows.csv", "--no-pictures", "--both-wheels")
     program("halfspace", "keys.prm", "--no-pictures", "--set", "Wheelset/Wheels = both", "--set",
             "Output/Folder = both")

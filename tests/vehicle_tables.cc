@@ -32,8 +32,9 @@ namespace
   {
     const std::string there =
       "; there are time, distance, lateral shift, roll, yaw, load, load right, load left, velocity, torque, "
-      "traction, creepage, lateral creepage, radius and cant, each with its unit in brackets, such as \"load "
-      "[kN]\"";
+      "traction, creepage, lateral creepage, radius, curvature and cant, each with its unit in brackets, "
+      "such as \"time "
+      "[s]\"";
     refused("time [s],jaw [mrad]\n0,1\n",
             ":1: column \"jaw [mrad]\" is not known, perhaps yaw is meant" + there);
     refused("time [s],yaw\n0,1\n",
@@ -104,12 +105,14 @@ namespace
     refused(
       "time [s];acceleration [m/s2]\n0;1\n",
       ":1: column \"acceleration [m/s2]\" is not known; there are time, distance, lateral shift, roll, "
-      "yaw, load, load right, load left, velocity, torque, traction, creepage, lateral creepage, radius "
-      "and cant, each with its unit in brackets, such as \"load [kN]\"");
+      "yaw, load, load right, load left, velocity, torque, traction, creepage, lateral creepage, radius, "
+      "curvature and cant, each with its unit in brackets, such as \"time [s]\"");
     const File none("acceleration [m/s2]\n1\n");
     check(test::message_of([&]() {
             read_vehicle_file(none.path());
-          }).find("no column is known; there are time") != std::string::npos,
+          }).find("no column is known; there are time") != std::string::npos &&
+            test::message_of([&]() { read_vehicle_file(none.path()); }).find("(--columns)") !=
+              std::string::npos,
           "a table of other quantities");
     const File near("time [s];jaw [mrad]\n0;1\n");
     check(test::message_of([&]() { read_vehicle_file(near.path()); }).find("perhaps yaw is meant") !=
@@ -125,6 +128,38 @@ namespace
                -2.5e-3,
                1e-15,
                "a name of another program, whose sign is turned");
+    const auto here = [&](const std::string &rows, const char *const names) {
+      std::ofstream("names.csv") << names;
+      return read_vehicle_file(File(rows).path(), "names.csv");
+    };
+    const auto shift = [&](const std::string &rows, const char *const names) {
+      return value(here(rows, names), Q::lateral_shift);
+    };
+    check_near(shift("time;y_ws\ns;mm\n0;2\n", "y_ws;lateral shift\n"), 2e-3, 1e-15, "a line of units");
+    check_near(shift("time;y_ws\ns;mm\n0;2\n", "y_ws;lateral shift [mm]\n"),
+               2e-3,
+               1e-15,
+               "a line of units beside one in the table of names");
+    check_near(shift("time [s];y_ws\n0;2\n", "y_ws;-0.5 * lateral shift [mm]\n"),
+               -1e-3,
+               1e-15,
+               "a factor in the table of names, with a sign");
+    for (const char *const rows : {"time [s];y_ws [m]\n0;2\n", "time;y_ws\ns;m\n0;2\n"})
+      check(test::message_of([&]() {
+              shift(rows, "y_ws;lateral shift [mm]\n");
+            }).find("\" is in m here and in mm in the table of names; leave one of them out") !=
+              std::string::npos,
+            "two units of one column");
+    check_near(value(here("time [s];kappa\n0;-0.002\n", "kappa;curvature [1/m]\n"), Q::radius),
+               -500,
+               1e-9,
+               "a curvature in place of a radius");
+    check_near(value(here("time [s];kappa\n0;1e-9\n", "kappa;0.001 * curvature [1/m]\n"), Q::radius),
+               0,
+               0,
+               "a straight track");
+    refused("time [s],radius [m],curvature [1/m]\n0,500,0.002\n",
+            ": radius and curvature; one follows from the other: leave one of the columns out");
     std::ofstream("names.csv") << "y_ws;shift\n";
     test::check_text(test::message_of([&]() { read_vehicle_file(more.path(), "names.csv"); }).substr(0, 40),
                      "names.csv:1: \"shift\" is no column; there",

@@ -121,6 +121,13 @@ namespace
     test_rule(&Measures::peak_difference, 0.12, no, "do not explain it");
     test_rule(&Measures::edge_on_path, 20e-3, care, "The largest pressure of the path does not hold");
     test_rule(&Measures::edge, 20e-3, care, "The peak pressure does not hold, forces do");
+    test_rule(&Measures::noise_effect,
+              0.07,
+              care,
+              "The noise in the points of the measured profiles leaves the peak pressure uncertain by 7.0 %; "
+              "take points "
+              "with less noise or more digits.");
+    test_rule(&Measures::noise_effect, INFINITY, no, "uncertain by an unknown part");
     test_rule(
       &Measures::peak_pressure, 6.1e9, no, "The peak pressure of 6.1 GPa is more than any rail steel bears");
   }

@@ -18,6 +18,7 @@
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
+#include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
@@ -64,6 +65,9 @@ namespace wheelrail
       print_notes(checked.geometry->notes, out);
       for (const std::string &warning : found.warnings)
         out << "warning: " << warning << "\n";
+      SceneInput given = input_of(options);
+      given.scene.both_wheels |= options.count("wheelset") > 0;
+      print_notes(entries_without_effect(given, "run"), out);
       out << file_of(options) << ": all entries are valid"
           << (found.warnings.empty() ? "" : ", with the warnings above") << "\n";
       return 0;
@@ -101,11 +105,13 @@ namespace wheelrail
     run_options.resume    = options.count("resume") > 0;
     if (run_options.overwrite && run_options.resume)
       throw InputError("--overwrite starts anew and --resume goes on: give one of them");
-    SceneInput          input    = one_scene_of(options);
-    const std::string   wheelset = take_wheel(options, input);
-    const std::string   curve    = roll_straight(options, input.scene);
-    const SceneGeometry geometry = require_computable(input);
-    run_options.prm_text         = input.text;
+    SceneInput input = one_scene_of(options);
+    input.scene.both_wheels |= options.count("wheelset") > 0;
+    std::vector<std::string> notes    = entries_without_effect(input, "run");
+    const std::string        wheelset = take_wheel(options, input);
+    const std::string        curve    = roll_straight(options, input.scene);
+    const SceneGeometry      geometry = require_computable(input);
+    run_options.prm_text              = input.text;
     for (const std::string &set : sets_of(options))
       run_options.prm_text += "# --set \"" + set + "\"\n";
     if (options.count("row"))
@@ -113,7 +119,8 @@ namespace wheelrail
                               (options.count("traction") ? " --traction from scene\n" : "\n");
     if (options.count("wheelset"))
       run_options.prm_text += "# --wheelset\n";
-    for (const std::string &note : {wheelset.empty() ? drive_note(options, input) : wheelset, curve})
+    notes.insert(notes.begin(), {wheelset.empty() ? drive_note(options, input) : wheelset, curve});
+    for (const std::string &note : notes)
       run_options.note += (run_options.note.empty() || note.empty() ? "" : "; ") + note;
     run_options.parameters_text = print_parameters(input.scene);
     run_options.program_version = WHEELRAIL_VERSION;
@@ -127,9 +134,17 @@ namespace wheelrail
     std::vector<double> shifts;
     if (options.count("shifts"))
       shifts = parse_shifts(options["shifts"].as<std::string>());
-    const Scene         scene    = input_of(options).scene;
-    const SceneProfiles profiles = read_profiles(scene);
-    const int           code     = run_geometry_command(scene, profiles, shifts, out);
+    const SceneInput input = input_of(options);
+    const Scene     &scene = input.scene;
+    print_notes(entries_without_effect(input, "geometry"), out);
+    const bool unlike =
+      scene.both_wheels && (scene.left_wheel_profile != "as right" || scene.left_rail_profile != "as right");
+    const WheelsetProfiles sides =
+      unlike ? profiles_with_notes(scene, out) : WheelsetProfiles{read_profiles(scene), {}};
+    const SceneProfiles &profiles = sides.right;
+    if (!unlike)
+      print_notes(profiles.notes, out);
+    const int code = run_geometry_command(scene, profiles, shifts, out, unlike ? &sides.left : nullptr);
     if (code == 0 && options.count("profiles"))
       {
         const std::string stem = std::filesystem::path(file_of(options)).stem().string();
@@ -149,6 +164,7 @@ namespace wheelrail
     require_none(found.errors, input);
     for (const std::string &warning : found.warnings)
       out << "warning: " << warning << "\n";
+    print_notes(entries_without_effect(input, "material"), out);
     return run_material_command(input.scene, !options.count("no-pictures"), out);
   }
 
@@ -169,6 +185,7 @@ namespace wheelrail
     input.scene.motion = "none"; // the rows of the command take its place
     if (options.count("both-wheels"))
       input.scene.both_wheels = true;
+    print_notes(entries_without_effect(input, "vehicle"), out);
     print_note(drive_of_rows(input.scene, motion, row_drive_of(options)), out);
     if (!input.scene.both_wheels && !has_drive(motion))
       print_note("one wheel, which turns by itself; --both-wheels puts both on one axle", out);
@@ -210,8 +227,11 @@ namespace wheelrail
                          ": both sides wear alike, as on a line with as many curves to the left as to the "
                          "right; write as right");
     if (team_of_job().rank == 0)
-      for (const std::string &warning : found.warnings)
-        out << "warning: " << warning << "\n";
+      {
+        for (const std::string &warning : found.warnings)
+          out << "warning: " << warning << "\n";
+        print_notes(entries_without_effect(input, "wear"), out);
+      }
     return run_wear_command(scene, !options.count("no-pictures"), options.count("overwrite") > 0, out);
   }
 
@@ -243,6 +263,9 @@ namespace wheelrail
         out << useful_ranks(elements, options["ranks"].as<unsigned int>()) << "\n";
         return 0;
       }
+    if (!options.count("json") && !options.count("xml")) // which have no remarks
+      for (const std::string &note : entries_without_effect(input, "parameters"))
+        out << "# note: " << note << "\n";
     out << print_parameters(input.scene,
                             options.count("json")  ? ParameterStyle::json
                             : options.count("xml") ? ParameterStyle::xml
@@ -288,6 +311,7 @@ namespace wheelrail
         return 0;
       }
     require_possible_folder(input.scene.folder);
+    print_notes(entries_without_effect(input, "study"), out);
     print_note(former_drive_note(input), out);
     out.flush();
     std::vector<std::string> words;

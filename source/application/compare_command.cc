@@ -1,3 +1,4 @@
+#include <wheelrail/application/command_scene.h>
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/compared_figures.h>
 #include <wheelrail/application/halfspace_results.h>
@@ -5,6 +6,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/hints.h>
+#include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/model/scene_checks.h>
@@ -135,6 +137,7 @@ namespace wheelrail
     const FolderLock held(folder); // no run, and no other comparison, works in it meanwhile
     Summary          run   = read_summary((path / "summary.json").string());
     SceneInput       input = read_scene((path / "parameters.prm").string(), sets);
+    print_notes(entries_without_effect(input, "compare"), out);
     use_kept_profiles(input.scene, folder);
     if (const double place = get_figure(run, "motion_distance_m"); std::isfinite(place))
       input.scene = scene_on_way(input.scene, place);

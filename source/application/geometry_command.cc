@@ -22,10 +22,11 @@ namespace wheelrail
 
     struct Pair
     {
-      RailProfile     rail;
-      WheelProfile    wheel;
-      TrackDimensions track;
-      WheelsetPose    pose; ///< but for the shift
+      RailProfile        rail;
+      WheelProfile       wheel;
+      TrackDimensions    track;
+      WheelsetPose       pose;  ///< but for the shift
+      const WheelOnRail *other; ///< of the left-hand side, where it differs
     };
 
     /// "none", "from contact" or the angle; and the yaw, if any.
@@ -48,7 +49,7 @@ namespace wheelrail
         {
           WheelsetPose pose  = pair.pose;
           pose.lateral_shift = shift;
-          return find_contact(pair.rail, pair.wheel, pair.track, pose);
+          return find_contact(pair.rail, pair.wheel, pair.track, pose, pair.other);
         }
       catch (const InputError &error)
         {
@@ -230,14 +231,20 @@ namespace wheelrail
     {
       const double           e = 2 * running_circle_distance(pair.track), r0 = pair.track.nominal_radius;
       const RadiusDifference difference =
-        radius_difference(pair.rail, pair.wheel, pair.track, pair.pose.roll, 8e-3, 1e-4);
+        radius_difference(pair.rail, pair.wheel, pair.track, pair.pose.roll, 8e-3, 1e-4, pair.other);
       out << "\nEquivalent conicity (EN 15302, UIC 519: cone with the same wavelength of Klingel's "
              "movement), roll "
           << pose_text(pair.pose) << "\n\n";
+      if (!difference.odd)
+        out << (std::isfinite(difference.rolling_line())
+                  ? "  around a shift of " + fixed(-1e3 * difference.rolling_line(), 3) +
+                      " mm, where both wheels roll alike\n"
+                  : "  none: both wheels roll alike nowhere within 8 mm\n");
       for (int amplitude = 1; amplitude <= 8; ++amplitude)
         {
           const double conicity = equivalent_conicity(difference, 1e-3 * amplitude, e, r0);
-          if (amplitude * 1e-3 > difference.displacement.back() * (1 + 1e-12))
+          if (difference.odd ? amplitude * 1e-3 > difference.displacement.back() * (1 + 1e-12)
+                             : std::isnan(conicity))
             break;
           out << "  amplitude " << amplitude << " mm   "
               << (std::isnan(conicity) ? "none: the difference of the rolling radii pushes outwards"
@@ -314,12 +321,14 @@ namespace wheelrail
   run_geometry_command(const Scene               &scene,
                        const SceneProfiles       &profiles,
                        const std::vector<double> &shifts,
-                       std::ostream              &out)
+                       std::ostream              &out,
+                       const SceneProfiles       *left)
   {
-    Pair pair{profiles.rail, profiles.wheel, scene.track, wheelset_pose(scene)};
-    for (const std::string &note : profiles.notes)
-      out << "note: " << note << '\n';
-    out << "Wheel " << pair.wheel.name << " on rail " << pair.rail.name << ", gauge "
+    const std::optional<WheelOnRail> other =
+      left ? std::optional<WheelOnRail>(WheelOnRail{left->rail, left->wheel}) : std::nullopt;
+    Pair pair{profiles.rail, profiles.wheel, scene.track, wheelset_pose(scene), other ? &*other : nullptr};
+    out << "Wheel " << pair.wheel.name << " on rail " << pair.rail.name
+        << (left ? ", left wheel " + left->wheel.name + " on rail " + left->rail.name : "") << ", gauge "
         << fixed(1e3 * scene.track.gauge, 2) << " mm (" << fixed(1e3 * scene.track.gauge_height, 1)
         << " mm below the top), inclination ";
     if (scene.track.inclination > 0)

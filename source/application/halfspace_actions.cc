@@ -7,6 +7,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/reference/given_distance.h>
@@ -98,6 +99,7 @@ namespace wheelrail
     SceneInput     input = one_scene_of(options);
     const Findings found = contact_checks(input.scene);
     require_none(found.errors, input);
+    print_notes(entries_without_effect(input, "halfspace"), out);
     if (input.scene.both_wheels)
       return halfspaces_of_wheelset(options, input, found.warnings, out);
     leave_to_half_spaces(options, input.scene, out);

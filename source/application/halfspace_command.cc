@@ -12,6 +12,7 @@
 #include <wheelrail/reference/given_distance.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/noise_effect.h>
 #include <wheelrail/reference/several_patches.h>
 #include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/wheel_rail_input.h>
@@ -107,7 +108,10 @@ namespace wheelrail
     print_notes(result.notes, out);
     const bool real = scene.halfspace_bodies == ContactBodies::real;
     if (!given)
-      hold_against_bodies(scene, *geometry, result);
+      {
+        hold_against_bodies(scene, *geometry, result);
+        find_noise_effect(scene, *geometry, result);
+      }
     HalfspaceResults results = halfspace_results(scene, result);
     if (!why.empty())
       results.figures.note = why;

@@ -29,7 +29,7 @@ namespace wheelrail
       constexpr std::size_t          n     = component_names.size();
       const std::vector<std::string> names = [] {
         std::vector<std::string> list;
-        for (const char *const of : {"e ", "s "})
+        for (const char *const of : {"E_", "S_"})
           for (const char *const component : component_names)
             list.push_back(std::string(of) + component);
         return list;

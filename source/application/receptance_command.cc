@@ -8,6 +8,7 @@
 #include <wheelrail/base/progress.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/model/scene_parts.h>
@@ -179,20 +180,14 @@ namespace wheelrail
       out << '\n' << line;
     }
 
-    /// Of another result as our tables have it: a file of this command as it is, one of others by its names.
+    /// Of another result, a file of this command or of others by its names, as our tables have it.
     std::string
-    beside_text(const std::string &path)
+    beside_text(const std::string &path, std::ostream &out)
     {
-      std::ifstream file(path);
-      std::string   first, text;
-      std::getline(file, first);
-      if (first.rfind("frequency_Hz,", 0) == 0)
-        {
-          text.assign(std::istreambuf_iterator<char>(file), {});
-          return first + "\n" + text;
-        }
-      using Q                                 = MotionQuantity;
-      const MotionFile                  rows  = read_receptance_file(path);
+      using Q               = MotionQuantity;
+      const MotionFile rows = read_receptance_file(path);
+      for (const std::string &note : rows.notes)
+        out << "note: " << note << '\n';
       const auto                       &f     = *rows.find(Q::frequency);
       const auto                       *phase = rows.find(Q::phase);
       std::vector<std::complex<double>> values;
@@ -213,7 +208,7 @@ namespace wheelrail
       add_response(table, "", f, values);
       if (!phase)
         table.columns[2].assign(f.size(), std::nan(""));
-      text = "";
+      std::string text;
       for (std::size_t k = 0; k < table.keys.size(); ++k)
         text += (k > 0 ? "," : "") + table.keys[k];
       for (std::size_t row = 0; row < f.size(); ++row)
@@ -260,7 +255,7 @@ namespace wheelrail
     const ResultFolder           held(scene.folder, "-receptance");
     const std::filesystem::path &folder = held.path();
     const bool                   rail   = options.body == Body::rail;
-    std::string                  beside = options.beside.empty() ? "" : beside_text(options.beside);
+    std::string                  beside = options.beside.empty() ? "" : beside_text(options.beside, out);
     const auto                   body   = make_lone_body(scene, geometry, options.body, MPI_COMM_WORLD);
     RailPlaces                   places;
     if (rail)
@@ -396,9 +391,10 @@ namespace wheelrail
       given.duration = duration_of(options);
     if (options.count("beside"))
       given.beside = options["beside"].as<std::string>();
-    given.waves                  = !options.count("no-waves");
-    given.draws                  = !options.count("no-pictures");
-    SceneInput input             = one_scene_of(options);
+    given.waves      = !options.count("no-waves");
+    given.draws      = !options.count("no-pictures");
+    SceneInput input = one_scene_of(options);
+    print_notes(entries_without_effect(input, "receptance"), out);
     input.scene.irregularities   = {}; // the bodies by themselves are smooth
     const SceneGeometry geometry = require_computable(input);
     return run_receptance_command(input.scene, geometry, given, out);

@@ -217,6 +217,7 @@ namespace wheelrail
     if (kept)
       out << (kept->finished ? "everything is there: " : "going on from step ")
           << (kept->finished ? folder.string() : std::to_string(kept->steps.size() - 1)) << '\n';
+    state.files = profiles.files;
     if (kept && !kept->finished)
       take_back_last(state);
     std::string torn;

@@ -11,6 +11,7 @@
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/reference/answering_bodies.h>
+#include <wheelrail/reference/noise_effect.h>
 #include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/wheel_load.h>
 #include <wheelrail/reference/wheelset_figures.h>
@@ -142,6 +143,7 @@ namespace wheelrail
         {
           const WheelOnAxle &wheel = left ? wheelset.left : wheelset.right;
           hold_against_bodies(wheel.scene, wheel.geometry, *solution);
+          find_noise_effect(wheel.scene, wheel.geometry, *solution);
           HalfspaceResults &results = wheels[left].emplace(halfspace_results(wheel.scene, *solution));
           set_wheel_figures(wheelset, left, results.figures);
           if (wheel.scene.halfspace_bodies == ContactBodies::real)

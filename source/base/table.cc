@@ -73,7 +73,7 @@ namespace wheelrail
         , options_(options)
       {
         for (const TableColumn &column : known_)
-          names_.push_back(column.name);
+          names_.push_back(plain_name(column.name));
       }
 
       Table
@@ -96,6 +96,9 @@ namespace wheelrail
       /// The head of a cell, under its name here.
       TableHead
       renamed(const std::string &cell) const;
+      /// Gives a head the unit that the file says, which must not differ from that of the table of names.
+      void
+      take_unit(TableHead &head, const std::string &unit) const;
       /// Units of a second line, where this is one.
       bool
       take_units(const std::string &line);
@@ -128,26 +131,44 @@ namespace wheelrail
       for (const std::string &name : {cell, trimmed(cell.substr(0, cell.find_first_of("[(")))})
         if (const auto found = options_.names.find(name); found != options_.names.end())
           {
-            const bool turned = found->second[0] == '-';
-            TableHead  here   = head_of(turned ? trimmed(found->second.substr(1)) : found->second, known_);
-            here.cell         = cell;
-            here.sign         = turned ? -1 : 1;
-            if (!here.has_unit && own.has_unit)
-              {
-                here.unit     = own.unit;
-                here.has_unit = true;
-              }
+            std::string  name_here = found->second;
+            const double factor    = take_factor(name_here);
+            TableHead    here      = head_of(name_here, known_);
+            here.cell              = cell;
+            here.factor            = factor;
+            if (own.has_unit)
+              take_unit(here, own.unit);
             return here;
           }
       return own;
+    }
+
+    void
+    Reader::take_unit(TableHead &head, const std::string &unit) const
+    {
+      const auto known = std::find(names_.begin(), names_.end(), head.name);
+      if (head.has_unit && known != names_.end())
+        {
+          const Dimension dimension = known_[known - names_.begin()].dimension;
+          const auto      one = factor_of(unit, dimension), other = factor_of(head.unit, dimension);
+          if (one && other && *one != *other)
+            fail("column \"" + shown_text(head.cell, 40) + "\" is in " + shown_text(unit, 40) +
+                 " here and in " + shown_text(head.unit, 40) +
+                 " in the table of names; leave one of them out");
+          if (!one) // not a unit: words that the table of names replaces
+            return;
+        }
+      head.unit     = unit;
+      head.has_unit = true;
     }
 
     bool
     Reader::take_units(const std::string &line)
     {
       const Cells cells = heads_of(line);
-      const bool  bare =
-        std::none_of(heads_.begin(), heads_.end(), [](const TableHead &head) { return head.has_unit; });
+      const bool  bare  = std::none_of(heads_.begin(), heads_.end(), [&](const TableHead &head) {
+        return head_of(head.cell, known_).has_unit;
+      });
       if (!bare || cells.size() != heads_.size() ||
           std::any_of(cells.begin(), cells.end(), [](const auto &cell) {
             return number_in(cells_of(cell, {';', true})[0]) && cell != "1";
@@ -156,8 +177,7 @@ namespace wheelrail
       for (std::size_t k = 0; k < cells.size(); ++k)
         {
           const bool brackets = cells[k].size() > 1 && cells[k].find_first_of("[(") == 0;
-          heads_[k].unit      = brackets ? trimmed(cells[k].substr(1, cells[k].size() - 2)) : cells[k];
-          heads_[k].has_unit  = true;
+          take_unit(heads_[k], brackets ? trimmed(cells[k].substr(1, cells[k].size() - 2)) : cells[k]);
         }
       return true;
     }
@@ -199,9 +219,21 @@ namespace wheelrail
     void
     Reader::settle_columns()
     {
-      const std::string there = "; there are " + join_choices(names_, "and") +
-                                ", each with its unit in brackets, such as \"load [kN]\"";
-      std::string left_out;
+      Cells       shown;
+      std::string example, left_out;
+      for (const TableColumn &column : known_)
+        {
+          shown.push_back(column.name);
+          const std::string units = dimension_units(column.dimension);
+          if (example.empty() && column.dimension != Dimension::none)
+            example = ", each with its unit in brackets, such as \"" + shown.back() + " [" +
+                      units.substr(0, units.find(',')) + "]\"";
+        }
+      const std::string there = "; there are " + join_choices(shown, "and") + example;
+      const std::string renaming =
+        *options_.renaming
+          ? std::string("; a table of names tells what they are called here (") + options_.renaming + ")"
+          : "";
       for (std::size_t k = 0; k < heads_.size(); ++k)
         {
           const TableHead &head  = heads_[k];
@@ -220,17 +252,16 @@ namespace wheelrail
           if (std::any_of(
                 columns_.begin(), columns_.end(), [&](const Column &other) { return other.of == &column; }))
             fail("two columns of " + head.name + "; leave one out");
-          columns_.push_back({k, &column, head.sign * unit_factor(head, column)});
+          columns_.push_back({k, &column, head.factor * unit_factor(head, column)});
           table_.known.push_back(known - names_.begin());
         }
       for (std::size_t k = 0; k < known_.size(); ++k)
         if (known_[k].needed && std::find(table_.known.begin(), table_.known.end(), k) == table_.known.end())
-          fail("no column " + names_[k] + "; " + options_.purpose);
+          fail("no column " + shown[k] + "; " + options_.purpose);
       if (columns_.empty())
-        fail("no column is known" + there);
+        fail("no column is known" + there + renaming);
       if (!left_out.empty())
-        table_.notes.push_back(path_ + ": columns that are not used: " + left_out +
-                               "; a table of names tells what they are called here (--columns)");
+        table_.notes.push_back(path_ + ": columns that are not used: " + left_out + renaming);
       table_.columns.resize(columns_.size());
     }
 
@@ -330,7 +361,7 @@ namespace wheelrail
     ColumnNames names;
     Cells       here;
     for (const TableColumn &column : known)
-      here.push_back(column.name);
+      here.push_back(plain_name(column.name));
     for (const Line &line :
          lines_of_file(path, "--columns needs a table of names: the name in the rows, the name here", "#"))
       {
@@ -340,8 +371,9 @@ namespace wheelrail
             place(path, line.number) +
             "a line holds two names with a comma, semicolon or tab between: that in the rows and that "
             "here, such as \"y_ws;lateral shift [mm]\"");
-        const std::string name =
-          head_of(trimmed(cells[1][0] == '-' ? cells[1].substr(1) : cells[1]), known).name;
+        std::string name = cells[1];
+        take_factor(name);
+        name = head_of(name, known).name;
         if (std::find(here.begin(), here.end(), name) == here.end())
           throw InputError(place(path, line.number) + "\"" + shown_text(name, 40) + "\" is no column" +
                            perhaps(name, here) + "; there are " + join_choices(here, "and"));

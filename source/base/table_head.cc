@@ -65,6 +65,24 @@ namespace wheelrail
     return {};
   }
 
+  double
+  take_factor(std::string &name)
+  {
+    double factor = 1;
+    if (const std::size_t times = name.find('*'); times != std::string::npos)
+      if (const auto number = number_of(trimmed(name.substr(0, times))); number && *number != 0)
+        {
+          factor = *number;
+          name   = trimmed(name.substr(times + 1));
+        }
+    if (!name.empty() && name.front() == '-')
+      {
+        factor = -factor;
+        name   = trimmed(name.substr(1));
+      }
+    return factor;
+  }
+
   std::string
   plain_name(const std::string &text)
   {
@@ -91,7 +109,7 @@ namespace wheelrail
     std::size_t longest = 0;
     for (const TableColumn &column : known) // "load right_kN" is one of load right
       {
-        const std::string name = column.name;
+        const std::string name = plain_name(column.name);
         if (name.size() <= longest || head.name.size() <= name.size() ||
             head.name.compare(0, name.size(), name) != 0 ||
             std::string(" ,/").find(head.name[name.size()]) == std::string::npos)

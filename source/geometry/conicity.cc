@@ -6,9 +6,48 @@
 
 namespace wheelrail
 {
+  namespace
+  {
+    /// One side of the way of a wheelset, from its rolling line to a turning point.
+    struct HalfSwing
+    {
+      double potential = 0; ///< integral of the difference from the line to the turning point [m2]
+      double quarter =
+        0; ///< of the wavelength, times the root of 2 / (e r0) [1]; NaN: it does not turn there
+    };
+
+    HalfSwing
+    half_swing(const RadiusDifference &difference,
+               const double            line,
+               const double            side,
+               const double            amplitude)
+    {
+      // with y = amplitude sin(theta) the integrand stays finite at the turning point; the inner
+      // integral is summed from there, by the trapezoidal rule, which is exact between the table's places
+      constexpr int n     = 2000;
+      const auto    value = [&](const double y) { return side * difference.at(line + side * y); };
+      HalfSwing     swing;
+      double        y_before = amplitude;
+      for (int i = n - 1; i >= 0; --i)
+        {
+          const double theta = (i + 0.5) / n * M_PI / 2, y = amplitude * std::sin(theta);
+          swing.potential += 0.5 * (value(y) + value(y_before)) * (y_before - y);
+          swing.quarter += swing.potential > 0
+                             ? amplitude * std::cos(theta) / std::sqrt(2 * swing.potential) * (M_PI / 2 / n)
+                             : std::nan("");
+          y_before = y;
+        }
+      swing.potential += 0.5 * value(y_before) * y_before;
+      return swing;
+    }
+  } // namespace
+
+
   double
   RadiusDifference::at(const double y) const
   {
+    if (odd && y < 0)
+      return -at(-y);
     const auto after = std::upper_bound(displacement.begin(), displacement.end(), y);
     if (after == displacement.begin())
       return value.front();
@@ -20,29 +59,58 @@ namespace wheelrail
   }
 
 
+  double
+  RadiusDifference::rolling_line() const
+  {
+    if (odd)
+      return 0;
+    double line = std::nan("");
+    for (std::size_t i = 1; i < value.size(); ++i)
+      if (value[i - 1] < 0 && value[i] >= 0)
+        if (const double y = displacement[i - 1] + value[i - 1] / (value[i - 1] - value[i]) *
+                                                     (displacement[i] - displacement[i - 1]);
+            !(std::abs(line) <= std::abs(y)))
+          line = y;
+    return line;
+  }
+
+
   RadiusDifference
   radius_difference(const RailProfile     &rail,
                     const WheelProfile    &wheel,
                     const TrackDimensions &track,
                     const RollMode         roll,
                     const double           most,
-                    const double           step)
+                    const double           step,
+                    const WheelOnRail     *other)
   {
-    RadiusDifference result{{0}, {0}};
-    for (int i = 1; i * step <= most * (1 + 1e-12); ++i)
+    RadiusDifference result{{}, {}, other == nullptr};
+    const auto       add = [&](const int i) {
       try
         {
-          const double y = i * step;
           // the modelled wheel comes to its own rail with a negative shift
-          const double here  = find_contact(rail, wheel, track, {-y, roll}).rolling_radius;
-          const double there = find_contact(rail, wheel, track, {y, roll}).rolling_radius;
-          result.displacement.push_back(y);
-          result.value.push_back(here - there);
+          const ContactGeometry contact = find_contact(rail, wheel, track, {-i * step, roll}, other);
+          result.displacement.push_back(i * step);
+          result.value.push_back(contact.rolling_radius - contact.other_radius);
+          return true;
         }
       catch (const InputError &) // no contact from here on
         {
-          break;
+          return false;
         }
+    };
+    const int last = static_cast<int>(most / step * (1 + 1e-12));
+    if (other)
+      {
+        for (int i = -1; i >= -last && add(i); --i)
+          ;
+        std::reverse(result.displacement.begin(), result.displacement.end());
+        std::reverse(result.value.begin(), result.value.end());
+      }
+    else // whatever the profiles
+      result = {{0}, {0}, true};
+    for (int i = other ? 0 : 1; i <= last && add(i); ++i)
+      ;
     return result;
   }
 
@@ -53,25 +121,28 @@ namespace wheelrail
                       const double            distance,
                       const double            radius)
   {
-    const double pi = M_PI, none = std::nan("");
-    if (!(amplitude > 0) || amplitude > difference.displacement.back() * (1 + 1e-12))
+    const double none = std::nan(""), line = difference.rolling_line();
+    if (!(amplitude > 0) || !std::isfinite(line))
       return none;
-
-    // with y = amplitude sin(theta) the integrand stays finite at the turning point; the inner
-    // integral is summed from there, by the trapezoidal rule, which is exact between the table's places
-    constexpr int n         = 2000;
-    double        potential = 0, quarter = 0, y_before = amplitude;
-    for (int i = n - 1; i >= 0; --i)
+    double right = amplitude; // the way to the turning point towards the modelled rail
+    if (!difference.odd)
       {
-        const double theta = (i + 0.5) / n * pi / 2, y = amplitude * std::sin(theta);
-        potential +=
-          0.5 * (difference.at(y) + difference.at(y_before)) * (y_before - y) / (distance * radius);
-        if (!(potential > 0))
+        double low = 0, high = 2 * amplitude;
+        for (int i = 0; i < 50; ++i)
+          {
+            right              = 0.5 * (low + high);
+            const bool farther = half_swing(difference, line, 1, right).potential <
+                                 half_swing(difference, line, -1, 2 * amplitude - right).potential;
+            (farther ? low : high) = right;
+          }
+        if (line - (2 * amplitude - right) < difference.displacement.front() * (1 + 1e-12))
           return none;
-        quarter += amplitude * std::cos(theta) / std::sqrt(2 * potential) * (pi / 2 / n);
-        y_before = y;
       }
-    const double wavelength = 4 * quarter;
-    return std::pow(pi / wavelength, 2) * 2 * distance * radius;
+    if (line + right > difference.displacement.back() * (1 + 1e-12))
+      return none;
+    const double half = half_swing(difference, line, 1, right).quarter +
+                        half_swing(difference, line, -1, 2 * amplitude - right).quarter;
+    const double wavelength = 2 * half * std::sqrt(distance * radius);
+    return std::isfinite(half) ? std::pow(M_PI / wavelength, 2) * 2 * distance * radius : none;
   }
 } // namespace wheelrail

@@ -139,10 +139,10 @@ namespace wheelrail
     /// The roll at which both wheels touch: root of the difference of the two axle heights, which
     /// grows with the roll by about the distance of the running circles.
     std::optional<double>
-    roll_from_contact(const Pair &pair, const WheelsetPose &pose)
+    roll_from_contact(const Pair &pair, const Pair &opposite, const WheelsetPose &pose)
     {
       const auto difference = [&](const double roll) -> std::optional<double> {
-        const auto a = axle_height(pair, pose, roll), b = axle_height(pair, mirrored(pose), -roll);
+        const auto a = axle_height(pair, pose, roll), b = axle_height(opposite, mirrored(pose), -roll);
         if (!a || !b)
           return {};
         return *a - *b;
@@ -303,16 +303,16 @@ namespace wheelrail
     }
 
     std::string
-    try_contact(const Pair &pair, const WheelsetPose &pose, ContactGeometry &contact)
+    try_contact(const Pair &pair, const Pair &opposite, const WheelsetPose &pose, ContactGeometry &contact)
     {
       std::optional<double> roll = pose.roll == RollMode::given ? pose.roll_angle : 0.;
       if (pose.roll == RollMode::from_contact)
-        roll = roll_from_contact(pair, pose);
+        roll = roll_from_contact(pair, opposite, pose);
       if (!roll)
         return "no roll of the wheelset lets both wheels touch their rails";
       ContactGeometry other;
       std::string     here  = touch(pair, pose, *roll, contact);
-      std::string     there = touch(pair, mirrored(pose), -*roll, other);
+      std::string     there = touch(opposite, mirrored(pose), -*roll, other);
       contact.other_radius  = other.rolling_radius;
       if (!here.empty() || there.empty())
         return here;
@@ -322,13 +322,13 @@ namespace wheelrail
     /// The largest shift of one sign, to 0.1 mm, up to which there is contact from zero on; or
     /// nothing.
     std::optional<double>
-    last_possible(const Pair &pair, const WheelsetPose &pose, const double sign)
+    last_possible(const Pair &pair, const Pair &opposite, const WheelsetPose &pose, const double sign)
     {
       ContactGeometry ignored;
       const auto      possible = [&](const int tenths) {
         WheelsetPose moved  = pose;
         moved.lateral_shift = sign * 1e-4 * tenths;
-        return try_contact(pair, moved, ignored).empty();
+        return try_contact(pair, opposite, moved, ignored).empty();
       };
       int good = 0, bad = 20;
       if (!possible(good))
@@ -346,18 +346,25 @@ namespace wheelrail
   find_contact(const RailProfile     &rail,
                const WheelProfile    &wheel,
                const TrackDimensions &track,
-               const WheelsetPose    &pose)
+               const WheelsetPose    &pose,
+               const WheelOnRail     *other)
   {
-    const Placement placed = place_rail(rail, track);
-    const Pair      pair{rail,
-                    wheel,
-                    track,
-                    placed,
-                    FrameProfile(rail.head, placed, ContactFrame(), steepest_slope),
-                    find_flank_end(wheel.tread)};
+    const auto pair_of = [&](const RailProfile &on, const WheelProfile &of) {
+      const Placement placed = place_rail(on, track);
+      return Pair{on,
+                  of,
+                  track,
+                  placed,
+                  FrameProfile(on.head, placed, ContactFrame(), steepest_slope),
+                  find_flank_end(of.tread)};
+    };
+    const Pair                pair = pair_of(rail, wheel);
+    const std::optional<Pair> left =
+      other ? std::optional<Pair>(pair_of(other->rail, other->wheel)) : std::nullopt;
+    const Pair &opposite = left ? *left : pair;
 
     ContactGeometry   contact;
-    const std::string reason = std::isfinite(pose.lateral_shift) ? try_contact(pair, pose, contact)
+    const std::string reason = std::isfinite(pose.lateral_shift) ? try_contact(pair, opposite, pose, contact)
                                                                  : "the shift is not a finite number";
     if (reason.empty())
       return contact;
@@ -366,7 +373,8 @@ namespace wheelrail
     text << "Wheel '" << wheel.name << "' and rail '" << rail.name
          << "' have no contact point at a lateral shift of " << 1e3 * pose.lateral_shift << " mm: " << reason
          << ". ";
-    const auto most = last_possible(pair, pose, 1.), least = last_possible(pair, pose, -1.);
+    const auto most  = last_possible(pair, opposite, pose, 1.),
+               least = last_possible(pair, opposite, pose, -1.);
     if (most && least)
       text << "With this track, shifts from " << 1e3 * *least << " to " << 1e3 * *most
            << " mm are possible; set Wheelset/Lateral shift within them.";

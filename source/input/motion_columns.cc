@@ -34,6 +34,12 @@ namespace wheelrail
         false,
         false,
         least_track_radius}},
+      {Q::curvature,
+       {"curvature",
+        Dimension::spin,
+        -0.05,
+        0.05,
+        "-0.05 1/m to 0.05 1/m (a radius of 20 m on either side)"}},
       {Q::cant, {"cant", Dimension::length, -0.3, 0.3, "-300 mm to 300 mm"}}};
     return list;
   }

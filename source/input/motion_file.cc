@@ -41,6 +41,16 @@ namespace wheelrail
       MotionFile rows{{}, std::move(table.columns), std::move(table.notes)};
       for (const std::size_t k : table.known)
         rows.quantities.push_back(known[k].quantity);
+      if (rows.find(Q::curvature) && rows.find(Q::radius))
+        throw InputError(path +
+                         ": radius and curvature; one follows from the other: leave one of the columns out");
+      for (std::size_t k = 0; k < rows.quantities.size(); ++k)
+        if (rows.quantities[k] == Q::curvature)
+          {
+            rows.quantities[k] = Q::radius;
+            for (double &value : rows.columns[k]) // flatter curves than a radius may have are straight
+              value = std::abs(value) < 1e-5 ? 0 : 1 / value;
+          }
       return rows;
     }
 
@@ -130,7 +140,8 @@ namespace wheelrail
   {
     const ColumnNames names =
       columns.empty() ? ColumnNames() : read_column_names(columns, columns_of(motion_columns()));
-    return checked(path, read_rows(path, motion_columns(), {purpose_of_rows, true, names, "#", ""}));
+    return checked(path,
+                   read_rows(path, motion_columns(), {purpose_of_rows, true, names, "#", "", "--columns"}));
   }
 
 
@@ -199,7 +210,7 @@ namespace wheelrail
     MotionFile rows =
       read_rows(path,
                 receptance_columns(),
-                {"--beside needs a table over frequencies to draw beside the result", false, {}, "#", ""});
+                {"--beside needs a table over frequencies to draw beside the result", true, {}, "#", ""});
     if (!rows.find(Q::frequency))
       throw InputError(path + ": no frequency; name a column \"frequency [Hz]\"");
     for (const MotionQuantity shown : {Q::receptance, Q::mobility, Q::accelerance})

@@ -16,13 +16,16 @@ namespace wheelrail
     add_file_options(EntryList         &list,
                      const std::string &body,
                      ProfileFileOptions Scene::*part,
-                     const std::string         &mirror)
+                     const std::string         &mirror,
+                     const std::string         &upright)
     {
-      list.choice<ProfileMirror>(
-        body + " mirror",
-        {{"auto", ProfileMirror::automatic}, {"yes", ProfileMirror::yes}, {"no", ProfileMirror::no}},
-        field(part, &ProfileFileOptions::mirror),
-        mirror);
+      const Words<ProfileMirror> turned = {
+        {"auto", ProfileMirror::automatic}, {"yes", ProfileMirror::yes}, {"no", ProfileMirror::no}};
+      list.choice<ProfileMirror>(body + " mirror", turned, field(part, &ProfileFileOptions::mirror), mirror);
+      list.choice<ProfileMirror>(body + " upside down",
+                                 turned,
+                                 field(part, &ProfileFileOptions::turn),
+                                 "Vertical coordinate turned over; auto: " + upright + ".");
       list.choice<ProfileUnit>(
         body + " unit",
         {{"auto", ProfileUnit::automatic},
@@ -53,8 +56,8 @@ namespace wheelrail
       Entry &entry =
         list.number({"Smoothing", "mm", "0 mm", "1 mm"},
                     field(&Scene::rail_file, &ProfileFileOptions::noise),
-                    "Measurement noise (standard deviation) that is smoothed out of profile files; auto: as "
-                    "found in the points, some 10 um are usual; 0 mm: every point is kept.",
+                    "Noise (standard deviation) that is smoothed out of profile files; auto: as found in the "
+                    "points; 0 mm: every point is kept.",
                     {{"auto", -1}});
       entry.set = [set = entry.set](Scene &scene, const std::string &text) {
         set(scene, text);
@@ -113,29 +116,28 @@ namespace wheelrail
     add_file_options(list,
                      "Wheel",
                      &Scene::wheel_file,
-                     "Whether the lateral coordinate of the wheel file is turned to the other side; auto: by "
-                     "the side of the flange.");
+                     "Lateral coordinate turned to the other side; auto: by the flange.",
+                     "the flange hangs down");
     list.choice<WheelOrigin>("Wheel origin",
                              {{"auto", WheelOrigin::automatic},
                               {"running circle", WheelOrigin::running_circle},
                               {"flange back", WheelOrigin::flange_back}},
                              field(&Scene::wheel_origin),
-                             "Lateral origin of the wheel file; auto: found from the flange back, or from "
-                             "the flange tip where the back was not measured.");
+                             "Lateral origin of the file; auto: from the flange back, or the flange tip "
+                             "where the back was not measured.");
     refuse_former_rails(list.name_or_file("Rail",
                                           standard_rails(),
                                           rail_file,
                                           field(&Scene::rail_profile),
-                                          "Rail profile (54E1, 60E1: EN 13674-1); a relative path of a file "
-                                          "counts from where the command is given."));
+                                          "Rail profile (54E1, 60E1: EN 13674-1)."));
     refuse_former_rails(
       add_left(list, "Rail", standard_rails(), rail_file, field(&Scene::left_rail_profile)));
     add_file_options(
       list,
       "Rail",
       &Scene::rail_file,
-      "Whether the lateral coordinate of the rail file is turned to the other side; auto: MiniProf files are "
-      "(gauge side on the right), others are not (field side on the right).");
+      "Lateral coordinate turned to the other side; auto: of MiniProf files (gauge side on the right) alone.",
+      "the crown lies on top");
     list.choice<bool>("Rail origin",
                       {{"auto", false}, {"running circle", true}},
                       field(&Scene::rail_file, &ProfileFileOptions::placed),

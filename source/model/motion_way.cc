@@ -61,7 +61,8 @@ namespace wheelrail
         const Scene  at     = motion.at(rolled);
         try
           {
-            samples.push_back({rolled, at, make_geometry(at, {geometry.rail, geometry.wheel, {}})});
+            samples.push_back(
+              {rolled, at, make_geometry(at, {geometry.rail, geometry.wheel, {}, geometry.files})});
           }
         catch (const InputError &error)
           {

@@ -131,7 +131,7 @@ namespace wheelrail
         moved.lateral_shift = shift;
         try
           {
-            return fits(moved, make_geometry(moved, {geometry.rail, geometry.wheel, {}}));
+            return fits(moved, make_geometry(moved, {geometry.rail, geometry.wheel, {}, geometry.files}));
           }
         catch (const InputError &)
           {

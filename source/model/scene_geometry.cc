@@ -10,20 +10,22 @@ namespace wheelrail
 {
   namespace
   {
-    /// Reads a file and makes the profile of it; messages and notes get the name of the entry in front.
+    /// Reads a file into `measured` and makes the profile of it; messages and notes get the name of the entry
+    /// in front.
     template <typename Make>
     auto
-    from_file(const std::string        &entry,
-              const std::string        &path,
-              const ProfileFileOptions &options,
-              const Make               &make,
-              std::vector<std::string> &notes)
+    from_file(const std::string              &entry,
+              const std::string              &path,
+              const ProfileFileOptions       &options,
+              const Make                     &make,
+              std::optional<MeasuredProfile> &measured,
+              std::vector<std::string>       &notes)
     {
       try
         {
-          MeasuredProfile measured = read_profile_file(path, options);
-          auto            profile  = make(measured, measured.notes);
-          for (const std::string &note : note_lines(measured.notes))
+          measured     = read_profile_file(path, options);
+          auto profile = make(*measured, measured->notes);
+          for (const std::string &note : note_lines(measured->notes))
             notes.push_back(entry + " = " + path + ": " + note);
           return profile;
         }
@@ -41,35 +43,47 @@ namespace wheelrail
     }
 
     WheelProfile
-    read_wheel(const Scene &scene, std::vector<std::string> &notes)
+    wheel_of(const Scene &scene, const MeasuredProfile &measured, std::vector<std::string> &notes)
     {
-      if (!is_file_name(scene.wheel_profile))
-        return wheel_profile(scene.wheel_profile);
-      ProfileFileOptions options = scene.wheel_file;
-      options.placed             = scene.wheel_origin == WheelOrigin::running_circle;
-      return from_file(
-        entry_of(scene, "Wheel", scene.wheel_profile, scene.left_wheel_profile),
-        scene.wheel_profile,
-        options,
-        [&](const MeasuredProfile &measured, std::vector<std::string> &more) {
-          return measured_wheel(measured, scene.wheel.rim_width, more, scene.wheel_origin);
-        },
-        notes);
+      return measured_wheel(measured, scene.wheel.rim_width, notes, scene.wheel_origin);
     }
 
     RailProfile
-    read_rail(const Scene &scene, std::vector<std::string> &notes)
+    rail_of(const Scene &scene, const MeasuredProfile &measured, std::vector<std::string> &notes)
+    {
+      return measured_rail(measured, scene.rail_body, notes);
+    }
+
+    void
+    read_wheel(const Scene &scene, SceneProfiles &profiles)
+    {
+      ProfileFileOptions options = scene.wheel_file;
+      options.placed             = scene.wheel_origin == WheelOrigin::running_circle;
+      if (!is_file_name(scene.wheel_profile))
+        profiles.wheel = wheel_profile(scene.wheel_profile);
+      else
+        profiles.wheel = from_file(
+          entry_of(scene, "Wheel", scene.wheel_profile, scene.left_wheel_profile),
+          scene.wheel_profile,
+          options,
+          [&](const auto &measured, auto &notes) { return wheel_of(scene, measured, notes); },
+          profiles.files.wheel,
+          profiles.notes);
+    }
+
+    void
+    read_rail(const Scene &scene, SceneProfiles &profiles)
     {
       if (!is_file_name(scene.rail_profile))
-        return rail_profile(scene.rail_profile);
-      return from_file(
-        entry_of(scene, "Rail", scene.rail_profile, scene.left_rail_profile),
-        scene.rail_profile,
-        scene.rail_file,
-        [&](const MeasuredProfile &measured, std::vector<std::string> &more) {
-          return measured_rail(measured, scene.rail_body, more);
-        },
-        notes);
+        profiles.rail = rail_profile(scene.rail_profile);
+      else
+        profiles.rail = from_file(
+          entry_of(scene, "Rail", scene.rail_profile, scene.left_rail_profile),
+          scene.rail_profile,
+          scene.rail_file,
+          [&](const auto &measured, auto &notes) { return rail_of(scene, measured, notes); },
+          profiles.files.rail,
+          profiles.notes);
     }
   } // namespace
 
@@ -78,8 +92,8 @@ namespace wheelrail
   read_profiles(const Scene &scene)
   {
     SceneProfiles profiles;
-    profiles.wheel = read_wheel(scene, profiles.notes);
-    profiles.rail  = read_rail(scene, profiles.notes);
+    read_wheel(scene, profiles);
+    read_rail(scene, profiles);
     return profiles;
   }
 
@@ -90,9 +104,30 @@ namespace wheelrail
     SceneGeometry geometry{
       touching_profiles(
         std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
-      std::move(profiles.notes)};
+      std::move(profiles.notes),
+      std::move(profiles.files)};
     add_irregularities(scene, geometry);
     return geometry;
+  }
+
+
+  SceneGeometry
+  drawn(const Scene &scene, const SceneGeometry &geometry, const unsigned int draw)
+  {
+    std::vector<std::string> notes;
+    RailProfile              rail  = geometry.rail;
+    WheelProfile             wheel = geometry.wheel;
+    if (geometry.files.rail)
+      rail = rail_of(scene, drawn(*geometry.files.rail, 2 * draw), notes);
+    if (geometry.files.wheel)
+      wheel = wheel_of(scene, drawn(*geometry.files.wheel, 2 * draw + 1), notes);
+    SceneGeometry again{
+      touching_profiles(std::move(rail), std::move(wheel), scene.track, wheelset_pose(scene)),
+      {},
+      geometry.files};
+    again.surfaces.rail.take_irregularities(geometry.surfaces.rail);
+    again.surfaces.wheel.take_irregularities(geometry.surfaces.wheel);
+    return again;
   }
 
 

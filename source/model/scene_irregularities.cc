@@ -49,16 +49,18 @@ namespace wheelrail
     }
 
     Irregularity
-    from_file(const Scene            &scene,
-              const IrregularityData &data,
-              const TouchingProfiles &profiles,
-              const Place            &at)
+    from_file(const Scene              &scene,
+              const IrregularityData   &data,
+              const TouchingProfiles   &profiles,
+              const Place              &at,
+              std::vector<std::string> &notes)
     {
       constexpr double least_step = 2e-6;
       if (is_slices_file(data.file))
         return from_slices(scene, data, profiles, at);
-      const HeightGrid grid  = read_height_file(data.file);
-      Irregularity     shape = grid_irregularity(
+      const HeightGrid grid = read_height_file(data.file);
+      notes.insert(notes.end(), grid.notes.begin(), grid.notes.end());
+      Irregularity shape = grid_irregularity(
         grid, at.size.place, std::isfinite(data.lateral) ? data.lateral : 0, at.circumference());
       if (const double end = largest_end(grid); end > least_step && !shape.endless)
         throw InputError(data.file + ": the heights begin or end with a step of " + in_mm(end, 1e6) +
@@ -67,9 +69,9 @@ namespace wheelrail
     }
 
     Irregularity
-    rough(const IrregularityData &data, const Place &at)
+    rough(const IrregularityData &data, const Place &at, std::vector<std::string> &notes)
     {
-      const std::vector<RoughnessBand> bands = read_roughness_file(data.file);
+      const std::vector<RoughnessBand> bands = read_roughness_file(data.file, notes);
       try
         {
           Irregularity shape = roughness(at.size, bands, data.seed);
@@ -85,10 +87,11 @@ namespace wheelrail
     }
 
     Irregularity
-    make_shape(const Scene            &scene,
-               const IrregularityData &data,
-               const TouchingProfiles &profiles,
-               const Place            &at)
+    make_shape(const Scene              &scene,
+               const IrregularityData   &data,
+               const TouchingProfiles   &profiles,
+               const Place              &at,
+               std::vector<std::string> &notes)
     {
       using K = IrregularKind;
       switch (data.kind)
@@ -107,9 +110,9 @@ namespace wheelrail
           case K::polygon:
             return polygon(at.size, data.order, at.radius);
           case K::roughness:
-            return rough(data, at);
+            return rough(data, at, notes);
           case K::file:
-            return from_file(scene, data, profiles, at);
+            return from_file(scene, data, profiles, at, notes);
           default:
             return dent(at.size);
         }
@@ -125,7 +128,7 @@ namespace wheelrail
 
 
   PerBody<std::shared_ptr<const Irregularities>>
-  make_irregularities(const Scene &scene, const TouchingProfiles &profiles)
+  make_irregularities(const Scene &scene, const TouchingProfiles &profiles, std::vector<std::string> &notes)
   {
     PerBody<Irregularities> lists;
     const ContactGeometry  &contact = profiles.contact;
@@ -149,7 +152,10 @@ namespace wheelrail
           {data.place - start, lateral, data.length, data.width, data.true_depth(contact.rolling_radius)}};
         try
           {
-            Irregularity shape  = make_shape(scene, data, profiles, at);
+            std::vector<std::string> found;
+            Irregularity             shape = make_shape(scene, data, profiles, at, found);
+            for (const std::string &note : found)
+              notes.push_back(irregularity_name(k) + "/File: " + note);
             shape.name          = irregularity_name(k);
             const double beside = 30e-3; // the tread around the contact
             shape.measures      = measures_of(shape, lateral - beside, lateral + beside);
@@ -169,11 +175,11 @@ namespace wheelrail
 
 
   void
-  add_irregularities(const Scene &scene, TouchingProfiles &profiles)
+  add_irregularities(const Scene &scene, SceneGeometry &profiles)
   {
     if (!scene.irregular())
       return;
-    const auto made = make_irregularities(scene, profiles);
+    const auto made = make_irregularities(scene, profiles, profiles.notes);
     profiles.surfaces.rail.set_irregularities(made.rail);
     profiles.surfaces.wheel.set_irregularities(made.wheel);
   }

@@ -74,7 +74,7 @@ namespace wheelrail
                     ""});
       const std::vector<double> &along = *table.find(0), &height = *table.find(2);
       const std::vector<double> *across = table.find(1);
-      HeightGrid grid{different(along), across ? different(*across) : std::vector<double>(), {}};
+      HeightGrid grid{different(along), across ? different(*across) : std::vector<double>(), {}, table.notes};
       require_enough(grid, path);
       const std::size_t         n = grid.along.size(), m = std::max<std::size_t>(1, grid.across.size());
       std::vector<unsigned int> from(n * m, 0);
@@ -134,7 +134,8 @@ namespace wheelrail
             H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path + ": no HDF5 file");
           HeightGrid grid{lengths_of(file, path, "along"),
                           lengths_of(file, path, "across"),
-                          lengths_of(file, path, "height")};
+                          lengths_of(file, path, "height"),
+                          {}};
           require_enough(grid, path);
           for (const auto *places : {&grid.along, &grid.across})
             if (std::adjacent_find(places->begin(), places->end(), std::greater_equal<double>()) !=

@@ -98,18 +98,20 @@ namespace wheelrail
       return move;
     }
 
-    /// Mean distance of the measured points from the outline of a body on which the head is put [m].
+    /// Mean distance of the line of measured points from the outline of a body on which the head is put [m].
     double
     mean_distance(const MeasuredProfile &profile, const HeadMarks &marks, const RailProfile &body)
     {
       const Point2 move = move_onto(marks, body);
-      double       sum  = 0;
-      for (const FilePoint &p : profile.points)
+      double       sum = 0, length = 0;
+      for (std::size_t i = 1; i < profile.points.size(); ++i)
         {
-          const Point2 q = p.position + move;
-          sum += norm(body.outline.at(body.outline.closest(q)).position - q);
+          const Point2 a = profile.points[i - 1].position, b = profile.points[i].position,
+                       q = 0.5 * (a + b) + move;
+          sum += norm(b - a) * norm(body.outline.at(body.outline.closest(q)).position - q);
+          length += norm(b - a);
         }
-      return sum / static_cast<double>(profile.points.size());
+      return sum / length;
     }
 
     /// The standard rail whose head is as wide; where both sides were measured by the width, which wear of

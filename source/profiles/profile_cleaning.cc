@@ -19,7 +19,8 @@ namespace wheelrail
     std::string
     lines(const FilePoint &a, const FilePoint &b)
     {
-      return "lines " + std::to_string(a.line) + " and " + std::to_string(b.line);
+      return "lines " + std::to_string(std::min(a.line, b.line)) + " and " +
+             std::to_string(std::max(a.line, b.line));
     }
 
     double
@@ -297,8 +298,8 @@ namespace wheelrail
                 for (const std::size_t k : square)
                   if (k + 1 < i && cross_each_other(points[k].position, points[k + 1].position, a, b))
                     throw InputError(file + ": the line of points crosses itself between line " +
-                                     std::to_string(points[k].line) + " and line " +
-                                     std::to_string(points[i].line) +
+                                     std::to_string(std::min(points[k].line, points[i].line)) + " and line " +
+                                     std::to_string(std::max(points[k].line, points[i].line)) +
                                      "; a profile without loops is needed: remove the points of the loop");
                 square.push_back(i);
               }
@@ -326,9 +327,18 @@ namespace wheelrail
     points = without_repeated(points, notes);
     points = without_outliers(points, file, notes);
     check_size(points, file);
-    points = bridge_gaps(points, file, notes);
-    check_loops(points, file);
     return points;
+  }
+
+
+  std::vector<FilePoint>
+  bridged_points(const std::vector<FilePoint> &points,
+                 const std::string            &file,
+                 std::vector<std::string>     &notes)
+  {
+    const Points result = bridge_gaps(points, file, notes);
+    check_loops(result, file);
+    return result;
   }
 
 } // namespace wheelrail

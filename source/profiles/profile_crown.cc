@@ -13,7 +13,7 @@ namespace wheelrail
       try
         {
           std::vector<std::string> unread;
-          oriented_wheel(points, "", ProfileMirror::automatic, unread);
+          oriented_wheel(points, "", ProfileMirror::automatic, ProfileMirror::automatic, unread);
           return false;
         }
       catch (const InputError &)
@@ -30,16 +30,16 @@ namespace wheelrail
 
   std::vector<FilePoint>
   oriented_crown(std::vector<FilePoint>    points,
-                 const bool                turned,
+                 const std::string        &turned,
                  const ProfileMirror       mirror,
                  const int                 outwards,
                  std::vector<std::string> &notes)
   {
     for (FilePoint &p : points)
       p.position = {mirror == ProfileMirror::yes ? -p.position.x : p.position.x,
-                    turned ? -p.position.y : p.position.y};
-    if (turned)
-      notes.push_back("turned upside down: in files of this format y points down");
+                    turned.empty() ? p.position.y : -p.position.y};
+    if (!turned.empty())
+      notes.push_back("turned upside down: " + turned);
     if (mirror == ProfileMirror::yes)
       notes.push_back("mirrored, as Profiles asks");
     if (points.front().position.x < points.back().position.x)

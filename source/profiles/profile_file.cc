@@ -1,10 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/profile_cleaning.h>
 #include <wheelrail/profiles/profile_crown.h>
 #include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/profiles/profile_orientation.h>
-#include <wheelrail/profiles/profile_outliers.h>
 #include <wheelrail/profiles/profile_text.h>
 #include <wheelrail/profiles/smoothing_spline.h>
 
@@ -110,49 +110,43 @@ namespace wheelrail
                        " (30 mm to 300 mm): set " + name + " to mm, m or inch, or scale the file");
     }
 
-    double
-    smoothing_noise(const MeasuredProfile &profile, const std::vector<Point2> &points, const double wanted)
+    void
+    check_scatter(const std::vector<Point2> &points, const std::string &file)
     {
-      constexpr double most = 3e-4;
-      if (wanted >= 0)
-        return wanted;
-      const double noise = estimated_noise(points);
-      if (noise > most)
-        throw InputError(profile.file + ": the points scatter by " + in_mm(noise) +
+      constexpr double          most    = 3e-4;
+      const std::vector<double> scatter = estimated_scatter(points);
+      const double              least   = *std::min_element(scatter.begin(), scatter.end()); // that of all
+      if (least > most)
+        throw InputError(file + ": the points scatter by " + in_mm(least) +
                          " about a smooth line, which is no measured profile (up to " + in_mm(most) +
                          " is smoothed): measure again, or set Profiles/Smoothing");
-      return noise;
     }
 
     /// The smoothing knows points only: its messages get the name of the file.
     Curve
-    smoothed(const std::vector<Point2>      &points,
-             const std::vector<std::size_t> &kinks,
-             const double                    noise,
-             const std::string              &file)
+    smoothed(const MeasuredProfile &profile, const unsigned int draw)
     {
       try
         {
-          return Curve(smoothing_spline(points, kinks, noise));
+          return Curve(smoothing_spline(positions(profile.points), profile.kinks, profile.deviation, draw));
         }
       catch (const InputError &error)
         {
-          throw InputError(file + ": " + error.what());
+          throw InputError(profile.file + ": " + error.what());
         }
     }
 
+    /// The curve through the points, with notes on what was done.
     void
-    smooth(MeasuredProfile &profile, const double wanted)
+    smooth(MeasuredProfile &profile, const bool by_entry)
     {
-      std::vector<Point2> points;
-      for (const FilePoint &p : profile.points)
-        points.push_back(p.position);
-      profile.noise     = smoothing_noise(profile, points, wanted);
-      const auto  kinks = find_kinks(points, profile.noise);
-      const Curve curve = smoothed(points, kinks, profile.noise, profile.file);
-      double      worst = 0;
+      const std::vector<Point2> points = positions(profile.points);
+      profile.kinks                    = find_kinks(points, profile.deviation);
+      profile.curve                    = smoothed(profile, 0);
+      profile.noise                    = median(profile.deviation);
+      double worst                     = 0;
       for (const Point2 &p : points)
-        worst = std::max(worst, norm(curve.at(curve.closest(p)).position - p));
+        worst = std::max(worst, norm(profile.curve.at(profile.curve.closest(p)).position - p));
       if (!(worst < 1e-3))
         throw InputError(
           profile.file + ": the smoothed profile lies up to " + in_mm(worst) +
@@ -160,16 +154,15 @@ namespace wheelrail
       const auto um = [](const double length) {
         return format_number(std::round(length * 1e8) / 100) + " um";
       };
-      profile.notes.push_back((wanted >= 0 ? "noise of " + um(profile.noise) + " by Profiles/Smoothing"
-                                           : "noise of " + um(profile.noise) + " found in the points") +
+      profile.notes.push_back("noise of " + um(profile.noise) +
+                              (by_entry ? " by Profiles/Smoothing" : " found in the points") +
                               " smoothed; the curve lies at most " + um(worst) + " off the points");
-      for (const std::size_t k : kinks)
+      for (const std::size_t k : profile.kinks)
         profile.notes.push_back("kink at x = " + in_mm(points[k].x, 10) + ", y = " + in_mm(points[k].y, 10) +
                                 " kept");
-      profile.curve = curve;
     }
 
-    /// Turned as its kind is, a crown as its format is: y out of a roller, else up.
+    /// Turned as its kind is, a crown as its format is or as asked: y out of a roller, else up.
     std::vector<FilePoint>
     oriented(std::vector<FilePoint>    points,
              const FileContent        &content,
@@ -177,21 +170,27 @@ namespace wheelrail
              const ProfileFileOptions &options,
              MeasuredProfile          &profile)
     {
-      const bool wheel = options.kind == ProfileKind::wheel;
+      const bool wheel = options.kind == ProfileKind::wheel, asked = options.turn != ProfileMirror::automatic;
+      const bool down =
+        asked ? options.turn == ProfileMirror::yes : content.down && !(options.roller && wheel);
+      const std::string turned = !down   ? ""
+                                 : asked ? "as Profiles asks"
+                                         : "in files of this format y points down";
       if (options.roller)
-        return oriented_crown(std::move(points), content.down && !wheel, ProfileMirror::no, 1, profile.notes);
+        return oriented_crown(std::move(points), turned, ProfileMirror::no, 1, profile.notes);
       if (options.placed)
         {
           std::vector<FilePoint> upright = points;
           for (FilePoint &p : upright)
-            p.position.y *= content.down ? -1 : 1;
+            p.position.y *= down ? -1 : 1;
           profile.crown = is_crown(upright, options.kind);
         }
       if (profile.crown)
-        return oriented_crown(std::move(points), content.down, options.mirror, wheel ? -1 : 1, profile.notes);
+        return oriented_crown(std::move(points), turned, options.mirror, wheel ? -1 : 1, profile.notes);
       return wheel
-               ? oriented_wheel(std::move(points), file, options.mirror, profile.notes)
-               : oriented_rail(std::move(points), file, options.mirror, content.gauge_right, profile.notes);
+               ? oriented_wheel(std::move(points), file, options.mirror, options.turn, profile.notes)
+               : oriented_rail(
+                   std::move(points), file, options.mirror, options.turn, content.gauge_right, profile.notes);
     }
   } // namespace
 
@@ -218,9 +217,23 @@ namespace wheelrail
     for (FilePoint &p : content.points)
       p.position = unit * p.position;
 
-    std::vector<FilePoint> points = cleaned_points(content.points, file, profile.notes);
-    profile.points                = oriented(points, content, file, options, profile);
-    smooth(profile, options.noise);
+    std::vector<FilePoint> points    = cleaned_points(content.points, file, profile.notes);
+    points                           = oriented(std::move(points), content, file, options, profile);
+    profile.points                   = bridged_points(points, file, profile.notes);
+    const std::vector<Point2> places = positions(profile.points);
+    if (options.noise < 0)
+      check_scatter(places, file);
+    profile.deviation = options.noise < 0 ? deviation_of(places, unit * content.rounding)
+                                          : std::vector<double>(places.size(), options.noise);
+    smooth(profile, options.noise >= 0);
+    return profile;
+  }
+
+
+  MeasuredProfile
+  drawn(MeasuredProfile profile, const unsigned int draw)
+  {
+    profile.curve = smoothed(profile, draw);
     return profile;
   }
 

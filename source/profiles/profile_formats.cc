@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/profile_text.h>
 
 #include <algorithm>
@@ -144,6 +145,8 @@ namespace wheelrail
     FileContent       content = format == Format::simpack    ? parse_simpack(lines, file)
                                 : format == Format::miniprof ? parse_miniprof(lines, begin, file)
                                                              : parse_columns(lines, begin, file);
+    if (format != Format::simpack)
+      content.rounding = rounding_of(positions(content.points));
     if (commas)
       content.notes.push_back("decimal commas read as points");
     if (format != Format::simpack && begin < lines.size())

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace wheelrail
 {
@@ -29,22 +30,65 @@ namespace wheelrail
       return box;
     }
 
-    double
-    median_y(const Points &points)
+    /// A piece of the line of points.
+    struct Piece
     {
-      std::vector<double> y;
-      for (const FilePoint &p : points)
-        y.push_back(p.position.y);
-      std::nth_element(y.begin(), y.begin() + y.size() / 2, y.end());
-      return y[y.size() / 2];
+      double height, width; ///< of its middle; along x, negative where x falls [m]
+    };
+
+    std::vector<Piece>
+    pieces_of(const Points &points)
+    {
+      std::vector<Piece> pieces;
+      for (std::size_t i = 1; i < points.size(); ++i)
+        {
+          const Point2 a = points[i - 1].position, b = points[i].position;
+          pieces.push_back({0.5 * (a.y + b.y), b.x - a.x});
+        }
+      return pieces;
     }
 
+    /// Height of the tread: half of the width lies above it, half below, however densely which part was
+    /// measured. Upright faces have no width.
+    double
+    tread_height(const Points &points)
+    {
+      std::vector<Piece> pieces = pieces_of(points);
+      std::sort(
+        pieces.begin(), pieces.end(), [](const Piece &a, const Piece &b) { return a.height < b.height; });
+      double whole = 0, below = 0;
+      for (const Piece &piece : pieces)
+        whole += std::abs(piece.width);
+      for (const Piece &piece : pieces)
+        if ((below += std::abs(piece.width)) >= 0.5 * whole)
+          return piece.height;
+      return points.front().position.y;
+    }
+
+    /// Whether the flange of a wheel points up: more area stands up than hangs down by more than 5 mm. The
+    /// face of a rim, however high and noisy, has no area.
+    bool
+    flange_points_up(const Points &points)
+    {
+      constexpr double tread  = 5e-3;
+      const double     middle = tread_height(points);
+      double           up = 0, down = 0;
+      for (const Piece &piece : pieces_of(points))
+        {
+          up += piece.width * std::max(0., piece.height - middle - tread);
+          down += piece.width * std::max(0., middle - piece.height - tread);
+        }
+      return std::abs(up) > std::abs(down);
+    }
+
+    const char *const points_down = "the vertical coordinate of the file points down";
+
     void
-    turn_over(Points &points, std::vector<std::string> &notes)
+    turn_over(Points &points, const std::string &why, std::vector<std::string> &notes)
     {
       for (FilePoint &p : points)
         p.position.y = -p.position.y;
-      notes.push_back("turned upside down: the vertical coordinate of the file points down");
+      notes.push_back("turned upside down: " + why);
     }
 
     void
@@ -80,16 +124,16 @@ namespace wheelrail
     check_wheel(const Points &points, const std::string &file)
     {
       const Box    box   = box_of(points);
-      const double width = box.high.x - box.low.x, depth = median_y(points) - box.low.y;
+      const double width = box.high.x - box.low.x, depth = tread_height(points) - box.low.y;
       if (width < 0.06 || depth < 0.015)
         throw InputError(
           file + ": no wheel profile: " + in_mm(width, 10) + " wide, its lowest part " + in_mm(depth, 10) +
-          " below the middle one; a tread with its flange is needed, at least 60 mm "
+          " below the tread; a tread with its flange is needed, at least 60 mm "
           "wide and 15 mm deep" +
           (width > 0.04 && width < 0.095 ? " (this may be a rail: Profiles/Rail takes those)" : ""));
       if (width > 0.2 || depth > 0.045)
         throw InputError(file + ": no wheel profile: " + in_mm(width, 10) + " wide, its lowest part " +
-                         in_mm(depth, 10) + " below the middle one; up to 200 mm and 45 mm are accepted");
+                         in_mm(depth, 10) + " below the tread; up to 200 mm and 45 mm are accepted");
       const std::size_t tip  = lowest(points);
       const FilePoint  &free = std::abs(points.front().position.x - points[tip].position.x) >
                                   std::abs(points.back().position.x - points[tip].position.x)
@@ -101,6 +145,21 @@ namespace wheelrail
           in_mm(free.position.y - box.low.y, 10) +
           " above the lowest point; a tread with its flange on one side is needed (this may be a rail: "
           "Profiles/Rail takes those)");
+    }
+
+    /// The faces of the rim far above the tread, at both ends, belong to no running surface.
+    Points
+    without_rim(const Points &points, std::vector<std::string> &notes)
+    {
+      const double most   = tread_height(points) + 15e-3;
+      const auto   inside = [most](const FilePoint &p) { return p.position.y < most; };
+      const auto   begin  = std::find_if(points.begin(), points.end(), inside);
+      const auto   end    = std::find_if(points.rbegin(), points.rend(), inside).base();
+      const Points kept(begin, end);
+      if (kept.size() < points.size())
+        notes.push_back(counted(points.size() - kept.size(), "point") +
+                        " more than 15 mm above the tread left out");
+      return kept;
     }
 
     // --- rail ------------------------------------------------------------------------------------
@@ -141,23 +200,15 @@ namespace wheelrail
             p.position.y = -p.position.y;
           return width_near_top(turned, 0.02) < width_near_top(points, 0.02);
         }
-      double       middle = 0, ends = 0;
-      unsigned int n_middle = 0, n_ends = 0;
-      for (const FilePoint &p : points)
+      // a crown is wide, sides are upright, and a web is narrower
+      const double third = (box.high.y - box.low.y) / 3;
+      double       high = 0, low = 0;
+      for (const Piece &piece : pieces_of(points))
         {
-          const double place = (p.position.x - box.low.x) / (box.high.x - box.low.x);
-          if (place > 1. / 3 && place < 2. / 3)
-            {
-              middle += p.position.y;
-              ++n_middle;
-            }
-          else if (place < 0.15 || place > 0.85)
-            {
-              ends += p.position.y;
-              ++n_ends;
-            }
+          high += piece.height > box.high.y - third ? piece.width : 0;
+          low += piece.height < box.low.y + third ? piece.width : 0;
         }
-      return n_middle > 0 && n_ends > 0 && middle / n_middle < ends / n_ends;
+      return std::abs(low) > std::abs(high);
     }
 
     /// The run of points around the top that stays within 35 mm of it; on a closed outline it may
@@ -208,13 +259,13 @@ namespace wheelrail
   oriented_wheel(std::vector<FilePoint>    points,
                  const std::string        &file,
                  const ProfileMirror       mirror,
+                 const ProfileMirror       turn,
                  std::vector<std::string> &notes)
   {
-    const Box    box    = box_of(points);
-    const double middle = median_y(points);
-    if (box.high.y - middle > middle - box.low.y)
-      turn_over(points, notes);
+    if (turn == ProfileMirror::yes || (turn == ProfileMirror::automatic && flange_points_up(points)))
+      turn_over(points, turn == ProfileMirror::yes ? "Profiles/Wheel upside down = yes" : points_down, notes);
     check_wheel(points, file);
+    points = without_rim(std::move(points), notes);
 
     const auto flange_right = [&]() {
       return points[lowest(points)].position.x > 0.5 * (box_of(points).low.x + box_of(points).high.x);
@@ -236,11 +287,12 @@ namespace wheelrail
   oriented_rail(std::vector<FilePoint>    points,
                 const std::string        &file,
                 const ProfileMirror       mirror,
+                const ProfileMirror       turn,
                 const bool                gauge_right,
                 std::vector<std::string> &notes)
   {
-    if (hangs_down(points))
-      turn_over(points, notes);
+    if (turn == ProfileMirror::yes || (turn == ProfileMirror::automatic && hangs_down(points)))
+      turn_over(points, turn == ProfileMirror::yes ? "Profiles/Rail upside down = yes" : points_down, notes);
     points = head_of(points, notes);
     if (mirror == ProfileMirror::yes)
       mirror_x(points, "Profiles/Rail mirror = yes", notes);

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/profile_outliers.h>
 #include <wheelrail/profiles/profile_text.h>
 
@@ -13,31 +14,12 @@ namespace wheelrail
     using Points = std::vector<FilePoint>;
 
     double
-    median(std::vector<double> values)
-    {
-      if (values.empty())
-        return 0;
-      const auto middle = values.begin() + values.size() / 2;
-      std::nth_element(values.begin(), middle, values.end());
-      return *middle;
-    }
-
-    double
     median_step(const std::vector<Point2> &points)
     {
       std::vector<double> steps;
       for (std::size_t i = 1; i < points.size(); ++i)
         steps.push_back(norm(points[i] - points[i - 1]));
       return median(steps);
-    }
-
-    std::vector<Point2>
-    positions(const Points &points)
-    {
-      std::vector<Point2> result;
-      for (const FilePoint &p : points)
-        result.push_back(p.position);
-      return result;
     }
 
     /// Place of p along the chord from a to b and distance to its left [m].
@@ -133,16 +115,17 @@ namespace wheelrail
     unsigned int      line  = 0;
     for (bool again = true; again;)
       {
-        const std::vector<Point2> all   = positions(points);
-        const double              limit = std::max(8 * estimated_noise(all), 5e-5);
-        const double              usual = median_step(all);
+        const std::vector<Point2> all     = positions(points);
+        const std::vector<double> scatter = estimated_scatter(all);
+        const double              usual   = median_step(all);
         Points                    kept;
         again = false;
         for (std::size_t i = 0; i < points.size();)
           {
             // of a pair the first point alone would not do: the second one spoils its chord
-            std::size_t n   = 1;
-            double      off = stands_off(all, i, i + 1, usual);
+            const double limit = std::max(8 * scatter[i], 5e-5);
+            std::size_t  n     = 1;
+            double       off   = stands_off(all, i, i + 1, usual);
             if (!(off > limit) && i + 1 < points.size())
               off = stands_off(all, i, i + (n = 2), usual);
             if (!(off > limit) || (!kept.empty() && kept.back().line != points[i - 1].line))
@@ -173,38 +156,4 @@ namespace wheelrail
     return points;
   }
 
-
-  double
-  estimated_noise(const std::vector<Point2> &points)
-  {
-    std::vector<double> distances;
-    for (std::size_t i = 2; i + 2 < points.size(); ++i)
-      {
-        const Point2 chord = points[i + 1] - points[i - 1];
-        const double width = norm(chord);
-        if (!(width > 0))
-          continue;
-        // coordinates along the chord and to its left; the weights of Lagrange's cubic at the point
-        double t[5], n[5];
-        for (int k = 0; k < 5; ++k)
-          {
-            const Point2 q = points[i + k - 2] - points[i];
-            t[k]           = dot(q, chord) / width;
-            n[k]           = cross(chord, q) / width;
-          }
-        double value = 0, variance = 1;
-        for (const int k : {0, 1, 3, 4})
-          {
-            double weight = 1;
-            for (const int j : {0, 1, 3, 4})
-              if (j != k)
-                weight *= t[j] / (t[j] - t[k]);
-            value += weight * n[k];
-            variance += weight * weight;
-          }
-        if (std::isfinite(value) && std::isfinite(variance))
-          distances.push_back(std::abs(value) / std::sqrt(variance));
-      }
-    return 1.4826 * median(distances);
-  }
 } // namespace wheelrail

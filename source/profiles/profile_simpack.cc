@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/profile_text.h>
 
 #include <algorithm>
@@ -201,6 +202,7 @@ namespace wheelrail
     note_weights(content, weights);
     read_kind(content, values, spline);
     values.texts.merge(spline.texts);
+    content.rounding = rounding_of(positions(content.points)); // orders may turn it
     apply_orders(content, values);
     read_unit(content, values);
     return content;

@@ -5,7 +5,7 @@
 namespace wheelrail
 {
   std::vector<RoughnessBand>
-  read_roughness_file(const std::string &path)
+  read_roughness_file(const std::string &path, std::vector<std::string> &notes)
   {
     const Table table = read_table(
       path,
@@ -16,6 +16,7 @@ namespace wheelrail
        {},
        "#%!",
        ""});
+    notes.insert(notes.end(), table.notes.begin(), table.notes.end());
     std::vector<RoughnessBand> bands;
     for (std::size_t row = 0; row < table.lines.size(); ++row)
       bands.push_back({(*table.find(0))[row], (*table.find(1))[row]});

@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/frame_profile.h>
-#include <wheelrail/profiles/profile_outliers.h>
+#include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/profiles/smoothing_spline.h>
 
@@ -21,24 +21,13 @@ namespace wheelrail
     /// Heights over places, ascending [m].
     using Heights = std::vector<Point2>;
 
-    /// Standard deviation of heights where they are noisiest: parts of 24 mm that are exact, as a flange from
-    /// a drawing, do not lower it [m].
+    /// Standard deviation of heights where they are noisiest: parts that are exact, as a flange from a
+    /// drawing, do not lower it [m].
     double
     largest_noise(const Heights &heights)
     {
-      constexpr double      window = 24e-3;
-      constexpr std::size_t least  = 20;
-      double                noise  = estimated_noise(heights);
-      for (std::size_t first = 0, last = 0; last < heights.size();
-           first += std::max<std::size_t>(1, least / 2))
-        {
-          last = std::min(first + least, heights.size());
-          while (last < heights.size() && heights[last].x < heights[first].x + window)
-            ++last;
-          if (last - first >= least)
-            noise = std::max(noise, estimated_noise({heights.begin() + first, heights.begin() + last}));
-        }
-      return noise;
+      const std::vector<double> scatter = estimated_scatter(heights);
+      return *std::max_element(scatter.begin(), scatter.end());
     }
 
     /// In the spline of heights over places (smoothing_spline()) lengths count a third where there is noise:
@@ -58,9 +47,10 @@ namespace wheelrail
     {
       for (Point2 &p : heights)
         p.x /= stretch;
-      const std::vector<Segment> pieces = smoothing_spline(heights, {}, noise);
-      std::vector<double>        values;
-      std::size_t                piece = 0;
+      const std::vector<Segment> pieces =
+        smoothing_spline(heights, {}, std::vector<double>(heights.size(), noise));
+      std::vector<double> values;
+      std::size_t         piece = 0;
       for (const double place : places)
         {
           const double x = place / stretch;
@@ -116,7 +106,8 @@ namespace wheelrail
         {
           for (std::size_t k = 0; k < n; ++k)
             lines[row].push_back({grid.along[k], grid.height[row * n + k]});
-          found.push_back(estimated_noise(lines[row]));
+          const std::vector<double> scatter = estimated_scatter(lines[row]);
+          found.push_back(*std::min_element(scatter.begin(), scatter.end())); // that of all
         }
       for (std::size_t row = 0; row < rows; ++row)
         {
@@ -124,9 +115,7 @@ namespace wheelrail
           for (std::size_t other = 0; other < rows; ++other)
             if (std::abs(grid.across[other] - grid.across[row]) < reach)
               near.push_back(found[other]);
-          std::nth_element(near.begin(), near.begin() + near.size() / 2, near.end());
-          const std::vector<double> values =
-            smoothed(lines[row], near[near.size() / 2], most_stretch, grid.along);
+          const std::vector<double> values = smoothed(lines[row], median(near), most_stretch, grid.along);
           std::copy(values.begin(), values.end(), grid.height.begin() + row * n);
         }
     }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
 
 namespace wheelrail
 {
@@ -40,7 +41,7 @@ namespace wheelrail
     struct Stretch
     {
       std::vector<Point2> points;
-      std::vector<double> s, breaks;
+      std::vector<double> s, breaks, noise; ///< noise of the points [mm]
       bool                fixed_begin = false, fixed_end = false;
     };
 
@@ -48,9 +49,8 @@ namespace wheelrail
     class Fit
     {
     public:
-      Fit(const Stretch &stretch, const double noise)
+      explicit Fit(const Stretch &stretch)
         : stretch_(stretch)
-        , noise_(noise)
         , space_(gsl_bspline_alloc(order, stretch.breaks.size()))
         , derivatives_(gsl_matrix_alloc(order, order))
         , size_(stretch.breaks.size() + order - 2)
@@ -89,34 +89,42 @@ namespace wheelrail
       }
 
       /// Least squares of the distances over the noise plus the integral of |r'''|^2 / tau^2, with
-      /// one tau for each interval [1/mm2].
+      /// one tau for each interval [1/mm2]. `random`: one of the curves among which the profile then lies is
+      /// drawn (Wahba 1983): points are off by their noise, r''' by tau over the root of the interval.
       bool
-      solve(const std::vector<double> &tau)
+      solve(const std::vector<double> &tau, std::mt19937_64 *const random = nullptr)
       {
         Matrix band(gsl_matrix_calloc(size_, order));
         x_.reset(gsl_vector_calloc(size_));
         y_.reset(gsl_vector_calloc(size_));
-        const auto add = [&](const Basis &b, const std::size_t derivative, const double weight) {
-          for (std::size_t i = 0; i < order; ++i)
-            for (std::size_t k = i; k < order; ++k) // the lower triangle: row b + k, column b + i
-              *gsl_matrix_ptr(band.get(), b.first + i, k - i) +=
-                weight * b.derivative[i][derivative] * b.derivative[k][derivative];
+        std::normal_distribution<double> normal;
+        const auto                       off = [&](const double deviation) {
+          return random != nullptr ? Point2{deviation * normal(*random), deviation * normal(*random)}
+                                                         : Point2();
         };
+        const auto add =
+          [&](const Basis &b, const std::size_t derivative, const double weight, const Point2 &to) {
+            for (std::size_t i = 0; i < order; ++i)
+              {
+                const double w = weight * b.derivative[i][derivative];
+                for (std::size_t k = i; k < order; ++k) // the lower triangle: row b + k, column b + i
+                  *gsl_matrix_ptr(band.get(), b.first + i, k - i) += w * b.derivative[k][derivative];
+                *gsl_vector_ptr(x_.get(), b.first + i) += w * to.x;
+                *gsl_vector_ptr(y_.get(), b.first + i) += w * to.y;
+              }
+          };
         for (std::size_t p = 0; p < at_points_.size(); ++p)
           {
             const bool fixed =
               (p == 0 && stretch_.fixed_begin) || (p + 1 == at_points_.size() && stretch_.fixed_end);
-            const double weight = (fixed ? 1e8 : 1) / (noise_ * noise_);
-            add(at_points_[p], 0, weight);
-            for (std::size_t i = 0; i < order; ++i)
-              {
-                const double w = weight * at_points_[p].derivative[i][0];
-                *gsl_vector_ptr(x_.get(), at_points_[p].first + i) += w * stretch_.points[p].x;
-                *gsl_vector_ptr(y_.get(), at_points_[p].first + i) += w * stretch_.points[p].y;
-              }
+            const double noise = stretch_.noise[p] * (fixed ? 1e-4 : 1);
+            add(at_points_[p], 0, 1 / (noise * noise), stretch_.points[p] + off(noise));
           }
         for (std::size_t j = 0; j < in_intervals_.size(); ++j)
-          add(in_intervals_[j], 3, (stretch_.breaks[j + 1] - stretch_.breaks[j]) / (tau[j] * tau[j]));
+          {
+            const double h = stretch_.breaks[j + 1] - stretch_.breaks[j];
+            add(in_intervals_[j], 3, h / (tau[j] * tau[j]), off(tau[j] / std::sqrt(h)));
+          }
         return gsl_linalg_cholesky_band_decomp(band.get()) == GSL_SUCCESS &&
                gsl_linalg_cholesky_band_svx(band.get(), x_.get()) == GSL_SUCCESS &&
                gsl_linalg_cholesky_band_svx(band.get(), y_.get()) == GSL_SUCCESS;
@@ -173,7 +181,6 @@ namespace wheelrail
 
     private:
       const Stretch     &stretch_;
-      double             noise_; ///< [mm]
       Workspace          space_;
       Matrix             derivatives_;
       std::size_t        size_;
@@ -182,7 +189,10 @@ namespace wheelrail
     };
 
     Stretch
-    make_stretch(const std::vector<Point2> &points, const std::size_t first, const std::size_t last)
+    make_stretch(const std::vector<Point2> &points,
+                 const std::vector<double> &noise,
+                 const std::size_t          first,
+                 const std::size_t          last)
     {
       // knots at the points, but not closer than this; below the finest radius of a profile
       constexpr double least = 0.25;
@@ -190,6 +200,7 @@ namespace wheelrail
       for (std::size_t i = first; i <= last; ++i)
         {
           stretch.points.push_back(1e3 * points[i]);
+          stretch.noise.push_back(std::max(1e3 * noise[i], 2e-5));
           stretch.s.push_back(i == first ? 0 : stretch.s.back() + 1e3 * norm(points[i] - points[i - 1]));
         }
       for (const double s : stretch.s)
@@ -207,25 +218,37 @@ namespace wheelrail
     }
 
     void
-    fit_stretch(const Stretch &stretch, const double noise, std::vector<Segment> &segments)
+    fit_stretch(const Stretch &stretch, std::mt19937_64 *const random, std::vector<Segment> &segments)
     {
       // The first fit has the tau at which noise alone makes a third derivative of 1e-3 / mm2, far
       // below that of the joints of a profile; the floor of the later ones is a change of curvature
       // of 2e-4 / mm over one mm.
-      constexpr double noise_roughness = 1e-3, floor = 2e-4;
-      const double     step  = stretch.s.back() / static_cast<double>(stretch.s.size() - 1);
-      const double     power = noise * noise * step;
-      const double     scale = std::pow(0.0555 * power / (noise_roughness * noise_roughness), 1. / 7);
-
-      Fit                 fit(stretch, noise);
-      std::vector<double> tau(stretch.breaks.size() - 1, std::sqrt(power) / std::pow(scale, 3));
-      bool                good = fit.solve(tau);
+      constexpr double    noise_roughness = 1e-3, floor = 2e-4;
+      const double        step = stretch.s.back() / static_cast<double>(stretch.s.size() - 1);
+      Fit                 fit(stretch);
+      std::vector<double> tau;
+      for (std::size_t j = 0, p = 0; j + 1 < stretch.breaks.size(); ++j)
+        {
+          while (stretch.s[p] < stretch.breaks[j])
+            ++p;
+          const double power = stretch.noise[p] * stretch.noise[p] * step;
+          const double scale = std::pow(0.0555 * power / (noise_roughness * noise_roughness), 1. / 7);
+          tau.push_back(std::sqrt(power) / std::pow(scale, 3));
+        }
+      bool good = fit.solve(tau);
       for (int i = 0; i < 4 && good; ++i)
         {
           tau = fit.roughness();
           for (double &t : tau)
             t = std::max(t, floor);
           good = fit.solve(tau);
+        }
+      if (good && random != nullptr)
+        {
+          // the smoothed curve is not as rough as the profile
+          for (double &t : tau)
+            t *= 2;
+          good = fit.solve(tau, random);
         }
       if (!good)
         throw InputError(
@@ -239,7 +262,8 @@ namespace wheelrail
   std::vector<Segment>
   smoothing_spline(const std::vector<Point2>      &points,
                    const std::vector<std::size_t> &kinks,
-                   const double                    noise)
+                   const std::vector<double>      &noise,
+                   const unsigned int              draw)
   {
     // GSL's own handler ends the program; failures are told by the return values.
     gsl_set_error_handler_off();
@@ -247,11 +271,12 @@ namespace wheelrail
     ends.push_back(points.size() - 1);
     std::vector<Segment> segments;
     std::size_t          first = 0;
+    std::mt19937_64      random(draw);
     for (const std::size_t last : ends)
       {
         if (last < first + 3)
           throw InputError("between two kinks of the profile lie fewer than four points: measure denser");
-        fit_stretch(make_stretch(points, first, last), std::max(1e3 * noise, 2e-5), segments);
+        fit_stretch(make_stretch(points, noise, first, last), draw > 0 ? &random : nullptr, segments);
         first = last;
       }
     return segments;
@@ -259,7 +284,7 @@ namespace wheelrail
 
 
   std::vector<std::size_t>
-  find_kinks(const std::vector<Point2> &points, const double noise)
+  find_kinks(const std::vector<Point2> &points, const std::vector<double> &noise)
   {
     const double degree = M_PI / 180;
     const auto   n      = static_cast<std::ptrdiff_t>(points.size());
@@ -279,8 +304,9 @@ namespace wheelrail
     double                   strongest = 0;
     for (std::ptrdiff_t i = 4; i + 4 < n; ++i)
       {
-        const double step   = std::max(norm(points[i] - points[i - 1]), norm(points[i + 1] - points[i]));
-        const double length = std::max({0.5e-3, 1.01 * step, 10 * noise});
+        const double step = std::max(norm(points[i] - points[i - 1]), norm(points[i + 1] - points[i]));
+        // the turn between chords of a length l has a deviation of sqrt(6) noise / l
+        const double length = std::max({0.5e-3, 1.01 * step, 6 * std::sqrt(6.) / (20 * degree) * noise[i]});
         const double near = turn(i, length), far = turn(i, 2 * length);
         // on an arc the turn doubles with the length
         if (near < 20 * degree || far > 1.4 * near)

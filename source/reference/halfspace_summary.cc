@@ -73,6 +73,7 @@ namespace wheelrail
       Measures      measures;
       measures.peak_pressure = result.solution.peak_pressure;
       measures.made_up       = result.made_up;
+      measures.noise_effect  = result.noise_effect;
       measures.shift_effect  = result.shift_effect;
       measures.bodies_effect = result.bodies_effect;
       measures.unheld        = result.unheld;
@@ -255,7 +256,9 @@ namespace wheelrail
   Summary
   halfspace_summary(const Scene &scene, const WheelRailSolution &result)
   {
-    const auto set_quotient = [](Summary &summary) {
+    const auto set_quotient = [&result](Summary &summary) {
+      if (std::isfinite(result.noise_effect))
+        set_figure(summary, "noise_effect_max_pressure", result.noise_effect);
       if (summary.vertical_force > 0)
         set_figure(summary, "lateral_over_vertical", summary.lateral_force / summary.vertical_force);
     };

@@ -4,6 +4,7 @@
 #include <wheelrail/base/value_list.h>
 #include <wheelrail/reference/halfspace_parts.h>
 #include <wheelrail/reference/irregular_places.h>
+#include <wheelrail/reference/noise_effect.h>
 #include <wheelrail/reference/plane_contact.h>
 
 #include <algorithm>
@@ -75,7 +76,7 @@ namespace wheelrail
     }
 
     PlaceContact
-    solve_place(const Scene &scene, const SceneGeometry &geometry, const double load)
+    solve_place(const Scene &scene, const SceneGeometry &geometry, const double load, const double noise)
     {
       PlaceContact result;
       PlaneContact contact(scene, geometry, scene_offsets(scene), whole_region(geometry.contact));
@@ -84,6 +85,7 @@ namespace wheelrail
       const HalfspaceGrid     &grid     = solution.grid;
       WheelRailSolution        whole    = contact.result();
       name_made_up(geometry, whole);
+      whole.noise_effect    = noise;
       result.verdict        = judge_patch(scene, whole);
       result.patch          = whole.patch;
       result.peak_pressure  = solution.peak_pressure;
@@ -151,12 +153,13 @@ namespace wheelrail
     SceneGeometry smooth = geometry;
     smooth.surfaces.rail.set_irregularities(nullptr);
     smooth.surfaces.wheel.set_irregularities(nullptr);
-    const double              level = solve_place(scene, smooth, load).drop;
+    const double              noise = noise_effect(scene, smooth, load); // holds for all places
+    const double              level = solve_place(scene, smooth, load, noise).drop;
     std::vector<PlaceContact> results(places.values.size());
     parallel_for(results.size(), [&](const std::size_t k) {
       const double value = places.values[k], place = places.pitch ? 0 : value,
                    pitch = places.pitch ? value : -value / geometry.contact.rolling_radius;
-      results[k]         = solve_place(scene, standing(geometry, place, pitch), load);
+      results[k]         = solve_place(scene, standing(geometry, place, pitch), load, noise);
       results[k].place   = place;
       results[k].pitch   = pitch;
       results[k].drop -= level;

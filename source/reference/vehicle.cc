@@ -2,6 +2,7 @@
 #include <wheelrail/reference/answering_bodies.h>
 #include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/reference/halfspace_stresses.h>
+#include <wheelrail/reference/noise_effect.h>
 #include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/vehicle.h>
 #include <wheelrail/reference/vehicle_rows.h>
@@ -150,7 +151,10 @@ namespace wheelrail
                             const double                     rate,
                             std::optional<WheelRailSolution> result) {
         if (result)
-          hold_against_bodies(wheel.scene, wheel.geometry, *result);
+          {
+            hold_against_bodies(wheel.scene, wheel.geometry, *result);
+            find_noise_effect(wheel.scene, wheel.geometry, *result);
+          }
         Summary &figures                 = vehicle.wheels[side].rows[row];
         figures                          = figures_of(result, wheel, rate, torque);
         vehicle.wheels[side].faults[row] = figures.finished ? "" : figures.stop_reason;

@@ -207,6 +207,7 @@ namespace wheelrail
     WearState state;
     state.new_rail = state.rail = rail_shape(profiles.rail);
     state.new_wheel = state.wheel = wheel_shape(profiles.wheel);
+    state.files                   = profiles.files;
     return state;
   }
 
@@ -267,7 +268,9 @@ namespace wheelrail
     const WearPlan &plan = scene.wear_plan;
     while (!state.finished)
       {
-        const SceneProfiles profiles = profiles_of(state.rail, state.wheel, scene);
+        SceneProfiles profiles = profiles_of(state.rail, state.wheel, scene);
+        if (state.passages == 0)
+          profiles.files = state.files; // their noise is that of all states
         MixWear      wear  = wear_of_mix(rows, profiles, state.rail, state.wheel, team, state.steps.empty());
         const double turns = plan.worn == WornBody::both ? turns_of_a_passage(scene) : 1;
         const auto   rail =

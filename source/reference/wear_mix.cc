@@ -2,6 +2,7 @@
 #include <wheelrail/base/parallel.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/noise_effect.h>
 #include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/reference/wear_mix.h>
 
@@ -99,18 +100,26 @@ namespace wheelrail
     std::vector<Solved>
     solve_row(const MixRow &row, const SceneProfiles &profiles)
     {
-      if (!row.scene.both_wheels)
+      std::vector<Solved> wheels;
+      if (row.scene.both_wheels)
+        {
+          const WheelsetSolution wheelset =
+            solve_wheelset(row.scene, row.left, {profiles, profiles}, std::nullopt);
+          wheels = {{wheelset.axle.right, wheelset.right.geometry, wheelset.right.scene, 0.5 * row.share},
+                    {wheelset.axle.left, wheelset.left.geometry, wheelset.left.scene, 0.5 * row.share}};
+        }
+      else
         {
           const SceneGeometry geometry = make_geometry(row.scene, profiles);
-          return {{solve_alone({row.scene, geometry, row.scene.wheel_load}, std::nullopt),
-                   geometry,
-                   row.scene,
-                   row.share}};
+          wheels = {{solve_alone({row.scene, geometry, row.scene.wheel_load}, std::nullopt),
+                     geometry,
+                     row.scene,
+                     row.share}};
         }
-      const WheelsetSolution wheelset =
-        solve_wheelset(row.scene, row.left, {profiles, profiles}, std::nullopt);
-      return {{wheelset.axle.right, wheelset.right.geometry, wheelset.right.scene, 0.5 * row.share},
-              {wheelset.axle.left, wheelset.left.geometry, wheelset.left.scene, 0.5 * row.share}};
+      for (Solved &wheel : wheels)
+        if (wheel.solution)
+          find_noise_effect(wheel.scene, wheel.geometry, *wheel.solution);
+      return wheels;
     }
 
     void

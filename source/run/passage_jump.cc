@@ -1,14 +1,19 @@
-#include <wheelrail/base/read_file.h>
+#include <wheelrail/base/table.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/run/passage_jump.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 namespace wheelrail
 {
+  namespace
+  {
+    const char *const jump_keys[] =
+      {"from", "to", "growth", "rate", "computed_rate", "error", "judged", "kept"};
+  } // namespace
+
+
   double
   jump_factor(const double rate, const unsigned int n)
   {
@@ -52,7 +57,7 @@ namespace wheelrail
   write_jumps(const std::vector<PassageJump> &jumps, const std::string &folder)
   {
     FigureTable table;
-    for (const char *key : {"from", "to", "growth", "rate", "computed_rate", "error", "judged", "kept"})
+    for (const char *const key : jump_keys)
       table.add(key, "1", {});
     for (const PassageJump &jump : jumps)
       table.add_row({double(jump.from),
@@ -74,17 +79,21 @@ namespace wheelrail
     std::vector<PassageJump> jumps;
     if (!std::filesystem::exists(path))
       return jumps;
-    std::istringstream text(read_whole_file(path));
-    std::string        line;
-    std::getline(text, line); // names
-    while (std::getline(text, line))
+    std::vector<TableColumn> known;
+    for (const char *const key : jump_keys)
+      known.push_back({key, Dimension::none, -1e300, 1e300, "a number", true});
+    const Table table = read_table(path, known, {"the jumps of a run over passages are needed"});
+    for (std::size_t row = 0; row < table.lines.size(); ++row)
       {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream row(line);
-        PassageJump        jump;
-        if (row >> jump.from >> jump.to >> jump.growth >> jump.rate >> jump.computed_rate >> jump.error >>
-            jump.judged >> jump.kept)
-          jumps.push_back(jump);
+        const auto at = [&](const std::size_t key) { return (*table.find(key))[row]; };
+        jumps.push_back({static_cast<unsigned int>(at(0)),
+                         static_cast<unsigned int>(at(1)),
+                         at(2),
+                         at(3),
+                         at(4),
+                         at(5),
+                         at(6) != 0,
+                         at(7) != 0});
       }
     return jumps;
   }

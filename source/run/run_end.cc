@@ -10,6 +10,7 @@
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/receptance/track_resonances.h>
 #include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/reference/noise_effect.h>
 #include <wheelrail/reference/reference_figures.h>
 #include <wheelrail/reference/run_reference.h>
 #include <wheelrail/run/run_end.h>
@@ -157,6 +158,9 @@ namespace wheelrail
           measure_against(halfspace, scene, summary, measures);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
           set_figure(summary, "relative_difference_max_pressure", measures.peak_difference);
+          measures.noise_effect = noise_effect(scene, geometry, summary.normal_force);
+          if (std::isfinite(measures.noise_effect))
+            set_figure(summary, "noise_effect_max_pressure", measures.noise_effect);
         }
       catch (const InputError &error)
         {
@@ -190,7 +194,8 @@ namespace wheelrail
                         Measures            &measures)
     {
       const Scene there = scene_on_way(scene, get_figure(summary, "motion_distance_m"));
-      compare_peak(there, make_geometry(there, {geometry.rail, geometry.wheel, {}}), summary, measures);
+      compare_peak(
+        there, make_geometry(there, {geometry.rail, geometry.wheel, {}, geometry.files}), summary, measures);
     }
   } // namespace
 

@@ -104,6 +104,7 @@ namespace wheelrail
     m.settled_after = figure("settled_after_m");
     if (std::isnan(m.settled_after) && std::isfinite(m.means_from))
       m.settled_after = std::numeric_limits<double>::infinity();
+    m.noise_effect     = figure("noise_effect_max_pressure");
     m.energy_error     = run.energy_error;
     const double share = run.vertical_force / figure("wheel_load_N");
     if (scene.motion == "none" && !scene.irregular())

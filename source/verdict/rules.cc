@@ -23,6 +23,14 @@ namespace wheelrail
                                   : Grade::not_trusted;
   }
 
+
+  std::string
+  percent(const double share)
+  {
+    return std::isfinite(share) ? text("%.1f %%", 100 * std::abs(share)) : "an unknown part";
+  }
+
+
   void
   add(Verdict &verdict, const Grade grade, std::string sentence)
   {
@@ -50,6 +58,11 @@ namespace wheelrail
           "the patch" + where + " lies on " + m.made_up +
             ", which no file holds; take a profile that "
             "reaches farther, or another lateral shift.");
+    if (!std::isnan(m.noise_effect))
+      add(verdict,
+          graded(m.noise_effect, peak_bounds),
+          "the noise in the points of the measured profiles leaves the peak pressure uncertain by " +
+            percent(m.noise_effect) + "; take points with less noise or more digits.");
   }
 
 

@@ -26,12 +26,6 @@ namespace wheelrail
     constexpr double      least_plastic    = 1e-4;  ///< strain from which on steel has flowed
     constexpr double      most_strain_loss = 0.25;  ///< of the plastic strain to the cells
 
-    std::string
-    percent(const double share)
-    {
-      return std::isfinite(share) ? text("%.1f %%", 100 * std::abs(share)) : "an unknown part";
-    }
-
     /// Cells and penalty: what keeps a run from the answer of its own equations.
     void
     judge_resolution(const Scene &scene, const Measures &m, Verdict &verdict)

@@ -19,13 +19,16 @@ namespace wheelrail
   /// rolling radius, its difference to the other wheel, lateral radii and second gap minimum, the
   /// shifts at which the contact point jumps, and the details of the scene's own shift.
   ///
+  /// `left`: the profiles of the left-hand side, where they differ; null: the same.
+  ///
   /// A shift without contact gets a line that says so. Returns the exit code: 0, or 1 when the
   /// scene's own shift has no contact.
   int
   run_geometry_command(const Scene               &scene,
                        const SceneProfiles       &profiles,
                        const std::vector<double> &shifts,
-                       std::ostream              &out);
+                       std::ostream              &out,
+                       const SceneProfiles       *left = nullptr);
 
   /// Shifts in metres from "-6:6:0.5" (first:last:step) or "-5.5,0,5.5", both in mm.
   /// Throws InputError.

@@ -11,7 +11,7 @@ namespace wheelrail
   /// A column that a table of rows may have.
   struct TableColumn
   {
-    const char *name; ///< in small letters, with blanks between words
+    const char *name; ///< as messages have it, "load right"; capital letters and "_" for blanks do not matter
     Dimension   dimension;
     double      least, most; ///< accepted [SI]
     const char *range;       ///< the same in words
@@ -20,17 +20,19 @@ namespace wheelrail
     double      least_amount = 0;     ///< values nearer to 0 are refused, but 0 itself
   };
 
-  /// What the columns of a file are called here: name in the file -> name and, where the file has none, unit.
+  /// What the columns of a file are called here: name in the file -> name here with a factor before it,
+  /// "-load" or "9.81 * load", and, where the file has none, unit.
   using ColumnNames = std::map<std::string, std::string>;
 
   /// How a table of rows is read.
   struct TableOptions
   {
-    std::string purpose;         ///< what needs the file and what it holds, for messages
-    bool        leaves = false;  ///< columns that are not known are left out with a note
-    ColumnNames names;           ///< what columns of other programs are called here
-    const char *remarks   = "#"; ///< with what remarks begin
-    const char *otherwise = "";  ///< the first line of a file that begins with numbers
+    std::string purpose;           ///< what needs the file and what it holds, for messages
+    bool        leaves    = false; ///< columns that are not known are left out with a note
+    ColumnNames names     = {};    ///< what columns of other programs are called here
+    const char *remarks   = "#";   ///< with what remarks begin
+    const char *otherwise = "";    ///< the first line of a file that begins with numbers
+    const char *renaming  = "";    ///< option that takes `names`, for messages
   };
 
   /// Rows of numbers under names.
@@ -56,7 +58,8 @@ namespace wheelrail
   read_table(const std::string &path, const std::vector<TableColumn> &known, const TableOptions &options);
 
   /// Reads a table of two columns: the name in the file, and the name here with its unit, "y_ws;lateral
-  /// shift [mm]". A minus before the name turns the sign of the column. Throws InputError.
+  /// shift [mm]". A factor before the name multiplies the column: "-lateral shift", "9.81 * load". Throws
+  /// InputError.
   ColumnNames
   read_column_names(const std::string &path, const std::vector<TableColumn> &known);
 } // namespace wheelrail

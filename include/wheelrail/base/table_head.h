@@ -16,7 +16,7 @@ namespace wheelrail
     std::string name; ///< in small letters, with blanks between words
     std::string unit;
     bool        has_unit = false;
-    double      sign     = 1;
+    double      factor   = 1; ///< by which a table of names multiplies the column
   };
 
   /// The cells of a first line. Between blanks a name with its unit in brackets is one.
@@ -27,6 +27,10 @@ namespace wheelrail
   /// those of Latin-1. Nothing where it is no unit of this dimension.
   std::optional<double>
   factor_of(std::string unit, Dimension dimension);
+
+  /// The factor before a name, as in "-load" or "9.81 * load", which is taken off; 1 where there is none.
+  double
+  take_factor(std::string &name);
 
   /// A name in small letters, with blanks between words.
   std::string

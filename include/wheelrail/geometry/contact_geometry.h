@@ -57,10 +57,17 @@ namespace wheelrail
     std::vector<FurtherPoint> further; ///< all other local minima with a common tangent, nearest first
   };
 
+  /// What rolls on the other side of a wheelset.
+  struct WheelOnRail
+  {
+    const RailProfile  &rail;
+    const WheelProfile &wheel;
+  };
+
   /// Finds the first contact point of the modelled (right-hand) wheel: the wheel is lowered
   /// vertically onto its rail; with yaw its outline along the track is (wheel_outline()), which is the
   /// contact in three dimensions. With RollMode::from_contact the roll is such that the other wheel, the
-  /// mirror image with shift, roll and yaw of opposite sign, touches at the same axle height.
+  /// mirror image (or `other`) with shift, roll and yaw of opposite sign, touches at the same axle height.
   ///
   /// The shift must also be possible for the other wheel, in both roll modes. Throws InputError
   /// when at this shift one of the wheels does not touch its rail with a common tangent (tread edge,
@@ -69,5 +76,6 @@ namespace wheelrail
   find_contact(const RailProfile     &rail,
                const WheelProfile    &wheel,
                const TrackDimensions &track,
-               const WheelsetPose    &pose);
+               const WheelsetPose    &pose,
+               const WheelOnRail     *other = nullptr);
 } // namespace wheelrail

@@ -23,7 +23,8 @@ namespace wheelrail
     traction,
     creepage,
     lateral_creepage,
-    radius, ///< of the track; 0: straight
+    radius,    ///< of the track; 0: straight
+    curvature, ///< its inverse, in files alone
     cant,
     spin,
     longitudinal_force,

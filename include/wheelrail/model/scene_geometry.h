@@ -1,20 +1,29 @@
 #pragma once
 
 #include <wheelrail/geometry/touching_profiles.h>
+#include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/scene/scene.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace wheelrail
 {
+  /// What was read of files; none of standard profiles.
+  struct FileProfiles
+  {
+    std::optional<MeasuredProfile> rail, wheel;
+  };
+
   /// The rail and the wheel of a scene, standard ones or read from files (measured_profiles.h).
   struct SceneProfiles
   {
     RailProfile  rail;
     WheelProfile wheel;
     std::vector<std::string>
-      notes; ///< what was found in files and done to them, with entry and file in front
+                 notes; ///< what was found in files and done to them, with entry and file in front
+    FileProfiles files = {};
   };
 
   /// All that follows from profiles and track of a scene alone. A command makes it once and hands it to
@@ -22,6 +31,7 @@ namespace wheelrail
   struct SceneGeometry : TouchingProfiles
   {
     std::vector<std::string> notes; ///< as those of the profiles
+    FileProfiles             files = {};
   };
 
   /// Reads and smooths the profiles. Throws InputError that names the entry.
@@ -32,6 +42,11 @@ namespace wheelrail
   /// of the scene on them. Throws InputError when they do not touch there, or a file cannot be read.
   SceneGeometry
   make_geometry(const Scene &scene, SceneProfiles profiles);
+
+  /// The geometry with others of the profiles that the points of files leave possible, see drawn();
+  /// irregularities stay.
+  SceneGeometry
+  drawn(const Scene &scene, const SceneGeometry &geometry, unsigned int draw);
 
   /// Both.
   SceneGeometry

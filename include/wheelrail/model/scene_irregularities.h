@@ -2,11 +2,12 @@
 
 #include <wheelrail/base/body.h>
 #include <wheelrail/geometry/irregularity.h>
-#include <wheelrail/geometry/touching_profiles.h>
+#include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace wheelrail
 {
@@ -16,14 +17,14 @@ namespace wheelrail
   /// offsets there.
   constexpr PerBody<double> deepest_offset = {0.05e-3, 1e-6};
 
-  /// The irregularities of a scene on both bodies, whose profiles are in touch. Reads their files. Throws
-  /// InputError that names the entry.
+  /// The irregularities of a scene on both bodies, whose profiles are in touch. Reads their files, and
+  /// tells in `notes` what of these is left out. Throws InputError that names the entry.
   PerBody<std::shared_ptr<const Irregularities>>
-  make_irregularities(const Scene &scene, const TouchingProfiles &profiles);
+  make_irregularities(const Scene &scene, const TouchingProfiles &profiles, std::vector<std::string> &notes);
 
   /// Puts them on the surfaces of the profiles.
   void
-  add_irregularities(const Scene &scene, TouchingProfiles &profiles);
+  add_irregularities(const Scene &scene, SceneGeometry &profiles);
 
   /// Its name in the input: "Irregularity 3".
   std::string

@@ -13,6 +13,7 @@ namespace wheelrail
     std::vector<double> along;  ///< ascending
     std::vector<double> across; ///< ascending, positive to the field side; empty: a line, alike all across
     std::vector<double> height; ///< along fastest
+    std::vector<std::string> notes; ///< what of the file was left out
   };
 
   /// Reads a table (CSV: a line with names and units, then rows along, across, height in any order, or along,

@@ -17,10 +17,10 @@ namespace wheelrail
     inch
   };
 
-  /// Whether the lateral coordinate is turned to the other side.
+  /// Whether a coordinate is turned to the other side.
   enum class ProfileMirror
   {
-    automatic, ///< wheels by their flange, rails by the habit of the format
+    automatic, ///< as the shape says; sides of rails by the habit of the format
     yes,
     no
   };
@@ -37,7 +37,8 @@ namespace wheelrail
   struct ProfileFileOptions
   {
     ProfileKind   kind   = ProfileKind::rail;
-    ProfileMirror mirror = ProfileMirror::automatic;
+    ProfileMirror mirror = ProfileMirror::automatic; ///< x
+    ProfileMirror turn   = ProfileMirror::automatic; ///< y
     ProfileUnit   unit   = ProfileUnit::automatic;
     double        noise  = -1;    ///< standard deviation to smooth away [m]; negative: that of the points
     bool          roller = false; ///< the crown of a test rig's roller, without flange or gauge side
@@ -49,9 +50,11 @@ namespace wheelrail
   {
     ProfileKind              kind = ProfileKind::rail;
     std::string              file;
-    std::vector<FilePoint>   points;     ///< cleaned, in the order of the curve [m]
-    Curve                    curve;      ///< smoothed; from the field side to the gauge side or flange back
-    double                   noise  = 0; ///< standard deviation that was smoothed away [m]
+    std::vector<FilePoint>   points;    ///< cleaned, in the order of the curve [m]
+    Curve                    curve;     ///< smoothed; from the field side to the gauge side or flange back
+    double                   noise = 0; ///< median standard deviation that was smoothed away [m]
+    std::vector<double>      deviation; ///< that of each point [m]
+    std::vector<std::size_t> kinks;     ///< points at which the curve has two tangents
     bool                     placed = false; ///< by the scene, see ProfileFileOptions
     bool                     crown  = false; ///< and without flange or sides
     std::vector<std::string> notes;          ///< what was found and what was done, one sentence each
@@ -76,4 +79,8 @@ namespace wheelrail
   /// The same for the text of a file; `file` only names it.
   MeasuredProfile
   read_profile_text(const std::string &text, const std::string &file, const ProfileFileOptions &options);
+
+  /// The profile with another of the curves that its points leave possible, see smoothing_spline().
+  MeasuredProfile
+  drawn(MeasuredProfile profile, unsigned int draw);
 } // namespace wheelrail

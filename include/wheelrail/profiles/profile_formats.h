@@ -21,6 +21,15 @@ namespace wheelrail
     unsigned int line = 0; ///< counted from 1
   };
 
+  inline std::vector<Point2>
+  positions(const std::vector<FilePoint> &points)
+  {
+    std::vector<Point2> result;
+    for (const FilePoint &p : points)
+      result.push_back(p.position);
+    return result;
+  }
+
   /// What a profile file says, before anything is checked or changed: the points in the order and
   /// the unit of the file, x as the first column, y as the second one; only what the file itself
   /// orders (shift, rotation, bounds, mirroring, inversion of SIMPACK files, offsets and tilt of MiniProf
@@ -29,7 +38,8 @@ namespace wheelrail
   {
     std::string              format; ///< "SIMPACK", "MiniProf" or "two columns"
     std::vector<FilePoint>   points;
-    std::size_t              listed          = 0; ///< points in the file, also those that it orders to drop
+    std::size_t              listed = 0;          ///< points in the file, also those that it orders to drop
+    Point2                   rounding;            ///< of the coordinates in the file, see rounding_of()
     double                   metres_per_unit = 0; ///< as stated by the file; 0: not stated
     bool                     kind_stated     = false;
     ProfileKind              kind            = ProfileKind::rail; ///< when stated

@@ -8,8 +8,9 @@
 namespace wheelrail
 {
   /// The points of a wheel profile [m] with x positive to the field side, y up (the flange hangs
-  /// down), running from the field side to the flange back. Turned and mirrored by the place of the
-  /// flange; ProfileMirror::yes or no must agree with it. Adds a sentence for everything changed.
+  /// down), running from the field side to the flange back, without the face of the rim more than 15 mm above
+  /// the tread. Turned (unless `turn` says whether) and mirrored by the place of the flange, whatever the
+  /// spacing of the points; `mirror` must agree with it. Adds a sentence for everything changed.
   ///
   /// Throws InputError for what is no wheel: no flange 15 mm to 45 mm deep, a tread narrower than
   /// 60 mm.
@@ -17,6 +18,7 @@ namespace wheelrail
   oriented_wheel(std::vector<FilePoint>    points,
                  const std::string        &file,
                  ProfileMirror             mirror,
+                 ProfileMirror             turn,
                  std::vector<std::string> &notes);
 
   /// The points of a rail head [m] with x positive to the field side, y up, running from the field
@@ -30,6 +32,7 @@ namespace wheelrail
   oriented_rail(std::vector<FilePoint>    points,
                 const std::string        &file,
                 ProfileMirror             mirror,
+                ProfileMirror             turn,
                 bool                      gauge_right,
                 std::vector<std::string> &notes);
 } // namespace wheelrail

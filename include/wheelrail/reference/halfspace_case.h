@@ -62,6 +62,7 @@ namespace wheelrail
     double       shift_effect  = Measures::none; ///< of half-spaces, of all patches, see shift_effect()
     double       bodies_effect = Measures::none; ///< of half-spaces, see hold_against_bodies()
     std::string  unheld;                         ///< why the latter cannot be, or is not all; empty: it is
+    double       noise_effect = Measures::none;  ///< of measured profiles, see noise_effect()
     SurfaceKinks kinks;                          ///< of the surfaces under pressure
     std::string  made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
     std::vector<std::string> notes;            ///< what was done to files that were read for it

@@ -40,6 +40,7 @@ namespace wheelrail
     bool                  finished = false; ///< the plan is done
     std::string           doubts;           ///< of the worst state so far, see MixWear; empty: all is trusted
     std::string           note;             ///< sentences on what was found, or nothing
+    FileProfiles          files = {};       ///< from which it began
   };
 
   /// How much of the traffic is not trusted, in the worst state, and why; nothing where all of it is.

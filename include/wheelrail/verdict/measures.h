@@ -49,9 +49,10 @@ namespace wheelrail
 
     // what the patch bears, and on what
     double      peak_pressure = none; ///< [Pa]
-    std::string yields;  ///< of an elastic body beyond shakedown, see steel_doubt(); empty: none is
-    std::string place;   ///< of the patch, in words: "31.2 mm to the gauge side of ..."; may be empty
-    std::string made_up; ///< part of a profile that was not measured and is touched; empty: none
+    std::string yields;         ///< of an elastic body beyond shakedown, see steel_doubt(); empty: none is
+    std::string place;          ///< of the patch, in words: "31.2 mm to the gauge side of ..."; may be empty
+    std::string made_up;        ///< part of a profile that was not measured and is touched; empty: none
+    double noise_effect = none; ///< on the peak pressure, of noise in measured profiles, see noise_effect()
 
     // against half-spaces
     double peak_difference = none; ///< (run - half-space) / half-space

@@ -19,6 +19,10 @@ namespace wheelrail
   Grade
   graded(double value, const GradeBounds &bounds);
 
+  /// A share in words.
+  std::string
+  percent(double share);
+
   /// Adds a sentence, unless it is trusted.
   void
   add(Verdict &verdict, Grade grade, std::string sentence);
