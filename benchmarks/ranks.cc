@@ -8,8 +8,10 @@
 #include <wheelrail/model/scene_checks.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/partitioner.h>
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <string>
@@ -35,11 +37,12 @@ namespace
   {
     const LocalMesh &mesh = model.solid.mesh;
     Counts           counts;
-    counts.cells      = mesh.cells.size();
-    counts.nodes      = mesh.n_nodes();
-    counts.neighbours = mesh.neighbours.size();
-    for (const Neighbour &neighbour : mesh.neighbours)
-      counts.shared += 3. * sizeof(double) * neighbour.nodes.size();
+    counts.cells = mesh.cells.size();
+    counts.nodes = mesh.n_nodes();
+    // to owners of ghosts, then back from them
+    const auto &exchange = *mesh.partitioner;
+    counts.neighbours    = std::max(exchange.ghost_targets().size(), exchange.import_targets().size());
+    counts.shared = sizeof(double) * (double(exchange.n_ghost_indices()) + exchange.n_import_indices());
     int rank;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     Contact &contact = *model.contact;

@@ -101,12 +101,12 @@ namespace
     std::vector<double> alone(one.solid.displacement.size());
     for (unsigned int n = 0; n < one.solid.mesh.n_nodes(); ++n)
       for (int i = 0; i < 3; ++i)
-        alone[4 * one.solid.mesh.global_node[n] + i] = one.solid.displacement[4 * n + i];
+        alone[4 * one.solid.mesh.node_key[n] + i] = one.solid.displacement[4 * n + i];
     double worst = 0, largest = 0;
     for (unsigned int n = 0; n < all.solid.mesh.n_nodes(); ++n)
       for (int i = 0; i < 3; ++i)
         {
-          const double other = alone[4 * all.solid.mesh.global_node[n] + i];
+          const double other = alone[4 * all.solid.mesh.node_key[n] + i];
           worst              = std::max(worst, std::abs(all.solid.displacement[4 * n + i] - other));
           largest            = std::max(largest, std::abs(other));
         }

@@ -200,7 +200,7 @@ namespace
     model.contact->add_forces(nodal.data());
     double power = 0;
     for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
-      if (solid.mesh.owned[n] == 1)
+      if (solid.mesh.owns(n) == 1)
         for (int i = 0; i < 3; ++i)
           power += nodal[4 * n + i] * solid.velocity[4 * n + i];
     MPI_Allreduce(MPI_IN_PLACE, &power, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);

@@ -289,7 +289,7 @@ namespace
     result.force = pair.sums.normal_force / (p * 4 * half * half) - 1;
     for (const ContactNode &node : pair.contact.nodes())
       result.pressure = std::max(result.pressure, std::abs(node.pressure / p - 1));
-    const auto stress = nodal_stress(scene.solid, MPI_COMM_SELF).stress;
+    const auto stress = nodal_stress(scene.solid).stress;
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
       result.stress = std::max(result.stress, std::abs(-stress[6 * n + 1] / p - 1));
     return result;

@@ -109,8 +109,7 @@ namespace
     subtract_internal_force(
       solid.blocks, solid.displacement.data(), solid.force.data(), BulkViscosity(), false, energy);
     condense(mesh, solid.force.data());
-    SharedSum sum(mesh, MPI_COMM_WORLD);
-    sum(solid.force.data());
+    sum_over_ranks(mesh, solid.force.data());
     const auto outer    = outer_nodes(model);
     double     force[2] = {0, 0};
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)

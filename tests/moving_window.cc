@@ -111,7 +111,7 @@ namespace
   {
     std::array<double, 6> p{};
     for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
-      if (solid.mesh.owned[n] && solid.mesh.node_body[n] == body)
+      if (solid.mesh.owns(n) && solid.mesh.node_body[n] == body)
         {
           const double  m = solid.mass[n] + solid.added_mass[n];
           const double *v = &solid.velocity[4 * n];

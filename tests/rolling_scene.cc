@@ -47,7 +47,7 @@ namespace
       *model.discretization, model.solid, *model.contact, model.parts, loads, [](const std::string &) {});
     const double                rate = scene.velocity / loads.forward_radius * (1 + run.start.creepage);
     const AlignedVector<double> still(model.solid.displacement.size(), 0.);
-    rolling_velocities(model.solid, model.parts, model.axle, rate, still, communicator);
+    rolling_velocities(model.solid, model.parts, model.axle, rate, still);
     Axle    axle(model.axle, run.start.lift, rate, communicator);
     Rolling rolling(model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), communicator);
     run.steps                       = std::lround(scene.rolling_distance / scene.velocity / model.time_step);

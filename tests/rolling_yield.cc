@@ -30,7 +30,7 @@ namespace
     scene.rolling_distance = 5e-3;
     Model          model   = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
     Log            log;
-    const RunStart start = start_from_rest(scene, model, {}, log, MPI_COMM_WORLD);
+    const RunStart start = start_from_rest(scene, model, {}, log);
     Axle           axle(model.axle, start.lift, start.rate, MPI_COMM_WORLD);
     Rolling        rolling(
       model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), MPI_COMM_WORLD);

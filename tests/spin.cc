@@ -4,6 +4,7 @@
 // drift of angular momentum, energy or place.
 
 #include <wheelrail/dynamics/time_loop.h>
+#include <wheelrail/mesh/shared_nodes.h>
 
 #include "parallel.h"
 
@@ -44,61 +45,35 @@ namespace
   LocalMesh
   ring(const int rank, const int size)
   {
-    LocalMesh                               mesh;
-    std::map<std::uint32_t, unsigned int>   local;
-    std::vector<std::vector<std::uint32_t>> held(size);
-    for (int other = 0; other < size; ++other)
-      {
-        for (unsigned int s = other * n_sectors / size; s < (other + 1) * n_sectors / size; ++s)
-          for (unsigned int r = 0; r < n_radial; ++r)
-            for (unsigned int x = 0; x < n_axial; ++x)
+    LocalMesh                             mesh;
+    std::map<std::uint32_t, unsigned int> local;
+    for (unsigned int s = rank * n_sectors / size; s < (rank + 1) * n_sectors / size; ++s)
+      for (unsigned int r = 0; r < n_radial; ++r)
+        for (unsigned int x = 0; x < n_axial; ++x)
+          {
+            std::array<unsigned int, 8> cell;
+            for (unsigned int a = 0; a < 8; ++a)
               {
-                std::array<unsigned int, 8> cell;
-                for (unsigned int a = 0; a < 8; ++a)
-                  {
-                    // axial, radial (outwards is down), around: a right-handed cell
-                    cell[a] = node_number(s + (a >> 2), r + (1 - (a >> 1 & 1)), x + (a & 1));
-                    held[other].push_back(cell[a]);
-                  }
-                if (other == rank)
-                  {
-                    for (unsigned int &n : cell)
-                      {
-                        const auto [entry, fresh] = local.try_emplace(n, mesh.global_node.size());
-                        if (fresh)
-                          mesh.global_node.push_back(n);
-                        n = entry->second;
-                      }
-                    mesh.cells.push_back(cell);
-                  }
+                // axial, radial (outwards is down), around: a right-handed cell
+                const auto number         = node_number(s + (a >> 2), r + (1 - (a >> 1 & 1)), x + (a & 1));
+                const auto [entry, fresh] = local.try_emplace(number, mesh.node_key.size());
+                if (fresh)
+                  mesh.node_key.push_back(number);
+                cell[a] = entry->second;
               }
-        std::sort(held[other].begin(), held[other].end());
-        held[other].erase(std::unique(held[other].begin(), held[other].end()), held[other].end());
-      }
+            mesh.cells.push_back(cell);
+          }
     mesh.cell_body.assign(mesh.cells.size(), Body::wheel);
     mesh.cell_level.assign(mesh.cells.size(), 0);
+    mesh.global_node.resize(mesh.node_key.size());
     mesh.node_body.assign(mesh.n_nodes(), Body::wheel);
-    mesh.owned.assign(mesh.n_nodes(), 1);
     mesh.hanging_begin = {0};
-    for (const auto n : mesh.global_node)
+    for (const auto n : mesh.node_key)
       {
-        const Vector3 X = node_place(n);
+        const Vector3 X = node_place(static_cast<std::uint32_t>(n));
         mesh.reference.insert(mesh.reference.end(), {X[0], X[1], X[2], 0.});
       }
-    for (int other = 0; other < size; ++other)
-      if (other != rank)
-        {
-          Neighbour neighbour{other, {}};
-          for (const auto n : held[other])
-            if (const auto found = local.find(n); found != local.end())
-              {
-                neighbour.nodes.push_back(found->second);
-                if (other < rank)
-                  mesh.owned[found->second] = 0;
-              }
-          if (!neighbour.nodes.empty())
-            mesh.neighbours.push_back(neighbour);
-        }
+    number_nodes(mesh, MPI_COMM_WORLD);
     return mesh;
   }
 
@@ -131,7 +106,7 @@ namespace
   {
     State state;
     for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
-      if (solid.mesh.owned[n])
+      if (solid.mesh.owns(n))
         {
           const double *v = &solid.velocity[4 * n];
           const Vector3 V = {v[0], v[1], v[2]}, x = solid.position(n);

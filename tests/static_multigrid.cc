@@ -28,7 +28,7 @@ using namespace test;
 namespace
 {
   double
-  sum_over_ranks(double value)
+  sum_of_ranks(double value)
   {
     MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     return value;
@@ -55,7 +55,7 @@ namespace
     double sum = 0;
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       sum += element_geometry(corners(mesh, c)).volume;
-    return sum_over_ranks(sum);
+    return sum_of_ranks(sum);
   }
 
   /// Largest distance between a node of the finer mesh and the place interpolated from the coarse one [m].
@@ -84,7 +84,7 @@ namespace
     for (const CoarseLevel &level : coarse)
       {
         const std::string name = std::to_string(level.mesh.cells.size()) + " cells here: ";
-        check(sum_over_ranks(level.mesh.cells.size()) < sum_over_ranks(finer->cells.size()),
+        check(sum_of_ranks(level.mesh.cells.size()) < sum_of_ranks(finer->cells.size()),
               name + "fewer than in the finer mesh");
         // curved surfaces lose a little
         check_near(volume(level.mesh) / whole, 1, 0.01, name + "volume over that of the finest mesh");
@@ -96,22 +96,24 @@ namespace
 
   /// Numbers without order between -1 and 1, the same on any number of ranks.
   void
-  fill_with_noise(const LocalMesh &mesh, const std::vector<unsigned char> &held, StaticVector &x)
+  fill_with_noise(const LocalMesh &mesh, const std::vector<unsigned char> &held, NodeVector &x)
   {
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+    for (unsigned int n = 0; n < mesh.n_owned; ++n)
       for (unsigned int i = 0; i < 3; ++i)
-        x.data()[4 * n + i] = held[n] ? 0 : mesh.noise(n, i);
+        x.begin()[4 * n + i] = held[n] ? 0 : mesh.noise(n, i);
     for (const unsigned int n : mesh.hanging)
-      std::fill(x.data() + 4 * n, x.data() + 4 * n + 3, 0.);
+      if (mesh.owns(n))
+        std::fill_n(x.begin() + 4 * n, 3, 0.);
   }
 
   /// The product of the assembled element matrices with x.
-  StaticVector
-  assembled_product(const Model &model, const std::vector<unsigned char> &held, const StaticVector &x)
+  NodeVector
+  assembled_product(const Model &model, const std::vector<unsigned char> &held, const NodeVector &x)
   {
-    const LocalMesh      &mesh = model.solid.mesh;
-    AlignedVector<double> u(x.data(), x.data() + 4 * mesh.n_nodes()), force(u.size(), 0.);
-    distribute(mesh, u.data());
+    const LocalMesh &mesh = model.solid.mesh;
+    NodeVector       u = x, force = node_vector(mesh);
+    u.update_ghost_values();
+    distribute(mesh, u.begin());
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       {
         const ElementBlocks &blocks = model.solid.blocks[mesh.cell_body[c]];
@@ -119,15 +121,15 @@ namespace
           element_stiffness(element_geometry(corners(mesh, c)), blocks.elasticity(), blocks.form);
         for (int a = 0; a < 24; ++a)
           for (int b = 0; b < 24; ++b)
-            force[4 * mesh.cells[c][a / 3] + a % 3] += K[24 * a + b] * u[4 * mesh.cells[c][b / 3] + b % 3];
+            force.begin()[4 * mesh.cells[c][a / 3] + a % 3] +=
+              K[24 * a + b] * u.begin()[4 * mesh.cells[c][b / 3] + b % 3];
       }
-    condense(mesh, force.data());
-    SharedSum(mesh, MPI_COMM_WORLD)(force.data());
-    StaticVector result(mesh, MPI_COMM_WORLD);
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      for (int i = 0; i < 3; ++i)
-        result.data()[4 * n + i] = held[n] ? 0 : force[4 * n + i];
-    return result;
+    condense(mesh, force.begin());
+    force.compress(dealii::VectorOperation::add);
+    for (unsigned int n = 0; n < mesh.n_owned; ++n)
+      if (held[n])
+        std::fill_n(force.begin() + 4 * n, 3, 0.);
+    return force;
   }
 
   /// The springs when the wheel is pressed rigidly into the rail, times `factor`.
@@ -160,20 +162,20 @@ namespace
       }
     StaticMultigrid multigrid(*model.discretization, solid, held);
     StaticLevel    &level = multigrid.finest();
-    StaticVector    x = level.zero(), y = level.zero(), Kx = level.zero(), Ky = level.zero();
+    NodeVector      x = level.zero(), y = level.zero(), Kx = level.zero(), Ky = level.zero();
     fill_with_noise(solid.mesh, held, x);
-    for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
+    for (unsigned int n = 0; n < solid.mesh.n_owned; ++n)
       for (int i = 0; i < 3; ++i)
-        y.data()[4 * n + i] = held[n] ? 0 : x.data()[4 * n + (i + 1) % 3];
+        y.begin()[4 * n + i] = held[n] ? 0 : x.begin()[4 * n + (i + 1) % 3];
     level.product(x, Kx);
-    StaticVector difference = assembled_product(model, held, x);
+    NodeVector difference = assembled_product(model, held, x);
     difference -= Kx;
     check_near(difference.l2_norm() / Kx.l2_norm(), 0, 1e-6, "product against the element matrices");
     multigrid.set_springs(springs_of(model, 1));
     level.product(x, Kx);
     level.product(y, Ky);
     check_near((y * Kx) / (x * Ky), 1, 1e-6, "with springs the product is symmetric");
-    StaticVector residual = Kx;
+    NodeVector residual = Kx;
     level.subtract_product(x, residual);
     check_near(residual.l2_norm() / Kx.l2_norm(), 0, 1e-12, "a product taken off itself");
   }
@@ -259,10 +261,10 @@ namespace
     for (std::size_t k = 0; k < levels.size(); ++k)
       springs = springs.coarsened(
         levels[k], k + 1 == levels.size() ? held : std::vector<unsigned char>(levels[k].mesh.n_nodes(), 0));
-    StaticVector forces(mesh, MPI_COMM_WORLD), x(mesh, MPI_COMM_WORLD), z(mesh, MPI_COMM_WORLD);
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+    NodeVector forces = node_vector(mesh), x = forces, z = forces;
+    for (unsigned int n = 0; n < mesh.n_owned; ++n)
       if (!held[n] && std::abs(mesh.reference[4 * n + 2]) < 0.05)
-        forces.data()[4 * n + 1] = mesh.node_body[n] == Body::rail ? -1 : 1;
+        forces.begin()[4 * n + 1] = mesh.node_body[n] == Body::rail ? -1 : 1;
     DirectBottom    direct(*model.discretization, mesh, model.solid.blocks, held);
     IterativeBottom iterative(mesh, model.solid.blocks, held, {}, MPI_COMM_WORLD);
     direct.set_springs(springs);

@@ -37,7 +37,7 @@ namespace
           const double value = law(centre);
           stress[body].push_back({value, -value, 2 * value, 0, value, 3 * value});
         }
-    const auto nodal = recovered_stress(solid, stress, communicator).stress;
+    const auto nodal = recovered_stress(solid, stress).stress;
     double     error = 0;
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       if (const Vector3 X = place_of(solid.mesh, n); which(X))

@@ -46,7 +46,7 @@ namespace
     const LocalMesh    &mesh = model.solid.mesh;
     std::vector<double> sums(2 * places.size(), 0.);
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      if (mesh.owned[n] && mesh.node_body[n] == Body::rail && mesh.reference[4 * n + 1] < -0.171)
+      if (mesh.owns(n) && mesh.node_body[n] == Body::rail && mesh.reference[4 * n + 1] < -0.171)
         for (std::size_t k = 0; k < places.size(); ++k)
           if (std::abs(mesh.reference[4 * n + 2] - places[k]) < 1e-6)
             {
@@ -73,14 +73,14 @@ namespace
       if (solid.mesh.node_body[n] == Body::rail && std::abs(solid.mesh.reference[4 * n + 2]) < 1e-6)
         {
           force[4 * n + 1] = -solid.mass[n];
-          mass += solid.mesh.owned[n] ? solid.mass[n] : 0;
+          mass += solid.mesh.owns(n) ? solid.mass[n] : 0;
         }
     MPI_Allreduce(MPI_IN_PLACE, &mass, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     for (double &f : force)
       f *= load / mass;
     StaticSystem system(*model.discretization, solid, model.parts);
     system.set_springs({});
-    StaticVector       moved = system.zero();
+    NodeVector         moved = system.zero();
     const unsigned int steps = system.solve_held(system.right_hand_side(force), 1e-7, moved);
     check(steps < 25, std::to_string(steps) + " steps of conjugate gradients");
     system.add_to_nodes(moved, 0, solid.displacement);
@@ -104,7 +104,7 @@ namespace
       sum[k] = parts.springs()[k] * x[k];
     StaticSprings(parts.joined(), mesh, free, MPI_COMM_WORLD).add_product(1, x.data(), sum.data());
     std::array<double, 2> worst{}; // size and difference
-    for (std::size_t k = 0; k < x.size(); ++k)
+    for (std::size_t k = 0; k < 4 * mesh.n_owned; ++k)
       {
         worst[0] = std::max(worst[0], std::abs(own[k]));
         worst[1] = std::max(worst[1], std::abs(own[k] - sum[k]));

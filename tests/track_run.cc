@@ -75,7 +75,7 @@ namespace
     scene.support.sleeper_mass = 162;
     Model model                = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
     Log   log;
-    start_from_rest(scene, model, {}, log, MPI_COMM_WORLD);
+    start_from_rest(scene, model, {}, log);
     const auto &track = dynamic_cast<const TrackSupport &>(*model.parts.front());
     check_near(track.force_at_rest(model.solid)[1] / model.wheel_load,
                -1,

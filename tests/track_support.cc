@@ -82,7 +82,7 @@ namespace
     start()
     {
       Log            log;
-      const RunStart start = start_from_rest(scene, model, {}, log, MPI_COMM_WORLD);
+      const RunStart start = start_from_rest(scene, model, {}, log);
       set_out(start.lift, start.rate);
     }
   };

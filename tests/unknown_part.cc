@@ -42,13 +42,13 @@ namespace
     prepare(const Solid &solid, std::vector<NodeInertia> &) override
     {
       mesh_ = &solid.mesh;
-      foot_ = held_boundary_nodes(solid.mesh, Boundary::foot, communicator_);
+      foot_ = held_boundary_nodes(solid.mesh, Boundary::foot);
       foot_.erase(
         std::remove_if(foot_.begin(), foot_.end(), [&](const auto n) { return solid.mass[n] == 0; }),
         foot_.end());
       nodes_ = 0;
       for (const unsigned int n : foot_)
-        nodes_ += mesh_->owned[n];
+        nodes_ += mesh_->owns(n);
       MPI_Allreduce(MPI_IN_PLACE, &nodes_, 1, MPI_DOUBLE, MPI_SUM, communicator_);
     }
 
@@ -67,7 +67,7 @@ namespace
         {
           const double stretch = solid.displacement[4 * n + 1] - place_;
           solid.force[4 * n + 1] -= of_node() * stretch;
-          energy += mesh_->owned[n] ? 0.5 * of_node() * stretch * stretch : 0;
+          energy += mesh_->owns(n) ? 0.5 * of_node() * stretch * stretch : 0;
         }
       force += stiffness_ * (mean(solid.displacement.data()) - place_);
       if (now.with_energy)
@@ -145,7 +145,7 @@ namespace
     {
       double sum[1] = {0};
       for (const unsigned int n : foot_)
-        sum[0] += mesh_->owned[n] ? x[4 * n + 1] : 0;
+        sum[0] += mesh_->owns(n) ? x[4 * n + 1] : 0;
       ordered_sum(sum, communicator_);
       return sum[0] / nodes_;
     }
@@ -189,7 +189,7 @@ namespace
     {
       auto part      = std::make_unique<SprungFoot>(stiffness, mass, ground, MPI_COMM_WORLD);
       foot           = part.get();
-      model.parts[0] = std::make_unique<Supports>(std::vector<Boundary>{Boundary::end}, MPI_COMM_WORLD);
+      model.parts[0] = std::make_unique<Supports>(std::vector<Boundary>{Boundary::end});
       model.parts.push_back(std::move(part));
     }
 
@@ -234,7 +234,7 @@ main(int argc, char **argv)
   Track    track;
   stable_step(track);
   Log            log;
-  const RunStart start = start_from_rest(track.scene, track.model, {}, log, MPI_COMM_WORLD);
+  const RunStart start = start_from_rest(track.scene, track.model, {}, log);
   check(track.foot->place() < 0,
         "the static start stands on the mass, which gives way: " + std::to_string(1e6 * track.foot->place()) +
           " um");

@@ -52,7 +52,7 @@ namespace
     Rolled         rolled{make_model(scene, make_geometry(scene), MPI_COMM_WORLD), nullptr};
     Model         &model = rolled.model;
     Log            log;
-    const RunStart start = start_from_rest(scene, model, {}, log, MPI_COMM_WORLD);
+    const RunStart start = start_from_rest(scene, model, {}, log);
     rolled.axle          = std::make_unique<Axle>(model.axle, start.lift, start.rate, MPI_COMM_WORLD);
     Rolling rolling(
       model.solid, *model.contact, model.parts, *rolled.axle, time_scheme(scene, model), MPI_COMM_WORLD);

@@ -86,7 +86,7 @@ namespace wheelrail
   {
     double power = 0;
     for (std::size_t k = 0; k < nodes_.size(); ++k)
-      if (solid.mesh.owned[nodes_[k]])
+      if (solid.mesh.owns(nodes_[k]))
         power += dot(force_[k], mean_velocity(solid, inertia, nodes_[k], now.kick));
     work_->add_work(now.kick.duration * power);
   }

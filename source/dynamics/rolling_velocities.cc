@@ -12,14 +12,13 @@ namespace wheelrail
                      const AxleData              &axle,
                      const double                 pitch_rate,
                      const AlignedVector<double> &still,
-                     MPI_Comm                     communicator,
                      const bool                   travelling)
   {
     AlignedVector<double> moving = solid.displacement;
     for (std::size_t k = 0; k < moving.size(); ++k)
       moving[k] -= still[k];
-    const auto      gradient = travelling ? nodal_gradient(solid, moving.data(), communicator)
-                                          : std::vector<double>(9 * solid.mesh.n_nodes(), 0.);
+    const auto gradient =
+      travelling ? nodal_gradient(solid, moving.data()) : std::vector<double>(9 * solid.mesh.n_nodes(), 0.);
     GuidedWay::Rate led{{axle.lateral_creepage, 0, 0}, {}};
     if (axle.way)
       led = axle.way->rate(0);

@@ -60,7 +60,6 @@ namespace wheelrail
   void
   TimeLoop::prepare()
   {
-    sum_     = std::make_unique<SharedSum>(solid_.mesh, communicator_);
     inertia_ = node_inertia(solid_);
     for (Part *part : parts_)
       part->prepare(solid_, inertia_);
@@ -100,7 +99,7 @@ namespace wheelrail
           const Vector3 before = {v[0], v[1], v[2]}, more = cross(spin, solid_.position(n) - centre);
           for (int i = 0; i < 3; ++i)
             v[i] += more[i];
-          if (inertia_[n].inverse_mass > 0 && solid_.mesh.owned[n])
+          if (inertia_[n].inverse_mass > 0 && solid_.mesh.owns(n))
             gain += (dot(before, more) + 0.5 * dot(more, more)) / inertia_[n].inverse_mass;
         }
     return gain;
@@ -138,7 +137,7 @@ namespace wheelrail
     {
       const Stopwatch watch(clock, timing_.exchange);
       condense(solid_.mesh, solid_.force.data());
-      (*sum_)(solid_.force.data());
+      sum_over_ranks(solid_.mesh, solid_.force.data());
     }
     // 3. forces known alike, constraints, works
     {
@@ -170,7 +169,7 @@ namespace wheelrail
       return;
     double power = 0;
     for (unsigned int n = 0; n < inertia_.size(); ++n)
-      if (inertia_[n].inverse_mass > 0 && solid_.mesh.owned[n])
+      if (inertia_[n].inverse_mass > 0 && solid_.mesh.owns(n))
         {
           const Vector3 v = mean_velocity(solid_, inertia_, n, now.kick);
           power += scheme.mass_damping / inertia_[n].inverse_mass * dot(v, v);

@@ -239,6 +239,18 @@ namespace wheelrail
       LocalMesh                            mesh_;
     };
 
+    /// Takes new numbers of the nodes.
+    void
+    number(Level &level, const std::vector<unsigned int> &to)
+    {
+      const std::vector<unsigned int> vertex = level.vertex;
+      for (std::size_t n = 0; n < to.size(); ++n)
+        {
+          level.vertex[to[n]]   = vertex[n];
+          level.node[vertex[n]] = to[n];
+        }
+    }
+
     // --- between levels ---
 
     /// The finest mesh as a level: its nodes by vertices, also those that no own cell has, which are vertices
@@ -326,29 +338,6 @@ namespace wheelrail
           coarse.begin.push_back(coarse.nodes.size());
         }
     }
-
-    /// Numbers the nodes over all ranks, those of a rank's own one after the other.
-    void
-    number_nodes(LocalMesh &mesh, MPI_Comm communicator)
-    {
-      std::uint32_t own = 0, next = 0;
-      for (const auto owned : mesh.owned)
-        own += owned;
-      MPI_Scan(&own, &next, 1, MPI_UINT32_T, MPI_SUM, communicator);
-      next -= own;
-      for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-        mesh.global_node[n] = mesh.owned[n] ? next++ : no_node;
-      // owners tell the others, who know the nodes in the same order
-      std::map<unsigned int, std::vector<std::uint32_t>> numbers;
-      for (const Neighbour &neighbour : mesh.neighbours)
-        for (const unsigned int n : neighbour.nodes)
-          numbers[neighbour.rank].push_back(mesh.global_node[n]);
-      const auto told = dealii::Utilities::MPI::some_to_some(communicator, numbers);
-      for (const Neighbour &neighbour : mesh.neighbours)
-        for (std::size_t k = 0; k < neighbour.nodes.size(); ++k)
-          if (const std::uint32_t number = told.at(neighbour.rank)[k]; number != no_node)
-            mesh.global_node[neighbour.nodes[k]] = number;
-    }
   } // namespace
 
 
@@ -369,9 +358,8 @@ namespace wheelrail
         level.first_is_own = finer.first_is_own;
         join(level, static_cast<unsigned char>(deepest - 1 - k), triangulation);
         levels[k].mesh = LevelMeshMaker(discretization, hangs, level).make();
+        number(level, number_nodes(levels[k].mesh, communicator));
         make_interpolation(levels[k], level, finer, *finer_mesh, triangulation);
-        find_neighbours(levels[k].mesh, communicator);
-        number_nodes(levels[k].mesh, communicator);
         finer      = std::move(level);
         finer_mesh = &levels[k].mesh;
       }

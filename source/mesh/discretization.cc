@@ -50,7 +50,6 @@ namespace wheelrail
     , communicator_(communicator)
     , triangulation_(std::make_unique<Triangulation>(communicator))
     , dofs_(std::make_unique<Dofs>())
-    , relevant_(std::make_unique<dealii::IndexSet>())
     , hanging_(std::make_unique<Constraints>())
     , bodies_(bodies)
   {
@@ -164,13 +163,29 @@ namespace wheelrail
   }
 
 
+  /// In the order in which own cells use them: deal.II's own depends on what was laid before.
   void
   Discretization::number_unknowns()
   {
     dofs_->reinit(*triangulation_);
     dofs_->distribute_dofs(dealii::FE_Q<3>(1));
-    dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, *relevant_);
-    hanging_->reinit(*relevant_);
+    const dealii::IndexSet                      &own = dofs_->locally_owned_dofs();
+    std::vector<dealii::types::global_dof_index> numbers(own.n_elements(),
+                                                         dealii::numbers::invalid_dof_index);
+    auto                                         next = own.n_elements() > 0 ? own.nth_index_in_set(0) : 0;
+    for (const Cell &cell : own_cells_)
+      {
+        const Dofs::cell_iterator here(triangulation_.get(), cell.level, cell.index, dofs_.get());
+        for (unsigned int v = 0; v < 8; ++v)
+          if (const auto dof = here->vertex_dof_index(v, 0); own.is_element(dof))
+            if (auto &number = numbers[own.index_within_set(dof)];
+                number == dealii::numbers::invalid_dof_index)
+              number = next++;
+      }
+    dofs_->renumber_dofs(numbers);
+    dealii::IndexSet relevant;
+    dealii::DoFTools::extract_locally_relevant_dofs(*dofs_, relevant);
+    hanging_->reinit(relevant);
     dealii::DoFTools::make_hanging_node_constraints(*dofs_, *hanging_);
     hanging_->close();
   }

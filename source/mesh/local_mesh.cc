@@ -15,6 +15,7 @@ namespace wheelrail
 {
   namespace
   {
+    using Dof                   = dealii::types::global_dof_index;
     constexpr unsigned int none = ~0u;
 
     void
@@ -50,18 +51,20 @@ namespace wheelrail
     class LocalMeshMaker
     {
     public:
-      LocalMeshMaker(const Discretization &discretization, const dealii::IndexSet &relevant)
+      explicit LocalMeshMaker(const Discretization &discretization)
         : discretization_(discretization)
-        , relevant_(relevant)
-        , of_dof_(relevant.n_elements(), none)
+        , first_(discretization.dofs().locally_owned_dofs().n_elements() > 0
+                   ? discretization.dofs().locally_owned_dofs().nth_index_in_set(0)
+                   : 0)
       {
+        local_.n_owned = discretization.dofs().n_locally_owned_dofs();
       }
 
       LocalMesh
       make()
       {
+        number_nodes();
         add_cells();
-        n_vertices_ = local_.n_nodes();
         add_foreign_parents();
         add_hanging();
         return std::move(local_);
@@ -70,22 +73,68 @@ namespace wheelrail
     private:
       using Iterator = Discretization::Dofs::cell_iterator;
 
-      unsigned int &
-      number(const dealii::types::global_dof_index dof)
+      /// Own unknowns, all of which are vertices of own cells, then others of own cells, or that those of own
+      /// cells hang from.
+      void
+      number_nodes()
       {
-        return of_dof_[relevant_.index_within_set(dof)];
+        std::vector<Dof> others;
+        const auto       see = [&](const Dof dof) {
+          if (dof - first_ >= local_.n_owned)
+            others.push_back(dof);
+        };
+        const auto see_parents = [&](const Dof dof) {
+          if (const auto *line = discretization_.hanging().get_constraint_entries(dof))
+            for (const auto &parent : *line)
+              see(parent.first);
+        };
+        for (const Discretization::Cell &cell : discretization_.own_cells())
+          for (unsigned int v = 0; v < 8; ++v)
+            see(iterator(cell)->vertex_dof_index(v, 0));
+        for (std::size_t k = 0, n = others.size(); k < n; ++k)
+          see_parents(others[k]);
+        for (unsigned int n = 0; n < local_.n_owned; ++n)
+          see_parents(first_ + n);
+        std::sort(others.begin(), others.end());
+        others.erase(std::unique(others.begin(), others.end()), others.end());
+        for (unsigned int n = 0; n < local_.n_owned; ++n)
+          local_.global_node.push_back(first_ + n);
+        local_.global_node.insert(local_.global_node.end(), others.begin(), others.end());
+        const std::size_t n_nodes = local_.n_nodes();
+        local_.node_key.resize(n_nodes, no_key);
+        local_.node_body.resize(n_nodes);
+        local_.reference.resize(4 * n_nodes, 0.);
+      }
+
+      Iterator
+      iterator(const Discretization::Cell &cell) const
+      {
+        return {&discretization_.triangulation(), cell.level, cell.index, &discretization_.dofs()};
+      }
+
+      /// Local number of an unknown, or none.
+      unsigned int
+      number(const Dof dof) const
+      {
+        if (dof - first_ < local_.n_owned)
+          return dof - first_;
+        const auto ghosts = local_.global_node.begin() + local_.n_owned;
+        const auto found  = std::lower_bound(ghosts, local_.global_node.end(), dof);
+        return found != local_.global_node.end() && *found == dof
+                 ? static_cast<unsigned int>(found - local_.global_node.begin())
+                 : none;
       }
 
       void
-      add_node(const dealii::types::global_dof_index dof, const CellPlace &cell, const unsigned int v)
+      place_node(const unsigned int n, const CellPlace &cell, const unsigned int v)
       {
+        if (local_.node_key[n] != no_key)
+          return;
         const SweptGrid &grid = discretization_.grid(cell.body);
-        number(dof)           = local_.global_node.size();
-        local_.global_node.push_back(dof);
-        local_.node_key.push_back(grid.vertex_key(cell, v));
-        local_.node_body.push_back(cell.body);
-        const Vector3 X = grid.position(cell, v);
-        local_.reference.insert(local_.reference.end(), {X[0], X[1], X[2], 0.});
+        local_.node_key[n]    = grid.vertex_key(cell, v);
+        local_.node_body[n]   = cell.body;
+        const Vector3 X       = grid.position(cell, v);
+        std::copy(X.begin(), X.end(), &local_.reference[4 * n]);
       }
 
       void
@@ -93,15 +142,12 @@ namespace wheelrail
       {
         for (const Discretization::Cell &cell : discretization_.own_cells())
           {
-            const Iterator here(
-              &discretization_.triangulation(), cell.level, cell.index, &discretization_.dofs());
+            const Iterator              here = iterator(cell);
             std::array<unsigned int, 8> corners;
             for (unsigned int v = 0; v < 8; ++v)
               {
-                const auto dof = here->vertex_dof_index(v, 0);
-                if (number(dof) == none)
-                  add_node(dof, cell.place, v);
-                corners[v] = number(dof);
+                corners[v] = number(here->vertex_dof_index(v, 0));
+                place_node(corners[v], cell.place, v);
               }
             local_.cells.push_back(corners);
             local_.cell_body.push_back(cell.place.body);
@@ -115,37 +161,13 @@ namespace wheelrail
       void
       add_foreign_parents()
       {
-        std::vector<dealii::types::global_dof_index> wanted;
-        for (const std::uint32_t dof : local_.global_node)
-          if (const auto *line = discretization_.hanging().get_constraint_entries(dof))
-            for (const auto &parent : *line)
-              if (number(parent.first) == none)
-                wanted.push_back(parent.first);
-        if (wanted.empty())
-          return;
-        std::sort(wanted.begin(), wanted.end());
-        struct Vertex
-        {
-          std::uint64_t                   key;
-          dealii::types::global_dof_index dof;
-          CellPlace                       cell;
-          unsigned int                    v;
-        };
-        std::vector<Vertex> found;
-        for (const auto &cell : discretization_.dofs().active_cell_iterators())
-          if (cell->is_ghost())
-            for (unsigned int v = 0; v < 8; ++v)
-              if (const auto dof = cell->vertex_dof_index(v, 0);
-                  std::binary_search(wanted.begin(), wanted.end(), dof))
-                {
-                  const CellPlace place = discretization_.place(*cell);
-                  found.push_back({discretization_.grid(place.body).vertex_key(place, v), dof, place, v});
-                }
-        // in an order that does not depend on the triangulation's
-        std::sort(found.begin(), found.end(), [](const Vertex &a, const Vertex &b) { return a.key < b.key; });
-        for (const Vertex &vertex : found)
-          if (number(vertex.dof) == none)
-            add_node(vertex.dof, vertex.cell, vertex.v);
+        if (local_.n_nodes() > local_.n_owned)
+          for (const auto &cell : discretization_.dofs().active_cell_iterators())
+            if (cell->is_ghost())
+              for (unsigned int v = 0; v < 8; ++v)
+                if (const unsigned int n = number(cell->vertex_dof_index(v, 0));
+                    n != none && local_.node_key[n] == no_key)
+                  place_node(n, discretization_.place(*cell), v);
       }
 
       void
@@ -154,7 +176,7 @@ namespace wheelrail
         const AlignedVector<double> exact = local_.reference;
         local_.hanging_begin.push_back(0);
         std::vector<std::pair<unsigned int, double>> parents;
-        for (unsigned int n = 0; n < n_vertices_; ++n)
+        for (unsigned int n = 0; n < local_.n_nodes(); ++n)
           if (const auto *line = discretization_.hanging().get_constraint_entries(local_.global_node[n]))
             {
               parents.clear();
@@ -174,11 +196,11 @@ namespace wheelrail
             }
       }
 
-      const Discretization     &discretization_;
-      const dealii::IndexSet   &relevant_;
-      std::vector<unsigned int> of_dof_; ///< local number of a relevant unknown
-      LocalMesh                 local_;
-      std::size_t               n_vertices_ = 0; ///< nodes of own cells
+      static constexpr std::uint64_t no_key = ~std::uint64_t(0);
+
+      const Discretization &discretization_;
+      const Dof             first_; ///< of the rank's own
+      LocalMesh             local_;
     };
   } // namespace
 
@@ -186,8 +208,8 @@ namespace wheelrail
   LocalMesh
   Discretization::local_mesh() const
   {
-    LocalMesh mesh = LocalMeshMaker(*this, *relevant_).make();
-    find_neighbours(mesh, communicator_);
+    LocalMesh mesh = LocalMeshMaker(*this).make();
+    share_nodes(mesh, communicator_);
     return mesh;
   }
 } // namespace wheelrail

@@ -129,7 +129,7 @@ namespace wheelrail
           model.solid.mesh, body, plan.surfaces, make_lattice(plan, body, range[body]), communicator);
       };
       model.contact->prepare(collect(Body::rail), collect(Body::wheel));
-      add_band_mass(model.solid, model.contact->law().added_mass, communicator);
+      add_band_mass(model.solid, model.contact->law().added_mass);
     }
 
     /// How much thinner, relatively, nodes that irregularities move make the cells anywhere on the way:

@@ -36,8 +36,7 @@ namespace wheelrail
   {
     SceneParts parts;
     if (scene.support.kind == RailSupport::clamped_foot)
-      parts.push_back(
-        std::make_unique<Supports>(std::vector<Boundary>{Boundary::foot, Boundary::end}, communicator));
+      parts.push_back(std::make_unique<Supports>(std::vector<Boundary>{Boundary::foot, Boundary::end}));
     else
       parts.push_back(std::make_unique<TrackSupport>(track_data(scene, farther), communicator));
     if (scene.support.damped_ends > 0)

@@ -56,7 +56,7 @@ namespace wheelrail
   {
     if (const double time = parts_.rolling.time(); time != stress_at_)
       {
-        stress_    = nodal_stress(parts_.model.solid, parts_.communicator);
+        stress_    = nodal_stress(parts_.model.solid);
         stress_at_ = time;
       }
     return stress_;
@@ -105,7 +105,6 @@ namespace wheelrail
                                  selection,
                                  stress,
                                  unloaded_distance(parts_.model),
-                                 parts_.communicator,
                                  residual);
     write_vtu(mesh, parts_.scene.folder, name, parts_.communicator);
     on_root(parts_.communicator, [&]() {

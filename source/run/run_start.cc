@@ -68,11 +68,7 @@ namespace wheelrail
 
 
   RunStart
-  start_from_rest(const Scene            &scene,
-                  Model                  &model,
-                  const BeyondHalfspaces &beyond,
-                  Log                    &log,
-                  MPI_Comm                communicator)
+  start_from_rest(const Scene &scene, Model &model, const BeyondHalfspaces &beyond, Log &log)
   {
     StaticLoads loads                  = static_loads(scene, model);
     loads.beyond                       = beyond;
@@ -85,13 +81,8 @@ namespace wheelrail
     const bool   at_radius = !loads.rate_held && without(scene, StartState::without_creepage);
     const double creepage  = at_radius ? 0 : result.creepage;
     const double rate      = scene.velocity / loads.forward_radius * (1 + creepage);
-    rolling_velocities(model.solid,
-                       model.parts,
-                       model.axle,
-                       rate,
-                       still,
-                       communicator,
-                       !without(scene, StartState::without_velocities));
+    rolling_velocities(
+      model.solid, model.parts, model.axle, rate, still, !without(scene, StartState::without_velocities));
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     const std::string                   flow =
       result.flow_steps == 0 ? "" : text(", %d steps of plastic flow", result.flow_steps);
@@ -126,9 +117,9 @@ namespace wheelrail
     if (rail != nullptr)
       {
         lay_rail(scene, *rail, model, communicator);
-        return start_from_rest(scene, model, beyond, log, communicator);
+        return start_from_rest(scene, model, beyond, log);
       }
-    RunStart           start = start_from_rest(scene, model, beyond, log, communicator);
+    RunStart           start = start_from_rest(scene, model, beyond, log);
     std::exception_ptr failure; // of the last start
     const auto         as_it_is = [&]() {
       if (failure)
@@ -165,7 +156,7 @@ namespace wheelrail
         try
           {
             failure = nullptr;
-            start   = start_from_rest(scene, model, beyond, log, communicator);
+            start   = start_from_rest(scene, model, beyond, log);
           }
         catch (const RunError &)
           {

@@ -17,7 +17,7 @@ namespace wheelrail
                  PlasticFigures        &figures,
                  MPI_Comm               communicator)
     {
-      const auto strain = nodal_plastic_strain(solid, communicator);
+      const auto strain = nodal_plastic_strain(solid);
       double     range[3]; // largest -s, s, depth
       std::fill_n(range, 3, -std::numeric_limits<double>::infinity());
       for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)

@@ -218,10 +218,9 @@ namespace wheelrail
     add_plastic_fields(FieldBuilder              &builder,
                        const Solid               &solid,
                        const std::vector<double> &stress,
-                       const double               unloaded,
-                       MPI_Comm                   communicator)
+                       const double               unloaded)
     {
-      const auto strain = nodal_plastic_strain(solid, communicator);
+      const auto strain = nodal_plastic_strain(solid);
       builder.field("plastic_strain", "1", 1, [&](unsigned int n, double *v) { *v = strain[n]; });
       builder.field("von_mises_stress_behind_wheel", "Pa", 1, [&](unsigned int n, double *v) {
         const bool free = solid.mesh.node_body[n] == Body::rail && solid.position(n)[2] < unloaded;
@@ -270,7 +269,6 @@ namespace wheelrail
              const Selection    selection,
              const NodalStress &nodal,
              const double       unloaded,
-             MPI_Comm           communicator,
              const NodalStress *residual)
   {
     FieldMesh    mesh;
@@ -298,7 +296,7 @@ namespace wheelrail
       {
         add_contact_fields(builder, solid, contact);
         if (plastic)
-          add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded, communicator);
+          add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded);
         if (residual)
           add_residual_fields(builder, residual->stress);
         return mesh;
@@ -310,7 +308,7 @@ namespace wheelrail
       copy(principal_stresses(&stress[6 * n]), v);
     });
     if (plastic)
-      add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded, communicator);
+      add_plastic_fields(builder, solid, stress, axle.travelled() - unloaded);
     if (residual)
       add_residual_fields(builder, residual->stress);
     return mesh;

@@ -62,7 +62,7 @@ namespace wheelrail
     RigidFit sums[2];
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       {
-        if (!solid.mesh.owned[n])
+        if (!solid.mesh.owns(n))
           continue;
         const double *R    = &solid.mesh.reference[4 * n];
         const Vector3 X    = {R[0], R[1], R[2]};

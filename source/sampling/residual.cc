@@ -28,9 +28,9 @@ namespace wheelrail
     /// Change of the displacement along Z per way along the outward normal of the contact frame, at nodes
     /// [1].
     std::vector<double>
-    outward_change(const Model &model, MPI_Comm communicator)
+    outward_change(const Model &model)
     {
-      const auto          H = nodal_gradient(model.solid, model.solid.displacement.data(), communicator);
+      const auto          H = nodal_gradient(model.solid, model.solid.displacement.data());
       const Point2        n = model.contact->surfaces().frame.normal();
       std::vector<double> change(model.solid.mesh.n_nodes());
       for (std::size_t node = 0; node < change.size(); ++node)
@@ -66,8 +66,8 @@ namespace wheelrail
     const SweepPlan &plan   = model.discretization->plan();
     const double     offset = plan.start_block * plan.block_length(), behind = model.reach + offset;
     Residual         residual;
-    residual.stress    = nodal_stress(model.solid, communicator);
-    const auto forward = outward_change(model, communicator);
+    residual.stress    = nodal_stress(model.solid);
+    const auto forward = outward_change(model);
     residual.slices = slices_behind(model, residual.stress, axle.travelled(), behind, communicator, &forward);
     residual.largest = largest_before(model.solid, axle.travelled() - behind, communicator);
     residual.forward =

@@ -17,13 +17,12 @@ namespace wheelrail
 
 
   std::vector<unsigned int>
-  held_boundary_nodes(const LocalMesh &mesh, const Boundary mark, MPI_Comm communicator)
+  held_boundary_nodes(const LocalMesh &mesh, const Boundary mark)
   {
     AlignedVector<double> marked(4 * mesh.n_nodes(), 0.);
     for (const unsigned int n : boundary_nodes(mesh, mark))
       marked[4 * n] = 1;
-    SharedSum sum(mesh, communicator);
-    sum(marked.data(), 1);
+    sum_over_ranks(mesh, marked.data());
     std::vector<unsigned int> nodes;
     for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
       if (marked[4 * n] > 0)

@@ -1,74 +1,45 @@
+#include <deal.II/base/partitioner.h>
+
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/lanes.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace wheelrail
 {
-  SharedSum::SharedSum(const LocalMesh &mesh, MPI_Comm communicator)
-    : communicator_(communicator)
-  {
-    MPI_Comm_rank(communicator, &rank_);
-    for (const auto &neighbour : mesh.neighbours)
-      {
-        links_.push_back({neighbour.rank, neighbour.nodes, {}, {}});
-        shared_.insert(shared_.end(), neighbour.nodes.begin(), neighbour.nodes.end());
-      }
-    std::sort(links_.begin(), links_.end(), [](const Link &a, const Link &b) { return a.rank < b.rank; });
-    std::sort(shared_.begin(), shared_.end());
-    shared_.erase(std::unique(shared_.begin(), shared_.end()), shared_.end());
-  }
-
-
   void
-  SharedSum::operator()(double *values, const int components, const std::size_t stride)
+  sum_over_ranks(const LocalMesh &mesh, double *values, const std::size_t numbers)
   {
-    if (links_.empty())
+    using dealii::ArrayView;
+    using dealii::VectorOperation;
+    if (!mesh.partitioner || mesh.partitioner->n_mpi_processes() == 1)
       return;
-    std::vector<MPI_Request> requests;
-    for (auto &link : links_)
+    if (numbers != 4)
       {
-        const std::size_t n = link.nodes.size() * components;
-        link.send.resize(n);
-        link.receive.resize(n);
-        MPI_Irecv(link.receive.data(), n, MPI_DOUBLE, link.rank, 17, communicator_, &requests.emplace_back());
-        double *out = link.send.data();
-        for (const unsigned int node : link.nodes)
-          for (int i = 0; i < components; ++i)
-            *out++ = values[stride * node + i];
-        MPI_Isend(link.send.data(), n, MPI_DOUBLE, link.rank, 17, communicator_, &requests.emplace_back());
-      }
-    own_.resize(shared_.size() * components);
-    double *own = own_.data();
-    for (const unsigned int node : shared_)
-      for (int i = 0; i < components; ++i)
-        {
-          *own++                    = values[stride * node + i];
-          values[stride * node + i] = 0;
-        }
-    MPI_Waitall(requests.size(), requests.data(), MPI_STATUSES_IGNORE);
-
-    const auto add_own = [&]() {
-      const double *in = own_.data();
-      for (const unsigned int node : shared_)
-        for (int i = 0; i < components; ++i)
-          values[stride * node + i] += *in++;
-    };
-    bool own_added = false;
-    for (const auto &link : links_)
-      {
-        if (link.rank > rank_ && !own_added)
+        std::vector<double> four(4 * mesh.n_nodes());
+        for (std::size_t first = 0; first < numbers; first += 4)
           {
-            add_own();
-            own_added = true;
+            const std::size_t n_taken = std::min<std::size_t>(4, numbers - first);
+            for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+              std::copy_n(values + numbers * n + first, n_taken, &four[4 * n]);
+            sum_over_ranks(mesh, four.data());
+            for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
+              std::copy_n(&four[4 * n], n_taken, values + numbers * n + first);
           }
-        const double *in = link.receive.data();
-        for (const unsigned int node : link.nodes)
-          for (int i = 0; i < components; ++i)
-            values[stride * node + i] += *in++;
+        return;
       }
-    if (!own_added)
-      add_own();
+    const auto              &partitioner = *mesh.partitioner;
+    std::vector<double>      sent(partitioner.n_import_indices());
+    const ArrayView<double>  own(values, partitioner.locally_owned_size());
+    const ArrayView<double>  ghosts(values + own.size(), partitioner.n_ghost_indices());
+    const ArrayView<double>  temporary(sent.data(), sent.size());
+    std::vector<MPI_Request> requests;
+    partitioner.import_from_ghosted_array_start(VectorOperation::add, 0, ghosts, temporary, requests);
+    partitioner.import_from_ghosted_array_finish(
+      VectorOperation::add, ArrayView<const double>(temporary), own, ghosts, requests);
+    partitioner.export_to_ghosted_array_start(0, ArrayView<const double>(own), temporary, ghosts, requests);
+    partitioner.export_to_ghosted_array_finish(ghosts, requests);
   }
 
 

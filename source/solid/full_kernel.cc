@@ -97,7 +97,7 @@ namespace wheelrail
     /// The work of one batch.
     template <int W, bool with_energy, typename Law>
     inline void
-    batch_force(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
+    full_batch_force(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
     {
       Points<W> points;
       evaluate_points<W>(call, batch, points);
@@ -148,7 +148,7 @@ namespace wheelrail
       static void
       batch(const KernelCall<Law> &call, const std::size_t batch, LaneEnergy<W> &energy)
       {
-        batch_force<W, with_energy>(call, batch, energy);
+        full_batch_force<W, with_energy>(call, batch, energy);
       }
     };
   } // namespace

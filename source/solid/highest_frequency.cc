@@ -17,7 +17,6 @@ namespace wheelrail
       ScaledStiffness(Solid &solid, MPI_Comm communicator)
         : solid_(solid)
         , communicator_(communicator)
-        , sum_(solid.mesh, communicator)
         , displacement_(4 * solid.mesh.n_nodes(), 0.)
         , rail_(solid.blocks.rail)
         , wheel_(solid.blocks.wheel)
@@ -40,7 +39,7 @@ namespace wheelrail
         subtract_internal_force(
           solid_.blocks, displacement_.data(), y.data(), BulkViscosity(), false, ignored);
         condense(solid_.mesh, y.data());
-        sum_(y.data());
+        sum_over_ranks(solid_.mesh, y.data());
         for (std::size_t n = 0; n < solid_.mass.size(); ++n)
           for (int i = 0; i < 3; ++i)
             y[4 * n + i] = solid_.mass[n] > 0 ? -y[4 * n + i] / (small * std::sqrt(solid_.mass[n])) : 0.;
@@ -51,7 +50,7 @@ namespace wheelrail
       {
         double sum = 0;
         for (std::size_t n = 0; n < solid_.mass.size(); ++n)
-          if (solid_.mesh.owned[n])
+          if (solid_.mesh.owns(n))
             for (int i = 0; i < 3; ++i)
               sum += a[4 * n + i] * b[4 * n + i];
         MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
@@ -73,7 +72,6 @@ namespace wheelrail
     private:
       Solid                 &solid_;
       MPI_Comm               communicator_;
-      SharedSum              sum_;
       AlignedVector<double>  displacement_;
       const ElasticMeanwhile rail_, wheel_; ///< trial vectors are no steps in time
     };

@@ -128,7 +128,7 @@ namespace wheelrail
     {
       Moments moments;
       for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
-        if (solid.mesh.owned[n] && mass[4 * n + part] > 0 && (!inertia || (*inertia)[n].inverse_mass > 0))
+        if (solid.mesh.owns(n) && mass[4 * n + part] > 0 && (!inertia || (*inertia)[n].inverse_mass > 0))
           moments.add(mass[4 * n + part], solid.position(static_cast<unsigned int>(n)), velocity(solid, n));
       ordered_sum(moments.sums, communicator);
       return moments;
@@ -139,8 +139,7 @@ namespace wheelrail
     nodal_mass(const Solid                              &solid,
                const Body                                body,
                const std::function<bool(std::uint64_t)> &is_changed,
-               const double                              middle,
-               MPI_Comm                                  communicator)
+               const double                              middle)
     {
       AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
       for (std::size_t c = 0; c < solid.mesh.cells.size(); ++c)
@@ -159,8 +158,7 @@ namespace wheelrail
               }
           }
       condense(solid.mesh, mass.data());
-      SharedSum sum(solid.mesh, communicator);
-      sum(mass.data());
+      sum_over_ranks(solid.mesh, mass.data());
       return mass;
     }
 
@@ -217,8 +215,8 @@ namespace wheelrail
     constexpr int all = 2; // part of nodal_mass()
     for (const Body body : both_bodies)
       {
-        auto mass_before = nodal_mass(before, body, is_changed, middle, communicator);
-        auto mass        = nodal_mass(after, body, is_changed, middle, communicator);
+        auto mass_before = nodal_mass(before, body, is_changed, middle);
+        auto mass        = nodal_mass(after, body, is_changed, middle);
         join_sides(mass_before, mass, communicator);
         for (int side = 0; side < 2; ++side)
           {

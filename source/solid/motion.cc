@@ -36,7 +36,7 @@ namespace wheelrail
           u[n] += (inverse > 0 ? time_step : 0.) * now;
           f[n] = resting_force(inertia[n]);
           if constexpr (with_energy)
-            if (inverse > 0 && solid.mesh.owned[n])
+            if (inverse > 0 && solid.mesh.owns(n))
               {
                 const Four product = old * (before ? old : now);
                 kinetic += 0.5 / inverse * (product[0] + product[1] + product[2]);

@@ -71,7 +71,7 @@ namespace wheelrail::patches
 
 
   std::vector<Moments>
-  nodal_moments(const LocalMesh &mesh, const std::vector<Element> &elements, SharedSum &sum)
+  nodal_moments(const LocalMesh &mesh, const std::vector<Element> &elements)
   {
     std::vector<Moments> moments(mesh.n_nodes());
     for (const Element &element : elements)
@@ -91,7 +91,7 @@ namespace wheelrail::patches
                 m.sd[i][k] += V * element.stress[k] * d[i];
             }
         }
-    sum_over_ranks(sum, moments);
+    sum_over_ranks(mesh, moments);
     return moments;
   }
 

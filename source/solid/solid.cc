@@ -68,8 +68,7 @@ namespace wheelrail
       q.wheel_elements = elements.cells.wheel.size();
       q.elements       = q.rail_elements + q.wheel_elements;
       q.hanging        = solid.mesh.hanging.size();
-      for (const auto owned : solid.mesh.owned)
-        q.nodes += owned;
+      q.nodes          = solid.mesh.n_owned;
       return elements;
     }
 
@@ -88,7 +87,7 @@ namespace wheelrail
     }
 
     void
-    lump_mass(Solid &solid, const Elements &elements, MPI_Comm communicator)
+    lump_mass(Solid &solid, const Elements &elements)
     {
       AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
       solid.cell_mass.resize(solid.mesh.cells.size());
@@ -102,8 +101,7 @@ namespace wheelrail
               mass[4 * elements.cells[body][e][a]] += share;
             }
       condense(solid.mesh, mass.data());
-      SharedSum sum(solid.mesh, communicator);
-      sum(mass.data(), 1);
+      sum_over_ranks(solid.mesh, mass.data());
       solid.mass.resize(solid.mesh.n_nodes());
       for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
         solid.mass[n] = mass[4 * n];
@@ -175,14 +173,14 @@ namespace wheelrail
     solid.displacement.assign(4 * n_nodes, 0.);
     solid.velocity.assign(4 * n_nodes, 0.);
     solid.force.assign(4 * n_nodes, 0.);
-    lump_mass(solid, elements, communicator);
+    lump_mass(solid, elements);
     solid.stable = find_stable_step(solid, elements, choice.bulk_viscosity, communicator);
     reduce_quality(solid.quality, communicator);
   }
 
 
   void
-  add_band_mass(Solid &solid, const double density, MPI_Comm communicator)
+  add_band_mass(Solid &solid, const double density)
   {
     AlignedVector<double> mass(4 * solid.mesh.n_nodes(), 0.);
     for (const BoundaryFace &face : solid.mesh.faces)
@@ -201,8 +199,7 @@ namespace wheelrail
             }
         }
     condense(solid.mesh, mass.data());
-    SharedSum sum(solid.mesh, communicator);
-    sum(mass.data(), 1);
+    sum_over_ranks(solid.mesh, mass.data());
     for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
       solid.added_mass[n] = mass[4 * n];
   }
@@ -228,7 +225,7 @@ namespace wheelrail
   {
     double sum[5] = {0, 0, 0, 0, 0};
     for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
-      if (solid.mesh.owned[n] && solid.mesh.node_body[n] == body)
+      if (solid.mesh.owns(n) && solid.mesh.node_body[n] == body)
         {
           const double *X = &solid.mesh.reference[4 * n];
           sum[0] += solid.mass[n];

@@ -52,8 +52,7 @@ namespace wheelrail
     std::vector<GradientSum>
     nodal_gradients(const Solid                        &solid,
                     const std::vector<Element>         &elements,
-                    const std::vector<ElementGradient> &gradients,
-                    SharedSum                          &sum)
+                    const std::vector<ElementGradient> &gradients)
     {
       std::vector<GradientSum> sums(solid.mesh.n_nodes());
       for (std::size_t e = 0; e < elements.size(); ++e)
@@ -70,7 +69,7 @@ namespace wheelrail
                   all.Gd[k] += element.volume * gradients[e].G[i][k] * d[i];
                 }
           }
-      sum_over_ranks(sum, sums);
+      sum_over_ranks(solid.mesh, sums);
       return sums;
     }
 
@@ -142,8 +141,7 @@ namespace wheelrail
                 const std::vector<Element>         &elements,
                 const std::vector<ElementGradient> &gradients,
                 const std::vector<Moments>         &moments,
-                const std::vector<GradientSum>     &sums,
-                SharedSum                          &sum)
+                const std::vector<GradientSum>     &sums)
     {
       constexpr double     aside = 0.02; // of the cell's size
       std::vector<BendSum> bends(solid.mesh.n_nodes());
@@ -167,19 +165,19 @@ namespace wheelrail
                   }
             }
         }
-      sum_over_ranks(sum, bends);
+      sum_over_ranks(solid.mesh, bends);
       return bends;
     }
 
     /// Nodal stresses and gradients from the elements' stresses; means alone where elements around a node
     /// have flowed.
     NodalStress
-    recover(const Solid &solid, const std::vector<Element> &elements, SharedSum &sum)
+    recover(const Solid &solid, const std::vector<Element> &elements)
     {
-      const std::vector<Moments>         moments     = nodal_moments(solid.mesh, elements, sum);
+      const std::vector<Moments>         moments     = nodal_moments(solid.mesh, elements);
       const std::vector<ElementGradient> of_elements = element_gradients(solid.mesh, elements, moments);
-      const std::vector<GradientSum>     gradients   = nodal_gradients(solid, elements, of_elements, sum);
-      const std::vector<BendSum> bends = nodal_bends(solid, elements, of_elements, moments, gradients, sum);
+      const std::vector<GradientSum>     gradients   = nodal_gradients(solid, elements, of_elements);
+      const std::vector<BendSum> bends = nodal_bends(solid, elements, of_elements, moments, gradients);
       NodalStress                result;
       result.stress.resize(6 * solid.mesh.n_nodes());
       result.gradient.resize(18 * solid.mesh.n_nodes());
@@ -235,21 +233,20 @@ namespace wheelrail
 
 
   NodalStress
-  recovered_stress(const Solid &solid, const PerBody<std::vector<Stress>> &stress, MPI_Comm communicator)
+  recovered_stress(const Solid &solid, const PerBody<std::vector<Stress>> &stress)
   {
-    SharedSum            sum(solid.mesh, communicator);
     std::vector<Element> elements = elements_of(solid, stress);
-    sharpen(solid, recover(solid, elements, sum), elements);
-    return recover(solid, elements, sum);
+    sharpen(solid, recover(solid, elements), elements);
+    return recover(solid, elements);
   }
 
 
   NodalStress
-  nodal_stress(const Solid &solid, MPI_Comm communicator)
+  nodal_stress(const Solid &solid)
   {
     PerBody<std::vector<Stress>> stress;
     for (const Body body : both_bodies)
       stress[body] = element_stress(solid.blocks[body], solid.displacement.data());
-    return recovered_stress(solid, stress, communicator);
+    return recovered_stress(solid, stress);
   }
 } // namespace wheelrail

@@ -61,8 +61,8 @@ namespace wheelrail
   {
     distribute(before_.mesh, before_.displacement.data());
     distribute(before_.mesh, before_.velocity.data());
-    gradient_u_ = nodal_gradient(before_, before_.displacement.data(), communicator_);
-    gradient_v_ = nodal_gradient(before_, before_.velocity.data(), communicator_);
+    gradient_u_ = nodal_gradient(before_, before_.displacement.data());
+    gradient_v_ = nodal_gradient(before_, before_.velocity.data());
   }
 
 
@@ -113,7 +113,7 @@ namespace wheelrail
     std::vector<std::uint64_t> own_keys;
     std::vector<KeyedValue>    own;
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-      if (mesh.owned[n])
+      if (mesh.owns(n))
         {
           own_keys.push_back(mesh.node_key[n]);
           KeyedValue &keyed = own.emplace_back();
@@ -215,10 +215,8 @@ namespace wheelrail
         put(after.velocity, n, value.v);
         found[4 * n] = 1;
       }
-    SharedSum sum(mesh, communicator_);
-    sum(found.data(), 1);
-    sum(after.displacement.data());
-    sum(after.velocity.data());
+    for (auto *const values : {&found, &after.displacement, &after.velocity})
+      sum_over_ranks(mesh, values->data());
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
       if (found[4 * n] > 1)
         for (int i = 0; i < 3; ++i)
@@ -382,7 +380,7 @@ namespace wheelrail
           const Vector3 v = three(solid.velocity, n);
           sum[0] += 0.5 * time_step * (dot(three(force, n), v) - inertia[n].weight * v[1]);
           sum[0] += inertia[n].weight * solid.displacement[4 * n + 1];
-          if (solid.mesh.owned[n])
+          if (solid.mesh.owns(n))
             sum[0] += 0.5 / inertia[n].inverse_mass * dot(v, v);
         }
     ordered_sum(sum, communicator);

@@ -21,7 +21,7 @@ namespace wheelrail
     {
       NumberedValues owned{3, {}};
       for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-        if (mesh.owned[n])
+        if (mesh.owns(n))
           owned.values.insert(owned.values.end(), &values[4 * n], &values[4 * n + 3]);
       return owned;
     }
@@ -236,7 +236,7 @@ namespace wheelrail
     if (model.discretization->plan().moving)
       part.start_block = model.discretization->plan().start_block;
     for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-      if (mesh.owned[n])
+      if (mesh.owns(n))
         part.node.push_back(mesh.node_key[n]);
     part.cell                        = mesh.cell_key;
     part.node_values["position"]     = owned_values(mesh, mesh.reference);

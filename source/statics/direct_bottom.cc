@@ -30,19 +30,16 @@ namespace wheelrail
       Vector3       ground;
     };
     std::vector<Known> known;
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      if (mesh.owned[n])
-        {
-          const Body          body    = mesh.node_body[n];
-          const SweptGrid    &grid    = discretization.grid(body);
-          const std::uint64_t key     = mesh.node_key[n];
-          const double       *spring  = ground.springs.empty() ? nullptr : &ground.springs[4 * n];
-          const Vector3       springs = spring ? Vector3{spring[0], spring[1], spring[2]} : Vector3{};
-          known.push_back({{body, grid.n_corners() * grid.section_of_key(key) + grid.corner_of_key(key)},
-                           held[n],
-                           springs});
-          own_.push_back(n);
-        }
+    for (unsigned int n = 0; n < mesh.n_owned; ++n)
+      {
+        const Body          body    = mesh.node_body[n];
+        const SweptGrid    &grid    = discretization.grid(body);
+        const std::uint64_t key     = mesh.node_key[n];
+        const double       *spring  = ground.springs.empty() ? nullptr : &ground.springs[4 * n];
+        const Vector3       springs = spring ? Vector3{spring[0], spring[1], spring[2]} : Vector3{};
+        known.push_back(
+          {{body, grid.n_corners() * grid.section_of_key(key) + grid.corner_of_key(key)}, held[n], springs});
+      }
     PerBody<std::vector<unsigned char>> held_here;
     PerBody<std::vector<Vector3>>       ground_here;
     for (const Body body : both_bodies)
@@ -158,12 +155,12 @@ namespace wheelrail
 
 
   void
-  DirectBottom::solve(const StaticVector &forces, StaticVector &z)
+  DirectBottom::solve(const NodeVector &forces, NodeVector &z)
   {
     std::vector<double> own;
-    own.reserve(3 * own_.size());
-    for (const std::size_t n : own_)
-      own.insert(own.end(), forces.data() + 4 * n, forces.data() + 4 * n + 3);
+    own.reserve(3 * mesh_.n_owned);
+    for (std::size_t n = 0; n < mesh_.n_owned; ++n)
+      own.insert(own.end(), forces.begin() + 4 * n, forces.begin() + 4 * n + 3);
     const std::vector<double> all = gather_all(own, communicator_);
     for (std::size_t node = 0; node < place_.size(); ++node)
       std::copy_n(&all[3 * node], 3, &x_[place_[node].body][3 * std::size_t(place_[node].slot)]);
@@ -173,10 +170,10 @@ namespace wheelrail
     hold_back();
     for (const Body body : both_bodies)
       MPI_Bcast(x_[body].data(), static_cast<int>(x_[body].size()), MPI_DOUBLE, rank_[body], communicator_);
-    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
+    for (unsigned int n = 0; n < mesh_.n_owned; ++n)
       {
         const Place place = place_[mesh_.global_node[n]];
-        std::copy_n(&x_[place.body][3 * std::size_t(place.slot)], 3, z.data() + 4 * n);
+        std::copy_n(&x_[place.body][3 * std::size_t(place.slot)], 3, z.begin() + 4 * n);
       }
   }
 

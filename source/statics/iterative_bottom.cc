@@ -1,4 +1,5 @@
 #include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
@@ -7,7 +8,6 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <wheelrail/solid/exchange.h>
 #include <wheelrail/statics/iterative_bottom.h>
 
 #include <ml_MultiLevelPreconditioner.h>
@@ -56,8 +56,7 @@ namespace wheelrail
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> preconditioner;
     std::vector<double>                                        modes;   ///< ML keeps a pointer to them
     SpringBlocks                                               springs; ///< that the preconditioner knows
-    mutable Vector                                             in, out;
-    mutable std::unique_ptr<SharedSum>                         sum;
+    Vector                                                     in, out;
     double                                                     typical = 1; ///< diagonal of held unknowns
   };
 
@@ -73,17 +72,12 @@ namespace wheelrail
     , communicator_(communicator)
     , matrix_(std::make_unique<Matrix>())
   {
-    Matrix       &m       = *matrix_;
-    std::uint64_t n_nodes = std::count(mesh.owned.begin(), mesh.owned.end(), 1);
-    MPI_Allreduce(MPI_IN_PLACE, &n_nodes, 1, MPI_UINT64_T, MPI_SUM, communicator);
-    m.owned.set_size(3 * n_nodes);
-    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
-      if (mesh.owned[n])
-        m.owned.add_range(3 * mesh.global_node[n], 3 * mesh.global_node[n] + 3);
-    m.owned.compress();
+    Matrix &m = *matrix_;
+    m.owned.set_size(3 * dealii::Utilities::MPI::sum(mesh.n_owned, communicator));
+    if (mesh.n_owned > 0)
+      m.owned.add_range(dof(0, 0), dof(0, 0) + 3 * mesh.n_owned);
     m.in.reinit(m.owned, communicator);
     m.out.reinit(m.owned, communicator);
-    m.sum = std::make_unique<SharedSum>(mesh, communicator);
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       {
         std::array<Vector3, 8> X;
@@ -108,18 +102,14 @@ namespace wheelrail
     Matrix           &m      = *matrix_;
     const std::size_t n_rows = m.owned.n_elements();
     m.modes.assign(6 * n_rows, 0.);
-    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
-      if (mesh_.owned[n])
+    for (unsigned int n = 0; n < mesh_.n_owned; ++n)
+      for (int i = 0; i < 3; ++i)
         {
-          const std::size_t row = m.owned.index_within_set(3 * mesh_.global_node[n]);
-          const double     *X   = &mesh_.reference[4 * n];
-          for (int i = 0; i < 3; ++i)
-            {
-              const int j = (i + 1) % 3, k = (i + 2) % 3;
-              m.modes[i * n_rows + row + i]       = 1;
-              m.modes[(3 + i) * n_rows + row + j] = -X[k];
-              m.modes[(3 + i) * n_rows + row + k] = X[j];
-            }
+          const double *X = &mesh_.reference[4 * n];
+          const int     j = (i + 1) % 3, k = (i + 2) % 3;
+          m.modes[i * n_rows + 3 * n + i]       = 1;
+          m.modes[(3 + i) * n_rows + 3 * n + j] = -X[k];
+          m.modes[(3 + i) * n_rows + 3 * n + k] = X[j];
         }
   }
 
@@ -185,11 +175,11 @@ namespace wheelrail
                              false,
                              false);
               }
-    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
-      if (mesh_.owned[n] && held_[n])
+    for (unsigned int n = 0; n < mesh_.n_owned; ++n)
+      if (held_[n])
         for (int i = 0; i < 3; ++i)
           m.matrix.add(dof(n, i), dof(n, i), m.typical);
-      else if (mesh_.owned[n] && !ground_.empty())
+      else if (!ground_.empty())
         for (int i = 0; i < 3; ++i)
           m.matrix.add(dof(n, i), dof(n, i), ground_[4 * n + i]);
     for (const auto &[pair, block] : m.springs)
@@ -272,28 +262,13 @@ namespace wheelrail
 
 
   void
-  IterativeBottom::solve(const StaticVector &forces, StaticVector &z)
+  IterativeBottom::solve(const NodeVector &forces, NodeVector &z)
   {
-    Matrix &m  = *matrix_;
-    double *in = m.in.begin(), *out = m.out.begin();
-    double *to = z.data();
-    std::fill(to, to + 4 * mesh_.n_nodes(), 0.);
-    std::size_t row = 0;
-    // a rank's own nodes follow one another in the numbers over all ranks, and so do they here
-    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
-      if (mesh_.owned[n])
-        {
-          std::copy(forces.data() + 4 * n, forces.data() + 4 * n + 3, in + row);
-          row += 3;
-        }
+    Matrix &m = *matrix_;
+    for (unsigned int n = 0; n < mesh_.n_owned; ++n)
+      std::copy_n(forces.begin() + 4 * n, 3, m.in.begin() + 3 * n);
     conjugate_gradients();
-    row = 0;
-    for (unsigned int n = 0; n < mesh_.n_nodes(); ++n)
-      if (mesh_.owned[n])
-        {
-          std::copy(out + row, out + row + 3, to + 4 * n);
-          row += 3;
-        }
-    (*m.sum)(to);
+    for (unsigned int n = 0; n < mesh_.n_owned; ++n)
+      std::copy_n(m.out.begin() + 3 * n, 3, z.begin() + 4 * n);
   }
 } // namespace wheelrail

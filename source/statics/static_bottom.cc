@@ -12,19 +12,19 @@ namespace wheelrail
   {
     /// Springs of single nodes that hold as much as the ground when all nodes move alike.
     AlignedVector<double>
-    even_springs(const StaticGround &ground, const LocalMesh &mesh, MPI_Comm communicator)
+    even_springs(const StaticGround &ground, const LocalMesh &mesh)
     {
       AlignedVector<double> even = ground.springs;
       if (ground.joined.size() == 0)
         return even;
       for (int i = 0; i < 3; ++i)
         {
-          StaticVector moved(mesh, communicator), force(mesh, communicator);
-          for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-            moved.data()[4 * n + i] = 1;
+          AlignedVector<double> moved(4 * mesh.n_nodes(), 0.), force(moved);
+          for (std::size_t n = 0; n < mesh.n_owned; ++n)
+            moved[4 * n + i] = 1;
           ground.joined.add_product(1, moved.data(), force.data());
-          for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-            even[4 * n + i] = std::max(0., even[4 * n + i] + force.data()[4 * n + i]);
+          for (std::size_t n = 0; n < mesh.n_owned; ++n)
+            even[4 * n + i] = std::max(0., even[4 * n + i] + force[4 * n + i]);
         }
       return even;
     }
@@ -43,11 +43,8 @@ namespace wheelrail
                           swept_solver_memory(discretization.grid(Body::wheel));
     if (memory < most_memory)
       return std::make_unique<DirectBottom>(discretization, mesh, blocks, held, ground);
-    return std::make_unique<IterativeBottom>(mesh,
-                                             blocks,
-                                             held,
-                                             even_springs(ground, mesh, discretization.communicator()),
-                                             discretization.communicator());
+    return std::make_unique<IterativeBottom>(
+      mesh, blocks, held, even_springs(ground, mesh), discretization.communicator());
   }
 
 

@@ -14,17 +14,17 @@ namespace wheelrail
     /// A step made and the change of the forces out of balance that it brought, with the opposite sign.
     struct Secant
     {
-      StaticStep   step;
-      StaticVector change;
-      double       bore_change = 0;
-      double       work        = 0; ///< of the change along the step; positive in a convex potential [J]
+      StaticStep step;
+      NodeVector change;
+      double     bore_change = 0;
+      double     work        = 0; ///< of the change along the step; positive in a convex potential [J]
     };
 
     /// The step of the two loops of Nocedal (1980): the preconditioned one, made to fit the secants.
     StaticStep
     quasi_newton_step(StaticSearch &search, const StaticBalance &balance, const std::deque<Secant> &secants)
     {
-      StaticVector        residual = balance.residual;
+      NodeVector          residual = balance.residual;
       double              bore     = balance.bore;
       std::vector<double> weight(secants.size());
       for (std::size_t k = secants.size(); k-- > 0;)
@@ -80,7 +80,7 @@ namespace wheelrail
     balanced(const StaticSearch &search, const StaticBalance &balance, const double tolerance)
     {
       const double load = search.wheel_load();
-      return balance.residual.linfty_norm() < tolerance * load &&
+      return balance.largest() < tolerance * load &&
              std::abs(balance.sums.force[1] - load) < 10 * tolerance * load;
     }
   } // namespace

@@ -102,10 +102,9 @@ namespace wheelrail
     , held_(held)
     , ground_(std::move(ground))
     , communicator_(communicator)
-    , sum_(mesh, communicator)
-    , tiny_(4 * mesh.n_nodes(), 0.)
-    , force_(4 * mesh.n_nodes(), 0.)
-    , step_(mesh, communicator)
+    , tiny_(zero())
+    , force_(zero())
+    , step_(zero())
   {
     make_diagonal();
     find_largest_eigenvalue();
@@ -122,73 +121,70 @@ namespace wheelrail
 
   /// -tiny x stiffness x x on the free nodes.
   void
-  StaticLevel::find_elastic_force(const StaticVector &x)
+  StaticLevel::find_elastic_force(const NodeVector &x)
   {
-    const double *from = x.data();
-    for (std::size_t k = 0; k < tiny_.size(); ++k)
-      tiny_[k] = tiny * from[k];
-    distribute(mesh_, tiny_.data());
-    std::fill(force_.begin(), force_.end(), 0.);
+    tiny_.zero_out_ghost_values();
+    tiny_.equ(tiny, x);
+    tiny_.update_ghost_values();
+    distribute(mesh_, tiny_.begin());
+    force_ = 0;
     {
       const ElasticMeanwhile rail(blocks_.rail), wheel(blocks_.wheel);
       ElementEnergy          ignored;
-      subtract_internal_force(blocks_, tiny_.data(), force_.data(), BulkViscosity(), false, ignored);
+      subtract_internal_force(blocks_, tiny_.begin(), force_.begin(), BulkViscosity(), false, ignored);
     }
-    condense(mesh_, force_.data());
-    sum_(force_.data());
-    for (std::size_t n = 0; n < held_.size(); ++n)
+    condense(mesh_, force_.begin());
+    force_.compress(dealii::VectorOperation::add);
+    for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       if (held_[n])
-        std::fill(&force_[4 * n], &force_[4 * n] + 3, 0.);
+        std::fill_n(force_.begin() + 4 * n, 3, 0.);
     ++products;
   }
 
 
   void
-  StaticLevel::elastic_product(const StaticVector &x, StaticVector &y)
+  StaticLevel::elastic_product(const NodeVector &x, NodeVector &y)
   {
     find_elastic_force(x);
-    double *to = y.data();
-    for (std::size_t k = 0; k < force_.size(); ++k)
-      to[k] = -1 / tiny * force_[k];
+    y.equ(-1 / tiny, force_);
   }
 
 
-  /// y += factor x ground x on the free nodes.
+  /// y += factor x ground x on the free nodes that the rank owns.
   void
-  StaticLevel::add_ground(const double factor, const StaticVector &x, double *y) const
+  StaticLevel::add_ground(const double factor, const NodeVector &x, double *y) const
   {
-    for (std::size_t k = 0; k < ground_.springs.size(); ++k)
-      if (!held_[k / 4])
-        y[k] += factor * ground_.springs[k] * x.data()[k];
-    ground_.joined.add_product(factor, x.data(), y);
+    if (!ground_.springs.empty())
+      for (std::size_t k = 0; k < 4 * mesh_.n_owned; ++k)
+        if (!held_[k / 4])
+          y[k] += factor * ground_.springs[k] * x.begin()[k];
+    ground_.joined.add_product(factor, x.begin(), y);
   }
 
 
   void
-  StaticLevel::product(const StaticVector &x, StaticVector &y)
+  StaticLevel::product(const NodeVector &x, NodeVector &y)
   {
     elastic_product(x, y);
-    add_ground(1, x, y.data());
-    springs_.add_product(1, x.data(), y.data());
+    add_ground(1, x, y.begin());
+    springs_.add_product(1, x.begin(), y.begin());
   }
 
 
   void
-  StaticLevel::subtract_product(const StaticVector &x, StaticVector &residual)
+  StaticLevel::subtract_product(const NodeVector &x, NodeVector &residual)
   {
     find_elastic_force(x);
-    double *to = residual.data();
-    for (std::size_t k = 0; k < force_.size(); ++k)
-      to[k] += 1 / tiny * force_[k];
-    add_ground(-1, x, to);
-    springs_.add_product(-1, x.data(), to);
+    residual.add(1 / tiny, force_);
+    add_ground(-1, x, residual.begin());
+    springs_.add_product(-1, x.begin(), residual.begin());
   }
 
 
   void
-  StaticLevel::smooth(StaticVector &x, StaticVector &residual, const bool last_residual)
+  StaticLevel::smooth(NodeVector &x, NodeVector &residual, const bool last_residual)
   {
-    step_ *= 0;
+    step_ = 0;
     for (int k = 1; k <= smoothing_steps; ++k)
       {
         smoothing_step(residual, (2. * k - 3) / (2 * k + 1), (8. * k - 4) / (2 * k + 1) / largest_, step_, x);
@@ -229,8 +225,8 @@ namespace wheelrail
                      sum_a.data(),
                      sum_b.data());
       }
-    sum_(sum_a.data());
-    sum_(sum_b.data());
+    for (auto *const sum : {&sum_a, &sum_b})
+      sum_over_ranks(mesh_, sum->data());
     for (std::size_t k = 0; k < ground_.springs.size(); ++k)
       sum_a[k] += ground_.springs[k];
     inverse_.resize(mesh_.n_nodes());
@@ -244,15 +240,15 @@ namespace wheelrail
 
   /// (C^-1 + B D^-1 B^T)^-1 B D^-1 residual: what the springs take of the smoother's step.
   std::vector<double>
-  StaticLevel::spring_forces(const StaticVector &residual) const
+  StaticLevel::spring_forces(const NodeVector &residual) const
   {
     std::vector<double> forces(springs_.size(), 0.);
     if (forces.empty())
       return forces;
     for (std::size_t k = 0; k < images_.size(); ++k)
-      if (const unsigned int n = springs_.local_nodes()[k]; n != StaticSprings::none && mesh_.owned[n])
+      if (const unsigned int n = springs_.local_nodes()[k]; mesh_.owns(n))
         for (int i = 0; i < 3; ++i)
-          forces[springs_.parts()[k].spring] += images_[k][i] * residual.data()[4 * n + i];
+          forces[springs_.parts()[k].spring] += images_[k][i] * residual.begin()[4 * n + i];
     MPI_Allreduce(
       MPI_IN_PLACE, forces.data(), static_cast<int>(forces.size()), MPI_DOUBLE, MPI_SUM, communicator_);
     coupling_.solve(forces.data());
@@ -263,16 +259,16 @@ namespace wheelrail
   /// step = keep x step + take x z; x += step, with z = (D + B^T C B)^-1 residual
   /// = D^-1 residual - D^-1 B^T (C^-1 + B D^-1 B^T)^-1 B D^-1 residual.
   void
-  StaticLevel::smoothing_step(const StaticVector &residual,
-                              const double        keep,
-                              const double        take,
-                              StaticVector       &step,
-                              StaticVector       &x) const
+  StaticLevel::smoothing_step(const NodeVector &residual,
+                              const double      keep,
+                              const double      take,
+                              NodeVector       &step,
+                              NodeVector       &x) const
   {
     const std::vector<double> forces = spring_forces(residual);
-    const double             *r      = residual.data();
-    double                   *s = step.data(), *to = x.data();
-    for (std::size_t n = 0; n < inverse_.size(); ++n)
+    const double             *r      = residual.begin();
+    double                   *s = step.begin(), *to = x.begin();
+    for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       {
         const Vector3 z = times(inverse_[n], r + 4 * n);
         for (int i = 0; i < 3; ++i)
@@ -282,7 +278,7 @@ namespace wheelrail
           }
       }
     for (std::size_t k = 0; k < images_.size(); ++k)
-      if (const unsigned int n = springs_.local_nodes()[k]; n != StaticSprings::none)
+      if (const unsigned int n = springs_.local_nodes()[k]; mesh_.owns(n))
         for (int i = 0; i < 3; ++i)
           {
             const double held_back = take * forces[springs_.parts()[k].spring] * images_[k][i];
@@ -300,11 +296,10 @@ namespace wheelrail
     images_.assign(parts.size(), Vector3{});
     std::map<unsigned int, std::vector<std::size_t>> at_node; // parts of the rank's own nodes
     for (std::size_t k = 0; k < parts.size(); ++k)
-      if (const unsigned int n = springs_.local_nodes()[k]; n != StaticSprings::none)
+      if (const unsigned int n = springs_.local_nodes()[k]; mesh_.owns(n))
         {
           images_[k] = times(inverse_[n], parts[k].weight.data());
-          if (mesh_.owned[n])
-            at_node[n].push_back(k);
+          at_node[n].push_back(k);
         }
     for (const auto &at : at_node)
       for (const std::size_t a : at.second)
@@ -330,20 +325,20 @@ namespace wheelrail
   {
     constexpr int    steps  = 12;
     constexpr double margin = 1.1; // Lanczos comes from below
-    StaticVector     r = zero(), z = zero(), p = zero(), q = zero();
-    for (std::size_t n = 0; n < mesh_.n_nodes(); ++n)
+    NodeVector       r = zero(), z = zero(), p = zero(), q = zero();
+    for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       for (unsigned int i = 0; i < 3; ++i)
         if (inverse_[n][i] > 0)
-          r.data()[4 * n + i] = mesh_.noise(n, i);
+          r.begin()[4 * n + i] = mesh_.noise(n, i);
     std::vector<double> diagonal, beside;
     double              product_before = 0, alpha_before = 0;
     for (int k = 0; k < steps; ++k)
       {
-        z *= 0;
+        z = 0;
         smoothing_step(r, 0, 1, q, z);
         const double rz   = r * z;
         const double beta = k == 0 ? 0 : rz / product_before;
-        p.scale_and_add(beta, z);
+        p.sadd(beta, 1, z);
         product(p, q);
         const double alpha = rz / (p * q);
         r.add(-alpha, q);

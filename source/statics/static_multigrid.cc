@@ -10,13 +10,13 @@ namespace wheelrail
   {
     /// A coarse node is held when the finer one at its place is.
     std::vector<unsigned char>
-    coarse_held(const CoarseLevel &coarse, const std::vector<unsigned char> &held, MPI_Comm communicator)
+    coarse_held(const CoarseLevel &coarse, const std::vector<unsigned char> &held)
     {
       AlignedVector<double> mark(4 * coarse.mesh.n_nodes(), 0.);
       for (std::size_t n = 0; n < held.size(); ++n)
         if (held[n] && coarse.begin[n + 1] == coarse.begin[n] + 1)
           mark[4 * coarse.nodes[coarse.begin[n]]] = 1;
-      SharedSum(coarse.mesh, communicator)(mark.data(), 1);
+      sum_over_ranks(coarse.mesh, mark.data());
       std::vector<unsigned char> result(coarse.mesh.n_nodes());
       for (std::size_t n = 0; n < result.size(); ++n)
         result[n] = mark[4 * n] > 0;
@@ -50,49 +50,48 @@ namespace wheelrail
 
     /// Forces of the finer nodes, handed to the coarse ones.
     void
-    restrict_forces(const CoarseLevel  &coarse,
-                    const LocalMesh    &finer,
-                    const StaticVector &from,
-                    SharedSum          &sum,
-                    StaticVector       &to)
+    restrict_forces(const CoarseLevel &coarse, const LocalMesh &finer, const double *from, NodeVector &to)
     {
-      std::fill(to.data(), to.data() + 4 * coarse.mesh.n_nodes(), 0.);
-      for (std::size_t n = 0; n < finer.n_nodes(); ++n)
-        if (finer.owned[n])
-          for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
-            for (int i = 0; i < 3; ++i)
-              to.data()[4 * coarse.nodes[p] + i] += coarse.weights[p] * from.data()[4 * n + i];
-      condense(coarse.mesh, to.data());
-      sum(to.data());
+      to = 0;
+      for (std::size_t n = 0; n < finer.n_owned; ++n)
+        for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
+          for (int i = 0; i < 3; ++i)
+            to.begin()[4 * coarse.nodes[p] + i] += coarse.weights[p] * from[4 * n + i];
+      condense(coarse.mesh, to.begin());
+      to.compress(dealii::VectorOperation::add);
     }
 
     /// The springs of nodes as a coarser level has them: handed on as forces are, which is the sum of the
     /// rows of what the trial functions there make of them.
     AlignedVector<double>
-    coarse_springs(const CoarseLevel           &coarse,
-                   const LocalMesh             &finer,
-                   const AlignedVector<double> &springs,
-                   MPI_Comm                     communicator)
+    coarse_springs(const CoarseLevel &coarse, const LocalMesh &finer, const AlignedVector<double> &springs)
     {
-      StaticVector from(finer, communicator), to(coarse.mesh, communicator);
-      std::copy(springs.begin(), springs.end(), from.data());
-      SharedSum sum(coarse.mesh, communicator);
-      restrict_forces(coarse, finer, from, sum, to);
-      return {to.data(), to.data() + 4 * coarse.mesh.n_nodes()};
+      NodeVector to = node_vector(coarse.mesh);
+      restrict_forces(coarse, finer, springs.data(), to);
+      to.update_ghost_values();
+      return {to.begin(), to.begin() + 4 * coarse.mesh.n_nodes()};
     }
 
     void
-    interpolate(const CoarseLevel &coarse, StaticVector &from, StaticVector &to)
+    interpolate(const CoarseLevel &coarse, const LocalMesh &finer, NodeVector &from, NodeVector &to)
     {
-      distribute(coarse.mesh, from.data());
-      for (std::size_t n = 0; n + 1 < coarse.begin.size(); ++n)
+      from.update_ghost_values();
+      distribute(coarse.mesh, from.begin());
+      for (std::size_t n = 0; n < finer.n_owned; ++n)
         for (int i = 0; i < 3; ++i)
           {
             double value = 0;
             for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
-              value += coarse.weights[p] * from.data()[4 * coarse.nodes[p] + i];
-            to.data()[4 * n + i] = value;
+              value += coarse.weights[p] * from.begin()[4 * coarse.nodes[p] + i];
+            to.begin()[4 * n + i] = value;
           }
+    }
+    void
+    hold(const std::vector<unsigned char> &held, const LocalMesh &mesh, NodeVector &x)
+    {
+      for (std::size_t n = 0; n < mesh.n_owned; ++n)
+        if (held[n])
+          std::fill_n(x.begin() + 4 * n, 3, 0.);
     }
   } // namespace
 
@@ -114,9 +113,9 @@ namespace wheelrail
       {
         if (&coarse != &coarse_.front())
           levels_.push_back(std::make_unique<StaticLevel>(*mesh, *blocks, held_.back(), here, communicator_));
-        held_.push_back(coarse_held(coarse, held_.back(), communicator_));
+        held_.push_back(coarse_held(coarse, held_.back()));
         if (!here.springs.empty())
-          here.springs = coarse_springs(coarse, *mesh, here.springs, communicator_);
+          here.springs = coarse_springs(coarse, *mesh, here.springs);
         if (here.joined.size() > 0)
           here.joined = here.joined.coarsened(coarse, held_.back());
         blocks_.push_back(coarse_blocks(coarse.mesh, solid.blocks));
@@ -142,16 +141,16 @@ namespace wheelrail
 
 
   void
-  StaticMultigrid::cycle(const StaticVector &forces, StaticVector &z)
+  StaticMultigrid::cycle(const NodeVector &forces, NodeVector &z)
   {
-    StaticVector residual = forces;
-    z *= 0;
+    NodeVector residual = forces;
+    z                   = 0;
     cycle(0, residual, z);
   }
 
 
   void
-  StaticMultigrid::cycle(const std::size_t k, StaticVector &residual, StaticVector &x)
+  StaticMultigrid::cycle(const std::size_t k, NodeVector &residual, NodeVector &x)
   {
     if (k == coarse_.size())
       {
@@ -160,18 +159,13 @@ namespace wheelrail
       }
     StaticLevel &level = *levels_[k];
     level.smooth(x, residual, true);
-    StaticVector coarse_residual(coarse_[k].mesh, communicator_), correction(coarse_[k].mesh, communicator_);
-    SharedSum    sum(coarse_[k].mesh, communicator_);
-    restrict_forces(coarse_[k], level.mesh(), residual, sum, coarse_residual);
-    for (std::size_t n = 0; n < held_[k + 1].size(); ++n)
-      if (held_[k + 1][n])
-        std::fill(coarse_residual.data() + 4 * n, coarse_residual.data() + 4 * n + 3, 0.);
+    NodeVector coarse_residual = node_vector(coarse_[k].mesh), correction = coarse_residual;
+    restrict_forces(coarse_[k], level.mesh(), residual.begin(), coarse_residual);
+    hold(held_[k + 1], coarse_[k].mesh, coarse_residual);
     cycle(k + 1, coarse_residual, correction);
-    StaticVector step = level.zero();
-    interpolate(coarse_[k], correction, step);
-    for (std::size_t n = 0; n < held_[k].size(); ++n)
-      if (held_[k][n])
-        std::fill(step.data() + 4 * n, step.data() + 4 * n + 3, 0.);
+    NodeVector step = level.zero();
+    interpolate(coarse_[k], level.mesh(), correction, step);
+    hold(held_[k], level.mesh(), step);
     x.add(1, step);
     level.subtract_product(step, residual);
     level.smooth(x, residual, false);

@@ -16,7 +16,7 @@ namespace wheelrail
     held_                                  = held_nodes(solid, inertia);
     for (std::size_t n = 0; n < inertia.size(); ++n)
       loads_[4 * n + 1] = -inertia[n].weight; // of one rank
-    SharedSum(solid.mesh, communicator)(loads_.data());
+    sum_over_ranks(solid.mesh, loads_.data());
     for (const auto &part : parts)
       part->add_springs(springs_.data());
     int any = std::any_of(springs_.begin(), springs_.end(), [](const double k) { return k > 0; }) ? 1 : 0;

@@ -62,7 +62,6 @@ namespace wheelrail
     : solid_(solid)
     , contact_(contact)
     , loads_(loads)
-    , sum_(solid.mesh, discretization.communicator())
     , system_(discretization, solid, parts)
     , flow_(solid.blocks)
   {
@@ -117,7 +116,7 @@ namespace wheelrail
   StaticSearch::balance()
   {
     flow_.restore(solid_.blocks);
-    AlignedVector<double> force = element_forces_at_rest(solid_, sum_);
+    AlignedVector<double> force = element_forces_at_rest(solid_);
     add_centrifugal_load(solid_, loads_.axle, rate_, force);
     for (std::size_t k = 0; k < force.size(); ++k)
       force[k] += system_.parts().loads()[k];
@@ -167,7 +166,7 @@ namespace wheelrail
 
 
   StaticStep
-  StaticSearch::preconditioned_step(const StaticVector &residual, const double bore)
+  StaticSearch::preconditioned_step(const NodeVector &residual, const double bore)
   {
     ++cycles;
     return system_.precondition(residual, bore);
@@ -184,7 +183,7 @@ namespace wheelrail
   void
   StaticSearch::move(const StaticStep &step, const double factor)
   {
-    StaticVector increment = step.increment;
+    NodeVector increment = step.increment;
     increment *= factor;
     system_.add_to_nodes(increment, factor * step.lift, solid_.displacement);
     lift += factor * step.lift;
@@ -194,7 +193,7 @@ namespace wheelrail
   StaticBalance
   StaticSearch::search_along(const StaticStep &step, const StaticBalance &start)
   {
-    const double  first = power(start, step), before = start.residual.linfty_norm();
+    const double  first = power(start, step), before = start.largest();
     double        at = 0, low = 0, high = 1, power_low = first, power_high = 0;
     double        next = 1, last = 0;
     StaticBalance balance;
@@ -204,7 +203,7 @@ namespace wheelrail
         at                 = next;
         balance            = this->balance();
         const double value = power(balance, step);
-        const bool   good  = trial == 0 && (value > 0 || balance.residual.linfty_norm() < 0.5 * before);
+        const bool   good  = trial == 0 && (value > 0 || balance.largest() < 0.5 * before);
         if (good || first <= 0 || std::abs(value) < 0.1 * first)
           break;
         const bool same_end = value * last > 0;

@@ -66,7 +66,7 @@ namespace wheelrail
       {
         stiffness_.push_back(springs[k].stiffness);
         for (const auto &[global, weight] : springs[k].nodes)
-          if (const auto node = local.find(global); node != local.end() && mesh.owned[node->second])
+          if (const auto node = local.find(global); node != local.end() && mesh.owns(node->second))
             list.add(k, node->second, weight * springs[k].normal);
       }
     take(std::move(list.parts), mesh, held);
@@ -98,7 +98,7 @@ namespace wheelrail
     result.stiffness_    = stiffness_;
     PartList list(coarse.mesh);
     for (std::size_t k = 0; k < parts_.size(); ++k)
-      if (const unsigned int n = local_[k]; n != none && mesh_->owned[n])
+      if (const unsigned int n = local_[k]; mesh_->owns(n))
         for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
           list.add(parts_[k].spring, coarse.nodes[p], coarse.weights[p] * parts_[k].weight);
     result.take(std::move(list.parts), coarse.mesh, held);
@@ -141,7 +141,7 @@ namespace wheelrail
     if (stretch.empty())
       return stretch;
     for (std::size_t k = 0; k < parts_.size(); ++k)
-      if (const unsigned int n = local_[k]; n != none && mesh_->owned[n])
+      if (const unsigned int n = local_[k]; mesh_->owns(n))
         for (int i = 0; i < 3; ++i)
           stretch[parts_[k].spring] += parts_[k].weight[i] * x[4 * n + i];
     MPI_Allreduce(MPI_IN_PLACE, stretch.data(), static_cast<int>(size()), MPI_DOUBLE, MPI_SUM, communicator_);
@@ -153,7 +153,7 @@ namespace wheelrail
   StaticSprings::add(const std::vector<double> &forces, double *y) const
   {
     for (std::size_t k = 0; k < parts_.size(); ++k)
-      if (const unsigned int n = local_[k]; n != none)
+      if (const unsigned int n = local_[k]; mesh_->owns(n))
         for (int i = 0; i < 3; ++i)
           y[4 * n + i] += parts_[k].weight[i] * forces[parts_[k].spring];
   }

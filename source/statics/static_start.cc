@@ -57,7 +57,7 @@ namespace wheelrail
       StaticProgress progress;
       for (int step = 0;; ++step)
         {
-          const double residual = balance.residual.linfty_norm() / result.wheel_load;
+          const double residual = balance.largest() / result.wheel_load;
           const double missing  = result.wheel_load - balance.sums.force[1];
           // a patch that hangs over the lattice may come to rest without the load
           const bool still   = residual < tolerance;
@@ -120,7 +120,7 @@ namespace wheelrail
         search.renew_tractions();
       flow = static_flow(search, enough, 60);
       result.flow_steps += flow.steps;
-      const double residual = flow.balance.residual.linfty_norm();
+      const double residual = flow.balance.largest();
       if (flow.stuck)
         throw_stuck(residual, result.wheel_load - flow.balance.sums.force[1]);
       if (!(residual < 10 * nearly * result.wheel_load))
@@ -159,7 +159,7 @@ namespace wheelrail
         balance = plastic_equilibrium(search, without_friction, result);
       }
     search.set_tractions();
-    result.residual      = balance.residual.linfty_norm() / result.wheel_load;
+    result.residual      = balance.largest() / result.wheel_load;
     result.lift          = search.lift;
     result.cg_steps      = search.cg_steps();
     result.contact_force = balance.sums.force;

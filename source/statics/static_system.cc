@@ -14,10 +14,10 @@ namespace wheelrail
   {
     /// 1 for the nodes of the bore that do not hang.
     std::vector<unsigned char>
-    bore_nodes(const LocalMesh &mesh, MPI_Comm communicator)
+    bore_nodes(const LocalMesh &mesh)
     {
       std::vector<unsigned char> marked(mesh.n_nodes(), 0);
-      for (const unsigned int n : held_boundary_nodes(mesh, Boundary::bore, communicator))
+      for (const unsigned int n : held_boundary_nodes(mesh, Boundary::bore))
         marked[n] = 1;
       for (const unsigned int n : mesh.hanging)
         marked[n] = 0;
@@ -39,7 +39,7 @@ namespace wheelrail
     : mesh_(solid.mesh)
     , communicator_(discretization.communicator())
     , parts_(parts, solid, communicator_)
-    , bore_(bore_nodes(mesh_, communicator_))
+    , bore_(bore_nodes(mesh_))
     , held_(either(bore_, parts_.held()))
     , multigrid_(std::make_unique<StaticMultigrid>(
         discretization,
@@ -49,11 +49,11 @@ namespace wheelrail
     , rigid_(zero())
     , response_{zero(), 1}
   {
-    for (std::size_t n = 0; n < held_.size(); ++n)
-      if (mesh_.node_body[n] == Body::wheel && !held_[n])
-        rigid_.data()[4 * n + 1] = 1;
+    for (std::size_t n = 0; n < mesh_.n_owned; ++n)
+      rigid_.begin()[4 * n + 1] = mesh_.node_body[n] == Body::wheel && !held_[n] ? 1 : 0;
     for (const unsigned int n : mesh_.hanging)
-      rigid_.data()[4 * n + 1] = 0;
+      if (mesh_.owns(n))
+        rigid_.begin()[4 * n + 1] = 0;
   }
 
 
@@ -61,11 +61,12 @@ namespace wheelrail
   StaticSystem::right_hand_side(const AlignedVector<double> &nodal) const
   {
     Vector vector = zero();
-    for (std::size_t n = 0; n < held_.size(); ++n)
+    for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       if (!held_[n])
-        std::copy(&nodal[4 * n], &nodal[4 * n] + 3, vector.data() + 4 * n);
+        std::copy_n(&nodal[4 * n], 3, vector.begin() + 4 * n);
     for (const unsigned int n : mesh_.hanging)
-      std::fill(vector.data() + 4 * n, vector.data() + 4 * n + 3, 0.);
+      if (mesh_.owns(n))
+        std::fill_n(vector.begin() + 4 * n, 3, 0.);
     return vector;
   }
 
@@ -73,12 +74,14 @@ namespace wheelrail
   void
   StaticSystem::add_to_nodes(const Vector &increment, const double lift, AlignedVector<double> &nodal) const
   {
+    Vector everywhere = increment;
+    everywhere.update_ghost_values();
     for (std::size_t n = 0; n < held_.size(); ++n)
       if (bore_[n])
         nodal[4 * n + 1] += lift;
       else if (!held_[n])
         for (unsigned int i = 0; i < 3; ++i)
-          nodal[4 * n + i] += increment.data()[4 * n + i];
+          nodal[4 * n + i] += everywhere.begin()[4 * n + i];
     distribute(mesh_, nodal.data());
   }
 
@@ -88,7 +91,7 @@ namespace wheelrail
   {
     double sum = 0;
     for (std::size_t n = 0; n < bore_.size(); ++n)
-      if (bore_[n] && mesh_.owned[n])
+      if (bore_[n] && mesh_.owns(n))
         sum += nodal[4 * n + 1];
     MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, communicator_);
     return sum;
@@ -99,7 +102,7 @@ namespace wheelrail
   StaticSystem::set_springs(const std::vector<Contact::Spring> &springs)
   {
     multigrid_->set_springs(springs);
-    rigid_stretch_ = multigrid_->finest().springs().stretch(rigid_.data());
+    rigid_stretch_ = multigrid_->finest().springs().stretch(rigid_.begin());
     find_lift_response();
   }
 
@@ -152,14 +155,14 @@ namespace wheelrail
     StaticLevel &level = multigrid_->finest();
     level.elastic_product(x.nodes, y.nodes);
     add_stiffness_of_parts(x.nodes, y.nodes);
-    std::vector<double> force = level.springs().stretch(x.nodes.data());
+    std::vector<double> force = level.springs().stretch(x.nodes.begin());
     y.lift                    = 0;
     for (std::size_t k = 0; k < force.size(); ++k)
       {
         force[k] = level.springs().stiffness()[k] * (force[k] + x.lift * rigid_stretch_[k]);
         y.lift += rigid_stretch_[k] * force[k];
       }
-    level.springs().add(force, y.nodes.data());
+    level.springs().add(force, y.nodes.begin());
   }
 
 
@@ -168,10 +171,11 @@ namespace wheelrail
   {
     if (parts_.springs().empty())
       return;
-    parts_.add_stiffness(x.data(), y.data());
-    for (std::size_t n = 0; n < held_.size(); ++n)
+    parts_.add_stiffness(x.begin(), y.begin());
+    y.zero_out_ghost_values(); // parts reach all nodes of the rank
+    for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       if (held_[n])
-        std::fill(y.data() + 4 * n, y.data() + 4 * n + 3, 0.);
+        std::fill_n(y.begin() + 4 * n, 3, 0.);
   }
 
 
@@ -215,7 +219,7 @@ namespace wheelrail
           multigrid_->cycle(residual.nodes, z.nodes);
         const double along = dot(residual, z);
         const double share = k == 0 ? 0 : (along - dot(before, z)) / product_before;
-        step.nodes.scale_and_add(share, z.nodes);
+        step.nodes.sadd(share, 1, z.nodes);
         step.lift = share * step.lift + z.lift;
         product(step, image);
         const double length = along / dot(step, image);
@@ -250,14 +254,14 @@ namespace wheelrail
 
 
   AlignedVector<double>
-  element_forces_at_rest(Solid &solid, SharedSum &sum)
+  element_forces_at_rest(Solid &solid)
   {
     AlignedVector<double> force(solid.force.size(), 0.);
     ElementEnergy         ignored;
     subtract_internal_force(
       solid.blocks, solid.displacement.data(), force.data(), BulkViscosity(), false, ignored);
     condense(solid.mesh, force.data());
-    sum(force.data());
+    sum_over_ranks(solid.mesh, force.data());
     return force;
   }
 } // namespace wheelrail

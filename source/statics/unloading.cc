@@ -11,11 +11,11 @@ namespace wheelrail
   namespace
   {
     /// Forces of the elements in the present position, one step from the history `flow`, on what is free.
-    StaticVector
-    out_of_balance(Solid &solid, const KeptFlow &flow, const StaticSystem &system, SharedSum &sum)
+    NodeVector
+    out_of_balance(Solid &solid, const KeptFlow &flow, const StaticSystem &system)
     {
       flow.restore(solid.blocks);
-      AlignedVector<double> force = element_forces_at_rest(solid, sum);
+      AlignedVector<double> force = element_forces_at_rest(solid);
       system.parts().add_forces(force);
       return system.right_hand_side(force);
     }
@@ -32,13 +32,12 @@ namespace wheelrail
     axes.to_wheel(solid);
     StaticSystem system(discretization, solid, parts);
     system.set_springs({});
-    SharedSum    sum(solid.mesh, discretization.communicator());
     unsigned int cg_steps = 0;
     double       first    = 0;
     for (unsigned int steps = 0;; ++steps)
       {
-        const StaticVector force = out_of_balance(solid, loaded.flow(), system, sum);
-        const double       norm  = force.l2_norm();
+        const NodeVector force = out_of_balance(solid, loaded.flow(), system);
+        const double     norm  = force.l2_norm();
         if (steps == 0)
           first = norm;
         const double left = first > 0 ? norm / first : 0;
@@ -51,7 +50,7 @@ namespace wheelrail
           throw RunError("the unloading did not converge: after " + std::to_string(steps) + " steps " +
                          std::to_string(100 * left) +
                          " % of the forces are left, and residual stresses stay unknown");
-        StaticVector step = system.zero();
+        NodeVector step = system.zero();
         cg_steps += system.solve_held(force, of_step, step);
         system.add_to_nodes(step, 0, solid.displacement);
       }

@@ -36,7 +36,7 @@ namespace wheelrail
           const double x = std::max(whole[0] + length_ - z, z - whole[1] + length_) / length_;
           if (x > 0)
             nodes_.push_back(
-              {n, highest_rate() * x * x, mesh.owned[n] ? solid.mass[n] + solid.added_mass[n] : 0});
+              {n, highest_rate() * x * x, mesh.owns(n) ? solid.mass[n] + solid.added_mass[n] : 0});
         }
   }
 

@@ -68,7 +68,7 @@ namespace wheelrail
               }
         }
     condense(mesh, area.data());
-    SharedSum(mesh, communicator)(area.data(), 1);
+    sum_over_ranks(mesh, area.data());
     ordered_sum(normal, communicator);
     const FootPiece whole = whole_foot(mesh, communicator);
 

@@ -87,7 +87,7 @@ namespace wheelrail
       {
         const unsigned int n = foot.nodes[k];
         const double      *X = &solid.mesh.reference[4 * n];
-        Bearing            bearing{n, 0, foot.area[k] / of_one, double(solid.mesh.owned[n]), 0};
+        Bearing            bearing{n, 0, foot.area[k] / of_one, double(solid.mesh.owns(n)), 0};
         bearing.key = solid.mesh.node_key[n];
         if (!data_.continuous) // the nearest: pads lie apart by more than a block
           bearing.sleeper =
@@ -115,7 +115,7 @@ namespace wheelrail
     std::vector<double> own;
     foot_.clear();
     for (const unsigned int n : nodes)
-      if (mesh.owned[n] && solid.mass[n] > 0)
+      if (mesh.owns(n) && solid.mass[n] > 0)
         {
           own.push_back(mesh.reference[4 * n + 2]);
           foot_.push_back({n, 0, 0});

@@ -21,7 +21,7 @@ namespace wheelrail
   void
   Axle::prepare(const Solid &solid, std::vector<NodeInertia> &inertia)
   {
-    bore_ = held_boundary_nodes(solid.mesh, Boundary::bore, communicator_);
+    bore_ = held_boundary_nodes(solid.mesh, Boundary::bore);
     arm_.clear();
     double totals[2] = {0, 0};
     for (const unsigned int n : bore_)
@@ -29,7 +29,7 @@ namespace wheelrail
         const double *X         = &solid.mesh.reference[4 * n];
         inertia[n].inverse_mass = 0;
         arm_.push_back(Vector3{X[0], X[1], X[2]} - data_.centre);
-        if (solid.mesh.owned[n])
+        if (solid.mesh.owns(n))
           {
             const Vector3 radial = arm_.back() - dot(arm_.back(), data_.axis) * data_.axis;
             totals[0] += solid.mass[n];
@@ -98,7 +98,7 @@ namespace wheelrail
     const Motion place(*this);
     const auto   axis = this->axis(), now = centre();
     for (std::size_t b = 0; b < bore_.size(); ++b)
-      if (solid.mesh.owned[bore_[b]])
+      if (solid.mesh.owns(bore_[b]))
         {
           const double *f      = &solid.force[4 * bore_[b]];
           const Vector3 force  = {f[0], f[1], f[2]};

@@ -33,7 +33,6 @@ namespace scenes
     {
       LocalMesh &mesh = scene.mesh;
       mesh.global_node.resize(mesh.reference.size() / 4);
-      mesh.owned.assign(mesh.n_nodes(), 1);
       mesh.node_body.assign(mesh.n_nodes(), Body::rail);
       mesh.cell_body.assign(mesh.cells.size(), Body::rail);
       mesh.cell_level.assign(mesh.cells.size(), 0);
@@ -200,7 +199,7 @@ namespace scenes
         for (int i = 0; i < 3; ++i)
           if ((i > 0 && X[i] < scene_.low[i] + near) || X[i] > scene_.high[i] - near)
             held_.push_back(4 * n + i);
-        if (X[0] < scene_.low[0] + near && solid.mesh.owned[n])
+        if (X[0] < scene_.low[0] + near && solid.mesh.owns(n))
           {
             face_.push_back(n);
             mass += solid.mass[n];
@@ -233,17 +232,12 @@ namespace scenes
                            const ElementForm form,
                            const double      bulk_viscosity,
                            MPI_Comm          communicator)
-    : solid([&]() {
-      int rank, size;
-      MPI_Comm_rank(communicator, &rank);
-      MPI_Comm_size(communicator, &size);
-      return make_solid(rank_part(scene.mesh, rank, size),
-                        material_law(scene.material, scene.plasticity),
-                        material_law(scene.material, scene.plasticity),
-                        bulk_viscosity,
-                        communicator,
-                        {form, form});
-    }())
+    : solid(make_solid(rank_part(scene.mesh, communicator),
+                       material_law(scene.material, scene.plasticity),
+                       material_law(scene.material, scene.plasticity),
+                       bulk_viscosity,
+                       communicator,
+                       {form, form}))
     , boundary(scene, communicator)
     , loop(solid, {scene.time_step, bulk_viscosity, 0}, communicator)
     , communicator_(communicator)

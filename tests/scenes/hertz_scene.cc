@@ -126,7 +126,7 @@ namespace scenes
     double
     stress_on_surface(const Solid &solid)
     {
-      const auto stress = nodal_stress(solid, MPI_COMM_SELF).stress;
+      const auto stress = nodal_stress(solid).stress;
       for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
         if (norm(place_of(solid.mesh, n)) < 1e-9)
           return stress[6 * n];

@@ -95,7 +95,7 @@ namespace scenes
     void
     complete(LocalMesh &mesh, const Body body)
     {
-      mesh.owned.assign(mesh.n_nodes(), 1);
+      mesh.n_owned = mesh.n_nodes();
       mesh.node_body.assign(mesh.n_nodes(), body);
       mesh.cell_body.assign(mesh.cells.size(), body);
       mesh.cell_level.resize(mesh.cells.size(), 0);
@@ -268,7 +268,7 @@ namespace scenes
     for (const auto n : second.node_key)
       mesh.node_key.push_back(n + shift);
     append(mesh.reference, second.reference);
-    append(mesh.owned, second.owned);
+    mesh.n_owned += second.n_owned;
     append(mesh.node_body, second.node_body);
     for (auto cell : second.cells)
       {

@@ -1,6 +1,9 @@
+#include <deal.II/base/mpi.h>
+
+#include <wheelrail/mesh/shared_nodes.h>
+
 #include "rank_part.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 namespace scenes
@@ -27,8 +30,10 @@ namespace scenes
 
 
   LocalMesh
-  rank_part(const LocalMesh &whole, const unsigned int rank, const unsigned int n_ranks)
+  rank_part(const LocalMesh &whole, MPI_Comm communicator)
   {
+    const unsigned int rank    = dealii::Utilities::MPI::this_mpi_process(communicator),
+                       n_ranks = dealii::Utilities::MPI::n_mpi_processes(communicator);
     if (!whole.hanging.empty())
       throw std::logic_error("rank_part() divides meshes without hanging nodes only");
     const auto  first_cell = [&](const unsigned int r) { return whole.cells.size() * r / n_ranks; };
@@ -60,23 +65,7 @@ namespace scenes
         part.cell_level.push_back(whole.cell_level[c]);
       }
     part.hanging_begin = {0};
-
-    part.owned.assign(part.n_nodes(), 1);
-    for (unsigned int other = 0; other < n_ranks; ++other)
-      if (other != rank)
-        {
-          const Nodes theirs = local_numbers(whole, first_cell(other), first_cell(other + 1));
-          Neighbour   neighbour{static_cast<int>(other), {}};
-          for (unsigned int n = 0; n < whole.n_nodes(); ++n) // the same order on both ranks
-            if (local[n] != nowhere && theirs[n] != nowhere)
-              {
-                neighbour.nodes.push_back(local[n]);
-                if (other < rank)
-                  part.owned[local[n]] = 0;
-              }
-          if (!neighbour.nodes.empty())
-            part.neighbours.push_back(neighbour);
-        }
+    number_nodes(part, communicator);
     return part;
   }
 } // namespace scenes

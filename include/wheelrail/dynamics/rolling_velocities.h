@@ -18,6 +18,5 @@ namespace wheelrail
                      const AxleData              &axle,
                      double                       pitch_rate,
                      const AlignedVector<double> &still,
-                     MPI_Comm                     communicator,
                      bool                         travelling = true);
 } // namespace wheelrail

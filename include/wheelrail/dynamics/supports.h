@@ -11,9 +11,8 @@ namespace wheelrail
   class Supports : public Part
   {
   public:
-    Supports(std::vector<Boundary> marks, MPI_Comm communicator)
+    explicit Supports(std::vector<Boundary> marks)
       : marks_(std::move(marks))
-      , communicator_(communicator)
     {
     }
 
@@ -22,7 +21,6 @@ namespace wheelrail
 
   private:
     std::vector<Boundary> marks_;
-    MPI_Comm              communicator_;
   };
 
   /// The weight of one body: a steady force on its nodes, and its potential energy [J], zero where nothing is

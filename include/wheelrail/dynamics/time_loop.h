@@ -128,16 +128,15 @@ namespace wheelrail
     void
     move(const Instant &now);
 
-    Solid                     &solid_;
-    MPI_Comm                   communicator_;
-    ElementForces              elements_;
-    std::vector<Part *>        parts_;
-    std::unique_ptr<SharedSum> sum_;
-    std::vector<NodeInertia>   inertia_;
-    EnergyBook                 book_;
-    EnergyTerm                &kinetic_, &mesh_change_;
-    double                     time_  = 0;
-    unsigned long              steps_ = 0;
-    Timing                     timing_;
+    Solid                   &solid_;
+    MPI_Comm                 communicator_;
+    ElementForces            elements_;
+    std::vector<Part *>      parts_;
+    std::vector<NodeInertia> inertia_;
+    EnergyBook               book_;
+    EnergyTerm              &kinetic_, &mesh_change_;
+    double                   time_  = 0;
+    unsigned long            steps_ = 0;
+    Timing                   timing_;
   };
 } // namespace wheelrail

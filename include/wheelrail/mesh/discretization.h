@@ -19,7 +19,6 @@ namespace dealii
   class AffineConstraints;
   template <int, int>
   class CellAccessor;
-  class IndexSet;
   namespace parallel
   {
     namespace distributed
@@ -65,7 +64,7 @@ namespace wheelrail
     void
     lay(const PerBody<FineZone> &zones);
 
-    /// The part of this rank as plain arrays. Cells follow each other in p4est's order, nodes in that in
+    /// The part of this rank as plain arrays. Cells follow each other in p4est's order, own nodes in that in
     /// which the cells use them, whatever meshes were laid before. Collective.
     LocalMesh
     local_mesh() const;
@@ -124,15 +123,14 @@ namespace wheelrail
     void
     number_unknowns();
 
-    SweepPlan                         plan_;
-    PerBody<SweptGrid>                grids_;
-    MPI_Comm                          communicator_;
-    std::unique_ptr<Triangulation>    triangulation_;
-    std::vector<CellPlace>            blocks_; ///< of each of p4est's trees
-    std::unique_ptr<Dofs>             dofs_;
-    std::unique_ptr<dealii::IndexSet> relevant_; ///< unknowns of this rank's cells and of those beside them
-    std::unique_ptr<Constraints>      hanging_;
-    std::vector<Cell>                 own_cells_;
-    std::vector<Body>                 bodies_;
+    SweepPlan                      plan_;
+    PerBody<SweptGrid>             grids_;
+    MPI_Comm                       communicator_;
+    std::unique_ptr<Triangulation> triangulation_;
+    std::vector<CellPlace>         blocks_; ///< of each of p4est's trees
+    std::unique_ptr<Dofs>          dofs_;
+    std::unique_ptr<Constraints>   hanging_;
+    std::vector<Cell>              own_cells_;
+    std::vector<Body>              bodies_;
   };
 } // namespace wheelrail

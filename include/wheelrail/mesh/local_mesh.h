@@ -6,7 +6,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
+
+namespace dealii::Utilities::MPI
+{
+  class Partitioner;
+}
 
 namespace wheelrail
 {
@@ -21,24 +27,21 @@ namespace wheelrail
     bool                        strip = false; ///< of a block below the strip where contact can happen
   };
 
-  /// A node that another rank holds, too.
-  struct Neighbour
-  {
-    int                       rank;
-    std::vector<unsigned int> nodes; ///< local numbers, in the same order on both ranks
-  };
-
   /// The nodes and cells of one rank as plain arrays: everything the explicit solver needs of a mesh.
   ///
-  /// Local nodes are the vertices of the rank's own cells and the parents of its hanging nodes. Every
-  /// rank that holds a node integrates it, with the same sums, so that no state is sent.
+  /// Local nodes are the vertices of the rank's own cells and the parents of its hanging nodes: those that
+  /// the rank owns, then those of other ranks, both with ascending numbers over all ranks, as a ghosted
+  /// vector of deal.II has them. Every rank that holds a node integrates it, with the same sums, so that no
+  /// state is sent.
   struct LocalMesh
   {
     std::vector<std::uint32_t> global_node; ///< n_nodes, number over all ranks that this mesh alone gives
+    unsigned int               n_owned = 0;
+    /// Of four numbers a node; see share_nodes().
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
     AlignedVector<double>
-      reference; ///< 4 x n_nodes: X, Y, Z, 0 [m], hanging nodes at the mean of their parents
-    std::vector<unsigned char> owned; ///< 1 when this rank is the lowest that holds the node
-    std::vector<Body>          node_body;
+                      reference; ///< 4 x n_nodes: X, Y, Z, 0 [m], hanging nodes at the mean of their parents
+    std::vector<Body> node_body;
 
     std::vector<std::array<unsigned int, 8>> cells; ///< local nodes, lexicographic
     std::vector<Body>                        cell_body;
@@ -54,12 +57,17 @@ namespace wheelrail
     std::vector<double>       weights;
 
     std::vector<BoundaryFace> faces;
-    std::vector<Neighbour>    neighbours;
 
     std::size_t
     n_nodes() const
     {
       return global_node.size();
+    }
+
+    bool
+    owns(const std::size_t node) const
+    {
+      return node < n_owned;
     }
 
     /// A number from -1 to 1 for a component of a node that looks like chance, alike on every partition.

@@ -2,12 +2,19 @@
 
 #include <wheelrail/mesh/local_mesh.h>
 
+#include <vector>
+
 #include <mpi.h>
 
 namespace wheelrail
 {
-  /// Finds which ranks hold the nodes of a rank's mesh, by their keys: fills `neighbours` and `owned`.
+  /// Makes the partitioner of a mesh whose nodes are numbered over all ranks, the rank's own ones first.
   /// Collective.
   void
-  find_neighbours(LocalMesh &mesh, MPI_Comm communicator);
+  share_nodes(LocalMesh &mesh, MPI_Comm communicator);
+
+  /// Numbers nodes that are known by their keys over all ranks, each owned by the lowest rank that holds it,
+  /// puts them in this order and makes the partitioner. Gives the new local number of each. Collective.
+  std::vector<unsigned int>
+  number_nodes(LocalMesh &mesh, MPI_Comm communicator);
 } // namespace wheelrail

@@ -31,11 +31,7 @@ namespace wheelrail
   /// rolling, see static_start() and rolling_velocities(). `beyond`: bodies_of_start(), or none. Collective;
   /// throws RunError when no equilibrium is found.
   RunStart
-  start_from_rest(const Scene            &scene,
-                  Model                  &model,
-                  const BeyondHalfspaces &beyond,
-                  Log                    &log,
-                  MPI_Comm                communicator);
+  start_from_rest(const Scene &scene, Model &model, const BeyondHalfspaces &beyond, Log &log);
 
   /// The same; when the patch reaches the edge of the fine cells, `scene.fine_margin` is doubled, to 24 mm at
   /// most, and the model made anew. Where profiles conform, as in the root of the flange, small moves of the

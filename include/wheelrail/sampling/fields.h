@@ -33,7 +33,6 @@ namespace wheelrail
              Selection          selection,
              const NodalStress &nodal,
              double             unloaded,
-             MPI_Comm           communicator,
              const NodalStress *residual = nullptr);
 
   /// How far behind the wheel its own stress has faded, some patch lengths [m].

@@ -15,5 +15,5 @@ namespace wheelrail
   /// Nodes of this rank that lie on faces with the given mark on any rank, once each, ascending: a rank may
   /// hold a node of the boundary without a face there. Collective.
   std::vector<unsigned int>
-  held_boundary_nodes(const LocalMesh &mesh, Boundary mark, MPI_Comm communicator);
+  held_boundary_nodes(const LocalMesh &mesh, Boundary mark);
 } // namespace wheelrail

@@ -42,7 +42,7 @@ namespace wheelrail::patches
 
   /// Moments about each node of the elements around it. Collective.
   std::vector<Moments>
-  nodal_moments(const LocalMesh &mesh, const std::vector<Element> &elements, SharedSum &sum);
+  nodal_moments(const LocalMesh &mesh, const std::vector<Element> &elements);
 
   /// The gradient of one element by least squares over its patch, and where a gradient that changes evenly
   /// has this value, from the element's centre.
@@ -69,15 +69,11 @@ namespace wheelrail::patches
   Rows
   inverse(const Rows &row);
 
-  /// How many doubles a struct of doubles holds.
-  template <typename Sums>
-  constexpr std::size_t numbers = sizeof(Sums) / sizeof(double);
-
   /// Adds up what the ranks have for their shared nodes; Sums is a struct of doubles alone.
   template <typename Sums>
   void
-  sum_over_ranks(SharedSum &sum, std::vector<Sums> &sums)
+  sum_over_ranks(const LocalMesh &mesh, std::vector<Sums> &sums)
   {
-    sum(reinterpret_cast<double *>(sums.data()), numbers<Sums>, numbers<Sums>);
+    wheelrail::sum_over_ranks(mesh, reinterpret_cast<double *>(sums.data()), sizeof(Sums) / sizeof(double));
   }
 } // namespace wheelrail::patches

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <mpi.h>
+
 namespace wheelrail
 {
   /// What limits the step of the central difference scheme.
@@ -90,7 +92,7 @@ namespace wheelrail
   /// `density` [kg/m2] all along: a quarter of a face's share to each of its nodes, be they fine or coarse,
   /// so that it is carried from mesh to mesh as the mass of the material is. Collective.
   void
-  add_band_mass(Solid &solid, double density, MPI_Comm communicator);
+  add_band_mass(Solid &solid, double density);
 
   /// Bodies of the materials `rail` and `wheel` and of elements of the `forms`, prepared for a mesh.
   /// Collective.
@@ -109,9 +111,9 @@ namespace wheelrail
   /// Nodal gradients of a field (displacements, velocities; 4 numbers a node, with hanging nodes), the
   /// volume-weighted means of the adjacent elements: 9 numbers a node, row-major. Collective.
   std::vector<double>
-  nodal_gradient(const Solid &solid, const double *field, MPI_Comm communicator);
+  nodal_gradient(const Solid &solid, const double *field);
 
   /// Nodal accumulated plastic strains by the same means: one number a node [1]. Collective.
   std::vector<double>
-  nodal_plastic_strain(const Solid &solid, MPI_Comm communicator);
+  nodal_plastic_strain(const Solid &solid);
 } // namespace wheelrail

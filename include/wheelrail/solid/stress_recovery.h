@@ -34,11 +34,9 @@ namespace wheelrail
   /// suddenly at the border of what has flowed, and would carry stresses beyond the yield surface.
   /// Collective.
   NodalStress
-  recovered_stress(const Solid                                       &solid,
-                   const PerBody<std::vector<std::array<double, 6>>> &stress,
-                   MPI_Comm                                           communicator);
+  recovered_stress(const Solid &solid, const PerBody<std::vector<std::array<double, 6>>> &stress);
 
   /// The present Cauchy stresses, recovered. Collective.
   NodalStress
-  nodal_stress(const Solid &solid, MPI_Comm communicator);
+  nodal_stress(const Solid &solid);
 } // namespace wheelrail

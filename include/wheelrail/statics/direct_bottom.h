@@ -31,7 +31,7 @@ namespace wheelrail
 
     /// Exact to round-off, and linear.
     void
-    solve(const StaticVector &forces, StaticVector &z) override;
+    solve(const NodeVector &forces, NodeVector &z) override;
 
   private:
     /// Where the values of a node stand among those of its body, see SweptSolver, divided by three.
@@ -53,7 +53,6 @@ namespace wheelrail
     const LocalMesh                      &mesh_;
     MPI_Comm                              communicator_;
     std::vector<Place>                    place_;  ///< of all nodes over all ranks
-    std::vector<std::size_t>              own_;    ///< the rank's own nodes, in the order of their numbers
     PerBody<int>                          rank_;   ///< that solves for a body
     PerBody<std::unique_ptr<SweptSolver>> solver_; ///< nothing on other ranks
     PerBody<std::vector<double>>          x_;      ///< forces, then displacements of a body

@@ -33,7 +33,7 @@ namespace wheelrail
 
     /// z = the displacements under the forces, to a fifth; not quite linear in them. Collective.
     void
-    solve(const StaticVector &forces, StaticVector &z) override;
+    solve(const NodeVector &forces, NodeVector &z) override;
 
   private:
     struct Matrix;

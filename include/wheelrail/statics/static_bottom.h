@@ -26,7 +26,7 @@ namespace wheelrail
 
     /// z = the displacements under the forces, from those of the nodes that the rank owns. Collective.
     virtual void
-    solve(const StaticVector &forces, StaticVector &z) = 0;
+    solve(const NodeVector &forces, NodeVector &z) = 0;
   };
 
   /// A direct solver where its factors take less than a gigabyte, an iterative one beyond. `blocks`: elements

@@ -32,29 +32,29 @@ namespace wheelrail
     void
     set_springs(StaticSprings springs);
 
-    StaticVector
+    NodeVector
     zero() const
     {
-      return StaticVector(mesh_, communicator_);
+      return node_vector(mesh_);
     }
 
     /// y = (stiffness + springs) x for x that vanishes at held nodes; zero at held and hanging nodes.
     /// Collective.
     void
-    product(const StaticVector &x, StaticVector &y);
+    product(const NodeVector &x, NodeVector &y);
 
     /// The same for the bodies alone.
     void
-    elastic_product(const StaticVector &x, StaticVector &y);
+    elastic_product(const NodeVector &x, NodeVector &y);
 
     /// residual -= (stiffness + springs) x. Collective.
     void
-    subtract_product(const StaticVector &x, StaticVector &residual);
+    subtract_product(const NodeVector &x, NodeVector &residual);
 
     /// Improves x and brings the residual up to date; the last update, which a caller may not need, is left
     /// out unless asked for. Collective.
     void
-    smooth(StaticVector &x, StaticVector &residual, bool last_residual);
+    smooth(NodeVector &x, NodeVector &residual, bool last_residual);
 
     const LocalMesh &
     mesh() const
@@ -81,27 +81,23 @@ namespace wheelrail
     void
     find_largest_eigenvalue();
     void
-    find_elastic_force(const StaticVector &x);
+    find_elastic_force(const NodeVector &x);
     void
-    add_ground(double factor, const StaticVector &x, double *y) const;
+    add_ground(double factor, const NodeVector &x, double *y) const;
     std::vector<double>
-    spring_forces(const StaticVector &residual) const;
+    spring_forces(const NodeVector &residual) const;
     void
-    smoothing_step(const StaticVector &residual,
-                   double              keep,
-                   double              take,
-                   StaticVector       &step,
-                   StaticVector       &x) const;
+    smoothing_step(const NodeVector &residual, double keep, double take, NodeVector &step, NodeVector &x)
+      const;
 
     const LocalMesh                   &mesh_;
     PerBody<ElementBlocks>            &blocks_;
     const std::vector<unsigned char>   held_;
     const StaticGround                 ground_;
     MPI_Comm                           communicator_;
-    SharedSum                          sum_;
-    AlignedVector<double>              tiny_;    ///< the displacement that the kernel sees
-    AlignedVector<double>              force_;   ///< the elements' forces in it, on free nodes
-    StaticVector                       step_;    ///< of the smoother
+    NodeVector                         tiny_;    ///< the displacement that the kernel sees
+    NodeVector                         force_;   ///< the elements' forces in it, on free nodes
+    NodeVector                         step_;    ///< of the smoother
     std::vector<std::array<double, 6>> inverse_; ///< of the diagonal blocks: xx, yy, zz, yz, xz, xy
     double                             largest_ = 0;
     StaticSprings                      springs_;

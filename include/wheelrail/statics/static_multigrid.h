@@ -30,7 +30,7 @@ namespace wheelrail
     /// One V-cycle from zero: z = about the displacements under the forces. Symmetric and linear but for a
     /// rough solution of the coarsest level. Collective.
     void
-    cycle(const StaticVector &forces, StaticVector &z);
+    cycle(const NodeVector &forces, NodeVector &z);
 
     StaticLevel &
     finest()
@@ -44,7 +44,7 @@ namespace wheelrail
 
   private:
     void
-    cycle(std::size_t k, StaticVector &residual, StaticVector &x);
+    cycle(std::size_t k, NodeVector &residual, NodeVector &x);
 
     MPI_Comm                                  communicator_;
     std::vector<CoarseLevel>                  coarse_;

@@ -5,6 +5,7 @@
 #include <wheelrail/statics/static_start.h>
 #include <wheelrail/statics/static_system.h>
 
+#include <cmath>
 #include <vector>
 
 namespace wheelrail
@@ -15,6 +16,13 @@ namespace wheelrail
     StaticSystem::Vector residual; ///< forces on the free unknowns [N]
     double               bore = 0; ///< vertical force on bore and axle [N]
     ContactSums          sums;     ///< of the contact
+
+    /// Largest component of the residual [N]; infinite where one is no number. Collective.
+    double
+    largest() const
+    {
+      return std::isfinite(residual.l2_norm()) ? residual.linfty_norm() : INFINITY;
+    }
   };
 
   /// Both bodies on the way to their static equilibrium: the position is that of the solid's displacement,
@@ -111,7 +119,6 @@ namespace wheelrail
     Solid                &solid_;
     Contact              &contact_;
     const StaticLoads    &loads_;
-    SharedSum             sum_;
     StaticSystem          system_;
     const KeptFlow        flow_; ///< that the bodies begin with
     double                wheel_mass_ = 0, rate_ = 0;

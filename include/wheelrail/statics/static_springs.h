@@ -3,8 +3,8 @@
 #include <wheelrail/base/vector3.h>
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/mesh/coarse_levels.h>
+#include <wheelrail/solid/node_vector.h>
 #include <wheelrail/solid/part.h>
-#include <wheelrail/statics/static_vector.h>
 
 #include <cstdint>
 #include <vector>
@@ -47,11 +47,11 @@ namespace wheelrail
     std::vector<double>
     stretch(const double *x) const;
 
-    /// y += B^T forces on all nodes of the rank.
+    /// y += B^T forces on the nodes that the rank owns.
     void
     add(const std::vector<double> &forces, double *y) const;
 
-    /// y += factor x B^T stiffness B x. Collective.
+    /// y += factor x B^T stiffness B x, from and on owned nodes. Collective.
     void
     add_product(double factor, const double *x, double *y) const;
 
@@ -72,7 +72,7 @@ namespace wheelrail
     {
       return parts_;
     }
-    /// Local node of each part, or none.
+    /// Local node of each part, or none, which no rank owns.
     const std::vector<unsigned int> &
     local_nodes() const
     {

@@ -11,8 +11,8 @@ namespace wheelrail
   /// A change of position: of the free unknowns and of the height of the bore.
   struct StaticStep
   {
-    StaticVector increment;
-    double       lift = 0; ///< [m]
+    NodeVector increment;
+    double     lift = 0; ///< [m]
   };
 
   /// The linear system of one static start: stiffness of both bodies at rest, of the parts of the scene and
@@ -22,7 +22,7 @@ namespace wheelrail
   class StaticSystem
   {
   public:
-    using Vector = StaticVector;
+    using Vector = NodeVector;
 
     /// The solid and the parts must outlive the system, the solid keep its elements. Collective.
     StaticSystem(const Discretization &discretization, Solid &solid, const SceneParts &parts);
@@ -118,5 +118,5 @@ namespace wheelrail
   /// Forces of the elements of bodies at rest in their present position [N], those of hanging nodes handed to
   /// their parents, summed over ranks. Elements that may flow take the step to this position. Collective.
   AlignedVector<double>
-  element_forces_at_rest(Solid &solid, SharedSum &sum);
+  element_forces_at_rest(Solid &solid);
 } // namespace wheelrail
