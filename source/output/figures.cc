@@ -94,6 +94,7 @@ namespace wheelrail
       {"largest_drift", "", "largest drift of a result", "over the averaging distance, beyond noise", "%", 1e2, 2, false, nullptr},
       {"means_from", "m", "averaging begins after", "", "mm", 1e3, 1, false, nullptr},
       {"cells_across_peak", "", "cells across the highest pressure", "", "", 1, 1, false, nullptr},
+      {"peak_between_nodes", "", "rise of the pressure between nodes", "over the peak", "%", 100, 1, false, nullptr},
       {"torque_miss", "", "longitudinal force less what the torque demands", "relative", "%", 1e2, 2, false, nullptr},
       {"settled_after", "m", "steady after", "", "mm", 1e3, 1, false, nullptr},
       {"plastic_work_rail", "J", "plastic work in the rail", "", "J", 1, 3, false, nullptr},

@@ -3,9 +3,15 @@
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/sampling/slip_edge.h>
 
+#include <boost/math/interpolators/makima.hpp>
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -98,6 +104,40 @@ namespace wheelrail
       return std::min(length, lateral) / std::sqrt(0.75);
     }
 
+    /// The rise of the pressure between nodes on a line over the value of node `k`, over this.
+    double
+    rise_beside(std::vector<double> pressure, const int k)
+    {
+      const int last = static_cast<int>(pressure.size()) - 1;
+      if (k == 0 || k == last || last < 3)
+        return 0;
+      const double        node = pressure[k];
+      std::vector<double> place(pressure.size());
+      std::iota(place.begin(), place.end(), 0.);
+      const boost::math::interpolators::makima<std::vector<double>> curve(std::move(place),
+                                                                          std::move(pressure));
+      double                                                        top = node;
+      for (const int from : {k - 1, k}) // one maximum in each
+        top = std::max(top,
+                       -boost::math::tools::brent_find_minima(
+                          [&](const double x) { return -curve(x); }, double(from), from + 1., 20)
+                          .second);
+      return top / node - 1;
+    }
+
+    /// See PatchMeasures::between_nodes.
+    double
+    rise_between_nodes(const PatchFields &patch, const std::size_t k)
+    {
+      const unsigned int  across = patch.n_lateral, i = k / across, j = k % across;
+      const auto          begin = patch.pressure.begin() + std::ptrdiff_t(i) * across;
+      std::vector<double> along(patch.n_along);
+      for (unsigned int n = 0; n < patch.n_along; ++n)
+        along[n] = patch.pressure[n * std::size_t(across) + j];
+      return rise_beside(std::move(along), static_cast<int>(i)) +
+             rise_beside({begin, begin + across}, static_cast<int>(j));
+    }
+
     void
     add_sums(const PatchFields &patch, PatchMeasures &measures)
     {
@@ -149,6 +189,7 @@ namespace wheelrail
     measures.peak_along           = patch.along[k];
     measures.peak_lateral         = patch.lateral[k];
     measures.cells_across         = cells_across_peak(patch, k);
+    measures.between_nodes        = rise_between_nodes(patch, k);
 
     const PatchEdge edge    = find_patch_edge(patch);
     measures.area           = edge.area;

@@ -166,6 +166,7 @@ namespace wheelrail
     row.put("t_gamma", m.t_gamma);
     row.put("patches", m.n_patches);
     row.put("cells_across_peak", m.cells_across);
+    row.put("peak_between_nodes", m.between_nodes);
     Row across(state_.wear);
     across.put("rolled_distance", patch.rolled_distance);
     for (std::size_t j = 0; j < wear.lateral.size(); ++j)
@@ -289,7 +290,8 @@ namespace wheelrail
     if (!(patches > 0))
       return;
     set_figure(summary, "patches", patches);
-    set_figure(summary, "cells_across_peak", column(state_.patches, "cells_across_peak")[last]);
+    for (const char *const key : {"cells_across_peak", "peak_between_nodes"})
+      set_figure(summary, key, column(state_.patches, key)[last]);
   }
 
 

@@ -15,7 +15,8 @@ namespace wheelrail
     if (!(cells >= 3) || cells_across_peak < 3)
       return none;
     const double patch = 1.3 / (cells * cells), ridge = 0.3 / (cells_across_peak * cells_across_peak);
-    return -(ridge > patch ? ridge : patch); // a run of an earlier version does not know its ridge
+    // a run of an earlier version knows neither its ridge nor what lies between its nodes
+    return -(ridge > patch ? ridge : patch) - (between_nodes > 0 ? between_nodes : 0);
   }
 
 
@@ -92,6 +93,7 @@ namespace wheelrail
     Measures   m;
     m.cells             = std::min(run.patch_lateral, run.patch_longitudinal) / scene.cell_size;
     m.cells_across_peak = figure("cells_across_peak");
+    m.between_nodes     = figure("peak_between_nodes");
     m.unsteadiness =
       std::max(figure("vertical_force_std_N"), figure("longitudinal_force_std_N")) / run.vertical_force;
     m.pressure_noise = figure("max_pressure_fitted_std_Pa") / run.max_pressure_fitted;

@@ -34,15 +34,21 @@ namespace wheelrail
         {
           // of so few that no rule is known nothing can be trusted
           const double loss  = -m.mesh_part();
-          const bool   ridge = m.cells_across_peak < 0.5 * m.cells;
+          const bool   ridge = 2 * m.cells_across_peak < m.cells;
+          const bool   between =
+            graded(loss, loss_bounds) != Grade::trusted && loss - m.between_nodes <= loss_bounds.good;
           // what was advised before the run; a ridge shows in the run alone
           const double known = std::isnan(m.advised_cells) ? m.cells : m.advised_cells,
                        size  = advised_cell(scene.cell_size, known),
-                       fine  = advised_cell(scene.cell_size, ridge ? 2 * m.cells_across_peak : known);
+                       fine  = advised_cell(scene.cell_size,
+                                           between ? std::sqrt(1.3 / loss)
+                                            : ridge ? 2 * m.cells_across_peak
+                                                    : known);
           add(verdict,
               graded(loss, loss_bounds),
               "too few cells: " + text("%.1f of ", ridge ? m.cells_across_peak : m.cells) +
                 in_mm(scene.cell_size) + " lie across the " + (ridge ? "highest pressure" : "patch") +
+                (between ? ", its peak between two nodes" : "") +
                 (std::isnan(loss)
                    ? ""
                    : ", which lowers the peak pressure by about " + text("%.0f %%", 100 * loss)) +

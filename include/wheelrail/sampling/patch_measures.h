@@ -31,7 +31,11 @@ namespace wheelrail
 
     /// Nodes across the highest pressure, along or across, whichever is less: how far it exceeds half the
     /// peak on the lines through it, over 0.866 (sqrt(3)/2), which is the chord of an ellipse with that peak.
-    double       cells_across   = 0;
+    double cells_across = 0;
+
+    /// How far the pressure between the nodes exceeds the largest nodal value, over it, on the lines of nodes
+    /// along and across through it: modified Akima's curve (Boost), which edges beside the peak do not lift.
+    double       between_nodes  = 0;
     unsigned int n_loaded       = 0;     ///< nodes with pressure
     unsigned int n_patches      = 0;     ///< separate patches, minus holes
     bool         touches_border = false; ///< loaded nodes on the rim of the grid: the patch is cut off

@@ -19,6 +19,7 @@ namespace wheelrail
     double cells             = none; ///< solution cells over the shorter extent of the patch
     double advised_cells     = none; ///< those over which cells were advised before the run; NaN: none were
     double cells_across_peak = none; ///< and across its highest pressure, see PatchMeasures::cells_across
+    double between_nodes     = none; ///< rise of the pressure there, see PatchMeasures::between_nodes
     double penetration       = none; ///< of the penalty law at the peak, over the approach
     double pressure_effect =
       none; ///< of elements twice as large on the peak of half-spaces, see ElementEffect
@@ -94,8 +95,8 @@ namespace wheelrail
 
     /// What the cells take from it, about: 1.3 over the square of their number over the patch (13 cells: 0.8
     /// %, 7: 2.7 %), or 0.3 over the square of that across the highest pressure where this is more, as in a
-    /// narrow ridge (doc/theory/accuracy.md). Of fewer than three no such rule is known (a ridge that is lost
-    /// between nodes may miss a third), and it is NaN.
+    /// narrow ridge, and what lies between the nodes (doc/theory/accuracy.md). Of fewer than three no such
+    /// rule is known (a ridge that is lost between nodes may miss a third), and it is NaN.
     double
     mesh_part() const;
   };
