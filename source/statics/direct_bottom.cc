@@ -1,13 +1,13 @@
 #include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/discretization.h>
 #include <wheelrail/statics/direct_bottom.h>
-#include <wheelrail/statics/joined_solver.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <set>
+#include <map>
 
 namespace wheelrail
 {
@@ -65,90 +65,99 @@ namespace wheelrail
                                             held_here[body],
                                             ground_here[body]);
       }
-    join(ground.joined);
+    for (std::size_t k = 0; k < ground.joined.size(); ++k)
+      joined_.push_back({Body::rail, ground.joined.stiffness()[k], {}, {}});
+    for (const StaticSprings::Part &part : ground.joined.parts())
+      if (const Place place = place_[part.node]; place.body == Body::rail)
+        for (int i = 0; i < 3; ++i)
+          joined_[part.spring].weights.emplace_back(3 * std::size_t(place.slot) + i, part.weight[i]);
+    for (Direction &direction : joined_)
+      find_response(direction);
+    set_springs({});
   }
 
 
-  /// What joins nodes of the rail becomes part of its solver.
-  void
-  DirectBottom::join(const StaticSprings &joined)
+  /// Component of a vector along it.
+  double
+  DirectBottom::Direction::operator*(const std::vector<double> &x) const
   {
-    std::unique_ptr<SweptSolver> &rail = solver_[Body::rail];
-    if (!rail || joined.size() == 0)
+    double sum = 0;
+    for (const auto &[row, weight] : weights)
+      sum += weight * x[row];
+    return sum;
+  }
+
+
+  void
+  DirectBottom::find_response(Direction &direction)
+  {
+    if (!solver_[direction.body])
       return;
-    std::vector<JoinedRows> terms(joined.size());
-    for (std::size_t k = 0; k < terms.size(); ++k)
-      terms[k].stiffness = joined.stiffness()[k];
-    for (const StaticSprings::Part &part : joined.parts())
-      if (const Place place = place_[part.node]; place.body == Body::rail)
-        for (int i = 0; i < 3; ++i)
-          terms[part.spring].weights.emplace_back(3 * std::size_t(place.slot) + i, part.weight[i]);
-    rail = std::make_unique<JoinedSolver>(std::move(rail), std::move(terms), x_[Body::rail].size());
+    direction.response.assign(x_[direction.body].size(), 0.);
+    for (const auto &[row, weight] : direction.weights)
+      direction.response[row] += weight;
+    solver_[direction.body]->solve(direction.response);
   }
 
 
   void
   DirectBottom::set_springs(const StaticSprings &springs)
   {
-    const SpringBlocks      blocks = spring_blocks(springs);
-    std::set<std::uint32_t> touched;
+    const SpringBlocks blocks = spring_blocks(springs);
+    held_.clear();
+    for (const Direction &direction : joined_)
+      held_.push_back(&direction);
+    std::map<std::uint32_t, std::size_t> first; // row of a node
     for (const auto &[pair, block] : blocks)
-      touched.insert(pair.first);
-    touched_.assign(touched.begin(), touched.end());
-    const std::size_t n = 3 * touched_.size();
-    couple_.clear();
+      if (first.emplace(pair.first, held_.size()).second)
+        for (const Direction &direction : directions_of(pair.first))
+          held_.push_back(&direction);
+    const std::size_t n = held_.size();
+    couple_.reinit(n, n);
     if (n == 0)
       return;
-    find_responses();
     dealii::FullMatrix<double> G(n, n), S(n, n, compliance().data()), GS(n, n);
-    const auto                 row = [&](const std::uint32_t node) {
-      return 3 * (std::lower_bound(touched_.begin(), touched_.end(), node) - touched_.begin());
-    };
+    for (std::size_t k = 0; k < joined_.size(); ++k)
+      G(k, k) = joined_[k].stiffness;
     for (const auto &[pair, block] : blocks)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          G(row(pair.first) + i, row(pair.second) + j) = block[3 * i + j];
+          G(first.at(pair.first) + i, first.at(pair.second) + j) = block[3 * i + j];
     G.mmult(GS, S);
     for (std::size_t k = 0; k < n; ++k)
       GS(k, k) += 1;
     GS.gauss_jordan();
-    GS.mmult(S, G);
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        couple_.push_back(S(i, j));
+    GS.mmult(couple_, G);
   }
 
 
-  /// Of nodes that have none yet: springs come and go, but stay near the contact.
-  void
-  DirectBottom::find_responses()
+  /// Springs come and go, but stay near the contact: responses are kept.
+  const std::array<DirectBottom::Direction, 3> &
+  DirectBottom::directions_of(const std::uint32_t node)
   {
-    for (const std::uint32_t node : touched_)
-      if (const Place place = place_[node]; solver_[place.body] && responses_.count(node) == 0)
-        for (int i = 0; i < 3; ++i)
-          {
-            std::vector<double> &x = responses_[node][i];
-            x.assign(x_[place.body].size(), 0.);
-            x[3 * std::size_t(place.slot) + i] = 1;
-            solver_[place.body]->solve(x);
-          }
+    const auto [entry, fresh] = of_node_.try_emplace(node);
+    const Place place         = place_[node];
+    if (fresh)
+      for (std::size_t i = 0; i < 3; ++i)
+        {
+          entry->second[i] = {place.body, 0, {{3 * std::size_t(place.slot) + i, 1.}}, {}};
+          find_response(entry->second[i]);
+        }
+    return entry->second;
   }
 
 
-  /// S, row-major: displacements of the touched nodes under unit forces at them [m/N].
+  /// S, row-major: displacements along the directions under unit forces along them [m/N].
   std::vector<double>
   DirectBottom::compliance() const
   {
-    const std::size_t   n = 3 * touched_.size();
+    const std::size_t   n = held_.size();
     std::vector<double> S(n * n, 0.);
     for (std::size_t column = 0; column < n; ++column)
-      if (const auto known = responses_.find(touched_[column / 3]); known != responses_.end())
+      if (const Direction &force = *held_[column]; !force.response.empty())
         for (std::size_t row = 0; row < n; ++row)
-          {
-            const Place at = place_[touched_[row / 3]];
-            if (at.body == place_[touched_[column / 3]].body)
-              S[n * row + column] = known->second[column % 3][3 * std::size_t(at.slot) + row % 3];
-          }
+          if (held_[row]->body == force.body)
+            S[n * row + column] = *held_[row] * force.response;
     MPI_Allreduce(MPI_IN_PLACE, S.data(), static_cast<int>(S.size()), MPI_DOUBLE, MPI_SUM, communicator_);
     return S;
   }
@@ -182,22 +191,16 @@ namespace wheelrail
   void
   DirectBottom::hold_back()
   {
-    const std::size_t   n = 3 * touched_.size();
-    std::vector<double> y(n, 0.);
+    const std::size_t      n = held_.size();
+    dealii::Vector<double> y(n), force(n);
     for (std::size_t k = 0; k < n; ++k)
-      if (const Place place = place_[touched_[k / 3]]; solver_[place.body])
-        y[k] = x_[place.body][3 * std::size_t(place.slot) + k % 3];
-    MPI_Allreduce(MPI_IN_PLACE, y.data(), static_cast<int>(n), MPI_DOUBLE, MPI_SUM, communicator_);
+      if (const Direction &direction = *held_[k]; solver_[direction.body])
+        y[k] = direction * x_[direction.body];
+    MPI_Allreduce(MPI_IN_PLACE, y.begin(), static_cast<int>(n), MPI_DOUBLE, MPI_SUM, communicator_);
+    if (n > 0)
+      couple_.vmult(force, y);
     for (std::size_t k = 0; k < n; ++k)
-      if (const Place place = place_[touched_[k / 3]]; solver_[place.body])
-        {
-          double force = 0;
-          for (std::size_t j = 0; j < n; ++j)
-            force += couple_[n * k + j] * y[j];
-          const std::vector<double> &response = responses_.at(touched_[k / 3])[k % 3];
-          std::vector<double>       &x        = x_[place.body];
-          for (std::size_t m = 0; m < x.size(); ++m)
-            x[m] -= force * response[m];
-        }
+      for (std::size_t m = 0; m < held_[k]->response.size(); ++m)
+        x_[held_[k]->body][m] -= force[k] * held_[k]->response[m];
   }
 } // namespace wheelrail

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/lac/full_matrix.h>
+
 #include <wheelrail/statics/static_bottom.h>
 #include <wheelrail/statics/swept_solver.h>
 
@@ -7,13 +9,15 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
 {
   /// The coarsest level solved for exactly. Without springs K each body is solved alone, on a rank of its own
-  /// if there are two; springs G between the few nodes T near the contact are a correction of low rank
-  /// (Woodbury): with y = K^-1 f and the compliance S = T^T K^-1 T,
+  /// if there are two. Springs G between a few directions T, single nodes near the contact or the sums of
+  /// nodes that a sleeper joins, are a correction of low rank (Woodbury): with y = K^-1 f and the compliance
+  /// S = T^T K^-1 T,
   ///
   ///     x = y - K^-1 T (1 + G S)^-1 G T^T y.
   class DirectBottom : public StaticBottom
@@ -41,10 +45,22 @@ namespace wheelrail
       unsigned int slot;
     };
 
+    /// Weights of a body's values, and its displacements under a unit force along them, if solved for here.
+    struct Direction
+    {
+      Body                                        body;
+      double                                      stiffness; ///< of what joins nodes [N/m]
+      std::vector<std::pair<std::size_t, double>> weights;
+      std::vector<double>                         response;
+
+      double
+      operator*(const std::vector<double> &x) const;
+    };
+
     void
-    join(const StaticSprings &joined);
-    void
-    find_responses();
+    find_response(Direction &direction);
+    const std::array<Direction, 3> &
+    directions_of(std::uint32_t node);
     void
     hold_back();
     std::vector<double>
@@ -57,9 +73,9 @@ namespace wheelrail
     PerBody<std::unique_ptr<SweptSolver>> solver_; ///< nothing on other ranks
     PerBody<std::vector<double>>          x_;      ///< forces, then displacements of a body
 
-    std::vector<std::uint32_t> touched_; ///< nodes T of the springs, over all ranks
-    /// K^-1 for a unit force along each direction at such a node, of bodies solved for here.
-    std::map<std::uint32_t, std::array<std::vector<double>, 3>> responses_;
-    std::vector<double>                                         couple_; ///< (1 + G S)^-1 G, row-major
+    std::vector<Direction>                            joined_;  ///< those that the ground joins
+    std::map<std::uint32_t, std::array<Direction, 3>> of_node_; ///< of nodes that springs have touched
+    std::vector<const Direction *>                    held_;    ///< T of the moment
+    dealii::FullMatrix<double>                        couple_;  ///< (1 + G S)^-1 G
   };
 } // namespace wheelrail
