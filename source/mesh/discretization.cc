@@ -29,17 +29,25 @@ namespace wheelrail
     }
 
     /// What p4est's recursion asks.
-    struct Divided
+    struct Asked
     {
       const CellTree               &tree;
       const std::vector<CellPlace> &blocks; ///< of each of p4est's trees
+      PerBody<int>                  work;   ///< of a cell
     };
 
     int
     is_divided(p8est_t *forest, const p4est_topidx_t tree, p8est_quadrant_t *q)
     {
-      const auto *divided = static_cast<const Divided *>(forest->user_pointer);
-      return divided->tree.divided(place_in(divided->blocks[tree], *q));
+      const auto *asked = static_cast<const Asked *>(forest->user_pointer);
+      return asked->tree.divided(place_in(asked->blocks[tree], *q));
+    }
+
+    int
+    work_of(p8est_t *forest, const p4est_topidx_t tree, p8est_quadrant_t *)
+    {
+      const auto *asked = static_cast<const Asked *>(forest->user_pointer);
+      return asked->work[asked->blocks[tree].body];
     }
   } // namespace
 
@@ -97,7 +105,7 @@ namespace wheelrail
 
 
   void
-  Discretization::lay(const PerBody<FineZone> &zones)
+  Discretization::lay(const PerBody<FineZone> &zones, const PerBody<int> &work)
   {
 #ifdef DEBUG
     // load() takes a triangulation that is divided, too, but deal.II 9.4 asserts that it is not; the mesh
@@ -110,19 +118,14 @@ namespace wheelrail
       }
 #endif
     const CellTree tree(plan_, grids_, zones);
-    const Divided  divided{tree, blocks_};
+    const Asked    asked{tree, blocks_, work};
     auto *const connectivity = const_cast<p8est_connectivity_t *>(triangulation_->get_p4est()->connectivity);
-    std::unique_ptr<p8est_t, void (*)(p8est_t *)> forest(p8est_new_ext(triangulation_->get_communicator(),
-                                                                       connectivity,
-                                                                       0,
-                                                                       0,
-                                                                       1,
-                                                                       0,
-                                                                       nullptr,
-                                                                       const_cast<Divided *>(&divided)),
-                                                         p8est_destroy);
+    std::unique_ptr<p8est_t, void (*)(p8est_t *)> forest(
+      p8est_new_ext(
+        triangulation_->get_communicator(), connectivity, 0, 0, 1, 0, nullptr, const_cast<Asked *>(&asked)),
+      p8est_destroy);
     p8est_refine_ext(forest.get(), 1, static_cast<int>(plan_.levels), is_divided, nullptr, nullptr);
-    p8est_partition(forest.get(), 0, nullptr);
+    p8est_partition(forest.get(), 0, work.rail == work.wheel ? nullptr : work_of);
     triangulation_->load(forest.get());
     find_own_cells();
     number_unknowns();

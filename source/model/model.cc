@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <variant>
 #include <vector>
 
 namespace wheelrail
@@ -149,12 +150,21 @@ namespace wheelrail
       return least;
     }
 
+    /// Work of a cell: a body that may yield takes 30 % more time (doc/measured.md).
+    int
+    work_of_cell(const MaterialLaw &law)
+    {
+      return std::holds_alternative<ElasticLaw>(law) ? 10 : 13;
+    }
+
     /// Bodies on the mesh that the model's window asks for.
     void
     prepare_solid(Model &model, MPI_Comm communicator)
     {
-      const SweepPlan &plan = model.discretization->plan();
-      model.discretization->lay(zones_of(plan, model.window));
+      const SweepPlan &plan     = model.discretization->plan();
+      const auto      &material = model.solid.choice.material;
+      model.discretization->lay(zones_of(plan, model.window),
+                                {work_of_cell(material.rail), work_of_cell(material.wheel)});
       prepare(model.solid, model.discretization->local_mesh(), communicator);
     }
 

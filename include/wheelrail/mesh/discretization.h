@@ -59,10 +59,10 @@ namespace wheelrail
     ~Discretization();
     Discretization(const Discretization &) = delete;
 
-    /// Lays the finest cells into `zones`; none: the blocks stay whole. The ranks share the cells evenly in
-    /// p4est's order. Collective.
+    /// Lays the finest cells into `zones`; none: the blocks stay whole. The ranks share the cells in p4est's
+    /// order so that each has as much work; `work` is that of a cell of each body. Collective.
     void
-    lay(const PerBody<FineZone> &zones);
+    lay(const PerBody<FineZone> &zones, const PerBody<int> &work = {1, 1});
 
     /// The part of this rank as plain arrays. Cells follow each other in p4est's order, own nodes in that in
     /// which the cells use them, whatever meshes were laid before. Collective.
