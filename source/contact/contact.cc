@@ -1,3 +1,4 @@
+#include <wheelrail/base/gather_all.h>
 #include <wheelrail/contact/contact.h>
 #include <wheelrail/contact/surface_filter.h>
 
@@ -7,10 +8,13 @@
 namespace wheelrail
 {
   Contact::Contact(RunningSurfaces surfaces, ContactLaw law, const double half_window, MPI_Comm communicator)
-    : law_(law)
+    : communicator_(communicator)
+    , law_(law)
     , window_(half_window, communicator)
     , projection_(std::move(surfaces))
   {
+    MPI_Comm_rank(communicator, &rank_);
+    MPI_Comm_size(communicator, &n_ranks_);
   }
 
 
@@ -58,36 +62,89 @@ namespace wheelrail
     for (const auto &[body, k] : window_.nodes())
       states_[body].normal_force[k] = states_[body].traction_force[k] = {0, 0, 0};
 
-    ContactSums sums;
-    for (int i = window().rail.first; i < window().rail.last; ++i)
-      for (unsigned int j = 0; j < lattice().n_lateral; ++j)
-        {
-          const std::size_t k    = lattice().index(i, j);
-          ContactNode      &node = nodes_[k];
-          Facing            facing;
-          if (!find_gap(i, j, facing))
-            {
-              sums.at_border = sums.at_border || node.pressure > 0;
-              node           = ContactNode();
-            }
-          if (node.gap >= 0)
-            {
-              node.pressure = 0;
-              node.elastic = node.traction = node.slip = {0, 0, 0};
-              node.slipping                            = false;
-              continue;
-            }
-          ContactMotion moves        = time_step > 0 ? motion(k, facing) : ContactMotion();
-          moves.tilt                 = facing.tilt;
-          const ContactForces forces = apply_law(law_, moves, time_step, rail().area[k], node, sums);
-          add(sums.moment, 1, cross(states_.rail.x[k], forces.push + forces.drag));
-          add_forces(k, facing, forces);
-          sums.at_border = sums.at_border || (node.pressure > 0 && at_border(i, j));
-        }
+    ContactSums        sums;
+    std::vector<Touch> touches;
+    for_own_nodes([&](const int i, const int j) { touch(i, j, time_step, sums, touches); });
+    if (n_ranks_ > 1)
+      {
+        touches        = gather_all(touches, communicator_);
+        const auto all = gather_all(std::vector<ContactSums>{sums}, communicator_);
+        sums           = ContactSums();
+        for (const ContactSums &part : all)
+          sums += part;
+        if (time_step == 0)
+          gather_nodes();
+      }
+    for (const Touch &at : touches)
+      add_forces(at);
     // forces go back through the filters that places and velocities came through
     filter_window(&SurfaceState::normal_force, false);
     filter_window(&SurfaceState::traction_force, true);
     return sums;
+  }
+
+
+  /// Calls function(i, j) for the rail's nodes of the window at the stations that this rank evaluates, which
+  /// stay the same when window and mesh move.
+  template <typename Function>
+  void
+  Contact::for_own_nodes(const Function &function) const
+  {
+    for (int i = window().rail.first; i < window().rail.last; ++i)
+      if (const int turn = (lattice().first_station + i) % n_ranks_; (turn + n_ranks_) % n_ranks_ == rank_)
+        for (unsigned int j = 0; j < lattice().n_lateral; ++j)
+          function(i, static_cast<int>(j));
+  }
+
+
+  void
+  Contact::touch(const int           i,
+                 const int           j,
+                 const double        time_step,
+                 ContactSums        &sums,
+                 std::vector<Touch> &touches)
+  {
+    const std::size_t k    = lattice().index(i, j);
+    ContactNode      &node = nodes_[k];
+    Facing            facing;
+    if (!find_gap(i, j, facing))
+      {
+        sums.at_border = sums.at_border || node.pressure > 0;
+        node           = ContactNode();
+      }
+    if (node.gap >= 0)
+      {
+        node.pressure = 0;
+        node.elastic = node.traction = node.slip = {0, 0, 0};
+        node.slipping                            = false;
+        return;
+      }
+    ContactMotion moves        = time_step > 0 ? motion(k, facing) : ContactMotion();
+    moves.tilt                 = facing.tilt;
+    const ContactForces forces = apply_law(law_, moves, time_step, rail().area[k], node, sums);
+    add(sums.moment, 1, cross(states_.rail.x[k], forces.push + forces.drag));
+    touches.push_back({k, facing.corners, facing.weight, forces});
+    sums.at_border = sums.at_border || (node.pressure > 0 && at_border(i, j));
+  }
+
+
+  void
+  Contact::gather_nodes()
+  {
+    struct Known
+    {
+      std::size_t index;
+      ContactNode node;
+    };
+    if (n_ranks_ == 1)
+      return;
+    std::vector<Known> own;
+    for_own_nodes([&](const int i, const int j) {
+      const std::size_t k = lattice().index(i, j);
+      own.push_back({k, nodes_[k]});
+    });
+    for (const Known &known : gather_all(own, communicator_))
+      nodes_[known.index] = known.node;
   }
 
 
@@ -134,15 +191,15 @@ namespace wheelrail
 
   /// Those on the wheel are spread over its facet.
   void
-  Contact::add_forces(const std::size_t index, const Facing &facing, const ContactForces &forces)
+  Contact::add_forces(const Touch &touch)
   {
     for (int m = 0; m < 4; ++m)
       {
-        add(states_.wheel.normal_force[facing.corners[m]], facing.weight[m], forces.push);
-        add(states_.wheel.traction_force[facing.corners[m]], facing.weight[m], forces.drag);
+        add(states_.wheel.normal_force[touch.corners[m]], touch.weight[m], touch.forces.push);
+        add(states_.wheel.traction_force[touch.corners[m]], touch.weight[m], touch.forces.drag);
       }
-    add(states_.rail.normal_force[index], -1, forces.push);
-    add(states_.rail.traction_force[index], -1, forces.drag);
+    add(states_.rail.normal_force[touch.index], -1, touch.forces.push);
+    add(states_.rail.traction_force[touch.index], -1, touch.forces.drag);
   }
 
 

@@ -4,6 +4,22 @@
 
 namespace wheelrail
 {
+  ContactSums &
+  ContactSums::operator+=(const ContactSums &other)
+  {
+    add(force, 1, other.force);
+    add(moment, 1, other.moment);
+    normal_force += other.normal_force;
+    stored_energy += other.stored_energy;
+    friction_power += other.friction_power;
+    damping_power += other.damping_power;
+    largest_pressure = std::max(largest_pressure, other.largest_pressure);
+    nodes += other.nodes;
+    at_border = at_border || other.at_border;
+    return *this;
+  }
+
+
   ContactForces
   apply_law(const ContactLaw    &law,
             const ContactMotion &motion,

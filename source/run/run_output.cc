@@ -34,9 +34,10 @@ namespace wheelrail
   RunOutput::tick(const unsigned int tick)
   {
     const double time = parts_.rolling.time(), travelled = parts_.axle.travelled();
-    const auto   slices = make_slices(parts_.model, stress(), travelled, parts_.communicator);
-    stress_below_       = largest_stress_below(slices, parts_.scene.cell_size);
-    stress_below_at_    = time;
+    parts_.model.contact->gather_nodes();
+    const auto slices = make_slices(parts_.model, stress(), travelled, parts_.communicator);
+    stress_below_     = largest_stress_below(slices, parts_.scene.cell_size);
+    stress_below_at_  = time;
     on_root(parts_.communicator, [&]() {
       const PatchFields patch = patch_fields(*parts_.model.contact, parts_.axle, time);
       append_patch(*patch_file_, patch, slip_edge(patch));
@@ -68,6 +69,7 @@ namespace wheelrail
   {
     if (parts_.rolling.time() == stress_below_at_)
       return stress_below_;
+    parts_.model.contact->gather_nodes();
     return largest_stress_below(
       make_slices(parts_.model, stress(), parts_.axle.travelled(), parts_.communicator),
       parts_.scene.cell_size);
@@ -99,6 +101,7 @@ namespace wheelrail
                         PvdSeries         *series,
                         const NodalStress *residual)
   {
+    parts_.model.contact->gather_nodes();
     const auto mesh = field_mesh(parts_.model.solid,
                                  parts_.axle,
                                  *parts_.model.contact,

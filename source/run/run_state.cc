@@ -26,6 +26,7 @@ namespace wheelrail
   RunState::record()
   {
     recorder.add(rolling, axle, communicator);
+    model.contact->gather_nodes();
     const PatchFields patch = patch_fields(*model.contact, axle, rolling.time());
     recorder.add_patch(patch, wear_profile(patch, axle.velocity(), scene.wear, true));
   }

@@ -66,6 +66,7 @@ namespace wheelrail
     const SweepPlan &plan   = model.discretization->plan();
     const double     offset = plan.start_block * plan.block_length(), behind = model.reach + offset;
     Residual         residual;
+    model.contact->gather_nodes();
     residual.stress    = nodal_stress(model.solid);
     const auto forward = outward_change(model);
     residual.slices = slices_behind(model, residual.stress, axle.travelled(), behind, communicator, &forward);

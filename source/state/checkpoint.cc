@@ -243,9 +243,10 @@ namespace wheelrail
     part.node_values["displacement"] = owned_values(mesh, model.solid.displacement);
     part.node_values["velocity"]     = owned_values(mesh, model.solid.velocity);
     part.cell_values                 = cell_histories(model.solid);
-    part.contact                     = model.contact->state();
-    part.rolling                     = rolling.state();
-    part.recorder                    = recorder.state();
+    model.contact->gather_nodes();
+    part.contact  = model.contact->state();
+    part.rolling  = rolling.state();
+    part.recorder = recorder.state();
     for (const auto &[name, work] : part.rolling.energy.works)
       part.works[name] = {work};
     return part;

@@ -6,6 +6,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -15,9 +16,9 @@ namespace wheelrail
   /// the fine lattices of both bodies, with the gap between the true profiles. The lattices may differ;
   /// nodes that meet nodes make less noise in rolling (doc/theory/contact.md).
   ///
-  /// A window of stations that follows the axle is known to all ranks (ContactWindow), and all of them
-  /// evaluate it alike, so results do not depend on the partition: the closest point on the wheel
-  /// (Projection), the law there (apply_law) and the way of the forces back to the nodes.
+  /// A window of stations that follows the axle is known to all ranks (ContactWindow). They share its rail
+  /// stations by turns: the closest point on the wheel (Projection) and the law there (apply_law). The forces
+  /// of nodes that touch go to all ranks, and from there back to the nodes.
   class Contact
   {
   public:
@@ -40,9 +41,14 @@ namespace wheelrail
     gather(const double *displacement, const double *velocity);
 
     /// Gap, pressure, shear and nodal forces of the gathered state; the friction history goes on by
-    /// `time_step` [s]. A zero step leaves velocities out and holds the shear tractions (static).
+    /// `time_step` [s]. A zero step leaves velocities out and holds the shear tractions (static); nodes() are
+    /// known to all ranks then, else after gather_nodes(). Collective.
     ContactSums
     evaluate(double time_step);
+
+    /// Tells all ranks the nodes of all. Collective.
+    void
+    gather_nodes();
 
     /// Adds the nodal forces of the last evaluation: force has 4 numbers a node.
     void
@@ -145,19 +151,35 @@ namespace wheelrail
   private:
     void
     filter_window(std::vector<Vector3> SurfaceState::*field, bool shear);
+    /// A rail node in contact: the forces on the wheel, and where on it they act.
+    struct Touch
+    {
+      std::size_t                index;
+      std::array<std::size_t, 4> corners;
+      std::array<double, 4>      weight;
+      ContactForces              forces;
+    };
+
+    template <typename Function>
+    void
+    for_own_nodes(const Function &function) const;
+    void
+    touch(int i, int j, double time_step, ContactSums &sums, std::vector<Touch> &touches);
     bool
     find_gap(int i, int j, Facing &facing);
     ContactMotion
     motion(std::size_t index, const Facing &facing) const;
     void
-    add_forces(std::size_t index, const Facing &facing, const ContactForces &forces);
+    add_forces(const Touch &touch);
     bool
     at_border(int i, int j) const;
 
+    MPI_Comm                 communicator_;
+    int                      rank_ = 0, n_ranks_ = 1;
     ContactLaw               law_;
     ContactWindow            window_;
     Projection               projection_;
     PerBody<SurfaceState>    states_;
-    std::vector<ContactNode> nodes_; ///< of the rail's lattice
+    std::vector<ContactNode> nodes_; ///< of the rail's lattice, as they are at the rank's own stations
   };
 } // namespace wheelrail

@@ -46,6 +46,9 @@ namespace wheelrail
     double  largest_pressure = 0;     ///< [Pa]
     int     nodes            = 0;     ///< in contact
     bool    at_border        = false; ///< the patch touches the border of the window
+
+    ContactSums &
+    operator+=(const ContactSums &other);
   };
 
   /// How the wheel moves against the rail at a node.
