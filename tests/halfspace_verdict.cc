@@ -97,6 +97,11 @@ namespace
                "The surfaces turn by 29 degrees across the contact, as in the flange root, which half-spaces "
                "do not know: the peak pressure may be off by 10 % and more; take Half-space/Bodies = real.",
                "the flange root");
+    m.unheld                 = "Rail 'groove' is a crown without sides: give a head with its sides.";
+    const std::string doubts = judge_halfspaces(m).doubts();
+    check(doubts.find("10 % and more.") != std::string::npos && doubts.find("sides..") == std::string::npos,
+          "no advice of true bodies that have no answer: " + doubts);
+    m.unheld.clear();
     m.turn         = 0.1;
     m.shift_effect = 0.2;
     check(judge_halfspaces(m).findings.empty(), "a peak that hardly depends on the shift");

@@ -307,8 +307,8 @@ namespace wheelrail
 
     if (profile.outline.segments().empty())
       throw InputError("Rail '" + profile.name +
-                       "' is a crown without sides: only half-spaces take it (halfspace with "
-                       "Half-space/Bodies = half-spaces). Give a head with its sides.");
+                       "' is a crown without sides, which half-spaces alone take (Half-space/Bodies = "
+                       "half-spaces): give a head with its sides.");
     Rail rail;
     rail.head        = {std::make_shared<const Curve>(profile.head), 1, 0};
     rail.outline     = {std::make_shared<const Curve>(profile.outline), 1, 0};

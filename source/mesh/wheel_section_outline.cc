@@ -132,8 +132,8 @@ namespace wheelrail
   {
     if (profile.crown)
       throw InputError("Wheel '" + profile.name +
-                       "' is a crown without flange: only half-spaces take it (halfspace with "
-                       "Half-space/Bodies = half-spaces). Give a tread with its flange.");
+                       "' is a crown without flange, which half-spaces alone take (Half-space/Bodies = "
+                       "half-spaces): give a tread with its flange.");
     check_dimensions(dimensions,
                      profile.tread.at(0).position.x -
                        profile.tread.at(profile.tread.parameter_end()).position.x);

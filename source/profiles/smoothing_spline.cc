@@ -88,13 +88,33 @@ namespace wheelrail
         return sum;
       }
 
+      /// Unit tangent.
+      Point2
+      direction(const Basis &b) const
+      {
+        const Point2 v = value(b, 1);
+        return (1 / norm(v)) * v;
+      }
+
+      /// Third derivative along the curve, minus the square of the curvature on an arc, and across, by which
+      /// the curvature changes [1/mm2].
+      Point2
+      change_of_curve(const Basis &b) const
+      {
+        return {dot(direction(b), value(b, 3)), cross(direction(b), value(b, 3))};
+      }
+
       /// Least squares of the distances over the noise plus the integral of |r'''|^2 / tau^2, with
       /// one tau for each interval [1/mm2]. `random`: one of the curves among which the profile then lies is
-      /// drawn (Wahba 1983): points are off by their noise, r''' by tau over the root of the interval.
+      /// drawn (Wahba 1983): points are off by their noise, r''' by tau over the root of the interval, from
+      /// what bends the fitted curve on as it is bent.
       bool
       solve(const std::vector<double> &tau, std::mt19937_64 *const random = nullptr)
       {
-        Matrix band(gsl_matrix_calloc(size_, order));
+        Matrix              band(gsl_matrix_calloc(size_, order));
+        std::vector<Point2> to(in_intervals_.size());
+        for (std::size_t j = 0; j < to.size() && random != nullptr; ++j)
+          to[j] = change_of_curve(in_intervals_[j]).x * direction(in_intervals_[j]);
         x_.reset(gsl_vector_calloc(size_));
         y_.reset(gsl_vector_calloc(size_));
         std::normal_distribution<double> normal;
@@ -103,14 +123,14 @@ namespace wheelrail
                                                          : Point2();
         };
         const auto add =
-          [&](const Basis &b, const std::size_t derivative, const double weight, const Point2 &to) {
+          [&](const Basis &b, const std::size_t derivative, const double weight, const Point2 &at) {
             for (std::size_t i = 0; i < order; ++i)
               {
                 const double w = weight * b.derivative[i][derivative];
                 for (std::size_t k = i; k < order; ++k) // the lower triangle: row b + k, column b + i
                   *gsl_matrix_ptr(band.get(), b.first + i, k - i) += w * b.derivative[k][derivative];
-                *gsl_vector_ptr(x_.get(), b.first + i) += w * to.x;
-                *gsl_vector_ptr(y_.get(), b.first + i) += w * to.y;
+                *gsl_vector_ptr(x_.get(), b.first + i) += w * at.x;
+                *gsl_vector_ptr(y_.get(), b.first + i) += w * at.y;
               }
           };
         for (std::size_t p = 0; p < at_points_.size(); ++p)
@@ -123,21 +143,25 @@ namespace wheelrail
         for (std::size_t j = 0; j < in_intervals_.size(); ++j)
           {
             const double h = stretch_.breaks[j + 1] - stretch_.breaks[j];
-            add(in_intervals_[j], 3, h / (tau[j] * tau[j]), off(tau[j] / std::sqrt(h)));
+            add(in_intervals_[j], 3, h / (tau[j] * tau[j]), to[j] + off(tau[j] / std::sqrt(h)));
           }
         return gsl_linalg_cholesky_band_decomp(band.get()) == GSL_SUCCESS &&
                gsl_linalg_cholesky_band_svx(band.get(), x_.get()) == GSL_SUCCESS &&
                gsl_linalg_cholesky_band_svx(band.get(), y_.get()) == GSL_SUCCESS;
       }
 
-      /// Root mean square of the third derivative over 0.7 mm, or three intervals, on both sides.
+      /// Root mean square of the third derivative, or of its part across, over 0.7 mm, or three intervals, on
+      /// both sides.
       std::vector<double>
-      roughness() const
+      roughness(const bool across) const
       {
         const std::size_t   n = in_intervals_.size();
         std::vector<double> squares, result(n);
         for (const Basis &b : in_intervals_)
-          squares.push_back(dot(value(b, 3), value(b, 3)));
+          {
+            const Point2 change = change_of_curve(b);
+            squares.push_back(across ? change.y * change.y : dot(change, change));
+          }
         const std::vector<double> &breaks = stretch_.breaks;
         for (std::size_t j = 0; j < n; ++j)
           {
@@ -238,7 +262,7 @@ namespace wheelrail
       bool good = fit.solve(tau);
       for (int i = 0; i < 4 && good; ++i)
         {
-          tau = fit.roughness();
+          tau = fit.roughness(false);
           for (double &t : tau)
             t = std::max(t, floor);
           good = fit.solve(tau);
@@ -246,8 +270,9 @@ namespace wheelrail
       if (good && random != nullptr)
         {
           // the smoothed curve is not as rough as the profile
+          tau = fit.roughness(true);
           for (double &t : tau)
-            t *= 2;
+            t = 2 * std::max(t, floor);
           good = fit.solve(tau, random);
         }
       if (!good)

@@ -35,32 +35,38 @@ namespace wheelrail
   void
   judge_held(const Measures &m, Verdict &verdict)
   {
+    const bool        no_bodies = !m.unheld.empty() && std::isnan(m.bodies_effect);
+    const std::string advice    = no_bodies ? "." : "; take Half-space/Bodies = real.";
     if (std::abs(m.bodies_effect) > peak_bounds.good)
       add(verdict,
           Grade::with_care,
           text(
             "the peak pressure is %.0f %% %s that of the true bodies, whose head and rim turn and move under "
-            "these forces, which half-spaces do not know; take Half-space/Bodies = real.",
+            "these forces, which half-spaces do not know",
             100 * std::abs(m.bodies_effect),
-            m.bodies_effect < 0 ? "below" : "above"));
+            m.bodies_effect < 0 ? "below" : "above") +
+            advice);
     else if (m.turn >= most_turn)
       add(
         verdict,
         Grade::with_care,
         text(
           "the surfaces turn by %.0f degrees across the contact, as in the flange root, which half-spaces do "
-          "not know: the peak pressure may be off by 10 %% and more; take Half-space/Bodies = real.",
-          m.turn * 180 / M_PI));
+          "not know: the peak pressure may be off by 10 %% and more",
+          m.turn * 180 / M_PI) +
+          advice);
     else if (m.shift_effect >= most_shift_effect)
       add(
         verdict,
         Grade::with_care,
         text("the peak pressure changes by %.0f %% within the lateral shift by which wheel and rail give way "
-             "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know; take "
-             "Half-space/Bodies = real.",
-             100 * m.shift_effect));
+             "under this load (0.2 mm per 100 kN to either side), which half-spaces do not know",
+             100 * m.shift_effect) +
+          advice);
     if (!m.unheld.empty())
-      add(verdict, Grade::with_care, "true bodies do not confirm these half-spaces: " + m.unheld + ".");
+      add(verdict,
+          Grade::with_care,
+          "true bodies do not confirm these half-spaces: " + m.unheld + (m.unheld.back() == '.' ? "" : "."));
   }
 
 
