@@ -6,7 +6,7 @@
 #include "check.h"
 #include "cone_scene.h"
 
-#include <wheelrail/reference/axle_contact.h>
+#include <wheelrail/vehicle/axle_contact.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "messages.h"
 
-#include <wheelrail/reference/wheelset_contact.h>
+#include <wheelrail/vehicle/wheelset_contact.h>
 
 #include <cmath>
 #include <optional>

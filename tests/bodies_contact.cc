@@ -3,11 +3,11 @@
 
 #include "messages.h"
 
+#include <wheelrail/bodies/body_contact.h>
+#include <wheelrail/bodies/body_pose.h>
 #include <wheelrail/bodies/kept_tables.h>
 #include <wheelrail/halfspace/added_influence.h>
 #include <wheelrail/mesh/section_builder.h>
-#include <wheelrail/reference/body_contact.h>
-#include <wheelrail/reference/body_pose.h>
 
 #include <sys/stat.h>
 

@@ -7,10 +7,10 @@
 #include "check.h"
 #include "reference_table.h"
 
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/mesh/section_builder.h>
 #include <wheelrail/model/scene_material.h>
-#include <wheelrail/reference/body_contact.h>
 
 #include <cmath>
 #include <string>

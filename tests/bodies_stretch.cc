@@ -2,7 +2,7 @@
 // The tread of a loaded, turning wheel is stretched along the track more than the head of the rail: by the
 // true bodies and by the static start of a run.
 
-#include <wheelrail/reference/body_contact.h>
+#include <wheelrail/bodies/body_contact.h>
 
 #include "messages.h"
 #include "parallel.h"

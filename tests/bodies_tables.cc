@@ -3,8 +3,8 @@
 
 #include "check.h"
 
+#include <wheelrail/bodies/body_contact.h>
 #include <wheelrail/input/parameters.h>
-#include <wheelrail/reference/body_contact.h>
 
 #include <string>
 #include <vector>

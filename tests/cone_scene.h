@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include <wheelrail/reference/axle_contact.h>
+#include <wheelrail/vehicle/axle_contact.h>
 
 #include <algorithm>
 #include <cmath>

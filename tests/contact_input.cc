@@ -5,7 +5,7 @@
 
 #include "messages.h"
 
-#include <wheelrail/reference/contact_input.h>
+#include <wheelrail/contactfiles/contact_input.h>
 
 #include <sstream>
 

@@ -3,9 +3,10 @@
 #include "messages.h"
 #include "reference_table.h"
 
+#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/creep_curve.h>
+#include <wheelrail/vehicle/creep_curve.h>
 
 #include <cmath>
 #include <cstddef>

@@ -14,13 +14,14 @@ ROOT = sys.argv[1]
 
 
 def floors_of(page):
-    """Floor of each room."""
-    floors = {}
+    """Floor of each room, and the rooms beside the core."""
+    floors, beside = {}, set()
     for number, text in re.findall(r"^\| (\d+) \| (.*) \|$", page, re.MULTILINE):
         for room in re.findall(r"(?:^|; )`(\w+)`", text):
             check(room not in floors, f"{room} stands on one floor")
             floors[room] = int(number)
-    return floors
+        beside.update(re.findall(r"`(\w+)`\\\*", text))
+    return floors, beside
 
 
 def rooms_in(folder):
@@ -39,7 +40,7 @@ def includes():
 
 
 with open(os.path.join(ROOT, "CONTRIBUTING.md"), encoding="utf-8") as contributing:
-    FLOORS = floors_of(contributing.read())
+    FLOORS, BESIDE = floors_of(contributing.read())
 check(set(FLOORS) == rooms_in("source") | rooms_in("include/wheelrail"),
       f"the table has all rooms: {sorted(set(FLOORS) ^ (rooms_in('source') | rooms_in('include/wheelrail')))}")
 ALL = list(includes())
@@ -47,4 +48,8 @@ check(len(ALL) > 500, f"{len(ALL)} includes looked at")
 UP = [f"{path} includes {other}" for room, path, other in ALL
       if room != other and not FLOORS.get(other, 99) < FLOORS.get(room, 0)]
 check(not UP, f"includes point to lower floors {UP}")
+check(len(BESIDE) >= 5, f"rooms beside the core {sorted(BESIDE)}")
+INTO = [f"{path} includes {other}" for room, path, other in ALL
+        if other in BESIDE and room not in BESIDE | {"application", "without"}]
+check(not INTO, f"the core includes none of the rooms beside it {INTO}")
 finish()

@@ -9,7 +9,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/input/without_effect.h>
-#include <wheelrail/reference/wheelset_contact.h>
+#include <wheelrail/vehicle/wheelset_contact.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include "check.h"
 #include "messages.h"
 
-#include <wheelrail/reference/distance_file.h>
-#include <wheelrail/reference/given_distance.h>
+#include <wheelrail/wheel/distance_file.h>
+#include <wheelrail/wheel/given_distance.h>
 
 #include <cmath>
 #include <filesystem>

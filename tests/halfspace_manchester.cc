@@ -4,9 +4,10 @@
 #include "manchester.h"
 #include "reference_table.h"
 
+#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/halfspace_case.h>
-#include <wheelrail/reference/wheelset_contact.h>
+#include <wheelrail/vehicle/wheelset_contact.h>
+#include <wheelrail/wheel/halfspace_case.h>
 
 #include <algorithm>
 #include <cmath>

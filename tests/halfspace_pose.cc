@@ -5,7 +5,8 @@
 
 #include "reference_table.h"
 
-#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/wheel/halfspace_case.h>
 
 #include <string>
 #include <vector>

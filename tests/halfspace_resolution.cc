@@ -6,8 +6,8 @@
 #include "check.h"
 
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/given_distance.h>
-#include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/wheel/given_distance.h>
+#include <wheelrail/wheel/halfspace_parts.h>
 
 #include <cmath>
 #include <string>

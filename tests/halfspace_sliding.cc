@@ -6,11 +6,12 @@
 
 #include "check.h"
 
+#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/figures.h>
-#include <wheelrail/reference/halfspace_case.h>
-#include <wheelrail/reference/halfspace_parts.h>
+#include <wheelrail/wheel/halfspace_case.h>
+#include <wheelrail/wheel/halfspace_parts.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "check.h"
 
 #include <wheelrail/base/vector3.h>
-#include <wheelrail/reference/given_distance.h>
-#include <wheelrail/reference/halfspace_stresses.h>
+#include <wheelrail/wheel/given_distance.h>
+#include <wheelrail/wheel/halfspace_stresses.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,9 @@
 
 #include "reference_table.h"
 
+#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/halfspace_case.h>
+#include <wheelrail/wheel/halfspace_case.h>
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 
 #include <wheelrail/dynamics/rolling.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/reference/irregular_places.h>
+#include <wheelrail/wheel/irregular_places.h>
 
 #include <algorithm>
 #include <cmath>

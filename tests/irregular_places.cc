@@ -8,7 +8,7 @@
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/height_grid.h>
 #include <wheelrail/profiles/slices_file.h>
-#include <wheelrail/reference/irregular_places.h>
+#include <wheelrail/wheel/irregular_places.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,15 +5,15 @@
 #include "parallel.h"
 #include "silent_start.h"
 
+#include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/planes/contact_sections.h>
-#include <wheelrail/reference/irregular_places.h>
-#include <wheelrail/reference/run_reference.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/fields.h>
 #include <wheelrail/sampling/patch_measures.h>
+#include <wheelrail/wheel/irregular_places.h>
 #include <wheelrail/wheelset/axle.h>
 
 #include <cmath>

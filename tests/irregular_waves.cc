@@ -11,8 +11,8 @@
 #include <wheelrail/output/summary.h>
 #include <wheelrail/receptance/blow.h>
 #include <wheelrail/receptance/hammer_places.h>
-#include <wheelrail/reference/irregular_places.h>
 #include <wheelrail/sampling/creep_scale.h>
+#include <wheelrail/wheel/irregular_places.h>
 
 #include <algorithm>
 #include <cmath>

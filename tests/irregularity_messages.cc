@@ -11,7 +11,7 @@
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/profiles/height_grid.h>
 #include <wheelrail/profiles/slices_file.h>
-#include <wheelrail/reference/irregular_places.h>
+#include <wheelrail/wheel/irregular_places.h>
 
 #include <cmath>
 #include <fstream>

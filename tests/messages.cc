@@ -5,6 +5,7 @@
 #include "messages.h"
 
 #include <wheelrail/application/command_line.h>
+#include <wheelrail/base/left_out.h>
 #include <wheelrail/base/shown_text.h>
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/run/simulation.h>
@@ -350,11 +351,25 @@ namespace
     check(out.str().find(warning) != std::string::npos, warning);
     unlink("ranks.prm");
   }
+
+  void
+  test_left_out()
+  {
+    check_text(message_of([]() { refuse_left_out("receptance", Subject::track); }),
+               "receptance: this program is built without track; "
+               "WHEELRAIL_CMAKE_OPTIONS=-DWHEELRAIL_TRACK=ON ./wheelrail build makes one with it",
+               "a subject that is left out");
+    if (!is_built(Subject::track))
+      check_set("Track/Support = sleepers", left_out("--set: Track/Support = sleepers", Subject::track));
+    if (!is_built(Subject::vehicle))
+      check_set("Wheelset/Wheels = both", left_out("--set: Wheelset/Wheels = both", Subject::vehicle));
+  }
 } // namespace
 
 int
 main()
 {
+  test_left_out();
   test_values();
   test_names();
   test_syntax();

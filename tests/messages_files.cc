@@ -15,9 +15,9 @@
 #include <wheelrail/output/summary.h>
 #include <wheelrail/output/vtu.h>
 #include <wheelrail/profiles/profile_file.h>
-#include <wheelrail/reference/distance_file.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/statics/static_start.h>
+#include <wheelrail/wheel/distance_file.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -6,7 +6,7 @@
 
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/model/scene_checks.h>
-#include <wheelrail/reference/wheelset_contact.h>
+#include <wheelrail/vehicle/wheelset_contact.h>
 
 #include <string>
 #include <vector>

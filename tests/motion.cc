@@ -3,8 +3,8 @@
 // What a run follows: curves through the rows of a motion, the pose of the wheelset that is led, where its
 // patches come to lie, and what a motion that no run can follow is answered by.
 
-#include <wheelrail/application/scene_row.h>
 #include <wheelrail/base/smooth_curve.h>
+#include <wheelrail/commands/scene_row.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/motion_way.h>
 #include <wheelrail/model/scene_motion.h>

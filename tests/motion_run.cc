@@ -3,10 +3,10 @@
 // ends at the figures of a wheelset that stands there, a run that is stopped goes on bit for bit, and the
 // load may go to zero and come back.
 
-#include <wheelrail/application/scene_row.h>
+#include <wheelrail/bodies/run_reference.h>
+#include <wheelrail/commands/scene_row.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/output/hdf5_file.h>
-#include <wheelrail/reference/run_reference.h>
 
 #include "parallel.h"
 #include "yaw_scene.h"

@@ -9,9 +9,9 @@
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_checks.h>
-#include <wheelrail/reference/given_distance.h>
-#include <wheelrail/reference/irregular_places.h>
 #include <wheelrail/sampling/patch_measures.h>
+#include <wheelrail/wheel/given_distance.h>
+#include <wheelrail/wheel/irregular_places.h>
 
 #include <algorithm>
 #include <cmath>

@@ -12,8 +12,8 @@
 #include <wheelrail/profiles/measurement_noise.h>
 #include <wheelrail/profiles/profile_file.h>
 #include <wheelrail/profiles/smoothing_spline.h>
-#include <wheelrail/reference/halfspace_case.h>
-#include <wheelrail/reference/noise_effect.h>
+#include <wheelrail/wheel/halfspace_case.h>
+#include <wheelrail/wheel/noise_effect.h>
 
 #include <algorithm>
 #include <cmath>

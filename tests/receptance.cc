@@ -11,6 +11,7 @@
 #include <wheelrail/receptance/hammer_places.h>
 #include <wheelrail/receptance/spectra.h>
 #include <wheelrail/receptance/track_waves.h>
+#include <wheelrail/track/scene_track.h>
 
 #include "messages.h"
 #include "parallel.h"

@@ -5,7 +5,7 @@
 
 #include "between_rows.h"
 
-#include <wheelrail/reference/irregular_places.h>
+#include <wheelrail/wheel/irregular_places.h>
 
 #include <algorithm>
 #include <cmath>

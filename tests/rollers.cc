@@ -5,13 +5,14 @@
 #include "check.h"
 #include "messages.h"
 
+#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/mesh/wheel_section_outline.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/reference/given_distance.h>
-#include <wheelrail/reference/halfspace_case.h>
-#include <wheelrail/reference/noise_effect.h>
-#include <wheelrail/reference/roller_distance.h>
+#include <wheelrail/wheel/given_distance.h>
+#include <wheelrail/wheel/halfspace_case.h>
+#include <wheelrail/wheel/noise_effect.h>
+#include <wheelrail/wheel/roller_distance.h>
 
 #include <algorithm>
 #include <cmath>

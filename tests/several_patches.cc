@@ -3,9 +3,10 @@
 #include "check.h"
 #include "manchester.h"
 
+#include <wheelrail/bodies/shift_effect.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/several_patches.h>
-#include <wheelrail/reference/shift_effect.h>
+#include <wheelrail/wheel/several_patches.h>
 
 #include <algorithm>
 #include <cmath>

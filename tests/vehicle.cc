@@ -4,11 +4,12 @@
 #include "motion_table.h"
 
 #include <wheelrail/application/command_line.h>
-#include <wheelrail/application/scene_row.h>
 #include <wheelrail/base/interrupt.h>
-#include <wheelrail/reference/halfspace_case.h>
-#include <wheelrail/reference/vehicle.h>
-#include <wheelrail/reference/vehicle_rows.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/commands/scene_row.h>
+#include <wheelrail/vehicle/vehicle.h>
+#include <wheelrail/vehicle/vehicle_rows.h>
+#include <wheelrail/wheel/halfspace_case.h>
 
 #include <cmath>
 #include <cstddef>

@@ -5,11 +5,12 @@
 #include "check.h"
 
 #include <wheelrail/base/read_file.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/input/parameters.h>
-#include <wheelrail/reference/halfspace_case.h>
-#include <wheelrail/reference/halfspace_parts.h>
-#include <wheelrail/reference/wheelset_contact.h>
+#include <wheelrail/vehicle/wheelset_contact.h>
+#include <wheelrail/wheel/halfspace_case.h>
+#include <wheelrail/wheel/halfspace_parts.h>
 
 #include <algorithm>
 #include <cmath>

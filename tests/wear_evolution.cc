@@ -5,9 +5,9 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/reference/halfspace_parts.h>
-#include <wheelrail/reference/wear_files.h>
-#include <wheelrail/reference/wheel_load.h>
+#include <wheelrail/wear/wear_files.h>
+#include <wheelrail/wheel/halfspace_parts.h>
+#include <wheelrail/wheel/wheel_load.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/base/errors.h>
-#include <wheelrail/reference/wear_evolution.h>
+#include <wheelrail/wear/wear_evolution.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include "worn_profiles.h"
 
 #include <wheelrail/damage/machining.h>
-#include <wheelrail/reference/wear_evolution.h>
-#include <wheelrail/reference/wear_files.h>
+#include <wheelrail/wear/wear_evolution.h>
+#include <wheelrail/wear/wear_files.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Wheelset/Wheel load: the load that is asked for stands on the rail, in a run and in half-spaces.
 
-#include <wheelrail/reference/halfspace_case.h>
-#include <wheelrail/reference/wheel_load.h>
+#include <wheelrail/wheel/halfspace_case.h>
+#include <wheelrail/wheel/wheel_load.h>
 
 #include "messages.h"
 #include "parallel.h"

@@ -5,10 +5,10 @@
 #include "messages.h"
 
 #include <limits>
+#include <wheelrail/contactfiles/wheel_rail_input.h>
 #include <wheelrail/geometry/contact_geometry.h>
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/profile_file.h>
-#include <wheelrail/reference/wheel_rail_input.h>
 
 #include <algorithm>
 #include <sstream>

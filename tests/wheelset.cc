@@ -4,10 +4,11 @@
 #include "check.h"
 #include "cone_scene.h"
 
-#include <wheelrail/reference/halfspace_case.h>
-#include <wheelrail/reference/pair_root.h>
-#include <wheelrail/reference/wheelset_contact.h>
-#include <wheelrail/reference/wheelset_figures.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/vehicle/pair_root.h>
+#include <wheelrail/vehicle/wheelset_contact.h>
+#include <wheelrail/vehicle/wheelset_figures.h>
+#include <wheelrail/wheel/halfspace_case.h>
 
 #include <cmath>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 // Wear of profiles by one wheel, on half-spaces of 1 mm elements, shared by several tests.
 
-#include <wheelrail/reference/wear_evolution.h>
+#include <wheelrail/wear/wear_evolution.h>
 
 #include <functional>
 

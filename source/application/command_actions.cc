@@ -1,16 +1,13 @@
 #include <wheelrail/application/command_actions.h>
-#include <wheelrail/application/command_scene.h>
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/material_command.h>
-#include <wheelrail/application/report_script.h>
-#include <wheelrail/application/scene_row.h>
 #include <wheelrail/application/study_command.h>
-#include <wheelrail/application/vehicle_command.h>
-#include <wheelrail/application/wear_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
+#include <wheelrail/commands/command_scene.h>
+#include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/former_drive.h>
@@ -23,12 +20,11 @@
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/folder.h>
-#include <wheelrail/reference/given_distance.h>
-#include <wheelrail/reference/wear_mix.h>
-#include <wheelrail/reference/wheelset_contact.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/simulation.h>
 #include <wheelrail/scene/one_wheel.h>
+#include <wheelrail/vehicle/wheelset_command.h>
+#include <wheelrail/wheel/given_distance.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -73,20 +69,6 @@ namespace wheelrail
       return 0;
     }
 
-    /// Cant, which shares the load of an axle, against rows that have the loads of both wheels, or one wheel.
-    void
-    require_cant_for_loads(const Scene &scene, const MotionFile &motion)
-    {
-      if (motion.find(MotionQuantity::load_right) && std::isfinite(scene.cant))
-        throw InputError(
-          entry_text(scene, "Track", "Cant") +
-          ": the rows have the loads of both wheels already; write none, or the column load in "
-          "their place");
-      if (motion.find(MotionQuantity::cant) && !motion.find(MotionQuantity::load_right) && !scene.both_wheels)
-        throw InputError(
-          "the column cant shares the load of an axle between two wheels: give --both-wheels, or "
-          "leave it out");
-    }
   } // namespace
 
 
@@ -166,73 +148,6 @@ namespace wheelrail
       out << "warning: " << warning << "\n";
     print_notes(entries_without_effect(input, "material"), out);
     return run_material_command(input.scene, !options.count("no-pictures"), out);
-  }
-
-
-  int
-  act_vehicle(const po::variables_map &options, const RunFunction &, std::ostream &out)
-  {
-    require_file(options, "vehicle");
-    if (!options.count("motion"))
-      throw InputError("vehicle needs a motion file, such as " + own_call() + " vehicle " +
-                       ready_scene("rolling.prm") + " " + ready_scene("s_curve.csv"));
-    const MotionFile motion =
-      read_vehicle_file(options["motion"].as<std::string>(),
-                        options.count("columns") ? options["columns"].as<std::string>() : "");
-    print_notes(motion.notes, out);
-    SceneInput input = file_input_of(options);
-    require_one_scene(input);
-    input.scene.motion = "none"; // the rows of the command take its place
-    if (options.count("both-wheels"))
-      input.scene.both_wheels = true;
-    print_notes(entries_without_effect(input, "vehicle"), out);
-    print_note(drive_of_rows(input.scene, motion, row_drive_of(options)), out);
-    if (!input.scene.both_wheels && !has_drive(motion))
-      print_note("one wheel, which turns by itself; --both-wheels puts both on one axle", out);
-    input.scene = scene_for_rows(input.scene, motion, row_drive_of(options));
-    require_cant_for_loads(input.scene, motion);
-    require_none(contact_checks(input.scene).errors, input);
-    if (distance_is_given(input.scene))
-      throw InputError(
-        "vehicle takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
-    settle_bodies(input.scene, "", out);
-    return run_vehicle_command(input.scene,
-                               profiles_with_notes(input.scene, out),
-                               motion,
-                               !options.count("no-pictures"),
-                               options.count("overwrite") > 0,
-                               out);
-  }
-
-
-  int
-  act_wear(const po::variables_map &options, const RunFunction &, std::ostream &out)
-  {
-    require_file(options, "wear");
-    SceneInput input = file_input_of(options);
-    require_one_scene(input);
-    input.scene.motion   = "none";
-    const Findings found = contact_checks(input.scene);
-    require_none(found.errors, input);
-    if (input.scene.halfspace_bodies == ContactBodies::automatic)
-      input.scene.halfspace_bodies = ContactBodies::half_spaces;
-    const Scene &scene = input.scene;
-    if (distance_is_given(scene))
-      throw InputError(
-        "wear takes the distance of wheel and rail: set Half-space/Undeformed distance = profiles");
-    for (const char *const name : {"Wheel left", "Rail left"})
-      if (const std::string text = entry_text(scene, "Profiles", name);
-          text.find("as right") == std::string::npos)
-        throw InputError(text +
-                         ": both sides wear alike, as on a line with as many curves to the left as to the "
-                         "right; write as right");
-    if (team_of_job().rank == 0)
-      {
-        for (const std::string &warning : found.warnings)
-          out << "warning: " << warning << "\n";
-        print_notes(entries_without_effect(input, "wear"), out);
-      }
-    return run_wear_command(scene, !options.count("no-pictures"), options.count("overwrite") > 0, out);
   }
 
 

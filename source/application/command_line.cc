@@ -1,8 +1,8 @@
 #include <wheelrail/application/command_line.h>
-#include <wheelrail/application/command_scene.h>
 #include <wheelrail/base/choices.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
+#include <wheelrail/commands/command_scene.h>
 #include <wheelrail/input/parameters.h>
 
 #include <boost/program_options.hpp>

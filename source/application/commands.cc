@@ -1,5 +1,8 @@
 #include <wheelrail/application/command_actions.h>
 #include <wheelrail/application/commands.h>
+#include <wheelrail/receptance/receptance_command.h>
+#include <wheelrail/vehicle/vehicle_command.h>
+#include <wheelrail/wear/wear_command.h>
 
 #include <boost/program_options/value_semantic.hpp>
 

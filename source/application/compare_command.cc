@@ -1,11 +1,14 @@
-#include <wheelrail/application/command_scene.h>
 #include <wheelrail/application/compare_command.h>
 #include <wheelrail/application/compared_figures.h>
-#include <wheelrail/application/halfspace_results.h>
-#include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/hints.h>
+#include <wheelrail/bodies/body_pose.h>
+#include <wheelrail/bodies/run_reference.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/commands/command_scene.h>
+#include <wheelrail/commands/halfspace_results.h>
+#include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/profile_copies.h>
@@ -16,12 +19,10 @@
 #include <wheelrail/output/folder_lock.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
-#include <wheelrail/reference/body_pose.h>
-#include <wheelrail/reference/halfspace_stresses.h>
-#include <wheelrail/reference/run_reference.h>
 #include <wheelrail/sampling/stress_below.h>
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
+#include <wheelrail/wheel/halfspace_stresses.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include <wheelrail/application/geometry_picture.h>
-#include <wheelrail/application/report_script.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/commands/report_script.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,16 +1,17 @@
 #include <wheelrail/application/command_actions.h>
-#include <wheelrail/application/command_scene.h>
-#include <wheelrail/application/creep_curve_command.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/places_command.h>
-#include <wheelrail/application/wheelset_command.h>
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/left_out.h>
+#include <wheelrail/commands/command_scene.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/given_distance.h>
+#include <wheelrail/vehicle/creep_curve_command.h>
+#include <wheelrail/vehicle/wheelset_command.h>
+#include <wheelrail/wheel/given_distance.h>
 
 #include <optional>
 #include <ostream>
@@ -36,8 +37,7 @@ namespace wheelrail
         out << "warning: " << warning << "\n";
       print_note(drive_note(options, input), out);
       settle_bodies(input.scene, "", out);
-      return run_wheelset_command(
-        input.scene, profiles_with_notes(input.scene, out), !options.count("no-pictures"), out);
+      return run_wheelset_command(input.scene, !options.count("no-pictures"), out);
     }
 
     /// What true bodies do not have: irregular surfaces, one spin for the whole contact, and a problem that
@@ -96,6 +96,9 @@ namespace wheelrail
     };
     if (!file("beside").empty() && file("creep-curve").empty())
       throw InputError("--beside draws points beside a creep curve: give --creep-curve, too");
+    for (const char *const option : {"contact-input", "contact-wheel-rail-input"})
+      if (options.count(option) && !is_built(Subject::contact_files))
+        refuse_left_out(std::string("--") + option, Subject::contact_files);
     SceneInput     input = one_scene_of(options);
     const Findings found = contact_checks(input.scene);
     require_none(found.errors, input);

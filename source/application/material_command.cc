@@ -1,8 +1,8 @@
 #include <wheelrail/application/material_command.h>
 #include <wheelrail/application/material_drive.h>
 #include <wheelrail/application/material_path.h>
-#include <wheelrail/application/report_script.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_material.h>

@@ -1,16 +1,17 @@
-#include <wheelrail/application/halfspace_results.h>
 #include <wheelrail/application/places_command.h>
-#include <wheelrail/application/report_script.h>
-#include <wheelrail/application/row_verdicts.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/progress.h>
+#include <wheelrail/bodies/shift_effect.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/commands/halfspace_results.h>
+#include <wheelrail/commands/report_script.h>
+#include <wheelrail/commands/row_verdicts.h>
 #include <wheelrail/input/listing.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/hdf5_file.h>
 #include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/tick_file.h>
-#include <wheelrail/reference/shift_effect.h>
 #include <wheelrail/verdict/rules.h>
 
 #include <algorithm>

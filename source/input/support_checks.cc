@@ -1,3 +1,4 @@
+#include <wheelrail/base/left_out.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/support_checks.h>
@@ -51,6 +52,10 @@ namespace wheelrail
   check_support(const Scene &scene, Findings &found)
   {
     const SupportData &support = scene.support;
+    if (!is_built(Subject::track) && (support.kind != RailSupport::clamped_foot || support.damped_ends > 0))
+      found.errors.push_back(left_out(
+        entry_text(scene, "Track", support.kind != RailSupport::clamped_foot ? "Support" : "Damped ends"),
+        Subject::track));
     if (2 * support.damped_ends + scene.mesh_distance() > scene.rail_length)
       found.errors.push_back(entry_text(scene, "Track", "Damped ends") +
                              ": two of them and the rolled stretch of " + rounded_mm(scene.mesh_distance()) +

@@ -1,4 +1,5 @@
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/left_out.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/geometry/track.h>
 #include <wheelrail/input/entries.h>
@@ -18,6 +19,8 @@ namespace wheelrail
     check_both_wheels(const Scene &scene, Findings &found)
     {
       const std::string both = entry_text(scene, "Wheelset", "Wheels");
+      if (scene.both_wheels && !is_built(Subject::vehicle))
+        found.errors.push_back(left_out(both, Subject::vehicle));
       if (scene.both_wheels && scene.halfspace_distance != "profiles")
         found.errors.push_back(entry_text(scene, "Half-space", "Undeformed distance") + ": " + both +
                                " needs profiles on both rails; set it to profiles, or Wheels to one");

@@ -1,10 +1,11 @@
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_material.h>
-#include <wheelrail/model/scene_parts.h>
 #include <wheelrail/receptance/hammer_places.h>
 #include <wheelrail/receptance/track_resonances.h>
 #include <wheelrail/receptance/track_waves.h>
+#include <wheelrail/run/run_resonances.h>
+#include <wheelrail/track/scene_track.h>
 
 #include <boost/math/tools/minima.hpp>
 
@@ -58,5 +59,16 @@ namespace wheelrail
     };
     return {sleepers ? waves.pinned_pinned() : std::numeric_limits<double>::quiet_NaN(),
             least_at(give, lowest, highest)};
+  }
+
+
+  void
+  add_resonances(const Scene &scene, const SceneGeometry &geometry, const Model &model, Summary &summary)
+  {
+    const double unsprung = model.wheel_load / scene.gravity - model.axle.sprung_mass;
+    const auto   track    = track_resonances(scene, geometry, unsprung, model.wheel_load);
+    if (std::isfinite(track.pinned_pinned))
+      set_figure(summary, "pinned_pinned_Hz", track.pinned_pinned);
+    set_figure(summary, "contact_resonance_Hz", track.contact);
   }
 } // namespace wheelrail

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/head_place.h>
 #include <wheelrail/geometry/made_up_part.h>
@@ -8,17 +9,15 @@
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/model/section_file.h>
-#include <wheelrail/receptance/track_resonances.h>
-#include <wheelrail/reference/halfspace_parts.h>
-#include <wheelrail/reference/noise_effect.h>
-#include <wheelrail/reference/reference_figures.h>
-#include <wheelrail/reference/run_reference.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/body_figures.h>
 #include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
+#include <wheelrail/wheel/halfspace_parts.h>
+#include <wheelrail/wheel/noise_effect.h>
+#include <wheelrail/wheel/reference_figures.h>
 
 #include <sys/resource.h>
 
@@ -264,17 +263,6 @@ namespace wheelrail
       if (!warning.empty())
         warnings.push_back(warning);
     return warnings;
-  }
-
-
-  void
-  add_resonances(const Scene &scene, const SceneGeometry &geometry, const Model &model, Summary &summary)
-  {
-    const double unsprung = model.wheel_load / scene.gravity - model.axle.sprung_mass;
-    const auto   track    = track_resonances(scene, geometry, unsprung, model.wheel_load);
-    if (std::isfinite(track.pinned_pinned))
-      set_figure(summary, "pinned_pinned_Hz", track.pinned_pinned);
-    set_figure(summary, "contact_resonance_Hz", track.contact);
   }
 
 

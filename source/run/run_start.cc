@@ -1,8 +1,8 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/bodies/start_bodies.h>
 #include <wheelrail/dynamics/rolling_velocities.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/output/root.h>
-#include <wheelrail/reference/start_bodies.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/state/rail_state.h>

@@ -8,6 +8,7 @@
 #include <wheelrail/run/end_screen.h>
 #include <wheelrail/run/moving_mesh.h>
 #include <wheelrail/run/run_end.h>
+#include <wheelrail/run/run_resonances.h>
 #include <wheelrail/run/run_in.h>
 #include <wheelrail/run/run_output.h>
 #include <wheelrail/run/run_schedule.h>

@@ -9,48 +9,26 @@ namespace wheelrail
   // computed.
 
   int
-  act_run(const boost::program_options::variables_map &options, const RunFunction &run, std::ostream &out);
+  act_run(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
-  act_geometry(const boost::program_options::variables_map &options,
-               const RunFunction                           &run,
-               std::ostream                                &out);
+  act_geometry(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
-  act_halfspace(const boost::program_options::variables_map &options,
-                const RunFunction                           &run,
-                std::ostream                                &out);
+  act_halfspace(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
-  act_receptance(const boost::program_options::variables_map &options,
-                 const RunFunction                           &run,
-                 std::ostream                                &out);
+  act_material(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
-  act_material(const boost::program_options::variables_map &options,
-               const RunFunction                           &run,
-               std::ostream                                &out);
+  act_parameters(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
-  act_vehicle(const boost::program_options::variables_map &options,
-              const RunFunction                           &run,
-              std::ostream                                &out);
-  int
-  act_wear(const boost::program_options::variables_map &options, const RunFunction &run, std::ostream &out);
+  act_compare(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
-  act_parameters(const boost::program_options::variables_map &options,
-                 const RunFunction                           &run,
-                 std::ostream                                &out);
+  act_report(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
-  act_compare(const boost::program_options::variables_map &options,
-              const RunFunction                           &run,
-              std::ostream                                &out);
-
-  int
-  act_report(const boost::program_options::variables_map &options, const RunFunction &run, std::ostream &out);
-
-  int
-  act_study(const boost::program_options::variables_map &options, const RunFunction &run, std::ostream &out);
+  act_study(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 } // namespace wheelrail

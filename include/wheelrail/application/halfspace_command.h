@@ -1,8 +1,8 @@
 #pragma once
 
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/halfspace_case.h>
 #include <wheelrail/scene/scene.h>
+#include <wheelrail/wheel/halfspace_case.h>
 
 #include <ostream>
 #include <string>

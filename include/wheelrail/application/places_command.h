@@ -1,8 +1,8 @@
 #pragma once
 
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/reference/irregular_places.h>
 #include <wheelrail/scene/scene.h>
+#include <wheelrail/wheel/irregular_places.h>
 
 #include <ostream>
 

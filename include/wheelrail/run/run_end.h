@@ -32,10 +32,6 @@ namespace wheelrail
   std::vector<std::string>
   judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary);
 
-  /// Adds the pinned-pinned frequency and the contact resonance of the track (receptance/track_resonances.h).
-  void
-  add_resonances(const Scene &scene, const SceneGeometry &geometry, const Model &model, Summary &summary);
-
   /// Adds what the run left in the rail, the components where BB_behind cuts it.
   void
   add_residual(const Residual &residual, Summary &summary);

@@ -62,7 +62,7 @@ namespace wheelrail
     /// Longitudinal force less that of the true bodies with the same creepage, over the vertical force.
     double      force_difference = none;
     double      turn             = none; ///< of the surfaces across the patch [rad]
-    double      shift_effect     = none; ///< of half-spaces, see shift_effect() of reference/
+    double      shift_effect     = none; ///< of half-spaces, see shift_effect()
     double      bodies_effect    = none; ///< peak of half-spaces over that of the true bodies, less 1
     std::string unheld; ///< why half-spaces are not held against true bodies, or not all; empty: they are
     double      pose_effect    = none; ///< peak with the pose over peak without it, less 1

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <wheelrail/bodies/body_influences.h>
+#include <wheelrail/bodies/body_tables.h>
+#include <wheelrail/geometry/contact_geometry.h>
+#include <wheelrail/halfspace/added_influence.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace wheelrail
+{
+  /// Where a row of elements along the track lies on both bodies.
+  struct PlacedRow
+  {
+    double rail_arc = 0, wheel_arc = 0; ///< along the profiles [m]
+    double angle   = 0;                 ///< of the contact's lateral direction against X [rad]
+    double lateral = 0;                 ///< the contact's own lateral coordinate [m]
+  };
+
+  /// Both bodies under the rows of a contact: rail, wheel.
+  struct PlacedBodies
+  {
+    std::vector<AddedInfluence::Basis> bases; ///< of the rows
+    std::array<BodyPlacement, 2>       placements;
+    std::array<ContactRows, 2>         rows; ///< of their tables
+    std::array<BodyInfluences, 2>      influences;
+  };
+
+  /// The directions of AddedInfluence at a row inclined by `angle`: x along the track, y along the surface,
+  /// n into the rail.
+  AddedInfluence::Basis
+  row_basis(double angle);
+
+  /// Throws RunError as contact_rows() does.
+  PlacedBodies
+  place_bodies(const BodyTables             &tables,
+               const ContactGeometry        &contact,
+               const std::vector<PlacedRow> &rows,
+               const HalfspaceGrid          &grid,
+               double                        step);
+
+  /// What both give way beyond half-spaces, for the grid and the step that they were placed under.
+  std::shared_ptr<AddedInfluence>
+  added_influence(const PlacedBodies &placed, const HalfspaceGrid &grid, double step);
+} // namespace wheelrail

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <wheelrail/wheel/halfspace_case.h>
+
+namespace wheelrail
+{
+  /// By what share the noise in measured profiles may move the peak pressure: the contact is solved again, by
+  /// half-spaces under `normal_force` [N] on elements of at least 0.8 mm, for others of the profiles that the
+  /// points leave possible (drawn()); twice the root mean square of the changes, infinity where one does not
+  /// touch. NaN where no profile is of a file.
+  double
+  noise_effect(const Scene &scene, const SceneGeometry &geometry, double normal_force);
+
+  /// That of a solution, under the sum of its forces.
+  void
+  find_noise_effect(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result);
+} // namespace wheelrail

@@ -1,0 +1,91 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/bodies/answering_bodies.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/output/figures.h>
+
+#include <cmath>
+
+namespace wheelrail
+{
+  std::string
+  fault_of(const std::function<void()> &solve)
+  {
+    try
+      {
+        solve();
+      }
+    catch (const RunError &error)
+      {
+        return error.what();
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "";
+  }
+
+
+  std::string
+  solve_with_bodies(Scene &scene, const std::function<void()> &solve)
+  {
+    std::string note;
+    if (scene.halfspace_bodies == ContactBodies::automatic)
+      {
+        scene.halfspace_bodies = ContactBodies::real;
+        const std::string why  = fault_of(solve);
+        if (why.empty())
+          return "";
+        scene.halfspace_bodies =
+          ContactBodies::half_spaces; // what these do not take either they say themselves
+        note = "By half-spaces, since true bodies have no answer: " + why;
+      }
+    solve();
+    return note;
+  }
+
+
+  void
+  add_halfspaces(const Scene         &scene,
+                 const SceneGeometry &geometry,
+                 const WheelRailLoad &load,
+                 Summary             &bodies)
+  {
+    Scene alone            = scene;
+    alone.halfspace_bodies = ContactBodies::half_spaces;
+    fault_of([&]() { // where half-spaces do not touch there is nothing to add
+      const WheelRailSolution result = solve_wheel_rail(alone, geometry, load, scene_offsets(alone));
+      const double            peak   = halfspace_pressure(result).peak;
+      const auto              set    = [&](const char *name, const double value) {
+        set_figure(bodies, "halfspace_" + figure_named(name).key(), value);
+      };
+      set("max_pressure", peak);
+      set("contact_area", sum_over_patches(result, [](const auto &patch) { return patch.measures.area; }));
+      set("creepage", steady_creepage(result));
+      set("lateral_force", sum_over_patches(result, [](const auto &patch) { return patch.lateral; }));
+      set_figure(bodies, "relative_difference_max_pressure", bodies.max_pressure / peak - 1);
+    });
+  }
+
+
+  std::string
+  halfspaces_beside(const Summary &bodies)
+  {
+    const double peak = get_figure(bodies, "halfspace_max_pressure_Pa");
+    if (!std::isfinite(peak))
+      return "";
+    std::string line = "Half-spaces beside them:";
+    for (const char *name : {"max_pressure", "contact_area", "creepage", "lateral_force"})
+      {
+        const Figure     &figure = figure_named(name);
+        const std::string mark   = line.back() == ':' ? " " : ", ",
+                          unit   = *figure.unit ? std::string(" ") + figure.unit : "";
+        if (const double value = get_figure(bodies, "halfspace_" + figure.key()); std::isfinite(value))
+          line.append(mark).append(figure.label).append(" ").append(figure.shown(value)).append(unit);
+        if (figure.key() == "max_pressure_Pa")
+          line += text(" (%+.1f %%)", 100 * (peak / bodies.max_pressure - 1));
+      }
+    return line;
+  }
+} // namespace wheelrail

@@ -1,0 +1,308 @@
+#include <wheelrail/bodies/body_contact.h>
+#include <wheelrail/bodies/placed_bodies.h>
+#include <wheelrail/halfspace/added_influence.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/wheel/contact_reference.h>
+#include <wheelrail/wheel/halfspace_parts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    // changes between rounds: of the rigid slip, of pressures over their peak
+    constexpr double slip_settled = 1e-7, pressure_settled = 2e-4;
+  } // namespace
+
+
+  BodyContact::BodyContact(const Scene &scene, const SceneGeometry &geometry, const BodyTables &tables)
+    : geometry_(geometry)
+    , tables_(tables)
+    , sections_(geometry, {}, whole_region(geometry.contact))
+    , motion_(wheel_motion(scene, geometry.contact))
+    , element_(scene.halfspace_element_size)
+    , rate_(scene.velocity / geometry.contact.rolling_radius)
+    , problem_(halfspace_problem(scene))
+  {
+    const Curve &head    = geometry.rail.head;
+    first_               = head.closest(geometry.contact.rail.to_section(geometry.contact.frame.origin));
+    first_arc_           = head.length(0, first_);
+    problem_.force_given = true;
+    problem_.motion      = HalfspaceMotion::steady;
+    tolerance_           = problem_.tangential_tolerance;
+    reached_             = 1.5 * expected_approach(scene, geometry.contact.rolling_radius);
+  }
+
+
+  void
+  BodyContact::set_bodies()
+  {
+    std::vector<PlacedRow> rows;
+    for (std::size_t j = 0; j < rows_.size(); ++j)
+      rows.push_back({rows_[j].rail_arc, rows_[j].wheel_arc, rows_[j].angle, problem_.grid.y(j)});
+    const double       step      = problem_.step > 0 ? problem_.step : problem_.grid.dx;
+    const PlacedBodies placed    = place_bodies(tables_, geometry_.contact, rows, problem_.grid, step);
+    added_                       = added_influence(placed, problem_.grid, step);
+    contact_rows_                = placed.rows;
+    growth_                      = growth(tables_.wheel, placed.placements[1], placed.rows[1], rate_);
+    problem_.added               = added_;
+    HalfspaceProblem wheel_alone = problem_;
+    wheel_alone.body1.shear_modulus *= 1e12;
+    wheel_kernels_ = std::make_shared<HalfspaceKernels>(wheel_alone);
+  }
+
+
+  void
+  BodyContact::set_slip()
+  {
+    const HalfspaceGrid &grid = problem_.grid;
+    own_slip_.assign(grid.size(), 0.);
+    problem_.rigid_slip_y.assign(grid.size(), 0.);
+    const double offset = problem_.spin_offset * grid.dx;
+    for (int j = 0; j < grid.my; ++j)
+      {
+        const Row &row = rows_[j];
+        if (!row.touches)
+          continue;
+        const RowSlip slip = row_slip(row.slice, motion_, problem_.xi);
+        for (int i = 0; i < grid.mx; ++i)
+          {
+            own_slip_[i + grid.mx * j]             = slip.along;
+            problem_.rigid_slip_y[i + grid.mx * j] = slip.lateral_at(grid.x(i) + offset);
+          }
+      }
+  }
+
+
+  std::vector<double>
+  BodyContact::wheel_rise(const AddedInfluence::Given &t) const
+  {
+    const HalfspaceGrid &grid = problem_.grid;
+    std::vector<double>  rise(grid.size(), 0.);
+    const auto           own    = displacements(*wheel_kernels_, {1, 2}, t);
+    const auto           beyond = added_->fixed_displacement(1, t);
+    for (int j = 0; j < grid.my; ++j)
+      {
+        const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
+        for (int e = grid.mx * j; e < grid.mx * (j + 1); ++e)
+          rise[e] = c * own[1][e] - s * own[0][e] + growth_[j].y - beyond[1][e];
+      }
+    return rise;
+  }
+
+
+  AddedInfluence::Given
+  BodyContact::tractions() const
+  {
+    return {{&solution_.traction_x, &solution_.traction_y, &solution_.pressure}};
+  }
+
+
+  double
+  BodyContact::stretch_of_tread() const
+  {
+    const HalfspaceGrid      &grid = problem_.grid;
+    const std::vector<double> none(grid.size(), 0.), rise = wheel_rise({{&none, &none, &solution_.pressure}});
+    std::vector<double>       slip(grid.size(), 0.);
+    added_->add_slip({{nullptr, nullptr, &solution_.pressure}}, {{&slip, nullptr, nullptr}});
+    // the slope of least squares of a displacement is the mean of its derivative, with weights that vanish at
+    // both ends of a row
+    double sum = 0, weights = 0;
+    for (int j = 0; j < grid.my; ++j)
+      {
+        int first = grid.mx, last = -1;
+        for (int i = 0; i < grid.mx; ++i)
+          if (solution_.pressure[i + grid.mx * j] > 0)
+            first = std::min(first, i), last = i;
+        for (int i = first; i <= last; ++i)
+          {
+            const int    e      = i + grid.mx * j;
+            const double weight = (i - first + 0.5) * (last - i + 0.5);
+            sum += weight * (slip[e] - rise[e] / rows_[j].slice.radius);
+            weights += weight;
+          }
+      }
+    return weights > 0 ? sum / weights : 0;
+  }
+
+
+  double
+  BodyContact::solve_round(const WheelRailLoad &load)
+  {
+    const HalfspaceGrid &grid  = problem_.grid;
+    const bool           first = solution_.grid.size() == 0;
+    // what tractions across carry of the load
+    double shear = 0;
+    for (int j = 0; j < grid.my && !first; ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        shear += std::sin(rows_[j].angle) * solution_.traction_y[i + grid.mx * j] * grid.element_area();
+    problem_.normal_force             = vertical_load(load) + shear;
+    const double yaw                  = load.along_track ? 0 : geometry_.contact.yaw;
+    problem_.longitudinal_force_given = !load.rate_held;
+    if (load.rate_held)
+      problem_.xi = load.creepage;
+    problem_.fx = load.slides
+                    ? -std::copysign(10 * load.force, load.longitudinal)
+                    : -(load.longitudinal - (first ? 0 : force().x) * std::sin(yaw)) / std::cos(yaw);
+    set_slip();
+    const std::vector<double> before = rise_;
+    problem_.rigid_slip_x            = own_slip_;
+    for (int j = 0; j < grid.my && !rise_.empty(); ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        if (rows_[j].touches)
+          problem_.rigid_slip_x[i + grid.mx * j] -= rise_[i + grid.mx * j] / rows_[j].slice.radius;
+    const HalfspaceSolution guess = solution_;
+    if (first) // the pressure alone
+      {
+        HalfspaceProblem pressing = problem_;
+        pressing.motion           = HalfspaceMotion::none;
+        solution_                 = solve_rolling(pressing, kernels_);
+      }
+    else
+      solution_ = solve_carried(problem_, kernels_, &guess);
+    if (!first && solution_.within_friction)
+      problem_.xi = solution_.xi;
+    rise_         = wheel_rise(tractions());
+    double change = before.empty() ? 1 : 0;
+    for (std::size_t e = 0; e < before.size(); ++e)
+      if (solution_.pressure[e] > 0)
+        change = std::max({change,
+                           std::abs(rise_[e] - before[e]) / (geometry_.contact.rolling_radius * slip_settled),
+                           std::abs(solution_.pressure[e] - guess.pressure[e]) /
+                             (solution_.peak_pressure * pressure_settled)});
+    return std::max(change, move_rows());
+  }
+
+
+  double
+  BodyContact::vertical_load(const WheelRailLoad &load) const
+  {
+    return load.vertical ? load.force : load.force * std::cos(geometry_.contact.frame.angle);
+  }
+
+
+  BodyLoads
+  BodyContact::loads(const bool on_wheel) const
+  {
+    const HalfspaceGrid &grid = problem_.grid;
+    const ContactRows   &rows = contact_rows_[on_wheel];
+    BodyLoads            loads{rows.first, {}, {}};
+    loads.forces.assign(rows.count, std::vector<Vector3>(grid.mx, Vector3{}));
+    for (int i = 0; i < grid.mx; ++i)
+      loads.along.push_back(grid.x(i));
+    const double side = on_wheel ? -1 : 1;
+    for (int j = 0; j < grid.my; ++j)
+      for (int i = 0; i < grid.mx; ++i)
+        if (const int e = i + grid.mx * j; solution_.pressure[e] > 0)
+          {
+            const auto   basis = row_basis(rows_[j].angle);
+            const double t[3]  = {solution_.traction_x[e], solution_.traction_y[e], solution_.pressure[e]};
+            Vector3      force{};
+            for (int axis = 0; axis < 3; ++axis)
+              for (int c = 0; c < 3; ++c)
+                force[axis] += side * grid.element_area() * basis[3 * axis + c] * t[c];
+            for (int r = 0; r < rows.count; ++r)
+              add(loads.forces[r][i], rows.weights[std::size_t(j) * rows.count + r], force);
+          }
+    return loads;
+  }
+
+
+  Point2
+  BodyContact::force() const
+  {
+    Point2 sum;
+    for (int j = 0; j < problem_.grid.my; ++j)
+      {
+        const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
+        for (int i = 0; i < problem_.grid.mx; ++i)
+          {
+            const int    e = i + problem_.grid.mx * j;
+            const double p = solution_.pressure[e], t = solution_.traction_y[e];
+            sum = sum + Point2{-s * p - c * t, c * p - s * t};
+          }
+      }
+    return problem_.grid.element_area() * sum;
+  }
+
+
+  WheelsetForces
+  BodyContact::forces_on_wheelset() const
+  {
+    std::vector<RowOfElements> rows;
+    for (const Row &row : rows_)
+      rows.push_back({row.place, row.angle});
+    return wheelset_forces(sections_, rows, solution_);
+  }
+
+
+  double
+  BodyContact::torque() const
+  {
+    return -dot(forces_on_wheelset().moment, geometry_.contact.axis.direction);
+  }
+
+
+  WheelRailSolution
+  BodyContact::result() const
+  {
+    WheelRailSolution result;
+    result.problem      = problem_;
+    result.solution     = solution_;
+    result.enlargements = enlargements_;
+    result.body_loads   = {loads(false), loads(true)};
+    result.patch        = halfspace_patch(solution_);
+    for (int j = 0; j <= problem_.grid.my; ++j)
+      result.row_edges.push_back(row_at(problem_.grid.y(j) - 0.5 * problem_.grid.dy).place);
+    result.measures     = measure_patch(result.patch);
+    result.centre       = row_at(result.measures.centre_lateral).place;
+    result.rail         = geometry_.contact.rail;
+    result.lateral      = force().x;
+    result.vertical     = force().y;
+    result.roll         = geometry_.contact.roll;
+    result.ahead        = geometry_.contact.ahead;
+    const auto   angle  = [&](const double y) { return row_at(y).angle; };
+    const double middle = result.measures.centre_lateral, half = 0.5 * result.measures.width;
+    result.turn = std::abs(angle(middle + half) - angle(middle - half));
+    std::vector<double> places;
+    for (const Row &row : rows_)
+      places.push_back(row.s);
+    result.kinks = sections_.kinks_under(solution_, places);
+    double sum = 0, wheel_angle = 0, x = 0, y = 0;
+    for (int j = 0; j < problem_.grid.my; ++j)
+      for (int i = 0; i < problem_.grid.mx; ++i)
+        if (const double p = solution_.pressure[i + problem_.grid.mx * j]; p > 0)
+          {
+            sum += p;
+            result.angle += p * rows_[j].angle;
+            wheel_angle += p * rows_[j].slice.wheel_angle;
+            x += p * problem_.grid.x(i);
+            y += p * problem_.grid.y(j);
+          }
+    result.angle /= sum;
+    result.spin = std::sin(wheel_angle / sum) / geometry_.contact.rolling_radius;
+    // the reference point is the centre of pressure
+    const Row centre = row_at(y / sum);
+    result.reference = reference_at(sections_,
+                                    {x / sum, y / sum, centre.place, result.angle, centre.slice},
+                                    forces_on_wheelset(),
+                                    motion_,
+                                    solution_);
+    return result;
+  }
+
+
+  WheelRailSolution
+  solve_bodies(const Scene         &scene,
+               const SceneGeometry &geometry,
+               const WheelRailLoad &load,
+               const BodyTables    &tables)
+  {
+    BodyContact contact(scene, geometry, tables);
+    contact.carry(load);
+    return contact.result();
+  }
+} // namespace wheelrail

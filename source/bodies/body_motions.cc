@@ -1,0 +1,110 @@
+#include <wheelrail/bodies/body_contact.h>
+#include <wheelrail/bodies/placed_bodies.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    // changes of rows between rounds [rad], [m]
+    constexpr double turn_settled = 2e-6, shift_settled = 1e-7;
+  } // namespace
+
+
+  // (5) and (6) of doc/theory/bodies.md
+  std::vector<BodyContact::RowMotion>
+  BodyContact::row_motions() const
+  {
+    const HalfspaceGrid        &grid = problem_.grid;
+    const AddedInfluence::Given t    = tractions();
+    const auto          rail = added_->fixed_displacement(0, t), wheel = added_->fixed_displacement(1, t);
+    std::vector<double> against = displacements(*kernels_, {1}, t).front();
+    added_->add_displacement(t, {{nullptr, &against, nullptr}});
+
+    // means along the track, as the pressure of all rows is distributed there
+    std::vector<double> weight(grid.mx, 0.);
+    double              load = 0;
+    for (int e = 0; e < grid.size(); ++e)
+      {
+        weight[e % grid.mx] += solution_.pressure[e];
+        load += solution_.pressure[e];
+      }
+    std::vector<Point2>    moved(grid.my), rim(growth_);
+    std::vector<RowMotion> motions(grid.my);
+    for (int j = 0; j < grid.my; ++j)
+      {
+        const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
+        motions[j].shift = c * growth_[j].x + s * (growth_[j].y - solution_.approach);
+        for (int i = 0; i < grid.mx; ++i)
+          {
+            const int    e    = i + grid.mx * j;
+            const double part = load > 0 ? weight[i] / load : 0;
+            motions[j].shift -= part * against[e];
+            moved[j] = moved[j] + part * Point2{rail[0][e], rail[1][e]};
+            rim[j]   = rim[j] - part * Point2{wheel[0][e], wheel[1][e]};
+          }
+      }
+    for (int j = 0; j < grid.my; ++j)
+      {
+        const int  low = std::max(0, j - 1), high = std::min(grid.my - 1, j + 1);
+        const auto turn = [&](const std::vector<Point2> &of) {
+          const Point2 change = of[high] - of[low];
+          return (std::cos(rows_[j].angle) * change.y - std::sin(rows_[j].angle) * change.x) /
+                 (grid.y(high) - grid.y(low));
+        };
+        motions[j].turn     = turn(moved);
+        motions[j].rim_turn = turn(rim);
+      }
+    return motions;
+  }
+
+
+  BodyContact::RowMotion
+  BodyContact::motion_at(const double y) const
+  {
+    if (motions_.empty())
+      return {};
+    const double place  = std::clamp((y - problem_.grid.y(0)) / problem_.grid.dy, 0., motions_.size() - 1.);
+    const std::size_t j = std::min(std::size_t(place), motions_.size() - 2);
+    const double      r = place - j;
+    return {(1 - r) * motions_[j].turn + r * motions_[j + 1].turn,
+            (1 - r) * motions_[j].shift + r * motions_[j + 1].shift,
+            (1 - r) * motions_[j].rim_turn + r * motions_[j + 1].rim_turn};
+  }
+
+
+  double
+  BodyContact::move_rows()
+  {
+    const HalfspaceGrid         &grid   = problem_.grid;
+    const std::vector<RowMotion> before = motions_;
+    motions_                            = row_motions();
+    double change                       = before.empty() ? 1e3 : 0;
+    for (int j = 0; j < grid.my; ++j)
+      {
+        if (!rows_[j].touches)
+          continue;
+        if (!before.empty())
+          change = std::max({change,
+                             std::abs(motions_[j].turn - before[j].turn) / turn_settled,
+                             std::abs(motions_[j].shift - before[j].shift) / shift_settled});
+        const Row moved = row_at(grid.y(j));
+        if (!moved.touches)
+          continue;
+        for (int e = grid.mx * j; e < grid.mx * (j + 1); ++e)
+          {
+            problem_.undeformed_distance[e] += moved.distance - rows_[j].distance;
+            problem_.normal_cosine[e] = std::cos(moved.angle);
+          }
+        rows_[j] = moved;
+      }
+    std::vector<AddedInfluence::Basis> bases;
+    for (const Row &row : rows_)
+      bases.push_back(row_basis(row.angle));
+    added_->set_bases(bases);
+    return change;
+  }
+} // namespace wheelrail

@@ -1,0 +1,101 @@
+#include <wheelrail/bodies/body_contact.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  BodyContact::Row
+  BodyContact::row_at(const double y) const
+  {
+    const Curve     &head = geometry_.rail.head, &outline = geometry_.contact.outline.curve;
+    const Placement &rail = geometry_.contact.rail, &wheel = geometry_.contact.wheel;
+    Row              row;
+    const double     t     = head.advance(first_, y);
+    row.rail_arc           = first_arc_ + y;
+    const CurvePoint point = head.at(t);
+    row.place              = rail.to_track(point.position);
+    const Point2 ahead     = rail.to_track(point.position + point.tangent) - row.place;
+    row.angle              = std::atan2(ahead.y, ahead.x);
+    const Point2    normal{-std::sin(row.angle), std::cos(row.angle)};
+    const RowMotion motion = motion_at(y);
+    const Point2    aside  = motion.shift * Point2{normal.y, -normal.x};
+    row.angle += motion.turn;
+    // the rail's normal cuts the tangent of the wheel at its closest point
+    const double     tw      = outline.closest(wheel.to_section(row.place - aside));
+    const CurvePoint closest = outline.at(tw);
+    const Point2     foot    = wheel.to_track(closest.position),
+                 tangent     = wheel.to_track(closest.position + closest.tangent) - foot;
+    row.distance             = cross(tangent, foot + aside - row.place) / cross(tangent, normal);
+    row.wheel_arc            = geometry_.wheel.tread.length(0, geometry_.contact.outline.on_tread(tw));
+    const double s           = geometry_.contact.frame.to_frame(foot).x;
+    row.touches              = t > 0 && t < head.parameter_end() && tw > 0 && tw < outline.parameter_end() &&
+                  s > sections_.s_min() && s < sections_.s_max() && std::cos(row.angle) > 0.05;
+    if (!row.touches)
+      return row;
+    row.slice = sections_.slice(s);
+    row.slice.wheel_angle += motion.rim_turn;
+    row.slice.wheel_tangent += motion.rim_turn;
+    row.s = s;
+    // distances of the sections lie along the normal of the first contact point
+    row.along_normal = std::cos(row.slice.wheel_tangent - geometry_.contact.frame.angle) /
+                       std::cos(row.slice.wheel_tangent - row.angle);
+    return row;
+  }
+
+
+  void
+  BodyContact::lay_grid(const double element, const double reached)
+  {
+    constexpr double longest = 0.04; // of a stretch without contact that may lie between two patches [m]
+    const auto       end     = [&](const double step) {
+      double last = 0;
+      for (double y = 0; std::abs(y - last) < longest; y += step)
+        {
+          const Row row = row_at(y);
+          if (!row.touches)
+            break;
+          if (row.distance < reached * std::cos(row.angle))
+            last = y;
+        }
+      return last;
+    };
+    const double coarse = std::max(element, 0.5e-3), low = end(-coarse), high = end(coarse);
+    double       back = 0, front = 0;
+    for (const double y : {low, 0., high})
+      {
+        const double along = row_at(y).slice.along;
+        back               = std::min(back, along);
+        front              = std::max(front, along);
+      }
+    const double half = std::sqrt(2 * geometry_.contact.rolling_radius * reached / 1.5);
+    const int    n0   = int(std::ceil((half - back) / element)) + 2,
+              n1 = int(std::ceil((half + front) / element)) + 2, y0 = int(std::floor(low / element)) - 2,
+              y1  = int(std::ceil(high / element)) + 2;
+    problem_.grid = {n0 + n1 + 1, y1 - y0 + 1, element, element, -n0 * element, y0 * element};
+    rows_.clear();
+    motions_.clear();
+    for (int j = 0; j < problem_.grid.my; ++j)
+      rows_.push_back(row_at(problem_.grid.y(j)));
+    set_bodies();
+    constexpr double far = 0.1; // farther than any approach: where there is no surface [m]
+    problem_.undeformed_distance.assign(problem_.grid.size(), far);
+    problem_.normal_cosine.assign(problem_.grid.size(), 1);
+    for (int j = 0; j < problem_.grid.my; ++j)
+      if (const Row &row = rows_[j]; row.touches)
+        {
+          const double lowest = sections_.distance(row.s), cosine = std::cos(row.angle);
+          const double own = row.distance + growth_[j].y * cosine - growth_[j].x * std::sin(row.angle);
+          for (int i = 0; i < problem_.grid.mx; ++i)
+            {
+              const int e = i + problem_.grid.mx * j;
+              problem_.undeformed_distance[e] =
+                own + row.along_normal * (sections_.distance(row.s, problem_.grid.x(i)) - lowest);
+              problem_.normal_cosine[e] = cosine;
+            }
+        }
+    set_slip();
+    solution_ = {};
+    rise_.clear();
+  }
+} // namespace wheelrail

@@ -1,0 +1,58 @@
+#include <wheelrail/bodies/placed_bodies.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace wheelrail
+{
+  AddedInfluence::Basis
+  row_basis(const double angle)
+  {
+    const double c = std::cos(angle), s = std::sin(angle);
+    return {{0, c, s, 0, s, -c, 1, 0, 0}};
+  }
+
+
+  PlacedBodies
+  place_bodies(const BodyTables             &tables,
+               const ContactGeometry        &contact,
+               const std::vector<PlacedRow> &rows,
+               const HalfspaceGrid          &grid,
+               const double                  step)
+  {
+    PlacedBodies placed;
+    for (const PlacedRow &row : rows)
+      {
+        placed.bases.push_back(row_basis(row.angle));
+        placed.placements[0].arcs.push_back(row.rail_arc);
+        placed.placements[1].arcs.push_back(row.wheel_arc);
+        for (BodyPlacement &placement : placed.placements)
+          {
+            placement.angles.push_back(row.angle);
+            placement.lateral.push_back(row.lateral);
+          }
+      }
+    placed.placements[0].turn   = contact.rail.angle;
+    placed.placements[1].turn   = contact.wheel.angle;
+    placed.placements[1].radius = contact.rolling_radius;
+    for (const int body : {0, 1})
+      {
+        const BodyTable &table = body == 0 ? tables.rail : tables.wheel;
+        placed.rows[body]      = contact_rows(table, placed.placements[body]);
+        placed.influences[body] =
+          body_influences(table, placed.placements[body], placed.rows[body], grid, step);
+      }
+    return placed;
+  }
+
+
+  std::shared_ptr<AddedInfluence>
+  added_influence(const PlacedBodies &placed, const HalfspaceGrid &grid, const double step)
+  {
+    auto added = std::make_shared<AddedInfluence>(grid, placed.bases);
+    for (const BodyInfluences &influence : placed.influences)
+      added->add_body(influence.here, influence.ahead, step);
+    return added;
+  }
+} // namespace wheelrail

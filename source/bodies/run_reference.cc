@@ -1,0 +1,91 @@
+#include <wheelrail/bodies/answering_bodies.h>
+#include <wheelrail/bodies/run_reference.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    double
+    bulk_modulus(const MaterialData &material)
+    {
+      return material.youngs_modulus / (3 * (1 - 2 * material.poissons_ratio));
+    }
+  } // namespace
+
+
+  void
+  measure_against(const HalfspacePressure &halfspace,
+                  const Scene             &scene,
+                  const Summary           &run,
+                  Measures                &measures)
+  {
+    measures.peak_difference = run.max_pressure / halfspace.peak - 1;
+    measures.penetration     = run.max_pressure * scene.cell_size /
+                           (scene.penalty_scale *
+                            std::min(bulk_modulus(scene.rail_material), bulk_modulus(scene.wheel_material))) /
+                           halfspace.approach;
+    measures.turn = halfspace.turn;
+    if (const double patches = get_figure(run, "patches"); patches > 1 && patches != halfspace.patches)
+      measures.patches = patches;
+  }
+
+
+  bool
+  force_is_a_result(const Scene &scene)
+  {
+    return scene.drive == Drive::rate && scene.motion == "none" && !scene.irregular();
+  }
+
+
+  void
+  measure_against_bodies(const Scene         &scene,
+                         const SceneGeometry &geometry,
+                         const Summary       &run,
+                         Measures            &measures)
+  {
+    Scene bodies            = scene;
+    bodies.halfspace_bodies = ContactBodies::real;
+    WheelRailLoad load;
+    load.force     = run.vertical_force;
+    load.vertical  = true;
+    load.rate_held = true;
+    load.creepage  = run.creepage;
+    fault_of([&]() {
+      const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
+      if (!real.solution.converged())
+        return;
+      measures.bodies_difference = run.max_pressure / real.solution.peak_pressure - 1;
+      measures.force_difference  = (run.longitudinal_force + real.solution.fx) / run.vertical_force;
+    });
+  }
+
+
+  WheelRailLoad
+  load_of_run(const Summary &run)
+  {
+    WheelRailLoad load;
+    load.force        = run.vertical_force;
+    load.vertical     = true;
+    load.longitudinal = run.longitudinal_force;
+    load.along_track  = true;
+    // a force at its bound says no more of the creepage; one that slides sideways, by its direction
+    load.slides = run.stick_fraction < 1e-3 && std::abs(run.longitudinal_force) > 1e-3 * run.vertical_force &&
+                  !std::isfinite(get_figure(run, "yaw_rad"));
+    return load;
+  }
+
+
+  SectionOffsets
+  offsets_of_run(const Summary &run)
+  {
+    const auto value = [&](const char *key) {
+      const double figure = get_figure(run, key);
+      return std::isfinite(figure) ? figure : 0;
+    };
+    return {value("relative_lateral_m"), value("rail_head_roll_rad"), value("wheel_rim_roll_rad")};
+  }
+} // namespace wheelrail

@@ -1,0 +1,77 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/bodies/answering_bodies.h>
+#include <wheelrail/bodies/shift_effect.h>
+#include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/input/cross_checks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  double
+  shift_effect(const Scene &scene, const SceneGeometry &geometry, const double normal_force)
+  {
+    // what the shift of half-spaces has to be changed by for the pressure of the true bodies, of S1002 on
+    // 54E1 and 60E1 under 103 kN (doc/theory/bodies.md)
+    constexpr double give_way     = 0.2e-3 / 100e3; // [m/N]
+    Scene            coarse       = scene;
+    coarse.halfspace_element_size = std::max(0.8e-3, scene.halfspace_element_size);
+    const double         by       = give_way * normal_force;
+    const SectionOffsets offsets  = scene_offsets(scene);
+    double               peak[2]  = {0, 0};
+    for (const int side : {0, 1})
+      {
+        SectionOffsets moved = offsets;
+        moved.lateral += side == 0 ? -by : by;
+        peak[side] = halfspace_pressure(coarse, geometry, normal_force, moved).peak;
+      }
+    const double least = std::min(peak[0], peak[1]);
+    return least > 0 ? std::max(peak[0], peak[1]) / least - 1 : Measures::none;
+  }
+
+
+  void
+  find_shift_effect(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result)
+  {
+    if (scene.halfspace_bodies == ContactBodies::real)
+      return;
+    const double force = sum_over_patches(result, [](const auto &patch) { return patch.solution.fn; });
+    // profiles that end there: what was solved is no worse for it
+    fault_of([&]() { result.shift_effect = shift_effect(scene, geometry, force); });
+  }
+
+
+  void
+  hold_against_bodies(const Scene &scene, const SceneGeometry &geometry, WheelRailSolution &result)
+  {
+    if (scene.halfspace_bodies == ContactBodies::real)
+      return;
+    Scene bodies            = scene;
+    bodies.halfspace_bodies = ContactBodies::real;
+    bodies.halfspace_spin   = HalfspaceSpin::local_radius;
+    const std::string fault = fault_of([&]() {
+      if (const std::vector<std::string> refused = refused_by_bodies(bodies); !refused.empty())
+        throw InputError(refused.front());
+      WheelRailLoad load;
+      load.vertical     = true;
+      load.force        = sum_over_patches(result, [](const auto &patch) { return patch.vertical; });
+      load.longitudinal = sum_over_patches(result, [](const auto &patch) {
+        return patch.reference ? patch.reference->driving : -patch.solution.fx;
+      });
+      load.slides       = !result.solution.within_friction;
+      const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
+      if (real.solution.converged() && !real.solution.touches_grid_edge)
+        result.bodies_effect = halfspace_pressure(result).peak / real.solution.peak_pressure - 1;
+    });
+    if (!std::isfinite(result.bodies_effect))
+      {
+        result.unheld = fault.empty() ? "their solution is not exact" : fault;
+        find_shift_effect(scene, geometry, result);
+      }
+    else if (scene.both_wheels && scene.pose_balances)
+      result.unheld = "shift and yaw are those at which half-spaces balance";
+  }
+} // namespace wheelrail

@@ -1,0 +1,235 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/base/parallel.h>
+#include <wheelrail/bodies/answering_bodies.h>
+#include <wheelrail/bodies/shift_effect.h>
+#include <wheelrail/commands/halfspace_results.h>
+#include <wheelrail/commands/report_script.h>
+#include <wheelrail/input/cross_checks.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/model/scene_checks.h>
+#include <wheelrail/model/section_file.h>
+#include <wheelrail/output/figures.h>
+#include <wheelrail/output/folder.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/vehicle/wheelset_command.h>
+#include <wheelrail/vehicle/wheelset_figures.h>
+#include <wheelrail/vehicle/wheelset_picture.h>
+#include <wheelrail/wheel/noise_effect.h>
+#include <wheelrail/wheel/wheel_load.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iomanip>
+#include <optional>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A wheelset by the bodies of its scene, and why others than true ones answer.
+    struct Solved
+    {
+      WheelsetSolution wheelset;
+      std::string      note;
+    };
+
+    /// With the load that the wheel of the profiles has.
+    Solved
+    solve(const Scene &scene, const WheelsetProfiles &profiles)
+    {
+      Scene base      = scene;
+      base.wheel_load = static_wheel_load(scene, profiles.right.wheel);
+      Solved solved;
+      solved.note = solve_with_bodies(base, [&]() {
+        solved.wheelset = solve_wheelset(
+          wheel_of_wheelset(base, false), wheel_of_wheelset(base, true), profiles, std::nullopt, 2);
+      });
+      return solved;
+    }
+
+    /// One row of a table with a column for each wheel.
+    void
+    print_row(const std::string &label,
+              const std::string &unit,
+              const std::string (&values)[2],
+              std::ostream &out)
+    {
+      out << "  " << std::left << std::setw(38) << label << std::right << std::setw(12) << values[0]
+          << std::setw(12) << values[1] << "  " << unit << '\n';
+    }
+
+    /// Below the peak pressure of true bodies.
+    void
+    print_halfspaces(const std::optional<HalfspaceResults> (&wheels)[2], std::ostream &out)
+    {
+      std::string values[2];
+      for (int k = 0; k < 2; ++k)
+        if (wheels[k])
+          if (const double peak = get_figure(wheels[k]->figures, "halfspace_max_pressure_Pa");
+              std::isfinite(peak))
+            values[k] = figure_named("max_pressure").shown(peak);
+      if (!(values[0] + values[1]).empty())
+        print_row("  as half-spaces", "MPa", values, out);
+    }
+
+    void
+    print_wheels(const std::optional<HalfspaceResults> (&wheels)[2], std::ostream &out)
+    {
+      print_row("", "", {"right", "left"}, out);
+      for (const char *name : {"vertical_force",
+                               "lateral_force",
+                               "lateral_over_vertical",
+                               "longitudinal_force",
+                               "reference_creepage",
+                               "reference_lateral_creepage",
+                               "reference_spin",
+                               "t_gamma",
+                               "max_pressure",
+                               "contact_area",
+                               "patches",
+                               "reference_lateral",
+                               "patch_centre_from_axis",
+                               "patch_centre_from_gauge_face",
+                               "reference_radius",
+                               "subsurface_von_mises"})
+        {
+          const Figure &figure = figure_named(name);
+          std::string   values[2];
+          bool          any = false;
+          for (int k = 0; k < 2; ++k)
+            {
+              const double value = wheels[k] ? get_figure(wheels[k]->figures, figure.key()) : std::nan("");
+              values[k]          = wheels[k] ? figure.shown(value) : "lifted";
+              any                = any || std::isfinite(value);
+            }
+          if (any)
+            print_row(figure.label, figure.unit, values, out);
+          if (figure.key() == "max_pressure_Pa")
+            print_halfspaces(wheels, out);
+        }
+      out << "  Lateral forces are positive to the track centre, and so are places from the running circle "
+             "and the axis.\n";
+    }
+
+    void
+    print_axle(const Summary &axle, std::ostream &out)
+    {
+      out << "Axle:\n";
+      for (const Figure &figure : all_figures())
+        if (const double value = get_figure(axle, figure.key());
+            std::string(figure.name).rfind("axle_", 0) == 0 && std::isfinite(value))
+          out << "  " << std::left << std::setw(46) << figure.label << std::right << std::setw(12)
+              << figure.shown(value) << "  " << figure.unit
+              << (*figure.remark ? std::string(", ") + figure.remark : "") << '\n';
+    }
+  } // namespace
+
+
+  WheelsetProfiles
+  profiles_with_notes(const Scene &scene, std::ostream &out)
+  {
+    WheelsetProfiles                profiles = read_wheelset_profiles(scene);
+    const std::vector<std::string> &right    = profiles.right.notes;
+    print_notes(right, out);
+    if (scene.both_wheels)
+      for (const std::string &note : profiles.left.notes)
+        if (std::find(right.begin(), right.end(), note) == right.end())
+          print_note(note, out);
+    return profiles;
+  }
+
+
+  int
+  run_wheelset_command(const Scene &scene, const bool draws, std::ostream &out)
+  {
+    const WheelsetProfiles       profiles = profiles_with_notes(scene, out);
+    const ResultFolder           held(scene.folder, "-halfspace");
+    const std::filesystem::path &folder = held.path();
+    print_head(scene, static_wheel_load(scene, profiles.right.wheel), out);
+    Solved                          solved   = solve(scene, profiles);
+    WheelsetSolution               &wheelset = solved.wheelset;
+    std::optional<HalfspaceResults> wheels[2];
+    parallel_for(2, [&](const std::size_t left) {
+      if (auto &solution = left ? wheelset.axle.left : wheelset.axle.right)
+        {
+          const WheelOnAxle &wheel = left ? wheelset.left : wheelset.right;
+          hold_against_bodies(wheel.scene, wheel.geometry, *solution);
+          find_noise_effect(wheel.scene, wheel.geometry, *solution);
+          HalfspaceResults &results = wheels[left].emplace(halfspace_results(wheel.scene, *solution));
+          set_wheel_figures(wheelset, left, results.figures);
+          if (wheel.scene.halfspace_bodies == ContactBodies::real)
+            add_halfspaces(wheel.scene,
+                           wheel.geometry,
+                           load_of_wheel(wheel, wheelset.axle.rate, std::nullopt),
+                           results.figures);
+        }
+    });
+    Summary axle = wheelset_summary(
+      scene, wheelset, wheels[0] ? &wheels[0]->figures : nullptr, wheels[1] ? &wheels[1]->figures : nullptr);
+    if (axle.note.empty())
+      axle.note = solved.note;
+    remove_earlier_results(folder);
+    Scene answered            = scene;
+    answered.halfspace_bodies = wheelset.right.scene.halfspace_bodies;
+    replace_file((folder / "parameters.prm").string(), print_parameters(answered));
+    for (const bool left : {false, true})
+      if (wheels[left])
+        {
+          const std::filesystem::path own = folder / (left ? "left" : "right");
+          std::filesystem::create_directories(own);
+          Scene single  = single_wheel(wheelset, left);
+          single.folder = (std::filesystem::path(scene.folder) / (left ? "left" : "right")).string();
+          write_halfspace_folder(
+            single, left ? *wheelset.axle.left : *wheelset.axle.right, *wheels[left], own.string());
+          const WheelOnAxle &wheel = left ? wheelset.left : wheelset.right;
+          write_sections(wheel.geometry, wheel.scene.track, (own / "sections.json").string());
+          if (draws)
+            draw_results("halfspace.py", own.string());
+        }
+    write_summary(axle, (folder / "summary.json").string());
+    write_wheelset_lines(wheelset, (folder / "wheelset.csv").string());
+    if (draws)
+      draw_results("wheelset.py", folder.string());
+    print_wheels(wheels, out);
+    print_axle(axle, out);
+    if (!axle.note.empty())
+      out << axle.note << '\n';
+    out << verdict_line(axle) << '\n';
+    out << "Results in " << folder.string() << std::endl;
+    return axle.finished ? 0 : 2;
+  }
+
+
+  std::string
+  take_wheel(const po::variables_map &options, SceneInput &input)
+  {
+    if (!options.count("wheelset"))
+      return "";
+    input.scene.both_wheels = true;
+    require_none(contact_checks(input.scene).errors, input);
+    const Scene scene          = input.scene;
+    const auto [wheelset, why] = solve(scene, read_wheelset_profiles(scene));
+    const auto       &own      = scene.left_wheel ? wheelset.axle.left : wheelset.axle.right;
+    const std::string side     = scene.left_wheel ? "left" : "right";
+    if (!own)
+      throw InputError("--wheelset: the " + side +
+                       "-hand wheel is lifted in this curve; run the other side, or change radius, cant or "
+                       "velocity");
+    if (!own->solution.not_reached.empty())
+      throw InputError("--wheelset: " + own->solution.not_reached +
+                       "Look at the wheelset with the command halfspace first");
+    input.scene       = single_wheel(wheelset, scene.left_wheel);
+    const Scene &at   = input.scene;
+    std::string  note = "from the wheelset: load " + text("%.2f kN", 1e-3 * at.wheel_load) +
+                       ", lateral shift " + text("%.3f mm", 1e3 * at.lateral_shift) + ", yaw " +
+                       text("%.3f mrad", 1e3 * at.yaw);
+    if (at.drive == Drive::rate)
+      note += ", creepage " + text("%.4f %%", 100 * at.creepage);
+    note += "; the run rolls straight on";
+    return why.empty() ? note : note + ". " + why;
+  }
+} // namespace wheelrail

@@ -1,0 +1,286 @@
+#include <wheelrail/damage/wear_figures.h>
+#include <wheelrail/geometry/head_place.h>
+#include <wheelrail/halfspace/element_effect.h>
+#include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/section_file.h>
+#include <wheelrail/scene/steels.h>
+#include <wheelrail/verdict/verdict.h>
+#include <wheelrail/wheel/halfspace_case.h>
+#include <wheelrail/wheel/halfspace_parts.h>
+#include <wheelrail/wheel/reference_figures.h>
+#include <wheelrail/wheel/several_patches.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    void
+    add_reference(const Scene             &scene,
+                  const WheelRailSolution &result,
+                  const bool               determined,
+                  Summary                 &summary)
+    {
+      if (!result.reference)
+        return;
+      const ContactReference &at = *result.reference;
+      const auto set = [&](const char *key, const double value) { set_figure(summary, key, value); };
+      set("yaw_rad", wheelset_pose(scene).yaw);
+      set("wheelset_roll_rad", result.roll);
+      set("reference_lateral_m", at.place.x);
+      set("reference_vertical_m", at.place.y);
+      set("reference_along_m", at.along);
+      set("reference_radius_m", at.radius);
+      set_reference_figures(at, determined, summary);
+      set("reference_spin_moment_Nm", at.spin_moment);
+      set("tangential_lateral_force_N", at.traction);
+      set("wheelset_longitudinal_force_N", at.driving);
+      set("wheelset_lateral_force_N", at.across);
+      set("drive_torque_Nm", at.torque);
+      set("yaw_moment_Nm", at.yaw_moment);
+    }
+
+    /// From the least to the largest inclination that the patches reach [rad].
+    double
+    turn_across_all(const WheelRailSolution &result)
+    {
+      double least = result.angle - 0.5 * result.turn, largest = result.angle + 0.5 * result.turn;
+      for (const WheelRailSolution &other : result.others)
+        {
+          least   = std::min(least, other.angle - 0.5 * other.turn);
+          largest = std::max(largest, other.angle + 0.5 * other.turn);
+        }
+      return largest - least;
+    }
+
+    /// Whether a patch under a force that is asked for slides as a whole, or as good as.
+    bool
+    slides(const Scene &scene, const HalfspaceSolution &s)
+    {
+      return !s.within_friction || (scene.drive == Drive::torque && scene.traction_coefficient != 0 &&
+                                    s.adhesion_area == 0 && s.slip_area > 0);
+    }
+
+    /// `turn`: of the surfaces across the contact [rad].
+    Verdict
+    judge_with(const Scene &scene, const WheelRailSolution &result, const double turn)
+    {
+      constexpr int many_elements = 32; // of which creepages and creep forces err by less than 5 %
+      Measures      measures;
+      measures.peak_pressure = result.solution.peak_pressure;
+      measures.made_up       = result.made_up;
+      measures.noise_effect  = result.noise_effect;
+      measures.shift_effect  = result.shift_effect;
+      measures.bodies_effect = result.bodies_effect;
+      measures.unheld        = result.unheld;
+      if (scene.halfspace_bodies != ContactBodies::real)
+        measures.turn = turn;
+      if (result.reference)
+        measures.place = place_in_words(result.reference->place.x);
+      measures.contact_modulus = contact_modulus(scene);
+      measures.edge            = result.kinks.edge;
+      measures.notch           = result.kinks.notch;
+      const ElementEffect effect =
+        element_effect(result.problem, result.solution, elements_across(result.solution) < many_elements);
+      measures.pressure_effect = effect.pressure;
+      // what sticks is as stiff as the whole elements are larger than the contact
+      measures.creep_effect = std::max(
+        effect.creep, (result.solution.area / result.measures.area - 1) * result.measures.stick_fraction);
+      if (slides(scene, result.solution))
+        measures.slides = sliding_note(-result.solution.fx);
+      measures.yields = steel_doubt(scene,
+                                    result.solution.peak_pressure,
+                                    std::hypot(result.solution.fx, result.solution.fy) / result.solution.fn,
+                                    false);
+      return judge_halfspaces(measures);
+    }
+
+    Summary
+    summary_of_patch(const Scene &scene, const WheelRailSolution &result)
+    {
+      const HalfspaceSolution &s = result.solution;
+      Summary                  summary;
+      summary.title                     = scene.title;
+      summary.program_version           = WHEELRAIL_VERSION;
+      summary.normal_force              = s.fn;
+      summary.vertical_force            = result.vertical;
+      summary.longitudinal_force        = -s.fx;
+      summary.lateral_force             = result.lateral;
+      summary.max_pressure              = s.peak_pressure;
+      summary.max_pressure_fitted       = result.measures.peak_pressure_fitted;
+      summary.contact_area              = result.measures.area;
+      summary.patch_lateral             = result.measures.width;
+      summary.patch_longitudinal        = result.measures.length;
+      summary.patch_centre_lateral      = result.measures.centre_lateral;
+      summary.patch_centre_longitudinal = result.measures.centre_along + result.ahead;
+      summary.max_shear_traction        = result.measures.max_traction;
+      summary.stick_fraction            = result.measures.stick_fraction;
+      summary.creepage                  = steady_creepage(result);
+      const bool determined             = std::isfinite(summary.creepage);
+      summary.friction_coefficient      = scene.friction.at_rest;
+      summary.velocity                  = scene.velocity;
+      summary.elements                  = s.contact_elements;
+      summary.wall_time                 = result.time;
+      summary.further                   = {{"approach_m", s.approach},
+                                           {"spin_per_m", result.spin},
+                                           {"contact_angle_rad", -result.angle},
+                                           {"area_of_whole_elements_m2", s.area},
+                                           {"grid_spacing_m", s.grid.dx},
+                                           {"grid_elements_along", double(s.grid.mx)},
+                                           {"grid_elements_lateral", double(s.grid.my)}};
+      if (result.centre)
+        set_patch_place(head_place(result.rail, scene.track, *result.centre), summary);
+      add_reference(scene, result, determined, summary);
+      // a wheel that spins up slides as fast as it likes
+      const bool   at_rest = result.problem.friction.frictionless();
+      const double t_gamma = determined || at_rest ? wear_number(result.problem, s) : Summary::none;
+      set_figure(summary, "t_gamma_N", t_gamma);
+      set_figure(summary, "creepage_work_N", determined || at_rest ? s.creepage_work : Summary::none);
+      set_figure(summary, "friction_work_N", determined || at_rest ? s.friction_work : Summary::none);
+      set_figure(summary, "frictional_power_W", t_gamma * scene.velocity);
+      const WearProfile wear = halfspace_wear(result.problem, result.solution, scene.velocity, scene.wear);
+      WornContact       worn;
+      worn.wear             = determined || at_rest ? &wear : nullptr;
+      worn.normal_force     = s.fn;
+      worn.tangential_force = std::hypot(s.fx, s.fy);
+      worn.peak_pressure    = s.peak_pressure;
+      worn.area             = result.measures.area;
+      worn.t_gamma          = t_gamma;
+      worn.velocity         = scene.velocity;
+      worn.yield_stress     = yield_strength(scene.rail_material);
+      set_wear_figures(worn, scene.wear, summary);
+      summary.finished    = s.converged() && !s.touches_grid_edge;
+      summary.stop_reason = s.not_reached;
+      if (scene.drive == Drive::torque && scene.friction.at_rest > 0)
+        set_figure(summary, "traction_over_friction", scene.traction_coefficient / scene.friction.at_rest);
+      if (s.touches_grid_edge)
+        summary.stop_reason += "The contact reaches the edge of the profiles or of the grid.";
+      return summary;
+    }
+
+    /// The patch as the program CONTACT tells it, under "patch_2_..." [SI].
+    void
+    add_patch(const Summary &patch, const std::size_t number, Summary &summary)
+    {
+      const std::string before = patch_prefix(number);
+      for (const char *key : {"normal_force_N",
+                              "longitudinal_force_N",
+                              "tangential_lateral_force_N",
+                              "reference_angle_rad",
+                              "reference_lateral_m",
+                              "reference_ahead_of_axle_m",
+                              "reference_creepage",
+                              "reference_lateral_creepage",
+                              "reference_spin_per_m",
+                              "max_pressure_Pa",
+                              "contact_area_m2",
+                              "stick_fraction",
+                              "t_gamma_N",
+                              "patch_centre_from_axis_m",
+                              "patch_centre_from_gauge_face_m",
+                              "patch_centre_below_top_m"})
+        set_figure(summary, before + key, get_figure(patch, key));
+    }
+
+    /// Forces, areas and work of all patches.
+    void
+    add_up(const std::vector<Summary> &patches, Summary &total)
+    {
+      for (const char *key : {"normal_force_N",
+                              "vertical_force_N",
+                              "longitudinal_force_N",
+                              "lateral_force_N",
+                              "contact_area_m2",
+                              "elements",
+                              "area_of_whole_elements_m2",
+                              "wheelset_longitudinal_force_N",
+                              "wheelset_lateral_force_N",
+                              "drive_torque_Nm",
+                              "yaw_moment_Nm",
+                              "t_gamma_N",
+                              "creepage_work_N",
+                              "friction_work_N",
+                              "frictional_power_W",
+                              "archard_section_m2"})
+        {
+          double sum = 0;
+          for (const Summary &patch : patches)
+            sum += get_figure(patch, key);
+          set_figure(total, key, sum);
+        }
+      std::vector<std::string> largest = {
+        "max_pressure_Pa", "max_pressure_fitted_Pa", "max_shear_traction_Pa"};
+      largest.insert(largest.end(), worst_wear_keys().begin(), worst_wear_keys().end());
+      for (const std::string &key : largest)
+        for (const Summary &patch : patches)
+          if (const double value = get_figure(patch, key); std::isfinite(value))
+            set_figure(total, key, std::max(get_figure(total, key), value));
+      total.stick_fraction = 0;
+      total.finished       = true;
+      total.stop_reason.clear();
+      for (const Summary &patch : patches)
+        {
+          total.stick_fraction += patch.stick_fraction * patch.contact_area / total.contact_area;
+          total.finished = total.finished && patch.finished;
+          total.stop_reason += patch.stop_reason;
+        }
+    }
+  } // namespace
+
+
+  Verdict
+  judge_patch(const Scene &scene, const WheelRailSolution &result)
+  {
+    return judge_with(scene, result, result.turn);
+  }
+
+
+  // how patches share the load is a matter of pose, as where one reaches round the corner: all of them are
+  // judged by the turn from one to the other
+  Verdict
+  judge_contact(const Scene &scene, const WheelRailSolution &result)
+  {
+    const double turn    = turn_across_all(result);
+    Verdict      verdict = judge_with(scene, result, turn);
+    for (const WheelRailSolution &other : result.others)
+      for (const Finding &finding : judge_with(scene, other, turn).findings)
+        add_finding(finding, verdict);
+    return verdict;
+  }
+
+
+  Summary
+  halfspace_summary(const Scene &scene, const WheelRailSolution &result)
+  {
+    const auto set_quotient = [&result](Summary &summary) {
+      if (std::isfinite(result.noise_effect))
+        set_figure(summary, "noise_effect_max_pressure", result.noise_effect);
+      if (summary.vertical_force > 0)
+        set_figure(summary, "lateral_over_vertical", summary.lateral_force / summary.vertical_force);
+    };
+    std::vector<Summary> patches{summary_of_patch(scene, result)};
+    if (result.others.empty())
+      {
+        set_quotient(patches.front());
+        set_verdict(patches.front(), judge_contact(scene, result));
+        return patches.front();
+      }
+    for (const WheelRailSolution &other : result.others)
+      patches.push_back(summary_of_patch(scene, other));
+    Summary total = *std::max_element(patches.begin(), patches.end(), [](const Summary &a, const Summary &b) {
+      return a.normal_force < b.normal_force;
+    });
+    add_up(patches, total);
+    total.wall_time = result.time;
+    set_quotient(total);
+    set_verdict(total, judge_contact(scene, result));
+    set_figure(total, "patches", patches.size());
+    for (std::size_t k = 0; k < patches.size(); ++k)
+      add_patch(patches[k], k + 1, total);
+    return total;
+  }
+} // namespace wheelrail
