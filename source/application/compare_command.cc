@@ -184,7 +184,7 @@ namespace wheelrail
     nlohmann::ordered_json json = {{"title", run.title},
                                    {"program_version", WHEELRAIL_VERSION},
                                    {"element_size_m", result.solution.grid.dx},
-                                   {"friction_coefficient", scene.friction.at_rest},
+                                   {"friction_coefficient", scene.friction.at(0)},
                                    {"lateral_offset_m", offsets.lateral},
                                    {"rail_roll_rad", offsets.rail_roll},
                                    {"wheel_roll_rad", offsets.wheel_roll},

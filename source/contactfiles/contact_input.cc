@@ -58,7 +58,7 @@ namespace wheelrail
       throw InputError("--contact-input writes constant friction only: set Contact/Friction law = constant");
     const HalfspaceGrid &grid     = problem.grid;
     const bool           has_slip = !problem.rigid_slip_x.empty();
-    const double         mu       = problem.friction.at_rest;
+    const double         mu       = problem.friction.at(0);
     const bool           alike    = problem.body1.shear_modulus == problem.body2.shear_modulus &&
                        problem.body1.poisson_ratio == problem.body2.poisson_ratio;
 

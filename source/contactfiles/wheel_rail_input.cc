@@ -93,7 +93,7 @@ namespace wheelrail
     text += std::string(" 12031") + (rate_held ? "0" : "1") + "0   C-P-B-T-N-F-S\n";
     text += " 0022033   V-L-D-C-M-Z-E\n 0001221   H-G-I-A-O-W-R\n";
     text += row({999, 200, 50, 1, 1e-5}, "MAXGS, MAXIN, MAXNR, MAXOUT, EPS");
-    text += row({scene.friction.at_rest, scene.friction.at_rest}, "FSTAT, FKIN");
+    text += row({scene.friction.at(0), scene.friction.at(0)}, "FSTAT, FKIN");
     text += row({scene.rail_material.poissons_ratio,
                  scene.wheel_material.poissons_ratio,
                  shear_modulus(scene.rail_material),

@@ -70,7 +70,7 @@ namespace wheelrail
     if (problem.added)
       alone = solve_rolling(bare);
     const HalfspaceSolution &fine     = problem.added ? alone : solution;
-    const double             friction = bare.friction.at_rest * fine.fn;
+    const double             friction = bare.friction.at(0) * fine.fn;
     ElementEffect            effect;
     // how elements lie to the edge of the contact scatters: the worse one of two ways
     for (const int before : {0, 1})

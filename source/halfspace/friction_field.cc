@@ -23,7 +23,7 @@ namespace wheelrail
           if (problem.memory_length == 0)
             continue;
           const bool   inside = i + 1 < grid.mx && pressure[e + 1] > 0;
-          const double before = inside ? friction[e + 1] : problem.friction.at_rest;
+          const double before = inside ? friction[e + 1] : problem.friction.at(0);
           friction[e] += (before - friction[e]) *
                          std::exp(-std::max(v, problem.memory_least_speed) * time / problem.memory_length);
         }

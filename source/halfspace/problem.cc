@@ -56,10 +56,8 @@ namespace wheelrail
     if (problem.pressure.empty() &&
         (problem.force_given ? !(problem.normal_force > 0) : !std::isfinite(problem.approach)))
       refuse("the normal force must be positive and the approach finite.");
-    const FrictionLaw &f = problem.friction;
     if (problem.motion != HalfspaceMotion::none &&
-        (!(f.at_rest >= 0) || !(f.at_speed >= 0) || !(f.decay >= 0) || !(f.half_velocity > 0) ||
-         !(problem.velocity > 0) || !(problem.step >= 0)))
+        (!problem.friction.valid() || !(problem.velocity > 0) || !(problem.step >= 0)))
       refuse(
         "friction coefficients, their decay and the step must not be negative, velocity and half velocity "
         "must be positive.");

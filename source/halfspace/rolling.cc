@@ -245,7 +245,7 @@ namespace wheelrail
         return change;
       // Half a step from the third round on: falling friction makes whole steps swing.
       const double              weight  = solution_.coupling_rounds < 4 ? 1 : weight_;
-      const double              largest = std::max(problem_.friction.at_rest, problem_.friction.at_speed);
+      const double              largest = problem_.friction.largest();
       const std::vector<double> wanted =
         friction_field(problem_, solution_.step, tangential_.slip, normal_.pressure);
       for (std::size_t e = 0; e < mu_.size(); ++e)
@@ -266,7 +266,7 @@ namespace wheelrail
     Solver::run()
     {
       tangential_.creepage = {{problem_.xi, problem_.eta}};
-      mu_.assign(grid_.size(), problem_.friction.at_rest);
+      mu_.assign(grid_.size(), problem_.friction.at(0));
       for (solution_.coupling_rounds = 1;; ++solution_.coupling_rounds)
         {
           const std::vector<double> old = normal_.pressure;

@@ -178,7 +178,7 @@ namespace wheelrail
     void
     check_drive(const Scene &scene, Sentences &warnings)
     {
-      if (scene.drive == Drive::torque && std::abs(scene.traction_coefficient) >= scene.friction.at_rest &&
+      if (scene.drive == Drive::torque && std::abs(scene.traction_coefficient) >= scene.friction.at(0) &&
           scene.traction_coefficient != 0)
         warnings.push_back(entry_text(scene, "Wheelset", "Traction coefficient") +
                            ": friction carries at most " +
@@ -193,7 +193,7 @@ namespace wheelrail
           digits(scene.friction.steepest_fall()) + " per m/s of sliding; at 1 GPa a fall beyond " +
           digits(impedance / 2e9) +
           " feeds sliding more than shear waves carry away, and tractions oscillate from node to node");
-      if (scene.friction.kind != FrictionKind::constant && scene.friction.at_rest == 0)
+      if (scene.friction.kind != FrictionKind::constant && scene.friction.at(0) == 0)
         warnings.push_back(entry_text(scene, "Contact", "Friction coefficient") +
                            ": 0 at rest, but not at speed with Contact/Friction law = " +
                            (scene.friction.kind == FrictionKind::rational ? "rational" : "exponential"));

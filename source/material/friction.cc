@@ -23,6 +23,38 @@ namespace wheelrail
   }
 
 
+  double
+  FrictionLaw::largest() const
+  {
+    return kind == FrictionKind::constant ? at_rest : std::max(at_rest, at_speed);
+  }
+
+
+  double
+  FrictionLaw::sliding() const
+  {
+    return kind == FrictionKind::constant ? at_rest : at_speed;
+  }
+
+
+  FrictionLaw
+  FrictionLaw::with_rest(const double coefficient) const
+  {
+    FrictionLaw law = *this;
+    if (at_rest > 0)
+      law.at_speed *= coefficient / at_rest;
+    law.at_rest = coefficient;
+    return law;
+  }
+
+
+  bool
+  FrictionLaw::valid() const
+  {
+    return at_rest >= 0 && at_speed >= 0 && decay >= 0 && half_velocity > 0;
+  }
+
+
   bool
   FrictionLaw::depends_on_speed() const
   {

@@ -284,7 +284,7 @@ namespace wheelrail
       constexpr double most_of_friction = 0.95, too_long = 0.9; // of the expected patch
       if (!scene.until_steady() || scene.drive != Drive::torque ||
           scene.start != StartState::steady_rolling || scene.friction.kind != FrictionKind::constant ||
-          !(std::abs(scene.traction_coefficient) < most_of_friction * scene.friction.at_rest))
+          !(std::abs(scene.traction_coefficient) < most_of_friction * scene.friction.at(0)))
         return 0;
       return 1.5 * too_long * expected_patch(scene, geometry).length;
     }

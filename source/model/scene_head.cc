@@ -124,10 +124,10 @@ namespace wheelrail
     std::string
     friction(const Scene &scene)
     {
-      const std::string at_rest = "friction " + shown(scene.friction.at_rest);
+      const std::string at_rest = "friction " + shown(scene.friction.at(0));
       if (scene.friction.kind == FrictionKind::constant)
         return at_rest;
-      return at_rest + " at rest, " + shown(scene.friction.at_speed) + " at high sliding speed";
+      return at_rest + " at rest, " + shown(scene.friction.sliding()) + " at high sliding speed";
     }
 
     std::string

@@ -102,15 +102,15 @@ namespace wheelrail
     add_drive(Summary &summary, const Scene &scene, const double radius)
     {
       const double force = summary.longitudinal_force;
-      if (scene.friction.at_rest > 0)
+      if (scene.friction.at(0) > 0)
         set_figure(
-          summary, "traction_over_friction", force / (scene.friction.at_rest * summary.normal_force));
+          summary, "traction_over_friction", force / (scene.friction.at(0) * summary.normal_force));
       if (scene.drive != Drive::torque)
         return;
       // a wheel that is hardly driven is judged by half of what friction carries: a force that is lost there
       // changes creepage and T-gamma as little as it does in a driven wheel
       const double asked   = get_figure(summary, "drive_torque_Nm") / radius;
-      const double carried = std::max(0.05, 0.5 * scene.friction.at_rest) * std::abs(summary.normal_force);
+      const double carried = std::max(0.05, 0.5 * scene.friction.at(0)) * std::abs(summary.normal_force);
       set_figure(summary, "torque_miss", (force - asked) / std::max(std::abs(asked), carried));
     }
 
@@ -299,7 +299,7 @@ namespace wheelrail
     summary.title = run.scene.title;
     run.recorder.fill(summary, run.scene);
     add_end(summary, run);
-    summary.friction_coefficient = run.scene.friction.at_rest;
+    summary.friction_coefficient = run.scene.friction.at(0);
     if (!run.scene.irregular()) // there it is a mean of the stretch, for at the end an impact is over
       summary.max_von_mises = largest_von_mises(model.solid, run.communicator);
     const PlasticFigures plastic = plastic_figures(model.solid, model.contact->surfaces(), run.communicator);

@@ -47,7 +47,7 @@ namespace wheelrail
       const double force  = mean(history, "longitudinal_force");
       const double wanted = run.axle.data().torque /
                             run.model.contact->surfaces().local_radius(mean(patches, "patch_centre_lateral"));
-      const CreepScale creep = creep_scale(run.scene.friction.at_rest * mean(history, "normal_force"),
+      const CreepScale creep = creep_scale(run.scene.friction.at(0) * mean(history, "normal_force"),
                                            elasticity(run.scene.rail_material).shear_modulus(),
                                            mean(patches, "patch_longitudinal"),
                                            mean(patches, "patch_lateral"));

@@ -113,7 +113,7 @@ namespace wheelrail
   {
     constexpr double       widest = 24e-3;
     const BeyondHalfspaces beyond =
-      scene.friction.at_rest > 0 ? bodies_of_start(scene, geometry) : BeyondHalfspaces();
+      scene.friction.at(0) > 0 ? bodies_of_start(scene, geometry) : BeyondHalfspaces();
     if (rail != nullptr)
       {
         lay_rail(scene, *rail, model, communicator);

@@ -203,7 +203,7 @@ namespace wheelrail
   {
     SteadyBasis basis;
     basis.cell           = model_.contact->lattice().spacing_along;
-    basis.friction       = scene.friction.at_rest;
+    basis.friction       = scene.friction.at(0);
     basis.shear_modulus  = elasticity(scene.rail_material).shear_modulus();
     basis.radius         = model_.geometry.rolling_radius;
     basis.slowest        = slow_length(scene.velocity);

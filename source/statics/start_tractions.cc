@@ -122,7 +122,7 @@ namespace wheelrail
                   const BeyondHalfspaces &beyond)
         : contact_(contact)
       {
-        if (contact.law().friction.at_rest > 0)
+        if (contact.law().friction.at(0) > 0)
           for (const StartGrid &grid : start_grids(contact))
             planes_.emplace_back(contact, grid, bodies, motion, beyond);
       }
@@ -201,7 +201,7 @@ namespace wheelrail
         for (const StartPlane &plane : planes_)
           sum += std::accumulate(plane.pressure.begin(), plane.pressure.end(), 0.) *
                  plane.loaded.grid.element_area();
-        return contact_.law().friction.at_rest * sum;
+        return contact_.law().friction.at(0) * sum;
       }
 
       void
@@ -289,13 +289,13 @@ namespace wheelrail
     double             load      = 0;
     for (std::size_t k = 0; k < contact.nodes().size(); ++k)
       load += contact.nodes()[k].pressure * contact.rail().area[k];
-    const double   bound = full_slip * friction.at_rest * load;
+    const double   bound = full_slip * friction.at(0) * load;
     const double   force = std::clamp(longitudinal_force, -bound, bound);
     StartPlanes    planes(contact, bodies, motion, beyond);
     StartTractions result;
     if (friction.steepest_fall() > 0)
       result = drive_with_falling_friction(
-        planes, force, std::min(std::abs(force), full_slip * friction.at_speed * load));
+        planes, force, std::min(std::abs(force), full_slip * friction.sliding() * load));
     else
       {
         planes.drive(force);

@@ -264,12 +264,7 @@ namespace wheelrail
     if (scene.left_rail_profile != "as right")
       wheel.rail_profile = scene.left_rail_profile;
     if (std::isfinite(scene.left_friction))
-      {
-        // a law that falls with the speed keeps its shape
-        if (wheel.friction.at_rest > 0)
-          wheel.friction.at_speed *= scene.left_friction / wheel.friction.at_rest;
-        wheel.friction.at_rest = scene.left_friction;
-      }
+      wheel.friction = wheel.friction.with_rest(scene.left_friction);
     return wheel;
   }
 

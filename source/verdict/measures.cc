@@ -125,7 +125,7 @@ namespace wheelrail
     // what friction carries has no room for a steady creepage
     if (const double asked = scene.traction_coefficient;
         scene.drive == Drive::torque && asked != 0 &&
-        (run.stick_fraction < 1e-3 || std::abs(asked) >= scene.friction.at_rest))
+        (run.stick_fraction < 1e-3 || std::abs(asked) >= scene.friction.at(0)))
       m.slides = sliding_note(asked);
     if (run.max_plastic_strain > 0)
       m.plastic_strain = run.max_plastic_strain;

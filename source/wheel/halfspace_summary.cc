@@ -121,7 +121,7 @@ namespace wheelrail
       summary.stick_fraction            = result.measures.stick_fraction;
       summary.creepage                  = steady_creepage(result);
       const bool determined             = std::isfinite(summary.creepage);
-      summary.friction_coefficient      = scene.friction.at_rest;
+      summary.friction_coefficient      = scene.friction.at(0);
       summary.velocity                  = scene.velocity;
       summary.elements                  = s.contact_elements;
       summary.wall_time                 = result.time;
@@ -155,8 +155,8 @@ namespace wheelrail
       set_wear_figures(worn, scene.wear, summary);
       summary.finished    = s.converged() && !s.touches_grid_edge;
       summary.stop_reason = s.not_reached;
-      if (scene.drive == Drive::torque && scene.friction.at_rest > 0)
-        set_figure(summary, "traction_over_friction", scene.traction_coefficient / scene.friction.at_rest);
+      if (scene.drive == Drive::torque && scene.friction.at(0) > 0)
+        set_figure(summary, "traction_over_friction", scene.traction_coefficient / scene.friction.at(0));
       if (s.touches_grid_edge)
         summary.stop_reason += "The contact reaches the edge of the profiles or of the grid.";
       return summary;

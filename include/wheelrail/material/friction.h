@@ -10,7 +10,7 @@ namespace wheelrail
     rational     ///< mu = mu_d + (mu_s - mu_d) / (1 + v / v_h), as in Kalker's program CONTACT
   };
 
-  /// A friction law with its constants.
+  /// A friction law with its constants, which its users do not read: they ask for the coefficient.
   struct FrictionLaw
   {
     double       at_rest       = 0; ///< mu_s; the only one of a constant law
@@ -22,6 +22,22 @@ namespace wheelrail
     /// Friction coefficient at the slip velocity `speed` >= 0 [m/s].
     double
     at(double speed) const;
+
+    /// The largest of all speeds.
+    double
+    largest() const;
+
+    /// Coefficient of fast sliding, far beyond the decay.
+    double
+    sliding() const;
+
+    /// The same law with another coefficient at rest; one that changes with speed keeps its shape.
+    FrictionLaw
+    with_rest(double coefficient) const;
+
+    /// No constant is negative, and the half velocity is positive.
+    bool
+    valid() const;
 
     /// The coefficient changes with the slip velocity.
     bool
