@@ -46,6 +46,34 @@ namespace wheelrail
           any = any || motion[d] != 0;
       return any ? motion : std::vector<double>();
     }
+
+    /// Eigenvalues and eigenvectors, one after the other, of a matrix that is stored column after column.
+    /// False: they were not found.
+    bool
+    find_eigenvectors(std::vector<Complex>  matrix,
+                      std::vector<Complex> &values,
+                      std::vector<Complex> &vectors)
+    {
+      const int            n = values.size(), length = 40 * n, one = 1;
+      int                  code = 0;
+      std::vector<Complex> work(length);
+      std::vector<double>  real_work(2 * n);
+      zgeev_("N",
+             "V",
+             &n,
+             matrix.data(),
+             &n,
+             values.data(),
+             nullptr,
+             &one,
+             vectors.data(),
+             &n,
+             work.data(),
+             &length,
+             real_work.data(),
+             &code);
+      return code == 0;
+    }
   } // namespace
 
 
@@ -126,10 +154,9 @@ namespace wheelrail
   }
 
 
-  std::vector<SectionWaves::Wave>
-  SectionWaves::waves(const Complex w, const double loss, const std::vector<Complex> &springs) const
+  std::vector<Complex>
+  SectionWaves::eigenmatrix(const Complex w, const Complex steel, const std::vector<Complex> &springs) const
   {
-    const Complex        steel(1, loss);
     std::vector<Complex> a(n_ * n_), c(n_ * n_, 0.);
     for (std::size_t i = 0; i < n_; ++i)
       for (std::size_t j = 0; j < n_; ++j)
@@ -153,25 +180,16 @@ namespace wheelrail
             for (std::size_t i = 0; i < n_; ++i)
               c[i + n_ * j] += b_[i + n_ * l] * factor;
         }
-    const int            n = n_, length = 40 * n, one = 1;
-    int                  code = 0;
-    std::vector<Complex> squares(n), shapes(n_ * n_), work(length);
-    std::vector<double>  real_work(2 * n);
-    zgeev_("N",
-           "V",
-           &n,
-           c.data(),
-           &n,
-           squares.data(),
-           nullptr,
-           &one,
-           shapes.data(),
-           &n,
-           work.data(),
-           &length,
-           real_work.data(),
-           &code);
-    if (code != 0)
+    return c;
+  }
+
+
+  std::vector<SectionWaves::Wave>
+  SectionWaves::waves(const Complex w, const double loss, const std::vector<Complex> &springs) const
+  {
+    const Complex        steel(1, loss);
+    std::vector<Complex> squares(n_), shapes(n_ * n_);
+    if (!find_eigenvectors(eigenmatrix(w, steel, springs), squares, shapes))
       throw RunError("The waves of the section could not be found at " +
                      std::to_string(w.real() / (2 * M_PI)) + " Hz.");
     std::vector<Wave> all;

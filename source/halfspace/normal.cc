@@ -56,6 +56,32 @@ namespace wheelrail
         for (double &p : contact.pressure)
           p = sum > 0 ? p * force / sum : force / (n * grid.element_area());
     }
+
+    /// The gap e = h - approach + u_n of all elements; a given force has the approach that makes it 0 in the
+    /// mean of the contact. Returns the sum of its squares over the contact; the largest gap within the
+    /// contact, or overlap beside it, goes into `residual`.
+    double
+    find_gap(const std::vector<double> &distance,
+             const bool                 force_given,
+             NormalContact             &contact,
+             std::vector<double>       &e)
+    {
+      const std::vector<double> &p = contact.pressure, &u = contact.displacement;
+      for (std::size_t k = 0; k < e.size(); ++k)
+        e[k] = u[k] + distance[k];
+      if (force_given)
+        contact.approach = contact_mean(e, p);
+      double norm = 0, worst = 0;
+      for (std::size_t k = 0; k < e.size(); ++k)
+        {
+          e[k] -= contact.approach;
+          if (p[k] > 0)
+            norm += e[k] * e[k];
+          worst = std::max(worst, p[k] > 0 ? std::abs(e[k]) : -e[k]);
+        }
+      contact.residual = worst;
+      return norm;
+    }
   } // namespace
 
   void
@@ -87,22 +113,9 @@ namespace wheelrail
       {
         leave_if_interrupted();
         product(p, u);
-        for (std::size_t k = 0; k < n; ++k)
-          // the gap, e = h - approach + u_n; a given force has the approach that makes it 0 in the mean of
-          // the contact
-          e[k] = u[k] + distance[k];
-        if (force_given)
-          contact.approach = contact_mean(e, p);
-        double norm = 0, worst = 0;
-        for (std::size_t k = 0; k < n; ++k)
-          {
-            e[k] -= contact.approach;
-            if (p[k] > 0)
-              norm += e[k] * e[k];
-            worst = std::max(worst, p[k] > 0 ? std::abs(e[k]) : -e[k]);
-          }
+        const double norm  = find_gap(distance, force_given, contact, e);
         const double scale = std::abs(contact.approach - lowest);
-        contact.residual   = scale > 0 ? worst / scale : 0;
+        contact.residual   = scale > 0 ? contact.residual / scale : 0;
         contact.converged  = contact.residual <= tolerance;
         if (contact.converged || contact.iterations == max_iterations)
           return;

@@ -89,11 +89,32 @@ namespace wheelrail
   }
 
 
+  std::vector<std::vector<double>>
+  MaterialPoint::slope_of_stress(const SixNumbers               &strain,
+                                 const Response                 &response,
+                                 const std::vector<std::size_t> &free,
+                                 const std::vector<double>      &miss) const
+  {
+    constexpr double                 probe = 1e-8;
+    std::vector<std::vector<double>> slope(free.size(), std::vector<double>(free.size()));
+    for (std::size_t j = 0; j < free.size(); ++j)
+      {
+        SixNumbers probed = strain;
+        // away from where the stress is missing, so that the slope is that of flow when that goes on
+        const double step = miss[j] < 0 ? -probe : probe;
+        probed[free[j]] += step;
+        const Response there = respond(probed);
+        for (std::size_t i = 0; i < free.size(); ++i)
+          slope[i][j] = (there.stress[free[i]] - response.stress[free[i]]) / step;
+      }
+    return slope;
+  }
+
+
   void
   MaterialPoint::go_to(const PointTarget &target)
   {
     const double             enough = 1e-13 * elasticity(law_).youngs_modulus;
-    constexpr double         probe  = 1e-8;
     std::vector<std::size_t> free;
     SixNumbers               strain = strain_;
     for (std::size_t k = 0; k < 6; ++k)
@@ -112,18 +133,7 @@ namespace wheelrail
     std::vector<double> miss     = missing(response);
     for (int iteration = 0; largest(miss) > enough; ++iteration)
       {
-        std::vector<std::vector<double>> slope(free.size(), std::vector<double>(free.size()));
-        for (std::size_t j = 0; j < free.size(); ++j)
-          {
-            SixNumbers probed = strain;
-            // away from where the stress is missing, so that the slope is that of flow when that goes on
-            const double step = miss[j] < 0 ? -probe : probe;
-            probed[free[j]] += step;
-            const Response there = respond(probed);
-            for (std::size_t i = 0; i < free.size(); ++i)
-              slope[i][j] = (there.stress[free[i]] - response.stress[free[i]]) / step;
-          }
-        const std::vector<double> change = solve(slope, miss);
+        const std::vector<double> change = solve(slope_of_stress(strain, response, free, miss), miss);
         const double              before = largest(miss);
         double                    part   = 1;
         for (int halving = 0; halving < 40 && !(largest(miss) < before); ++halving, part *= 0.5)

@@ -123,88 +123,113 @@ namespace wheelrail
                                  distance * (side * std::cos(angle) * t + std::sin(angle) * n));
     }
 
+    /// Corners of the head: on the outline where it is widest and at the neck, and inside.
+    struct HeadCorners
+    {
+      unsigned int field, gauge, field_neck, gauge_neck, low_field, low_gauge, over_field, over_gauge;
+    };
+
+    HeadCorners
+    head_corners(Rail &rail)
+    {
+      SectionBuilder &builder = rail.builder;
+      // of the blocks at sides and underside: a proportion that keeps their angles (tests/mesh_sections.cc),
+      // at most 13 mm, so that large blocks leave a core between them
+      const double depth = std::min(0.85 * rail.block_size, 0.013);
+      HeadCorners  corner;
+      corner.field      = builder.corner(rail.outline.position(rail.field.head_corner));
+      corner.gauge      = builder.corner(rail.outline.position(rail.gauge.head_corner));
+      corner.field_neck = builder.corner(rail.outline.position(rail.field.neck));
+      corner.gauge_neck = builder.corner(rail.outline.position(rail.gauge.neck));
+      corner.low_field  = inside(rail, rail.field.head_corner, 1, 90 * degree, depth);
+      corner.low_gauge  = inside(rail, rail.gauge.head_corner, -1, 90 * degree, depth);
+      corner.over_field = inside(rail, rail.field.neck, 1, 130 * degree, depth);
+      corner.over_gauge = inside(rail, rail.gauge.neck, -1, 130 * degree, depth);
+      return corner;
+    }
+
+    /// The sides, a chain on the outline and one inside, from the lower corner up, and the core between them
+    /// above the line `low`.
+    void
+    make_head_sides(Rail &rail, const RunningLayer &layer, const HeadCorners &corner, const Side &low)
+    {
+      SectionBuilder    &builder = rail.builder;
+      const Side        &inner   = rail.layer_inner;
+      const unsigned int n       = layer.outer.size() - 1;
+      const double       length  = 0.5 * (norm(builder.point(inner[0]) - builder.point(corner.low_field)) +
+                                   norm(builder.point(layer.outer[0]) - builder.point(corner.field)));
+      const unsigned int rows    = block_count(length, 0.85 * rail.block_size);
+      const auto         side    = [&](const Half &half, const double head_parameter) {
+        const double top = rail.outline.curve->closest(rail.head.curve->at(head_parameter).position);
+        return CurveStretch(rail.outline, half.head_corner, top);
+      };
+      const Side field_side =
+        builder.along(corner.field, layer.outer[0], side(rail.field, layer.start), rows);
+      const Side gauge_side = builder.along(corner.gauge, layer.outer[n], side(rail.gauge, layer.end), rows);
+      builder.mark(field_side, Boundary::running);
+      builder.mark(gauge_side, Boundary::running);
+      const Side field_inner = builder.straight(corner.low_field, inner[0], rows);
+      const Side gauge_inner = builder.straight(corner.low_gauge, inner[n], rows);
+
+      builder.patch("field side of the head",
+                    {corner.field, corner.low_field},
+                    {layer.outer[0], inner[0]},
+                    field_side,
+                    field_inner);
+      builder.patch("gauge side of the head",
+                    {corner.low_gauge, corner.gauge},
+                    {inner[n], layer.outer[n]},
+                    gauge_inner,
+                    gauge_side);
+      builder.patch("core of the head", low, inner, field_inner, gauge_inner);
+    }
+
     // The head. Returns the line of corners across the neck, from field to gauge side.
     Side
     make_head(Rail &rail, const RunningLayer &layer)
     {
       SectionBuilder    &builder = rail.builder;
       const unsigned int n       = layer.outer.size() - 1;
-      // of the blocks at sides and underside: a proportion that keeps their angles (tests/mesh_sections.cc),
-      // at most 13 mm, so that large blocks leave a core between them
-      const double depth = std::min(0.85 * rail.block_size, 0.013);
-
-      Side &inner = rail.layer_inner;
+      Side              &inner   = rail.layer_inner;
       for (const Point2 &p : layer.inner)
         inner.push_back(builder.corner(p));
       builder.patch(
         "running layer", inner, layer.outer, {inner[0], layer.outer[0]}, {inner[n], layer.outer[n]});
 
-      const unsigned int field_corner = builder.corner(rail.outline.position(rail.field.head_corner));
-      const unsigned int gauge_corner = builder.corner(rail.outline.position(rail.gauge.head_corner));
-      const unsigned int field_neck   = builder.corner(rail.outline.position(rail.field.neck));
-      const unsigned int gauge_neck   = builder.corner(rail.outline.position(rail.gauge.neck));
-      const unsigned int low_field    = inside(rail, rail.field.head_corner, 1, 90 * degree, depth);
-      const unsigned int low_gauge    = inside(rail, rail.gauge.head_corner, -1, 90 * degree, depth);
-      const unsigned int over_field   = inside(rail, rail.field.neck, 1, 130 * degree, depth);
-      const unsigned int over_gauge   = inside(rail, rail.gauge.neck, -1, 130 * degree, depth);
-
-      const unsigned int web   = rail.web_columns;
-      const unsigned int left  = columns_left(layer.inner,
-                                             {{builder.point(low_field),
-                                                builder.point(over_field),
-                                                builder.point(over_gauge),
-                                                builder.point(low_gauge)}},
+      const HeadCorners  corner = head_corners(rail);
+      const unsigned int web    = rail.web_columns;
+      const unsigned int left   = columns_left(layer.inner,
+                                             {{builder.point(corner.low_field),
+                                                 builder.point(corner.over_field),
+                                                 builder.point(corner.over_gauge),
+                                                 builder.point(corner.low_gauge)}},
                                              web);
-      const unsigned int right = n - left - web;
+      const unsigned int right  = n - left - web;
 
-      const Side low_left  = builder.straight(low_field, over_field, left);
-      const Side low_web   = builder.straight(over_field, over_gauge, web);
-      const Side low_right = builder.straight(over_gauge, low_gauge, right);
-      const Side low       = joined(joined(low_left, low_web), low_right);
-
-      // the sides: a chain on the outline and one inside, from the lower corner up
-      const double       length = 0.5 * (norm(builder.point(inner[0]) - builder.point(low_field)) +
-                                   norm(builder.point(layer.outer[0]) - builder.point(field_corner)));
-      const unsigned int rows   = block_count(length, 0.85 * rail.block_size);
-      const auto         side   = [&](const Half &half, const double head_parameter) {
-        const double top = rail.outline.curve->closest(rail.head.curve->at(head_parameter).position);
-        return CurveStretch(rail.outline, half.head_corner, top);
-      };
-      const Side field_side =
-        builder.along(field_corner, layer.outer[0], side(rail.field, layer.start), rows);
-      const Side gauge_side = builder.along(gauge_corner, layer.outer[n], side(rail.gauge, layer.end), rows);
-      builder.mark(field_side, Boundary::running);
-      builder.mark(gauge_side, Boundary::running);
-      const Side field_inner = builder.straight(low_field, inner[0], rows);
-      const Side gauge_inner = builder.straight(low_gauge, inner[n], rows);
-
-      builder.patch("field side of the head",
-                    {field_corner, low_field},
-                    {layer.outer[0], inner[0]},
-                    field_side,
-                    field_inner);
-      builder.patch("gauge side of the head",
-                    {low_gauge, gauge_corner},
-                    {inner[n], layer.outer[n]},
-                    gauge_inner,
-                    gauge_side);
-      builder.patch("core of the head", low, inner, field_inner, gauge_inner);
+      const Side low_left  = builder.straight(corner.low_field, corner.over_field, left);
+      const Side low_web   = builder.straight(corner.over_field, corner.over_gauge, web);
+      const Side low_right = builder.straight(corner.over_gauge, corner.low_gauge, right);
+      make_head_sides(rail, layer, corner, joined(joined(low_left, low_web), low_right));
 
       // the underside, and the neck between its two halves
       const CurveStretch field_under(rail.outline, rail.field.head_corner, rail.field.neck);
       const CurveStretch gauge_under(rail.outline, rail.gauge.neck, rail.gauge.head_corner);
-      Side               neck = builder.straight(field_neck, gauge_neck, web);
+      Side               neck = builder.straight(corner.field_neck, corner.gauge_neck, web);
       builder.patch("underside of the head, field side",
-                    builder.along(field_corner, field_neck, field_under, left),
+                    builder.along(corner.field, corner.field_neck, field_under, left),
                     low_left,
-                    {field_corner, low_field},
-                    {field_neck, over_field});
+                    {corner.field, corner.low_field},
+                    {corner.field_neck, corner.over_field});
       builder.patch("underside of the head, gauge side",
-                    builder.along(gauge_neck, gauge_corner, gauge_under, right),
+                    builder.along(corner.gauge_neck, corner.gauge, gauge_under, right),
                     low_right,
-                    {gauge_neck, over_gauge},
-                    {gauge_corner, low_gauge});
-      builder.patch("neck", neck, low_web, {field_neck, over_field}, {gauge_neck, over_gauge});
+                    {corner.gauge_neck, corner.over_gauge},
+                    {corner.gauge, corner.low_gauge});
+      builder.patch("neck",
+                    neck,
+                    low_web,
+                    {corner.field_neck, corner.over_field},
+                    {corner.gauge_neck, corner.over_gauge});
       return neck;
     }
 

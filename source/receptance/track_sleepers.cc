@@ -110,6 +110,67 @@ namespace wheelrail
           z[moves[i]][moves[j]] = pads[seat_forces[moves[i]].force] * behind[i][j];
       return z;
     }
+
+    void
+    solve_in_place(std::vector<SeatComplex> &matrix, std::vector<SeatComplex> &values)
+    {
+      const int        n = values.size(), one = 1;
+      int              code = 0;
+      std::vector<int> pivot(n);
+      zgesv_(&n, &one, matrix.data(), &n, pivot.data(), values.data(), &n, &code);
+    }
+
+    /// What a seat moves under the forces of another, by how many bays it is ahead of it. `pads`: even and
+    /// tilting; pairs of them are few.
+    std::vector<SeatMatrix>
+    seats_between(const SectionWaves          &section,
+                  const unsigned int           first_foot,
+                  const SeatWaves             &waves,
+                  const std::array<Spread, 2> &pads,
+                  const double                 spacing,
+                  const int                    seats)
+    {
+      const SeatMeans          here(pads[0], pads[1], 0, waves), ahead(pads[0], pads[1], spacing, waves);
+      std::vector<SeatComplex> factors, bay;
+      for (const auto &wave : waves)
+        bay.push_back(std::exp(SeatComplex(0, -spacing) * wave.k));
+      std::vector<SeatMatrix> between(seats);
+      for (unsigned int i = 0; i < n_seat; ++i)
+        for (unsigned int j = 0; j < n_seat; ++j)
+          {
+            const bool odd = is_along(seat_forces[i].force) != is_along(seat_forces[j].force);
+            for (int bays = 0; bays < seats; ++bays)
+              {
+                if (bays < 2)
+                  factors = (bays == 0 ? here : ahead)(seat_forces[i].spread, seat_forces[j].spread, odd);
+                else
+                  for (std::size_t m = 0; m < waves.size(); ++m)
+                    factors[m] *= bay[m];
+                between[bays][i][j] = section.response(
+                  waves, first_foot + seat_forces[i].force, first_foot + seat_forces[j].force, factors);
+              }
+          }
+      return between;
+    }
+
+    /// 1 + G Z of all seats, column after column; G by how many bays one is ahead of the other.
+    std::vector<SeatComplex>
+    seat_equations(const std::vector<SeatMatrix> &between, const SeatMatrix &z)
+    {
+      const int                seats = between.size(), n = n_seat * seats;
+      std::vector<SeatComplex> matrix(std::size_t(n) * n, 0.);
+      for (int a = 0; a < seats; ++a)
+        for (int b = 0; b < seats; ++b)
+          for (unsigned int i = 0; i < n_seat; ++i)
+            for (unsigned int j = 0; j < n_seat; ++j)
+              {
+                SeatComplex sum = a == b && i == j ? 1 : 0;
+                for (unsigned int l = 0; l < n_seat; ++l)
+                  sum += (a >= b ? between[a - b][i][l] : between[b - a][l][i]) * z[l][j];
+                matrix[n_seat * a + i + std::size_t(n) * (n_seat * b + j)] = sum;
+              }
+      return matrix;
+    }
   } // namespace
 
 
@@ -126,28 +187,10 @@ namespace wheelrail
     const auto spread = [&](const unsigned int i) {
       return Spread{seat_forces[i].spread, 0.5 * track_.pad_length};
     };
-    std::vector<SeatComplex> factors(waves.size()), bay;
-    for (const auto &wave : waves)
-      bay.push_back(std::exp(SeatComplex(0, -spacing) * wave.k));
+    std::vector<SeatComplex> factors(waves.size());
 
-    // between seats, by how many bays the first is ahead of the second; pairs of spreads are few
-    const SeatMeans         here(spread(0), spread(1), 0, waves), ahead(spread(0), spread(1), spacing, waves);
-    std::vector<SeatMatrix> between(seats);
-    for (unsigned int i = 0; i < n_seat; ++i)
-      for (unsigned int j = 0; j < n_seat; ++j)
-        {
-          const bool odd = is_along(seat_forces[i].force) != is_along(seat_forces[j].force);
-          for (int bays = 0; bays < seats; ++bays)
-            {
-              if (bays < 2)
-                factors = (bays == 0 ? here : ahead)(seat_forces[i].spread, seat_forces[j].spread, odd);
-              else
-                for (std::size_t m = 0; m < waves.size(); ++m)
-                  factors[m] *= bay[m];
-              between[bays][i][j] = waves_->response(
-                waves, first_foot_ + seat_forces[i].force, first_foot_ + seat_forces[j].force, factors);
-            }
-        }
+    const std::vector<SeatMatrix> between =
+      seats_between(*waves_, first_foot_, waves, {{spread(0), spread(1)}}, spacing, seats);
 
     // from a force at a face to the seats: symmetric, so that it is also from seats to the face
     const double                            reach = 0.5 * track_.pad_length + face_spread_.half;
@@ -184,23 +227,10 @@ namespace wheelrail
         }
       return g;
     };
-    const SeatMatrix         z = seat_stiffness(track_, pad_stiffness(w), axes_, w);
-    std::vector<SeatComplex> matrix(std::size_t(n) * n, 0.);
-    for (int a = 0; a < seats; ++a)
-      for (int b = 0; b < seats; ++b)
-        for (unsigned int i = 0; i < n_seat; ++i)
-          for (unsigned int j = 0; j < n_seat; ++j)
-            {
-              SeatComplex sum = a == b && i == j ? 1 : 0;
-              for (unsigned int l = 0; l < n_seat; ++l)
-                sum += (a >= b ? between[a - b][i][l] : between[b - a][l][i]) * z[l][j];
-              matrix[n_seat * a + i + std::size_t(n) * (n_seat * b + j)] = sum;
-            }
-    std::vector<SeatComplex> rail = to_seats(face_force_[0], middle);
-    std::vector<int>         pivot(n);
-    const int                one  = 1;
-    int                      code = 0;
-    zgesv_(&n, &one, matrix.data(), &n, pivot.data(), rail.data(), &n, &code);
+    const SeatMatrix         z      = seat_stiffness(track_, pad_stiffness(w), axes_, w);
+    std::vector<SeatComplex> matrix = seat_equations(between, z);
+    std::vector<SeatComplex> rail   = to_seats(face_force_[0], middle);
+    solve_in_place(matrix, rail);
     for (std::size_t f = 0; f < face_place_.size(); ++f)
       {
         const auto g = to_seats(face_force_[f], face_place_[f]);

@@ -107,6 +107,32 @@ namespace wheelrail
         table.add("reference_spin_moment_Nm", "Nm", *values);
       return table;
     }
+
+    FigureTable
+    table_of(const CreepCurve &curve, const std::vector<Summary> &points)
+    {
+      FigureTable table;
+      add_abscissa(curve, curve.values, table);
+      table.add_figures({"reference_creepage",
+                         "reference_lateral_creepage",
+                         "reference_spin_per_m",
+                         "creepage",
+                         "longitudinal_force_N",
+                         "tangential_lateral_force_N",
+                         "reference_spin_moment_Nm",
+                         "normal_force_N",
+                         "vertical_force_N",
+                         "lateral_force_N",
+                         "wheelset_longitudinal_force_N",
+                         "wheelset_lateral_force_N",
+                         "max_pressure_Pa",
+                         "max_shear_traction_Pa",
+                         "area_of_whole_elements_m2",
+                         "stick_fraction",
+                         "t_gamma_N"},
+                        points);
+      return table;
+    }
   } // namespace
 
 
@@ -146,26 +172,7 @@ namespace wheelrail
         summaries.push_back(halfspace_summary(scene, point));
         failed += summaries.back().finished ? 0 : 1;
       }
-    FigureTable table;
-    add_abscissa(curve, curve.values, table);
-    table.add_figures({"reference_creepage",
-                       "reference_lateral_creepage",
-                       "reference_spin_per_m",
-                       "creepage",
-                       "longitudinal_force_N",
-                       "tangential_lateral_force_N",
-                       "reference_spin_moment_Nm",
-                       "normal_force_N",
-                       "vertical_force_N",
-                       "lateral_force_N",
-                       "wheelset_longitudinal_force_N",
-                       "wheelset_lateral_force_N",
-                       "max_pressure_Pa",
-                       "max_shear_traction_Pa",
-                       "area_of_whole_elements_m2",
-                       "stick_fraction",
-                       "t_gamma_N"},
-                      summaries);
+    FigureTable             table = table_of(curve, summaries);
     std::vector<double>     grades;
     std::vector<RowVerdict> verdicts;
     for (std::size_t row = 0; row < summaries.size(); ++row)

@@ -120,6 +120,59 @@ namespace wheelrail
                    std::max(stresses.surface_von_mises, stresses.subsurface_von_mises));
       });
     }
+
+    /// The contacts of one row, into the row of `vehicle`; those with the highest pressure so far are handed
+    /// to `highest`.
+    void
+    solve_row(const Scene            &base,
+              const WheelsetProfiles &profiles,
+              const MotionFile       &motion,
+              const std::size_t       row,
+              VehicleResult          &vehicle,
+              std::vector<Highest>   &highest)
+    {
+      const std::optional<double> torque = torque_of(motion, row);
+      Scene                       own    = base; // its bodies are those that answer in this row
+      const auto                  keep   = [&](const std::size_t                side,
+                            const WheelOnAxle               &wheel,
+                            const double                     rate,
+                            std::optional<WheelRailSolution> result) {
+        if (result)
+          {
+            hold_against_bodies(wheel.scene, wheel.geometry, *result);
+            find_noise_effect(wheel.scene, wheel.geometry, *result);
+          }
+        Summary &figures                 = vehicle.wheels[side].rows[row];
+        figures                          = figures_of(result, wheel, rate, torque);
+        vehicle.wheels[side].faults[row] = figures.finished ? "" : figures.stop_reason;
+        if (const double peak = figures.max_pressure; result && peak > 0)
+          highest[side].hand_in({row, peak, std::move(*result)});
+      };
+      const auto solve = [&]() {
+        if (base.both_wheels)
+          {
+            WheelsetSolution wheelset = solve_wheelset(
+              wheel_of_row(own, motion, row, false), wheel_of_row(own, motion, row, true), profiles, torque);
+            set_axle_figures(wheelset, vehicle.axle[row]);
+            keep(0, wheelset.right, wheelset.axle.rate, std::move(wheelset.axle.right));
+            keep(1, wheelset.left, wheelset.axle.rate, std::move(wheelset.axle.left));
+            return;
+          }
+        const bool        left = vehicle.wheels[0].left;
+        const Scene       at   = wheel_of_row(own, motion, row, left);
+        const WheelOnAxle wheel{at, make_geometry(at, left ? profiles.left : profiles.right), at.wheel_load};
+        keep(0, wheel, std::numeric_limits<double>::quiet_NaN(), solve_alone(wheel, torque));
+      };
+      std::string       note;
+      const std::string fault = fault_of([&]() { note = solve_with_bodies(own, solve); });
+      for (VehicleWheel &wheel : vehicle.wheels)
+        {
+          if (!fault.empty())
+            wheel.faults[row] = fault;
+          if (!note.empty())
+            wheel.rows[row].note = note;
+        }
+    }
   } // namespace
 
 
@@ -144,49 +197,7 @@ namespace wheelrail
     parallel_for(motion.rows(), [&](const std::size_t row) {
       if (kept && kept->restore(row, vehicle))
         return;
-      const std::optional<double> torque = torque_of(motion, row);
-      Scene                       own    = base; // its bodies are those that answer in this row
-      const auto                  keep   = [&](const std::size_t                side,
-                            const WheelOnAxle               &wheel,
-                            const double                     rate,
-                            std::optional<WheelRailSolution> result) {
-        if (result)
-          {
-            hold_against_bodies(wheel.scene, wheel.geometry, *result);
-            find_noise_effect(wheel.scene, wheel.geometry, *result);
-          }
-        Summary &figures                 = vehicle.wheels[side].rows[row];
-        figures                          = figures_of(result, wheel, rate, torque);
-        vehicle.wheels[side].faults[row] = figures.finished ? "" : figures.stop_reason;
-        if (const double peak = figures.max_pressure; result && peak > 0)
-          highest[side].hand_in({row, peak, std::move(*result)});
-      };
-      const auto solve = [&]() {
-        if (both)
-          {
-            WheelsetSolution wheelset = solve_wheelset(
-              wheel_of_row(own, motion, row, false), wheel_of_row(own, motion, row, true), profiles, torque);
-            set_axle_figures(wheelset, vehicle.axle[row]);
-            keep(0, wheelset.right, wheelset.axle.rate, std::move(wheelset.axle.right));
-            keep(1, wheelset.left, wheelset.axle.rate, std::move(wheelset.axle.left));
-          }
-        else
-          {
-            const Scene       at = wheel_of_row(own, motion, row, sides[0]);
-            const WheelOnAxle wheel{
-              at, make_geometry(at, sides[0] ? profiles.left : profiles.right), at.wheel_load};
-            keep(0, wheel, std::numeric_limits<double>::quiet_NaN(), solve_alone(wheel, torque));
-          }
-      };
-      std::string       note;
-      const std::string fault = fault_of([&]() { note = solve_with_bodies(own, solve); });
-      for (VehicleWheel &wheel : vehicle.wheels)
-        {
-          if (!fault.empty())
-            wheel.faults[row] = fault;
-          if (!note.empty())
-            wheel.rows[row].note = note;
-        }
+      solve_row(base, profiles, motion, row, vehicle, highest);
       if (kept)
         kept->keep(row, vehicle);
       if (report)

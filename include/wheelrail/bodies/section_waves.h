@@ -75,6 +75,12 @@ namespace wheelrail
     }
 
   private:
+    /// Its eigenvalues are the squares of the wavenumbers: -B^-1 A with the plane part of the stiffness, mass
+    /// and springs in A; `steel`: 1 + i loss.
+    std::vector<std::complex<double>>
+    eigenmatrix(std::complex<double>                     w,
+                std::complex<double>                     steel,
+                const std::vector<std::complex<double>> &springs) const;
     void
     reduce(const SectionColumns &basis, std::size_t n_plane);
 

@@ -75,6 +75,13 @@ namespace wheelrail
     Response
     respond(const SixNumbers &strain) const;
 
+    /// How the stresses that are asked for change with the strains that are `free`: a row for each of these.
+    std::vector<std::vector<double>>
+    slope_of_stress(const SixNumbers               &strain,
+                    const Response                 &response,
+                    const std::vector<std::size_t> &free,
+                    const std::vector<double>      &miss) const;
+
     MaterialLaw         law_;
     std::vector<double> rows_; ///< the history
     SixNumbers          strain_{}, stress_{};
