@@ -2,6 +2,8 @@
 #include <wheelrail/contactfiles/contact_input.h>
 #include <wheelrail/contactfiles/wheel_rail_input.h>
 
+#include <string>
+
 namespace wheelrail
 {
   std::string

@@ -3,6 +3,8 @@
 #include <wheelrail/vehicle/vehicle_command.h>
 #include <wheelrail/vehicle/wheelset_command.h>
 
+#include <string>
+
 namespace wheelrail
 {
   int
