@@ -76,6 +76,8 @@ namespace wheelrail
   AddedInfluence::AddedInfluence(const HalfspaceGrid &grid, std::vector<Basis> bases)
     : grid_(grid)
     , bases_(std::move(bases))
+    // lags from -mx to mx, and at least mx free ones over which the influence is closed smoothly: cyclic
+    // products on mx elements do not wrap
     , length_(fast_length(3 * grid.mx + 2))
     , modes_(length_ / 2 + 1)
     , plans_(std::make_unique<Plans>(length_))
@@ -97,6 +99,7 @@ namespace wheelrail
                  slope_to = (f[first + 1] - f[first]) * gap;
     for (int i = last + 1; i < first; ++i)
       {
+        // Hermite's cubic; slopes count per gap
         const double t = double(i - last) / gap, r = 1 - t;
         f[i] = r * r * ((1 + 2 * t) * from + t * slope_from) + t * t * ((1 + 2 * r) * to - r * slope_to);
       }
@@ -127,6 +130,8 @@ namespace wheelrail
               const std::size_t at    = std::size_t(i + grid_.mx) * n * n + entry;
               const double      value = here.by_lag[at];
               plans_->real[(i + length_) % length_] =
+                // displacement u, or slip (u - u')/dq with u' one step ahead (doc/theory/halfspace.md, Frame
+                // and signs); FFTW multiplies by the length there and back
                 (slip ? (value - ahead.by_lag[at]) / step : value) / length_;
             }
           close_gap();
@@ -168,11 +173,14 @@ namespace wheelrail
                 {
                   any = true;
                   for (int axis = 0; axis < 3; ++axis)
+                    // 1. tractions (x, y, n) of a row of elements in the fixed axes
                     fixed[axis * mx + i] += bases_[j][3 * axis + c] * t;
                 }
         if (!any)
           continue;
         for (int r = 0; r < body.rows; ++r)
+          // 2. forces on the rows of the table, by the weights with which displacements are interpolated: so
+          // the influence is symmetric (Maxwell and Betti)
           if (const double weight = body.weights[std::size_t(j) * body.rows + r] * grid_.element_area();
               weight != 0)
             for (int axis = 0; axis < 3; ++axis)
@@ -181,6 +189,7 @@ namespace wheelrail
       }
     for (int row = 0; row < n; ++row)
       {
+        // 3. along x to modes
         std::fill(plans_->real.begin(), plans_->real.end(), 0.);
         std::copy_n(forces.begin() + std::size_t(row) * mx, mx, plans_->real.begin());
         fftw_execute(plans_->forward);
@@ -200,6 +209,7 @@ namespace wheelrail
     std::vector<Complex> image(std::size_t(body.modes) * n);
     for (int m = 0; m < body.modes; ++m)
       {
+        // 4. each mode: a matrix (3 rows)^2 times forces. A convolution over lags is a product of modes.
         const Complex *k = &kernel[std::size_t(m) * n * n], *f = &forces[std::size_t(m) * n];
         for (int i = 0; i < n; ++i, k += n)
           {
@@ -216,6 +226,7 @@ namespace wheelrail
     for (int row = 0; row < n; ++row)
       {
         for (int m = 0; m < body.modes; ++m)
+          // 5. back, of the elements alone
           plans_->spectrum[m] = image[std::size_t(m) * n + row];
         std::fill(plans_->spectrum.begin() + body.modes, plans_->spectrum.end(), 0.);
         fftw_execute(plans_->backward);
@@ -262,6 +273,7 @@ namespace wheelrail
               for (int c = 0; c < 3; ++c)
                 if (result[c])
                   for (int axis = 0; axis < 3; ++axis)
+                    // 6. displacement along a direction of the contact: the product of the axes with it
                     if (const double share = weight * bases_[j][3 * axis + c]; share != 0)
                       for (int i = 0; i < mx; ++i)
                         (*result[c])[i + mx * j] += share * u[std::size_t(3 * r + axis) * mx + i];

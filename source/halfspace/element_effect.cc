@@ -25,6 +25,7 @@ namespace wheelrail
       };
       for (int j = 0; j < 2 * coarse.my; j += 2)
         for (int i = 0; i < 2 * coarse.mx; i += 2)
+          // tractions are constant on elements, so that distance and rigid slip act by their means
           means.push_back(0.25 * (at(i, j) + at(i + 1, j) + at(i, j + 1) + at(i + 1, j + 1)));
       return means;
     }
@@ -61,6 +62,8 @@ namespace wheelrail
     constexpr double  least_creepage = 2e-5, least_force = 0.01;
     HalfspaceProblem  bare = problem;
     HalfspaceSolution alone;
+    // half-spaces without what bodies add, whose influence has its own grid; of steady rolling no state
+    // before
     bare.added.reset();
     bare.previous = nullptr;
     if (bare.force_given)
@@ -76,6 +79,9 @@ namespace wheelrail
     for (const int before : {0, 1})
       {
         const HalfspaceSolution coarse = solve_rolling(on_doubled_elements(bare, before));
+        // errors of order h^p: f(2h) - f(h) = (2^p - 1) times the error at h, so that the difference is the
+        // error itself for p = 1 (creepage, forces) and three times it for p = 2 (smooth pressure);
+        // Richardson
         effect.pressure =
           std::max({effect.pressure,
                     relative(coarse.peak_pressure - fine.peak_pressure, fine.peak_pressure, 1),

@@ -11,6 +11,7 @@ namespace wheelrail
     double
     sum_with(const double a, const double rho, const double rest)
     {
+      // (rho + a)(rho - a) = rest: for a < 0 the sum of two numbers of nearly the same size is not formed
       return a >= 0 ? a + rho : rest / (rho - a);
     }
 
@@ -39,16 +40,18 @@ namespace wheelrail
     const double         rho = std::sqrt(x * x + y * y + z * z);
     const double xr = sum_with(x, rho, y * y + z * z), yr = sum_with(y, rho, x * x + z * z), zr = rho + z;
     const double lx = std::log(xr), ly = std::log(yr);
-    d.xxy             = -x / zr;
-    d.xyy             = -y / zr;
-    d.xxx             = y / zr - ly;
-    d.yyy             = x / zr - lx;
-    d.xyz             = std::log(zr);
-    d.xzz             = ly;
-    d.yzz             = lx;
-    d.zzz             = -std::atan2(x * y, z * rho);
-    d.xxz             = angle(y, x) - angle(z * y, x * rho);
-    d.yyz             = angle(x, y) - angle(z * x, y * rho);
+    d.xxy = -x / zr;
+    d.xyy = -y / zr;
+    d.xxx = y / zr - ly;
+    d.yyy = x / zr - lx;
+    d.xyz = std::log(zr);
+    d.xzz = ly;
+    d.yzz = lx;
+    d.zzz = -std::atan2(x * y, z * rho);
+    // limits at x = 0 and y = 0 come from angle(): both terms vanish
+    d.xxz = angle(y, x) - angle(z * y, x * rho);
+    d.yyz = angle(x, y) - angle(z * x, y * rho);
+    // fourth derivatives, one more d/dz: homogeneous of degree -1, so that stresses times z stay finite
     const double xxyz = x / (rho * zr), xyyz = y / (rho * zr), xzzz = z / (rho * yr), yzzz = z / (rho * xr);
     const double xxzz = x / (rho * yr), yyzz = y / (rho * xr);
     d.xxyz = xxyz;
@@ -58,6 +61,7 @@ namespace wheelrail
     d.yyzz = yyzz;
     d.xzzz = xzzz;
     d.yzzz = yzzz;
+    // harmonic: xxzz + yyzz + zzzz = 0 and so on
     d.zzzz = -(xxzz + yyzz);
     d.xxxz = -(xyyz + xzzz);
     d.yyyz = -(xxyz + yzzz);
@@ -73,6 +77,7 @@ namespace wheelrail
   {
     PotentialDerivatives d;
     for (const auto part : all)
+      // definite integral over x and y from that at the corners
       d.*part = far_far.*part - far_near.*part - near_far.*part + near_near.*part;
     return d;
   }
@@ -91,6 +96,8 @@ namespace wheelrail
   {
     const double factor = 1 / (2 * M_PI); // 2 G / (4 pi G)
     // Derivatives of psi1 (a) and psi (b).
+    // F1 = q_x W, G1 = q_y W, H1 = p W, W the integral of z ln(rho + z) - rho (Boussinesq 1885, Cerruti 1882;
+    // Love 1929). psi1 = F1_x + G1_y + H1_z, psi = psi1_z:
     const double a_xx = qx * d.xxx + qy * d.xxy + p * d.xxz, a_xy = qx * d.xxy + qy * d.xyy + p * d.xyz,
                  a_yy = qx * d.xyy + qy * d.yyy + p * d.yyz;
     const double b_z  = qx * d.xzz + qy * d.yzz + p * d.zzz;
@@ -99,6 +106,9 @@ namespace wheelrail
                  b_yz = qx * d.xyzz + qy * d.yyzz + p * d.yzzz, b_zz = qx * d.xzzz + qy * d.yzzz + p * d.zzzz;
     // nu / (1 - 2 nu) times the dilatation, from which (1 - 2 nu) cancels.
     const double volume = 2 * nu * b_z;
+    // u_x = (2 F_z - H_x + 2 nu psi1_x - z psi_x)/(4 pi G), u_y likewise, u_z = (H_z + (1 - 2 nu) psi - z
+    // psi_z)/(4 pi G) with F = F1_z, G = G1_z, H = H1_z. Stress = 2 G strain + 2 G nu/(1 - 2 nu) div u, div u
+    // = 2 (1 - 2 nu) psi_z/(4 pi G).
     s.xx += factor * (2 * qx * d.xzz - p * d.xxz + 2 * nu * a_xx - z * b_xx + volume);
     s.yy += factor * (2 * qy * d.yzz - p * d.yyz + 2 * nu * a_yy - z * b_yy + volume);
     s.nn += factor * (p * d.zzz - 2 * nu * b_z - z * b_zz + volume);

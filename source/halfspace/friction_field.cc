@@ -13,7 +13,10 @@ namespace wheelrail
   {
     const HalfspaceGrid &grid = problem.grid;
     std::vector<double>  friction(grid.size());
-    const double         time = step / problem.velocity;
+    // d mu/dt = -max(v, v_0)/L (mu - mu(v)), v = V |s| the slip speed, L the memory length (Vollebregt and
+    // Schuttelaars 2012), solved exactly over the time of one element with mu(v) held: mu = mu(v) + (mu
+    // before - mu(v)) exp(-max(v, v_0) dt/L). Explicit steps would overshoot where v dt > L.
+    const double time = step / problem.velocity;
     for (int j = 0; j < grid.my; ++j)
       for (int i = grid.mx - 1; i >= 0; --i) // the way of the particles
         {
@@ -22,6 +25,7 @@ namespace wheelrail
           friction[e]    = problem.friction.at(v);
           if (problem.memory_length == 0)
             continue;
+          // particles run in at the leading edge with the coefficient at rest and go towards -x
           const bool   inside = i + 1 < grid.mx && pressure[e + 1] > 0;
           const double before = inside ? friction[e + 1] : problem.friction.at(0);
           friction[e] += (before - friction[e]) *

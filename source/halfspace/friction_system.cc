@@ -42,6 +42,7 @@ namespace wheelrail
     for (std::size_t m = 0; m < sx_.size(); ++m)
       {
         const auto a = sx_[m], b = sy_[m];
+        // symmetric: A_xy = A_yx (Cerruti 1882)
         sx_[m] = times(xx[m], a) + times(xy[m], b);
         sy_[m] = times(xy[m], a) + times(yy[m], b);
       }
@@ -60,7 +61,8 @@ namespace wheelrail
   void
   FrictionSystem::hold(const double c, const std::vector<double> &before)
   {
-    c_      = c;
+    c_ = c;
+    // b is the influence of an element on its own slip, to which the proximal term adds c
     b_      = kernels_.diagonal + c;
     before_ = before;
   }
@@ -68,6 +70,7 @@ namespace wheelrail
   double
   FrictionSystem::creepage_grip() const
   {
+    // of the order of sum(dt)/d(creepage) = n/b for elements that stick, times c/b; a tenth of it is enough
     return 0.1 * c_ * n_ / (b_ * b_);
   }
 
@@ -89,11 +92,14 @@ namespace wheelrail
         double    q[2];
         for (int d = 0; d < 2; ++d)
           {
+            // s = w + creepage + B t (+ c (t - t before) of a proximal point)
             slip[2 * e + d] = task_.rigid_slip[d][k] + creepage[d] + image_[d][k];
             if (c_ > 0)
               slip[2 * e + d] += c_ * (t[2 * e + d] - before_[2 * e + d]);
+            // q = t - s/b; t = P(q) holds exactly where s = 0 and |t| <= g, or t = -g s/|s|, for any b > 0
             q[d] = t[2 * e + d] - slip[2 * e + d] / b_;
           }
+        // P cuts q to the length g = mu p
         const double size   = std::hypot(q[0], q[1]),
                      factor = size > task_.bound[k] ? task_.bound[k] / size : 1;
         largest             = std::max(largest, factor * size);
@@ -118,8 +124,9 @@ namespace wheelrail
     for (std::size_t e = 0; e < n_; ++e)
       {
         const double *te = &t[2 * e], *s = &slip[2 * e];
-        const double  g  = task_.bound[elements[e]];
-        const double  qx = te[0] - s[0] / b, qy = te[1] - s[1] / b, q = std::hypot(qx, qy);
+        const double  g = task_.bound[elements[e]];
+        // q = t - s/b; |q| <= g: the element sticks, and its rows are B dt = -s
+        const double qx = te[0] - s[0] / b, qy = te[1] - s[1] / b, q = std::hypot(qx, qy);
         // Before the first step only elements at their bound slip: the slip of others says nothing yet.
         if (q <= g || (first && std::hypot(te[0], te[1]) < g * (1 - 1e-6)))
           {
@@ -127,11 +134,15 @@ namespace wheelrail
             rhs[2 * e + 1] = -s[1];
             continue;
           }
-        slipping[e]   = 1;
+        slipping[e] = 1;
+        // n = q/|q|, the direction of the traction against the slip; b (|q| - g)/g is |s|/g where t = g n
         nx_[e]        = qx / q;
         ny_[e]        = qy / q;
         stiffness_[e] = b * (q - g) / g;
         // Normal row: the bound, times b; tangential row: the direction, see doc/theory/halfspace.md.
+        // f = t - g n. Along n: b n . dt = -b n . f. Across it, from t + dt = g (n + dn) with dn = (dq .
+        // tau)/|q| tau and dq = dt - B dt/b: tau . B dt + b (|q| - g)/g tau . dt = -b |q|/g tau . f. The
+        // factor b gives both rows the unit of a slip. tau = (-n_y, n_x).
         const double fx = te[0] - g * nx_[e], fy = te[1] - g * ny_[e];
         const double normal  = -b * (fx * nx_[e] + fy * ny_[e]);
         const double tangent = -b * q / g * (-fx * ny_[e] + fy * nx_[e]);
@@ -140,6 +151,8 @@ namespace wheelrail
       }
     for (std::size_t f = 0; f < forces.size(); ++f)
       {
+        // sum(dt) = force asked for less that of t, over the area of an element; b/sqrt(n) makes the row as
+        // long as those of the elements
         rhs[2 * n_ + f] = missing_force(t, f) * b / std::sqrt(double(n_));
         if (c_ > 0)
           rhs[2 * n_ + f] +=
@@ -151,6 +164,8 @@ namespace wheelrail
   void
   FrictionSystem::set_responses()
   {
+    // z = M^-1 (unit creepage): a unit slip in all rows that hold a slip, that is both of an element that
+    // sticks and the one across n of one that slips
     response_.clear();
     for (const int d : forces)
       {
@@ -185,9 +200,11 @@ namespace wheelrail
         const int k = elements[e];
         double    s[2];
         for (int d = 0; d < 2; ++d)
+          // change of slip, d s = B dt + d(creepage) + c dt
           s[d] = image_[d][k] + creepage[d] + c_ * dt[2 * e + d];
         if (slipping[e])
           {
+            // the two rows of linearise(), turned back from (n, tau) to (x, y)
             const double normal = b_ * (dt[2 * e] * nx_[e] + dt[2 * e + 1] * ny_[e]);
             const double tangent =
               -s[0] * ny_[e] + s[1] * nx_[e] + stiffness_[e] * (-dt[2 * e] * ny_[e] + dt[2 * e + 1] * nx_[e]);
@@ -202,6 +219,7 @@ namespace wheelrail
         double sum = 0;
         for (std::size_t e = 0; e < n_; ++e)
           sum += dt[2 * e + forces[f]];
+        // row of the force; a held creepage lets some of it go
         result[2 * n_ + f] = (sum - creepage_grip() * dt[2 * n_ + f]) * b_ / std::sqrt(double(n_));
       }
   }
@@ -228,6 +246,7 @@ namespace wheelrail
         c[f] -= r[2 * n_ + f] / scale;
         a[f][f] += creepage_grip();
       }
+    // the Schur complement of the creepages, 1 x 1 or 2 x 2 (Cramer's rule)
     double creepage[2] = {0, 0};
     if (m == 1)
       creepage[0] = c[0] / a[0][0];
@@ -258,6 +277,7 @@ namespace wheelrail
     for (std::size_t e = 0; e < n_; ++e)
       if (slipping[e])
         {
+          // slipping elements by their diagonal: b along n, b + b (|q| - g)/g across it
           const double normal  = (r[2 * e] * nx_[e] + r[2 * e + 1] * ny_[e]) / b_;
           const double tangent = (-r[2 * e] * ny_[e] + r[2 * e + 1] * nx_[e]) / (b_ + stiffness_[e]);
           result[2 * e]        = normal * nx_[e] - tangent * ny_[e];
@@ -275,14 +295,19 @@ namespace wheelrail
         const int k = elements[e];
         if (slipping[e])
           continue;
+        // 1. d(A t)/dx = -s: the displacement that belongs to a slip is its sum from the leading edge of a
+        // run of sticking elements, in steps of dx against rolling. Elements are in the order of x: from the
+        // last one back.
         const bool follows = kernels_.steady && e + 1 < n_ && elements[e + 1] == k + 1 && !slipping[e + 1] &&
                              (k + 1) % task_.grid.mx != 0;
         for (int d = 0; d < 2; ++d)
           work_[d][k] = kernels_.steady ? (follows ? work_[d][k + 1] : 0.) + task_.grid.dx * r[2 * e + d]
                                         : kernels_.step * r[2 * e + d];
       }
+    // 2. tractions of that displacement on the periodic doubled grid, A^-1 by its symbol
     apply(kernels_.inverse_xx, kernels_.inverse_xy, kernels_.inverse_yy, work_, image_);
     for (auto &w : work_)
+      // 3. cut to the elements that stick
       std::fill(w.begin(), w.end(), 0.);
     for (std::size_t e = 0; e < n_; ++e)
       if (!slipping[e])
@@ -298,6 +323,7 @@ namespace wheelrail
         const double g = task_.bound[elements[e]], size = std::hypot(t[2 * e], t[2 * e + 1]);
         if (size > g)
           for (int d = 0; d < 2; ++d)
+            // P(t) = g t/|t|
             t[2 * e + d] *= g / size;
       }
   }

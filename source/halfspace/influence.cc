@@ -32,6 +32,8 @@ namespace wheelrail
     double
     log_term(const double a, const double b)
     {
+      // the integral of x^2/r^3 (a = x, b = y) or y^2/r^3 (a = y, b = x); asinh and not ln(a + r), which
+      // loses all its digits for a < 0, far from the load
       return b == 0 ? 0 : b * std::asinh(a / std::abs(b));
     }
 
@@ -39,6 +41,8 @@ namespace wheelrail
     std::array<double, 5>
     primitives(const double x, const double y)
     {
+      // Each line F has d2F/(dx dy) equal to its integrand, so that a rectangle is F at its four corners with
+      // alternating signs. The first two add up to the primitive of 1/r. At r = 0 all tend to 0.
       const double r = std::hypot(x, y), log_r = r > 0 ? std::log(r) : 0;
       return {log_term(x, y),
               log_term(y, x),
@@ -60,7 +64,14 @@ namespace wheelrail
       // Equations)
       std::array<double, 5> i;
       for (int k = 0; k < 5; ++k)
+        // 1. the five integrals over the loaded rectangle, x from xa to xb and y from ya to yb
         i[k] = far_far[k] - far_near[k] - near_far[k] + near_near[k];
+      // 2. the coefficients, with n = (1 - nu)/(pi G), nu = nu/(pi G), k = K/(pi G) and 1/r = x^2/r^3 +
+      // y^2/r^3:
+      //    u_x = n t_x/r + nu (x^2 t_x + x y t_y)/r^3 - k x p/r^2,   u_y likewise,
+      //    u_n = n p/r + k (x t_x + y t_y)/r^2.
+      // Pressure and tangential problem are coupled with opposite signs: p acts on body 1 along +n and u is
+      // body 1 less body 2, so that A is skew in the pairs (x, n), (y, n).
       const double          inverse_distance = i[0] + i[1];
       const double          n = constants.normal, nu = constants.poisson, k = constants.coupling;
       InfluenceCoefficients c;
@@ -69,6 +80,8 @@ namespace wheelrail
       c[2] = {k * i[3], k * i[4], n * inverse_distance};
       if (itself)
         {
+          // 3. a layer of thickness h and shear modulus G between the bodies (Winkler's foundation in shear,
+          // no coupling between places): u = h/G t
           c[0][0] += constants.layer;
           c[1][1] += constants.layer;
         }
@@ -79,13 +92,17 @@ namespace wheelrail
   HalfspaceConstants
   halfspace_constants(const HalfspaceBody &body1, const HalfspaceBody &body2)
   {
+    // A quotient over G is the mean of both bodies; the sum of both over 2 pi is that mean over pi. A rigid
+    // body is one with g to infinity.
     const double       g1 = body1.shear_modulus, g2 = body2.shear_modulus;
     const double       nu1 = body1.poisson_ratio, nu2 = body2.poisson_ratio;
     HalfspaceConstants c;
-    // (1 - nu)/G and nu/G, sums of both bodies, and K/G, which like bodies do not have (Kalker 1990;
+    // (1 - nu)/G and nu/G, means of both bodies, and K/G, which like bodies do not have (Kalker 1990;
     // doc/theory/halfspace.md, Equations)
-    c.normal   = ((1 - nu1) / g1 + (1 - nu2) / g2) / (2 * M_PI);
-    c.poisson  = (nu1 / g1 + nu2 / g2) / (2 * M_PI);
+    c.normal  = ((1 - nu1) / g1 + (1 - nu2) / g2) / (2 * M_PI);
+    c.poisson = (nu1 / g1 + nu2 / g2) / (2 * M_PI);
+    // of opposite sign in both bodies, since p presses them apart but u is a difference; it vanishes for like
+    // bodies and for nu = 0.5
     c.coupling = ((1 - 2 * nu1) / g1 - (1 - 2 * nu2) / g2) / (4 * M_PI);
     return c;
   }
@@ -93,6 +110,7 @@ namespace wheelrail
   InfluenceCoefficients
   influence_coefficients(const HalfspaceConstants &constants, double dx, double dy, double x, double y)
   {
+    // the load covers dx x dy about the origin: seen from the point, its corners lie at x -+ dx/2, y -+ dy/2
     const double xa = x - dx / 2, xb = x + dx / 2, ya = y - dy / 2, yb = y + dy / 2;
     return between(constants,
                    primitives(xb, yb),
@@ -119,6 +137,7 @@ namespace wheelrail
       ahead,
       primitives,
       [&](const int i, const int j, const auto &ff, const auto &fn, const auto &nf, const auto &nn) {
+        // the layer gives way under its own element alone, also when the point lies `ahead` within it
         const bool itself = j == 0 && std::abs(i * grid.dx + ahead) < grid.dx / 2;
         const auto c      = between(constants, ff, fn, nf, nn, itself);
         for (std::size_t k = 0; k < pairs.size(); ++k)
@@ -148,6 +167,8 @@ namespace wheelrail
 
   InfluenceProducts::InfluenceProducts(const HalfspaceGrid &grid)
     : grid_(grid)
+    // A product A t is a convolution, A_ab(I - J). The FFT makes it a cyclic one; on a grid of twice the
+    // length the copies do not reach the elements (zero padding; Hockney 1970).
     , nx_(fft_size(2 * grid.mx))
     , ny_(fft_size(2 * grid.my))
     , plans_(std::make_unique<Plans>())
@@ -198,6 +219,7 @@ namespace wheelrail
       }
     Spectrum spectrum(spectrum_size());
     fftw_execute_dft_r2c(plans_->whole, plans_->real, values_of(spectrum));
+    // FFTW's transforms there and back multiply by the number of values: divided out once, in the kernel
     const double scale = 1. / (double(nx_) * ny_);
     for (Complex &value : spectrum)
       value *= scale;
@@ -212,6 +234,7 @@ namespace wheelrail
       std::copy_n(field.data() + std::size_t(grid_.mx) * j, grid_.mx, plans_->real + std::size_t(nx_) * j);
     spectrum.resize(spectrum_size());
     fftw_complex *const values = values_of(spectrum);
+    // only the my rows of the grid differ from zero before the transform along y
     fftw_execute_dft_r2c(plans_->rows, plans_->real, values);
     const std::size_t filled = std::size_t(nx_ / 2 + 1) * grid_.my;
     std::fill(spectrum.begin() + filled, spectrum.end(), 0.);

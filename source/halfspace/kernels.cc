@@ -37,6 +37,7 @@ namespace wheelrail
   HalfspaceKernels::of(const int a, const int b, const double ahead)
   {
     for (const Kept &kept : kept_)
+      // exact comparison: steps and components repeat to the bit
       if (kept.a == a && kept.b == b && kept.ahead == ahead)
         return kept.spectrum;
     const auto by_distance = influence_by_distance(constants_, grid_, products_, ahead, {{a, b}});
@@ -59,6 +60,8 @@ namespace wheelrail
                 const std::vector<int>                           &components,
                 const std::array<const std::vector<double> *, 3> &tractions)
   {
+    // u_a = sum over b of A_ab t_b: three transforms of tractions, one back for each component
+    // (doc/theory/halfspace.md, Equations)
     std::array<HalfspaceKernels::Spectrum, 3> spectra;
     for (int b = 0; b < 3; ++b)
       kernels.products().forward(*tractions[b], spectra[b]);

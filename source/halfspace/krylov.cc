@@ -39,13 +39,16 @@ namespace wheelrail
               const int                  max_iterations,
               std::vector<double>       &x)
   {
+    // A x = b by GMRES (Saad and Schultz 1986), preconditioned from the right so that the residual is that of
+    // A itself and the tolerance means the same whatever the preconditioner
     const Vector load(b.begin(), b.end());
     Vector       solution(load.size());
     const double norm = load.l2_norm();
     x.assign(b.size(), 0.);
     if (norm == 0)
       return 0;
-    dealii::SolverControl       control(max_iterations, tolerance * norm, false, false);
+    dealii::SolverControl control(max_iterations, tolerance * norm, false, false);
+    // as many vectors as iterations: no restart
     dealii::SolverGMRES<Vector> solver(control,
                                        dealii::SolverGMRES<Vector>::AdditionalData(max_iterations + 2, true));
     try

@@ -24,6 +24,9 @@ namespace wheelrail
         for (int i = 0; i < grid.mx; ++i)
           {
             const int e = i + grid.mx * j;
+            // T-gamma = -sum of t . w dA, w_x = xi - phi y, w_y = eta + phi x: creep force times creepage
+            // plus spin moment times spin. The spin counts at the element, not at x + dq/6 as in the
+            // solution, so that the sum is Mz phi (doc/theory/halfspace.md, Algorithm).
             work -= s.traction_x[e] * (s.xi - s.phi * grid.y(j) + of(problem.rigid_slip_x, e)) +
                     s.traction_y[e] * (s.eta + s.phi * grid.x(i) + of(problem.rigid_slip_y, e));
           }
@@ -53,6 +56,7 @@ namespace wheelrail
           s.fn += p * area;
           s.fx += tx * area;
           s.fy += ty * area;
+          // moment about n at (0, 0): x t_y - y t_x
           s.spin_moment += (grid.x(i) * ty - grid.y(j) * tx) * area;
           s.peak_pressure = std::max(s.peak_pressure, p);
           s.peak_shear    = std::max(s.peak_shear, std::hypot(tx, ty));
@@ -64,6 +68,7 @@ namespace wheelrail
     s.area = s.adhesion_area + s.slip_area;
     if (s.contact_elements > 0)
       {
+        // whole elements: by up to one element larger than the contact ellipse
         s.length_x          = (last_x - first_x + 1) * grid.dx;
         s.width_y           = (last_y - first_y + 1) * grid.dy;
         s.touches_grid_edge = first_x == 0 || first_y == 0 || last_x == grid.mx - 1 || last_y == grid.my - 1;

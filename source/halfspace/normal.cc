@@ -46,6 +46,7 @@ namespace wheelrail
         {
           std::vector<double> sorted(distance);
           std::nth_element(sorted.begin(), sorted.begin() + n / 4, sorted.end());
+          // the approach at which a quarter of the grid overlaps
           level = sorted[n / 4]; // a quarter of the grid in contact: a start like any other
         }
       contact.pressure.assign(n, 0.);
@@ -68,6 +69,8 @@ namespace wheelrail
     {
       const std::vector<double> &p = contact.pressure, &u = contact.displacement;
       for (std::size_t k = 0; k < e.size(); ++k)
+        // e = h + u_n - approach, h the undeformed distance; with a given force the approach is the mean over
+        // the contact, which is the multiplier of sum(p) dx dy = F
         e[k] = u[k] + distance[k];
       if (force_given)
         contact.approach = contact_mean(e, p);
@@ -76,7 +79,9 @@ namespace wheelrail
         {
           e[k] -= contact.approach;
           if (p[k] > 0)
+            // G of Polonsky and Keer: sum of e^2 over the contact
             norm += e[k] * e[k];
+          // errors of the three conditions: in the contact e = 0, beside it e >= 0 (p >= 0 holds always)
           worst = std::max(worst, p[k] > 0 ? std::abs(e[k]) : -e[k]);
         }
       contact.residual = worst;
@@ -105,6 +110,8 @@ namespace wheelrail
         for (double &v : p)
           v *= factor;
       }
+    // residuals count relative to the depth of interpenetration, approach less the lowest distance: the zero
+    // of the approach is that of the distances, which is anywhere
     const double lowest   = *std::min_element(distance.begin(), distance.end());
     double       old_norm = 1, beta = 0;
     contact.converged = false;
@@ -112,6 +119,7 @@ namespace wheelrail
     for (contact.iterations = 0;; ++contact.iterations)
       {
         leave_if_interrupted();
+        // 1. gaps of the present pressure
         product(p, u);
         const double norm  = find_gap(distance, force_given, contact, e);
         const double scale = std::abs(contact.approach - lowest);
@@ -121,9 +129,12 @@ namespace wheelrail
           return;
 
         for (std::size_t k = 0; k < n; ++k)
+          // 2. direction t = e + beta (G/G before) t within the contact; beta = 0 restarts it when the
+          // contact has grown
           t[k] = p[k] > 0 ? e[k] + beta * norm / old_norm * t[k] : 0;
         old_norm = norm > 0 ? norm : 1;
         product(t, r);
+        // 3. length alpha = (e, t)/(A t - mean, t): without its mean A t keeps the force to first order
         const double mean = force_given ? contact_mean(r, p) : 0;
         double       et = 0, rt = 0;
         for (std::size_t k = 0; k < n; ++k)
@@ -132,6 +143,7 @@ namespace wheelrail
             rt += (r[k] - mean) * t[k];
           }
         // the step along t; overlapping elements come back, and the directions begin anew
+        // 4. p - alpha t, cut at 0; an overlapping element comes back with the pressure -alpha e
         const double alpha = rt > 0 ? et / rt : 0;
         beta               = 1;
         for (std::size_t k = 0; k < n; ++k)
@@ -144,6 +156,7 @@ namespace wheelrail
             }
         if (force_given)
           {
+            // 5. the force asked for, exactly
             const double factor = force / (total(p) * grid.element_area());
             for (double &v : p)
               v *= factor;

@@ -13,6 +13,7 @@ namespace wheelrail
         "A half-space grid needs positive element lengths and a positive size; found elements of " +
         std::to_string(dx) + " m x " + std::to_string(dy) + " m and half sizes " + std::to_string(half_x) +
         " m x " + std::to_string(half_y) + " m.");
+    // 2 nx + 1 elements cover (2 nx + 1) dx >= 2 half_x; 1e-9 keeps round-off from adding one
     const int nx = int(std::ceil(half_x / dx - 0.5 - 1e-9)), ny = int(std::ceil(half_y / dy - 0.5 - 1e-9));
     HalfspaceGrid grid;
     grid.mx = 2 * nx + 1;
@@ -88,6 +89,7 @@ namespace wheelrail
   std::vector<double>
   quadratic_distance(const HalfspaceGrid &grid, const double rx, const double ry)
   {
+    // Hertz (1882): surfaces as paraboloids, h = x^2/(2 rx) + y^2/(2 ry)
     return sampled_distance(grid, [&](double x, double y) { return x * x / (2 * rx) + y * y / (2 * ry); });
   }
 } // namespace wheelrail

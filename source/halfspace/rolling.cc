@@ -35,8 +35,10 @@ namespace wheelrail
       {
         const bool shift = problem.motion == HalfspaceMotion::shift;
         solution_.grid   = grid_;
-        solution_.step   = shift ? 1. : problem.step > 0 ? problem.step : grid_.dx;
-        offset_          = shift ? 0. : solution_.step;
+        // dq of the relative slip s = w + (u - u')/dq; a shift has no length, so that its slip is a distance
+        // [m]
+        solution_.step = shift ? 1. : problem.step > 0 ? problem.step : grid_.dx;
+        offset_        = shift ? 0. : solution_.step;
         if (guess && guess->grid.mx == grid_.mx && guess->grid.my == grid_.my)
           {
             normal_.pressure = guess->pressure;
@@ -118,11 +120,15 @@ namespace wheelrail
           products_.forward(tangential_.traction[1], y);
           const Spectrum &under_x = kernels_.of(2, 0, 0), &under_y = kernels_.of(2, 1, 0);
           for (std::size_t m = 0; m < x.size(); ++m)
+            // u_n = A_nx t_x + A_ny t_y (Kalker 1990), K/G of unlike materials
             x[m] = times(x[m], under_x[m]) + times(y[m], under_y[m]);
           products_.backward(x, u);
           for (std::size_t e = 0; e < u.size(); ++e)
             distance[e] += u[e];
         }
+      // Conformal contact: where the normal makes the angle a to the approach, e = h - approach cos a + u_n.
+      // With e/cos a for the gap and p cos a for the pressure the approach has the factor 1, the load is
+      // their sum, and A(1/cos .)/cos stays symmetric, as conjugate gradients need.
       const std::vector<double> &cosine = problem_.normal_cosine;
       // gaps along the approach, so that conjugate gradients meet one lowering for all elements: pressures
       // times their cosine stand for pressures
@@ -165,6 +171,8 @@ namespace wheelrail
       VectorField  w;
       const double ahead =
         problem_.motion == HalfspaceMotion::shift ? 0. : problem_.spin_offset * solution_.step;
+      // w_x = xi - phi y, w_y = eta + phi (x + dq/6), without the creepages, which solve_tangential() adds;
+      // CONTACT counts the spin dq/6 ahead of the element (`spin_offset`)
       w[0] = sampled_distance(grid_, [&](double, double y) { return -problem_.phi * y; });
       w[1] = sampled_distance(grid_, [&](double x, double) { return problem_.phi * (x + ahead); });
       for (std::size_t e = 0; e < w[0].size(); ++e)
@@ -180,6 +188,7 @@ namespace wheelrail
         {
           if (coupled_)
             {
+              // unlike materials: slip of the pressure, (u(p) - u'(p))/dq with u_x = A_xn p, u_y = A_yn p
               add_displacement(d, 2, 0, normal_.pressure, per_step, w[d]);
               if (steady)
                 add_displacement(d, 2, offset_, normal_.pressure, -per_step, w[d]);
@@ -189,6 +198,7 @@ namespace wheelrail
                                      {{d == 0 ? &w[0] : nullptr, d == 1 ? &w[1] : nullptr, nullptr}});
           if (steady || !problem_.previous)
             continue;
+          // shift and transient rolling: -u'/dq of the state before, moved on by dq
           const HalfspaceSolution &old = *problem_.previous;
           add_displacement(d, 0, offset_, old.traction_x, -per_step, w[d]);
           add_displacement(d, 1, offset_, old.traction_y, -per_step, w[d]);
@@ -214,11 +224,13 @@ namespace wheelrail
       double limit = 0;
       for (std::size_t e = 0; e < task.bound.size(); ++e)
         {
+          // Coulomb: |t| <= g = mu p; the forces that it carries in all, sum of g dx dy
           task.bound[e] = mu_[e] * normal_.pressure[e];
           limit += task.bound[e] * grid_.element_area();
         }
       const double asked =
         std::hypot(task.force_given[0] ? task.force[0] : 0., task.force_given[1] ? task.force[1] : 0.);
+      // 1e-9: at the limit itself the creepage is infinite
       const bool carried = asked == 0 || asked < limit * (1 - 1e-9);
       if (!carried || limit == 0)
         {
@@ -243,7 +255,7 @@ namespace wheelrail
       double change = 0;
       if (!velocity_dependent_ || tangential_.slip[0].empty())
         return change;
-      // Half a step from the third round on: falling friction makes whole steps swing.
+      // Half a step from the fourth round on: falling friction makes whole steps swing.
       const double              weight  = solution_.coupling_rounds < 4 ? 1 : weight_;
       const double              largest = problem_.friction.largest();
       const std::vector<double> wanted =
@@ -270,6 +282,7 @@ namespace wheelrail
       for (solution_.coupling_rounds = 1;; ++solution_.coupling_rounds)
         {
           const std::vector<double> old = normal_.pressure;
+          // 1. pressure under the tractions of the last round
           if (!pressure_given_ && (solution_.coupling_rounds == 1 || coupled_))
             normal_problem();
           double change = 0, peak = 0;
@@ -278,12 +291,14 @@ namespace wheelrail
               change = std::max(change, std::abs(normal_.pressure[e] - old[e]));
               peak   = std::max(peak, normal_.pressure[e]);
             }
+          // 2. coefficients of the slip of the last round
           const double friction_change = update_friction();
           solution_.coupling_converged =
             !friction_ || (!coupled_ && !velocity_dependent_) ||
             (solution_.coupling_rounds > 1 && change <= problem_.coupling_tolerance * peak &&
              friction_change <= problem_.coupling_tolerance);
           const bool last = solution_.coupling_rounds == problem_.max_coupling_rounds;
+          // 3. tractions; after a settled round those of that round are kept
           if (friction_ && (solution_.coupling_rounds == 1 || !solution_.coupling_converged))
             solution_.within_friction = tangential_problem();
           if (solution_.coupling_converged || last || !solution_.within_friction)
@@ -316,6 +331,8 @@ namespace wheelrail
       s.displacement_n.resize(n, 0.);
       s.displacement_x.assign(n, 0.);
       s.displacement_y.assign(n, 0.);
+      // u_a = sum over b of A_ab t_b; u_n(p) is there from the normal problem; pairs (x, n), (y, n) of unlike
+      // materials alone
       std::vector<double>       *u[3] = {&s.displacement_x, &s.displacement_y, &s.displacement_n};
       const std::vector<double> *t[3] = {&s.traction_x, &s.traction_y, &s.pressure};
       for (int a = 0; a < 3; ++a)
@@ -330,6 +347,7 @@ namespace wheelrail
         }
       s.gap.assign(n, 0.);
       for (std::size_t e = 0; e < n && !pressure_given_; ++e)
+        // e = h - approach cos a + u_n
         s.gap[e] = problem_.undeformed_distance[e] + s.displacement_n[e] -
                    s.approach * (problem_.normal_cosine.empty() ? 1 : problem_.normal_cosine[e]);
     }

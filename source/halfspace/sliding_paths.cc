@@ -18,6 +18,8 @@ namespace wheelrail
       const HalfspaceGrid &grid  = s.grid;
       const std::size_t    e     = i + std::size_t(grid.mx) * j;
       const double         ahead = problem.spin_offset * s.step;
+      // s = w + (u - u')/dq of an element without traction, u' at its neighbour upstream, +x; the solution
+      // has slips of elements in contact alone
       return {s.xi - s.phi * grid.y(j) + of(problem.rigid_slip_x, e) +
                 (s.displacement_x[e] - s.displacement_x[e + 1]) / grid.dx,
               s.eta + s.phi * (grid.x(i) + ahead) + of(problem.rigid_slip_y, e) +
@@ -39,7 +41,9 @@ namespace wheelrail
         {
           const std::size_t e        = i + std::size_t(grid.mx) * j;
           const bool        upstream = i + 1 < grid.mx, here = s.pressure[e] > 0;
-          const auto        mean = [&](const std::vector<double> &field) {
+          // A particle comes from e + 1 and ends at e: its traction is the mean of both ends, zero outside
+          // the contact.
+          const auto mean = [&](const std::vector<double> &field) {
             return 0.5 * (field[e] + (upstream ? field[e + 1] : 0));
           };
           if (!here && !(upstream && s.pressure[e + 1] > 0))
@@ -52,6 +56,7 @@ namespace wheelrail
               paths.slip_x[e] = s.slip_x[e];
               paths.slip_y[e] = s.slip_y[e];
             }
+          // the trailing edge: half of the traction of the last element slides out over the element behind it
           else if (s.state[e + 1] == HalfspaceSolution::slip && s.friction[e + 1] > 0)
             {
               const auto slip = slip_behind(problem, s, i, j);

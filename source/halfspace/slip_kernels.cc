@@ -27,6 +27,8 @@ namespace wheelrail
     const double scale = 1. / std::pow(double(products.padded_size()), 2);
     for (std::size_t m = 0; m < xx.size(); ++m)
       {
+        // The symbol of A at a wavenumber is (a b; b d), real since A is even in x and y together. Its
+        // inverse is (d -b; -b a)/det.
         const double a = std::abs(xx[m].real()), b = xy[m].real(), d = std::abs(yy[m].real());
         // a preconditioner only: kept away from singular where the cut kernels' symbol is not definite
         const double det = std::max(a * d - b * b, 0.01 * a * d);
@@ -40,15 +42,19 @@ namespace wheelrail
         const auto there = influence_by_distance(constants, grid, products, step, pairs);
         for (std::size_t c = 0; c < pairs.size(); ++c)
           for (std::size_t e = 0; e < here[c].size(); ++e)
+            // steady rolling: s = w + (u - u')/dq, B = (A(I) - A(I + dq))/dq, u' where the particle was one
+            // step before (Kalker 1990; doc/theory/halfspace.md, Frame and signs)
             here[c][e] = (here[c][e] - there[c][e]) / step;
         k.xx          = products.kernel(here[0]);
         k.xy          = products.kernel(here[1]);
         k.yy          = products.kernel(here[2]);
         const auto c1 = influence_coefficients(constants, grid.dx, grid.dy, step, 0);
-        k.diagonal    = (c0[0][0] - c1[0][0] + c0[1][1] - c1[1][1]) / (2 * step);
+        // b of the Newton steps: the slip of an element under its own traction, mean of x and y [1/Pa]
+        k.diagonal = (c0[0][0] - c1[0][0] + c0[1][1] - c1[1][1]) / (2 * step);
       }
     else
       {
+        // shift and one step of transient rolling: u' is known and stands in the rigid slip, so that B = A/dq
         for (auto *s : {&xx, &xy, &yy})
           for (auto &v : *s)
             v /= step;

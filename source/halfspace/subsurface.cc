@@ -21,6 +21,7 @@ namespace wheelrail
                 const double         p,
                 HalfspaceStress     &s)
     {
+      // the load from -hx to hx: seen from it the point is x + hx, x - hx off its edges
       const double hx = grid.dx / 2, hy = grid.dy / 2;
       add_stress(rectangle_derivatives(corner_derivatives(x + hx, y + hy, z),
                                        corner_derivatives(x + hx, y - hy, z),
@@ -46,6 +47,7 @@ namespace wheelrail
   double
   HalfspaceStress::von_mises() const
   {
+    // von Mises (1913): sqrt(3/2 s : s) of the deviator s
     return std::sqrt(0.5 * (std::pow(xx - yy, 2) + std::pow(yy - nn, 2) + std::pow(nn - xx, 2)) +
                      3 * (xy * xy + xn * xn + yn * yn));
   }
@@ -56,7 +58,9 @@ namespace wheelrail
                       const HalfspaceSide                 side,
                       const std::vector<SubsurfacePoint> &points)
   {
-    const HalfspaceGrid         &g    = solution.grid;
+    const HalfspaceGrid &g = solution.grid;
+    // p and t act on body 1, whose inside lies along +n. Body 2 has the opposite tractions, and its depth
+    // runs along -n, so that a pressure presses it, too.
     const double                 sign = side == HalfspaceSide::body1 ? 1 : -1;
     std::vector<HalfspaceStress> stresses(points.size());
     for (std::size_t k = 0; k < points.size(); ++k)

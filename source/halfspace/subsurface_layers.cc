@@ -28,6 +28,7 @@ namespace wheelrail
     is_odd(const std::size_t component, const int load, const int axis)
     {
       constexpr int indices[2][components.size()] = {{0, 0, 0, 1, 1, 0}, {0, 0, 0, 1, 0, 1}}; // odd ones
+      // mirrored at x = 0, a vector along x and each index x of a stress change their sign
       return (indices[axis][component] + (load == axis ? 1 : 0)) % 2 == 1;
     }
 
@@ -47,6 +48,7 @@ namespace wheelrail
         grid,
         {0, nx / 2 + 1, 0, ny / 2 + 1},
         0,
+        // a corner belongs to four elements: its derivatives are computed once
         [&](const double x, const double y) { return corner_derivatives(x, y, depth); },
         [&](const int i, const int j, const auto &ff, const auto &fn, const auto &nf, const auto &nn) {
           const PotentialDerivatives d = rectangle_derivatives(ff, fn, nf, nn);
@@ -60,6 +62,7 @@ namespace wheelrail
                   const int    sign_x = is_odd(c, load, 0) ? -1 : 1, sign_y = is_odd(c, load, 1) ? -1 : 1;
                   const auto   set = [&](const int column, const int row, const double to) {
                     if (column < nx && row < ny)
+                      // the distance 0 stands in the middle, at (nx/2, ny/2)
                       unit[load].of[c][column + std::size_t(nx) * row] = to;
                   };
                   set(nx / 2 + i, ny / 2 + j, value);
@@ -120,6 +123,8 @@ namespace wheelrail
         const auto x = products_.kernel(unit[0].of[c]), y = products_.kernel(unit[1].of[c]),
                    n = products_.kernel(unit[2].of[c]);
         for (std::size_t m = 0; m < sum.size(); ++m)
+          // sigma_c(I) = sum over J of S_cx(I - J) t_x(J) + S_cy t_y + S_cn p; tractions and pressure apart,
+          // since body 2 has the former with the other sign
           sum[m] = times(x[m], loads_[0][m]) + times(y[m], loads_[1][m]);
         products_.backward(sum, field);
         for (std::size_t e = 0; e < field.size(); ++e)

@@ -32,6 +32,7 @@ namespace wheelrail
       std::vector<double> rhs, step;
       for (int steps = 0;; ++steps)
         {
+          // 1. slip s = w + B t and residual t - P(t - s/b), P the projection on |t| <= mu p
           state.residual = system.residual(t, slip);
           if (!std::isfinite(state.residual))
             return false;
@@ -39,7 +40,9 @@ namespace wheelrail
             return true;
           if (steps == max_steps)
             return false;
+          // 2. sets of stick and slip and the linear equations (doc/theory/halfspace.md, Tangential problem)
           system.linearise(t, slip, from_nothing && steps == 0, rhs);
+          // 3. the whole step: a projection here would keep it from converging fast
           state.krylov_iterations += solve_gmres(A, M, rhs, krylov_tolerance, max_krylov, step);
           ++state.newton_steps;
           for (std::size_t k = 0; k < t.size(); ++k)
@@ -57,6 +60,8 @@ namespace wheelrail
                     TangentialState      &state)
     {
       const int last = state.newton_steps + max_fallback_steps;
+      // Rockafellar (1976): t is the limit of the solutions of s + c (t - t before) = 0 instead of s = 0; c
+      // begins as large as an element's influence b on its own slip
       for (double c = task.kernels->diagonal; state.newton_steps < last;)
         {
           const std::vector<double> before = t;
@@ -84,8 +89,9 @@ namespace wheelrail
   void
   solve_tangential(InfluenceProducts &products, const TangentialTask &task, TangentialState &state)
   {
-    FrictionSystem      system(products, task, state.creepage);
-    const std::size_t   n = system.elements.size();
+    FrictionSystem    system(products, task, state.creepage);
+    const std::size_t n = system.elements.size();
+    // unknowns: t_x, t_y of each element in contact, then the creepages whose force is given
     std::vector<double> cold(2 * n + system.forces.size(), 0.), slip, unused;
     for (std::size_t f = 0; f < system.forces.size(); ++f)
       cold[2 * n + f] = state.creepage[system.forces[f]];
@@ -102,6 +108,7 @@ namespace wheelrail
 
     state.newton_steps = state.krylov_iterations = 0;
     state.converged =
+      // tried in turn: from the guess, from no traction, proximal points
       warm && iterate(system, task.tolerance, std::min(15, task.max_steps), false, t, slip, state);
     if (!state.converged)
       state.converged = iterate(system, task.tolerance, task.max_steps, true, t = cold, slip, state);
@@ -109,6 +116,7 @@ namespace wheelrail
       state.converged = proximal_points(system, task, t = cold, slip, state);
 
     state.residual = system.residual(t, slip);
+    // the state of each element, and tractions within the bound, from the last t
     system.linearise(t, slip, false, unused);
     system.project(t);
     state.slipping.assign(task.grid.size(), 0);
