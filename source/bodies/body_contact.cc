@@ -50,6 +50,7 @@ namespace wheelrail
     growth_                      = growth(tables_.wheel, placed.placements[1], placed.rows[1], rate_);
     problem_.added               = added_;
     HalfspaceProblem wheel_alone = problem_;
+    // a rigid rail: displacement differences are then those of the wheel alone
     wheel_alone.body1.shear_modulus *= 1e12;
     wheel_kernels_ = std::make_shared<HalfspaceKernels>(wheel_alone);
   }
@@ -70,6 +71,7 @@ namespace wheelrail
         const RowSlip slip = row_slip(row.slice, motion_, problem_.xi);
         for (int i = 0; i < grid.mx; ++i)
           {
+            // w_x, w_s of each row (rail as body 1), without the stretch of the tread
             own_slip_[i + grid.mx * j]             = slip.along;
             problem_.rigid_slip_y[i + grid.mx * j] = slip.lateral_at(grid.x(i) + offset);
           }
@@ -88,6 +90,9 @@ namespace wheelrail
       {
         const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
         for (int e = grid.mx * j; e < grid.mx * (j + 1); ++e)
+          // u_Y of the wheel's surface, up: of the half-space (n points down into the rail, body 1 less body
+          // 2 is minus the wheel's own), growth, remainder (tractions on the wheel are minus those on the
+          // rail)
           rise[e] = c * own[1][e] - s * own[0][e] + growth_[j].y - beyond[1][e];
       }
     return rise;
@@ -119,8 +124,12 @@ namespace wheelrail
             first = std::min(first, i), last = i;
         for (int i = first; i <= last; ++i)
           {
-            const int    e      = i + grid.mx * j;
+            const int e = i + grid.mx * j;
+            // slope of least squares of u(x): sum (x - m)(u - mean)/sum (x - m)^2 = integral of u' times a
+            // parabola, summed by parts
             const double weight = (i - first + 0.5) * (last - i + 0.5);
+            // stretch of the tread e: (u - u')/dx of both bodies along the track, less u_Y/r of the wheel
+            // that rolls on r - u_Y
             sum += weight * (slip[e] - rise[e] / rows_[j].slice.radius);
             weights += weight;
           }
@@ -139,11 +148,14 @@ namespace wheelrail
     for (int j = 0; j < grid.my && !first; ++j)
       for (int i = 0; i < grid.mx; ++i)
         shear += std::sin(rows_[j].angle) * solution_.traction_y[i + grid.mx * j] * grid.element_area();
+    // vertical: sum of (p cos a - t_y sin a) dA = load; the solver has the sum of p cos a
     problem_.normal_force             = vertical_load(load) + shear;
     const double yaw                  = load.along_track ? 0 : geometry_.contact.yaw;
     problem_.longitudinal_force_given = !load.rate_held;
     if (load.rate_held)
       problem_.xi = load.creepage;
+    // longitudinal force along the track = fx cos(yaw) + lateral force sin(yaw), on the wheel: the rail as
+    // body 1 has minus it
     problem_.fx = load.slides
                     ? -std::copysign(10 * load.force, load.longitudinal)
                     : -(load.longitudinal - (first ? 0 : force().x) * std::sin(yaw)) / std::cos(yaw);
@@ -153,6 +165,7 @@ namespace wheelrail
     for (int j = 0; j < grid.my && !rise_.empty(); ++j)
       for (int i = 0; i < grid.mx; ++i)
         if (rows_[j].touches)
+          // w_x = r omega/V - 1 with r - u_Y for r (doc/theory/bodies.md, slip along the track)
           problem_.rigid_slip_x[i + grid.mx * j] -= rise_[i + grid.mx * j] / rows_[j].slice.radius;
     const HalfspaceSolution guess = solution_;
     if (first) // the pressure alone
@@ -163,12 +176,14 @@ namespace wheelrail
       }
     else
       solution_ = solve_carried(problem_, kernels_, &guess);
+    // the creepage found is the guess of the next round
     if (!first && solution_.within_friction)
       problem_.xi = solution_.xi;
     rise_         = wheel_rise(tractions());
     double change = before.empty() ? 1 : 0;
     for (std::size_t e = 0; e < before.size(); ++e)
       if (solution_.pressure[e] > 0)
+        // 1 where the largest change is just settled: du_Y/r of the slip, dp over the peak
         change = std::max({change,
                            std::abs(rise_[e] - before[e]) / (geometry_.contact.rolling_radius * slip_settled),
                            std::abs(solution_.pressure[e] - guess.pressure[e]) /
@@ -203,6 +218,7 @@ namespace wheelrail
             Vector3      force{};
             for (int axis = 0; axis < 3; ++axis)
               for (int c = 0; c < 3; ++c)
+                // tractions on the rail, and minus them on the wheel, in (X, Y, Z)
                 force[axis] += side * grid.element_area() * basis[3 * axis + c] * t[c];
             for (int r = 0; r < rows.count; ++r)
               add(loads.forces[r][i], rows.weights[std::size_t(j) * rows.count + r], force);
@@ -222,6 +238,7 @@ namespace wheelrail
           {
             const int    e = i + problem_.grid.mx * j;
             const double p = solution_.pressure[e], t = solution_.traction_y[e];
+            // on the wheel: p along the rail's normal (-sin a, cos a), and -t_y along (cos a, sin a)
             sum = sum + Point2{-s * p - c * t, c * p - s * t};
           }
       }
@@ -242,6 +259,7 @@ namespace wheelrail
   double
   BodyContact::torque() const
   {
+    // what the drive has to give against the moment of the contact
     return -dot(forces_on_wheelset().moment, geometry_.contact.axis.direction);
   }
 
@@ -283,6 +301,7 @@ namespace wheelrail
             y += p * problem_.grid.y(j);
           }
     result.angle /= sum;
+    // spin phi = sin(contact angle)/r, angle the mean over the pressure
     result.spin = std::sin(wheel_angle / sum) / geometry_.contact.rolling_radius;
     // the reference point is the centre of pressure
     const Row centre = row_at(y / sum);

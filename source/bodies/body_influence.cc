@@ -33,6 +33,7 @@ namespace wheelrail
               weights[i] = 1;
               for (int j = 0; j < 4; ++j)
                 if (j != i)
+                  // Lagrange's cubic through four wavenumbers in log k
                   weights[i] *= std::log(wave / table.waves[from + j]) /
                                 std::log(table.waves[from + i] / table.waves[from + j]);
             }
@@ -72,6 +73,7 @@ namespace wheelrail
       for (std::size_t i = 0; i < n; i += 3)
         for (std::size_t j = 0; j < n; ++j)
           {
+            // R D R', R the rotation by the angle: of displacements here, of forces below
             double      &x = D[n * i + j], &y = D[n * (i + 1) + j];
             const double turned = c * x - s * y;
             y                   = s * x + c * y;
@@ -133,8 +135,10 @@ namespace wheelrail
           const double f      = std::clamp((row.arc - arcs[i]) / step, 0., 1.),
                        beyond = row.arc - arcs[i] - f * step;
           RowPlace place;
-          place.arc     = row.arc;
-          place.angle   = row.angle + placement.turn;
+          place.arc   = row.arc;
+          place.angle = row.angle + placement.turn;
+          // of the body's own arc against that of the contact, which is the rail's: the wheel's arcs are a
+          // little longer or shorter
           place.stretch = step / (placement.lateral[i + 1] - placement.lateral[i]);
           place.lateral =
             placement.lateral[i] + f * (placement.lateral[i + 1] - placement.lateral[i]) + beyond;
@@ -155,7 +159,9 @@ namespace wheelrail
                   std::vector<double>         &D)
     {
       const std::size_t n = 3 * places.size();
-      const double      f = 1 / (M_PI * table.shear_modulus), nu = table.poissons_ratio;
+      // The solvers have H of a half-space with the arc of the rail as distance; the body has its own arc and
+      // own angles: D + H(own) - H(contact).
+      const double f = 1 / (M_PI * table.shear_modulus), nu = table.poissons_ratio;
       for (std::size_t i = 0; i < places.size(); ++i)
         for (std::size_t j = 0; j < places.size(); ++j)
           {
@@ -197,6 +203,9 @@ namespace wheelrail
         for (std::size_t j = 0; j < n; ++j)
           {
             const bool rows = i % 3 == 2, columns = j % 3 == 2;
+            // (3) of doc/theory/bodies.md: of Re[(u_x, u_y, i w) exp(i k z)] and forces (f_x, f_y, i f_z)
+            // exp(i k z), u_x under f_x goes with cos(k z), and so does w under f_z; u_x under f_z with +sin,
+            // w under f_x with -sin
             (rows == columns ? odd : even)[n * i + j] = 0;
             odd[n * i + j] *= rows ? -wave.weight : wave.weight;
             even[n * i + j] *= wave.weight;
@@ -224,6 +233,8 @@ namespace wheelrail
       for (unsigned int n = 0; n < table.harmonics; ++n)
         waves.push_back(
           {std::max<double>(n, BodyTable::least_wave) / radius, (n > 0 ? 1. : 0.5) / (M_PI * radius)});
+      // minus the integral over 0 ... (N - 1/2)/r for which the sum over n = 0 ... N - 1 stands: what is left
+      // is the difference of a periodic and an endless half-space
       for (Wave wave : wave_panels(0, (table.harmonics - 0.5) / radius, 0.02 / radius, longest))
         {
           wave.weight *= -1;
@@ -232,6 +243,7 @@ namespace wheelrail
       const std::size_t n = 3 * places.size();
       for (std::size_t w = 0; w < waves.size(); ++w)
         {
+          // along the contact, as H of the solvers
           std::vector<double> H(n * n);
           for (std::size_t i = 0; i < places.size(); ++i)
             for (std::size_t j = 0; j < places.size(); ++j)
@@ -318,6 +330,7 @@ namespace wheelrail
         std::vector<double> D = harmonic(table, rows, h);
         turn(D, placement.turn);
         add_unfolding(table, places, std::max<double>(h, BodyTable::least_wave) / radius, D);
+        // sum over n of cos(n z/r)/(pi r), of n = 0 half: a load around the wheel in Fourier's series
         add_wave({h / radius, (h > 0 ? 1. : 0.5) / (M_PI * radius)}, D, lags, influence.by_lag);
       }
     for (const Wave &wave : wave_panels(first, last, table.wheel ? 3 / radius : 0.05, longest))
@@ -343,6 +356,7 @@ namespace wheelrail
         Point2 sum;
         for (int r = 0; r < rows.count; ++r)
           sum = sum + rows.weights[j * rows.count + r] * rate * rate * table.rows[rows.first + r].growth;
+        // the table has the growth at 1 rad/s; it goes with omega^2
         growth.push_back({c * sum.x - s * sum.y, s * sum.x + c * sum.y});
       }
     return growth;

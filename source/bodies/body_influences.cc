@@ -14,7 +14,9 @@ namespace wheelrail
   {
     std::vector<double>       lags  = AddedInfluence::lags(grid, 0);
     const std::vector<double> ahead = AddedInfluence::lags(grid, step);
-    const std::ptrdiff_t      count = lags.size(), next = step == grid.dx ? 1 : count;
+    // lags i dx and i dx + step: for a step of one element the second set is the first moved on by one, and
+    // only one lag is new
+    const std::ptrdiff_t count = lags.size(), next = step == grid.dx ? 1 : count;
     lags.insert(lags.end(), ahead.end() - next, ahead.end());
     BodyInfluences       result{body_influence(table, placement, rows, lags), {}};
     std::vector<double> &all   = result.here.by_lag;

@@ -17,6 +17,7 @@ namespace wheelrail
         return i < 0 || j < 0 || i >= from.mx || j >= from.my ? 0. : values[i + from.mx * j];
       };
       return sampled_distance(to, [&](const double x, const double y) {
+        // places in elements of the other grid
         const double u = (x - from.x(0)) / from.dx, v = (y - from.y(0)) / from.dy;
         const int    i = int(std::floor(u)), j = int(std::floor(v));
         const double a = u - i, b = v - j;
@@ -63,6 +64,7 @@ namespace wheelrail
             lay_grid(problem_.grid.dx, reached_);
             continue;
           }
+        // tractions across change the load after each round: both settle together
         const double wanted = vertical_load(load), missed = std::abs(force().y - wanted) / wanted;
         if (change < loosely && missed < loosely * load_settled)
           return true;

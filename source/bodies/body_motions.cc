@@ -37,12 +37,17 @@ namespace wheelrail
     for (int j = 0; j < grid.my; ++j)
       {
         const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
+        // (6): how far the wheel's steel moves along e_s = (cos a, sin a) against the rail's; the approach
+        // lowers the wheel vertically
         motions[j].shift = c * growth_[j].x + s * (growth_[j].y - solution_.approach);
         for (int i = 0; i < grid.mx; ++i)
           {
             const int    e    = i + grid.mx * j;
             const double part = load > 0 ? weight[i] / load : 0;
+            // `against` is rail less wheel along e_s: minus it moves the wheel
             motions[j].shift -= part * against[e];
+            // (5): displacements of the remainder alone. A half-space's own surface turns with the pressure,
+            // which the distance of the contact has already.
             moved[j] = moved[j] + part * Point2{rail[0][e], rail[1][e]};
             rim[j]   = rim[j] - part * Point2{wheel[0][e], wheel[1][e]};
           }
@@ -52,6 +57,7 @@ namespace wheelrail
         const int  low = std::max(0, j - 1), high = std::min(grid.my - 1, j + 1);
         const auto turn = [&](const std::vector<Point2> &of) {
           const Point2 change = of[high] - of[low];
+          // n . du/ds, n = (-sin a, cos a), central differences, one-sided at both ends
           return (std::cos(rows_[j].angle) * change.y - std::sin(rows_[j].angle) * change.x) /
                  (grid.y(high) - grid.y(low));
         };
@@ -96,6 +102,7 @@ namespace wheelrail
           continue;
         for (int e = grid.mx * j; e < grid.mx * (j + 1); ++e)
           {
+            // the same change along the row: the shape x^2/(2 r) stays
             problem_.undeformed_distance[e] += moved.distance - rows_[j].distance;
             problem_.normal_cosine[e] = std::cos(moved.angle);
           }

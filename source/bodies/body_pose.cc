@@ -38,6 +38,7 @@ namespace wheelrail
         return wave_panels(0, highest, 10, longest);
       std::vector<Wave> waves;
       for (int n = 0; n < n_harmonics; ++n)
+        // Fourier's series around the wheel, cos(n theta)/pi, of n = 0 half; forces count for a radian
         waves.push_back({double(n), (n > 0 ? 1. : 0.5) / M_PI});
       for (const Wave &wave : wave_panels(n_harmonics - 0.5, highest * radius, 40, longest / radius))
         waves.push_back(wave);
@@ -59,6 +60,8 @@ namespace wheelrail
             const double   up = even * (c * f[1] - s * f[0]);
             add(forces[body.loads.first + r],
                 1,
+                // turned by -angle to the axes of the section, whose y is outwards, down, of a wheel; a force
+                // along is i f_z exp(i k z), so that its real part is -f_z sin(k z)
                 {even * (c * f[0] + s * f[1]), body.wheel ? -up : up, -odd * f[2]});
           }
       return forces;
@@ -82,6 +85,7 @@ namespace wheelrail
           for (std::size_t n = 0; n < u.size(); ++n)
             {
               const double turn = wave.k * slab / (body.wheel ? body.mesh.nodes[n].y : 1);
+              // mean of cos(k z) over -slab ... slab is sin(k slab)/(k slab); a node at the radius y sees k/y
               const double mean = wave.weight * (turn > 0 ? std::sin(turn) / turn : 1);
               means[n]          = means[n] + mean * Point2{u[n][0], u[n][1]};
             }
@@ -110,6 +114,8 @@ namespace wheelrail
               u = u + point.value[n] * means[cell[n]];
             if (body.wheel)
               u.y = -u.y;
+            // rigid motion (a - roll dy, b + roll dx) by least squares with the area as weight
+            // (doc/theory/rolling.md, Pose)
             sums.add(dx, dy, c * u.x - s * u.y, s * u.x + c * u.y, point.weight);
             ++points;
           }

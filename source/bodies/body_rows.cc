@@ -17,19 +17,24 @@ namespace wheelrail
     row.place              = rail.to_track(point.position);
     const Point2 ahead     = rail.to_track(point.position + point.tangent) - row.place;
     row.angle              = std::atan2(ahead.y, ahead.x);
+    // of the undeformed rail, out of it; `aside` is v along e_s = (n_y, -n_x)
     const Point2    normal{-std::sin(row.angle), std::cos(row.angle)};
     const RowMotion motion = motion_at(y);
     const Point2    aside  = motion.shift * Point2{normal.y, -normal.x};
+    // angle + phi_rail of (5)
     row.angle += motion.turn;
     // the rail's normal cuts the tangent of the wheel at its closest point
+    // steel that meets row s lay at s - v before (6)
     const double     tw      = outline.closest(wheel.to_section(row.place - aside));
     const CurvePoint closest = outline.at(tw);
     const Point2     foot    = wheel.to_track(closest.position),
                  tangent     = wheel.to_track(closest.position + closest.tangent) - foot;
-    row.distance             = cross(tangent, foot + aside - row.place) / cross(tangent, normal);
-    row.wheel_arc            = geometry_.wheel.tread.length(0, geometry_.contact.outline.on_tread(tw));
-    const double s           = geometry_.contact.frame.to_frame(foot).x;
-    row.touches              = t > 0 && t < head.parameter_end() && tw > 0 && tw < outline.parameter_end() &&
+    // place + d normal lies on the tangent through foot + aside: cross(tangent, place + d normal - foot -
+    // aside) = 0
+    row.distance   = cross(tangent, foot + aside - row.place) / cross(tangent, normal);
+    row.wheel_arc  = geometry_.wheel.tread.length(0, geometry_.contact.outline.on_tread(tw));
+    const double s = geometry_.contact.frame.to_frame(foot).x;
+    row.touches    = t > 0 && t < head.parameter_end() && tw > 0 && tw < outline.parameter_end() &&
                   s > sections_.s_min() && s < sections_.s_max() && std::cos(row.angle) > 0.05;
     if (!row.touches)
       return row;
@@ -38,6 +43,8 @@ namespace wheelrail
     row.slice.wheel_tangent += motion.rim_turn;
     row.s = s;
     // distances of the sections lie along the normal of the first contact point
+    // d(x) along another normal: the tangent plane of the wheel at the angle b cuts a normal at the angle a
+    // at d cos(b - a_0)/cos(b - a), a_0 that of the frame
     row.along_normal = std::cos(row.slice.wheel_tangent - geometry_.contact.frame.angle) /
                        std::cos(row.slice.wheel_tangent - row.angle);
     return row;
@@ -68,6 +75,7 @@ namespace wheelrail
         back               = std::min(back, along);
         front              = std::max(front, along);
       }
+    // half length of the interpenetration, x^2/(2 r) = approach; `reached` is 1.5 times the approach
     const double half = std::sqrt(2 * geometry_.contact.rolling_radius * reached / 1.5);
     const int    n0   = int(std::ceil((half - back) / element)) + 2,
               n1 = int(std::ceil((half + front) / element)) + 2, y0 = int(std::floor(low / element)) - 2,
@@ -85,6 +93,8 @@ namespace wheelrail
       if (const Row &row = rows_[j]; row.touches)
         {
           const double lowest = sections_.distance(row.s), cosine = std::cos(row.angle);
+          // gap along the normal: d(s), and growth along it, n . growth; then x^2/2 times the curvature
+          // (doc/theory/bodies.md, Contact)
           const double own = row.distance + growth_[j].y * cosine - growth_[j].x * std::sin(row.angle);
           for (int i = 0; i < problem_.grid.mx; ++i)
             {

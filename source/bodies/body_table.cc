@@ -10,7 +10,8 @@ namespace wheelrail
 {
   namespace
   {
-    // below the first the remainder is linear in log k, above the last nothing is left of it [1/m]
+    // below the first the remainder of a rail stays as it is there, above the last nothing is left of it
+    // [1/m]
     constexpr double lowest_wavenumber = 0.25, highest_wavenumber = 1500;
     // a rail gives way as a beam on its foot below some 10/m, which more of them have to show
     constexpr unsigned int n_wavenumbers = 12, n_of_rail = 24, n_harmonics = 13;
@@ -20,6 +21,7 @@ namespace wheelrail
     {
       std::vector<double> places;
       for (unsigned int i = 0; i < n; ++i)
+        // in equal steps of log k, as remainder_at() interpolates
         places.push_back(low * std::pow(high / low, double(i) / (n - 1)));
       return places;
     }
@@ -29,6 +31,8 @@ namespace wheelrail
     LineResponse
     mean_response(const BodyTable &table, const BodyTable::Row &i, const BodyTable::Row &j, const double k)
     {
+      // rows have a width, so that elements and half-space are compared in the same means; two points on each
+      // are exact for cubics, and rows two apart see no singularity
       const double gauss = 0.5 / std::sqrt(3.);
       LineResponse mean{};
       for (const double a : {-gauss, gauss})
@@ -71,6 +75,8 @@ namespace wheelrail
       const std::vector<double> before = D;
       for (int j = 0; j < m; ++j)
         {
+          // of the sources on row j, receivers j - 1, j, j + 1 are replaced; at the ends of the running
+          // surface the cubic extrapolates
           std::array<int, 4> from{{j - 3, j - 2, j + 2, j + 3}};
           if (j < 3)
             from = {{j + 2, j + 3, j + 4, j + 5}};
@@ -92,6 +98,7 @@ namespace wheelrail
                   }
             }
         }
+      // Maxwell and Betti: C(k) = C(k)', H likewise
       for (int r = 0; r < n; ++r)
         for (int c = 0; c < r; ++c)
           D[std::size_t(n) * r + c] = D[std::size_t(n) * c + r] =
@@ -106,6 +113,7 @@ namespace wheelrail
               const BodyTable               &table,
               const double                   wave)
     {
+      // (2) of doc/theory/bodies.md, D(k) = C(k) - H(k)
       std::vector<double> D = stiffness.compliance(wave, rows);
       const int           m = rows.size(), n = 3 * m;
       for (int i = 0; i < m; ++i)
@@ -114,10 +122,14 @@ namespace wheelrail
             if (table.wheel)
               for (int a = 0; a < 3; ++a)
                 for (int b = 0; b < 3; ++b)
+                  // outwards is down at the contact: y of the section changes its sign, once for a
+                  // displacement, once for a force
                   if ((a == 1) != (b == 1))
                     D[std::size_t(n) * (3 * i + a) + 3 * j + b] *= -1;
             if (std::abs(i - j) < 2)
               continue;
+            // k = n/r, with the geometric mean of both rows, so that H stays symmetric; a half-space is
+            // singular at k = 0
             const double       r = std::sqrt(table.rows[i].radius * table.rows[j].radius);
             const double       k = table.wheel ? std::max(wave, BodyTable::least_wave) / r : wave;
             const LineResponse H = mean_response(table, table.rows[i], table.rows[j], k);
@@ -134,6 +146,7 @@ namespace wheelrail
   Point2
   profile_place(const Point2 &node, const bool wheel, const double nominal_radius)
   {
+    // x of a section points to the track centre, that of a profile to the field side
     return {-node.x, wheel ? nominal_radius - node.y : node.y};
   }
 

@@ -19,8 +19,12 @@ namespace wheelrail
     // beyond, both are below 1e-20
     constexpr double far = 45;
     const double     K0 = x < far ? gsl_sf_bessel_K0(x) : 0, K1 = x < far ? gsl_sf_bessel_K1(x) : 0;
-    const double     c    = (outwards ? 1 : -1) * (1 - 2 * nu) / (4 * shear_modulus) * std::exp(-x);
-    const double     side = s > 0 ? 1 : -1, tw = f * nu * k * s * K0;
+    const double     c = (outwards ? 1 : -1) * (1 - 2 * nu) / (4 * shear_modulus) * std::exp(-x);
+    // tw: x z/r^3 of Cerruti's solution, odd in s; c: x/r^2 and z/r^2 of the coupling of normal and
+    // tangential loads, whose transform over z is pi e^(-k s)
+    const double side = s > 0 ? 1 : -1, tw = f * nu * k * s * K0;
+    // rows t, n, w. For k s to 0 K0 goes as -ln(k s): Flamant's line load (1892), whose own displacement is
+    // infinite; x K1 tends to 1.
     return {{f * ((1 - nu) * K0 + nu * x * K1),
              side * c,
              tw, //
@@ -41,6 +45,7 @@ namespace wheelrail
     LineResponse half, fixed;
     for (int b = 0; b < 3; ++b)
       {
+        // T(receiver) H T(source)', T the rotation of (t, n) to (x, y); w stays
         half[b]     = cr * local[b] - sr * local[3 + b];
         half[3 + b] = sr * local[b] + cr * local[3 + b];
         half[6 + b] = local[6 + b];

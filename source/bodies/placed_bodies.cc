@@ -10,6 +10,8 @@ namespace wheelrail
   row_basis(const double angle)
   {
     const double c = std::cos(angle), s = std::sin(angle);
+    // fixed axes X (to the track centre), Y (up), Z (forwards) in rows; columns x = Z, y = (c, s) along the
+    // rail's profile, n = (s, -c) down into the rail, body 1: right-handed
     return {{0, c, s, 0, s, -c, 1, 0, 0}};
   }
 
@@ -33,6 +35,7 @@ namespace wheelrail
             placement.lateral.push_back(row.lateral);
           }
       }
+    // axes of a section against those of the track: inclination of the rail, roll of the wheel
     placed.placements[0].turn   = contact.rail.angle;
     placed.placements[1].turn   = contact.wheel.angle;
     placed.placements[1].radius = contact.rolling_radius;

@@ -12,6 +12,7 @@ namespace wheelrail
     double
     bulk_modulus(const MaterialData &material)
     {
+      // K = E/(3 (1 - 2 nu))
       return material.youngs_modulus / (3 * (1 - 2 * material.poissons_ratio));
     }
   } // namespace
@@ -24,7 +25,9 @@ namespace wheelrail
                   Measures                &measures)
   {
     measures.peak_difference = run.max_pressure / halfspace.peak - 1;
-    measures.penetration     = run.max_pressure * scene.cell_size /
+    // what the penalty layer gives way under the peak, p/eps with eps = f K/h (doc/theory/contact.md,
+    // Pressure), over the approach; with the smaller of both bulk moduli
+    measures.penetration = run.max_pressure * scene.cell_size /
                            (scene.penalty_scale *
                             std::min(bulk_modulus(scene.rail_material), bulk_modulus(scene.wheel_material))) /
                            halfspace.approach;
@@ -59,7 +62,8 @@ namespace wheelrail
       if (!real.solution.converged())
         return;
       measures.bodies_difference = run.max_pressure / real.solution.peak_pressure - 1;
-      measures.force_difference  = (run.longitudinal_force + real.solution.fx) / run.vertical_force;
+      // the rail is body 1: its fx is minus the force on the wheel
+      measures.force_difference = (run.longitudinal_force + real.solution.fx) / run.vertical_force;
     });
   }
 

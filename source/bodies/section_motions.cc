@@ -61,6 +61,7 @@ namespace wheelrail
           double value = 0;
           for (int p = 0; p < 4; ++p)
             value += factor[p] * of.values[p][e];
+          // lower half alone is stored: each entry counts twice but on the diagonal
           y[of.row[e]] += value * x[column];
           if (of.row[e] != column)
             y[column] += value * x[of.row[e]];
@@ -136,10 +137,13 @@ namespace wheelrail
       {
         SectionColumns with_mass;
         for (auto &column : x)
+          // 1. x <- (K(k) + shift M)^-1 M x: the slowest motions grow fastest (subspace iteration, Bathe and
+          // Wilson 1972)
           column = solver.solve(product(of, {0, 0, 0, 1}, column));
         std::vector<double> a(std::size_t(m) * m), b(a.size()), work(40 * m);
         for (int j = 0; j < m; ++j)
           {
+            // 2. Rayleigh and Ritz: a = X' K X, b = X' M X, a q = omega^2 b q by LAPACK; X q are the next x
             const auto stiff = product(of, {1, k, k * k, 0}, x[j]);
             const auto heavy = product(of, {0, 0, 0, 1}, x[j]);
             for (int i = 0; i < m; ++i)
@@ -159,7 +163,8 @@ namespace wheelrail
           for (int i = 0; i < m; ++i)
             for (std::size_t d = 0; d < turned[j].size(); ++d)
               turned[j][d] += a[i + std::size_t(m) * j] * x[i][d];
-        x             = std::move(turned);
+        x = std::move(turned);
+        // 3. until the squares of the `count` slowest stay; the eight beside them only speed it up
         double change = before.empty() ? 1 : 0;
         for (unsigned int j = 0; j < count && !before.empty(); ++j)
           change = std::max(change, std::abs(values[j] - before[j]) / (std::abs(values[j]) + shift));
@@ -186,6 +191,9 @@ namespace wheelrail
       size[i] = std::sqrt(dot_product(columns[i], with_mass[i]));
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
+        // Gram's matrix in the mass of columns of length 1; its eigenvectors over the root of their
+        // eigenvalues are orthonormal directions. Those of the smallest eigenvalues are what columns have in
+        // common, or round-off.
         gram[i + std::size_t(n) * j] = dot_product(columns[i], with_mass[j]) / (size[i] * size[j]);
     int length = 40 * n, code = 0;
     dsyev_("V", "U", &n, gram.data(), &n, values.data(), work.data(), &length, &code);

@@ -128,6 +128,7 @@ namespace wheelrail
           {
             const auto column = product(matrices_, factor, basis[j]);
             for (std::size_t i = 0; i < n_; ++i)
+              // Galerkin: k_p = X' K_p X, m = X' M X on the basis X of motions in the plane, then along
               reduced[p][i + n_ * j] = std::inner_product(column.begin(), column.end(), basis[i].begin(), 0.);
           }
       }
@@ -136,6 +137,9 @@ namespace wheelrail
     std::vector<double> with_square = k2_;
     for (std::size_t i = 0; i < n_plane_; ++i)
       for (std::size_t j = n_plane_; j < n_; ++j)
+        // K1 couples plane and along alone. With u = (plane, k along) in place of (plane, along) the problem
+        // (K0 + k K1 + k^2 K2 - w^2 M) u = 0 has k^2 alone, of half the size of the usual linearisation in k:
+        // its eigenvalues come as +-k.
         with_square[i + n_ * j] += k1_[i + n_ * j];
     b_.assign(n_ * n_, 0.);
     for (std::size_t i = 0; i < n_; ++i)
@@ -187,6 +191,7 @@ namespace wheelrail
   std::vector<SectionWaves::Wave>
   SectionWaves::waves(const Complex w, const double loss, const std::vector<Complex> &springs) const
   {
+    // hysteretic damping: E (1 + i loss)
     const Complex        steel(1, loss);
     std::vector<Complex> squares(n_), shapes(n_ * n_);
     if (!find_eigenvectors(eigenmatrix(w, steel, springs), squares, shapes))
@@ -197,6 +202,7 @@ namespace wheelrail
       {
         Wave wave;
         wave.k = std::sqrt(squares[s]);
+        // waves that decay towards +z, exp(-i k z) with Im k < 0
         if (wave.k.imag() > 0)
           wave.k = -wave.k;
         Complex *const shape = &shapes[n_ * s];
@@ -213,6 +219,7 @@ namespace wheelrail
           {
             Complex sum = 0;
             for (std::size_t i = 0; i < n_; ++i)
+              // u' (dD/dk) u = u' (K1 + 2 k K2) u, the denominator of the residue at k
               sum += (k1_[i + n_ * j] + 2. * wave.k * k2_[i + n_ * j]) * shape[i];
             wave.turn += steel * sum * shape[j];
           }
@@ -255,6 +262,7 @@ namespace wheelrail
   {
     Complex sum = 0;
     for (std::size_t n = 0; n < waves.size(); ++n)
+      // f_a' u u' f_b/(u' D'(k) u) exp(-i k z), z >= 0
       sum += waves[n].at[a] * waves[n].at[b] / waves[n].turn * factors[n];
     sum *= Complex(0, -1);
     // the elements have u_z = i w and exp(i k z): waves towards +z are those of -k, whose w has the other

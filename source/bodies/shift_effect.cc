@@ -29,6 +29,7 @@ namespace wheelrail
         peak[side] = halfspace_pressure(coarse, geometry, normal_force, moved).peak;
       }
     const double least = std::min(peak[0], peak[1]);
+    // larger peak over smaller one, less 1: no sign
     return least > 0 ? std::max(peak[0], peak[1]) / least - 1 : Measures::none;
   }
 
@@ -64,6 +65,8 @@ namespace wheelrail
       load.slides       = !result.solution.within_friction;
       const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
       if (real.solution.converged() && !real.solution.touches_grid_edge)
+        // peak of half-spaces over that of the true bodies, less 1 (doc/theory/bodies.md, Where half-spaces
+        // hold)
         result.bodies_effect = halfspace_pressure(result).peak / real.solution.peak_pressure - 1;
     });
     if (!std::isfinite(result.bodies_effect))

@@ -18,6 +18,7 @@ namespace wheelrail
     {
       const int n = 3 * influence.rows;
       for (std::size_t k = 0; k < influence.by_lag.size(); ++k)
+        // row 3 i + a of the block of a lag: a = 2 is Z
         if (k / n % 3 == 2)
           influence.by_lag[k] = 0;
     }
@@ -71,6 +72,7 @@ namespace wheelrail
             const Point2 place = sections_.rail_place(s);
             const double tw    = outline.closest(contact.wheel.to_section(place));
             rows.push_back({head.length(0, head.closest(contact.rail.to_section(place))),
+                            // closest point of the wheel to the rail's row: arc on the tread
                             geometry_.wheel.tread.length(0, contact.outline.on_tread(tw)),
                             sections_.slice(s).wheel_tangent,
                             grid.grid.y(j)});

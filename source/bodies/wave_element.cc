@@ -17,6 +17,8 @@ namespace wheelrail
     Shapes
     shapes(const double xi, const double eta)
     {
+      // Lagrange's quadratics on the nodes 0, 1/2, 1: (1 - t)(1 - 2 t), 4 t (1 - t), t (2 t - 1), and their
+      // slopes; the nine shapes are products of them
       const auto line = [](const double t) {
         return std::array<std::array<double, 3>, 2>{
           {{{(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)}}, {{4 * t - 3, 4 - 8 * t, 4 * t - 1}}}};
@@ -42,6 +44,9 @@ namespace wheelrail
       const double       N = point.value[n], r = wheel ? point.place.y : 1;
       b0.fill(0);
       b1.fill(0);
+      // B0 and B1 of doc/theory/bodies.md, below (1): the order of strains is xx, yy, zz, xy, yz, xz, shears
+      // are engineering ones (2 e_xy). zz = -k w since d(i w)/dz = i k i w; with the factor i in u_z all that
+      // is left is real.
       switch (local % 3)
         {
           // with exp(i k z) a derivative along z is a factor i k; of a wheel z = r theta, so that 1/r goes
@@ -68,6 +73,7 @@ namespace wheelrail
     stress(const Strain &e, const double lambda, const double mu)
     {
       const double trace = lambda * (e[0] + e[1] + e[2]);
+      // Hooke: lambda tr(e) I + 2 mu e, shears mu gamma
       return {{trace + 2 * mu * e[0],
                trace + 2 * mu * e[1],
                trace + 2 * mu * e[2],
@@ -101,6 +107,7 @@ namespace wheelrail
         xi              = xi + shape.xi[n] * p;
         eta             = eta + shape.eta[n] * p;
       }
+    // Jacobian dx/dxi dy/deta - dx/deta dy/dxi, positive where the cell is not folded
     const double area = cross(xi, eta);
     if (!(area > 0))
       throw RunError("A cell of the section at " + std::to_string(1e3 * point.place.x) + " mm, " +
@@ -109,6 +116,8 @@ namespace wheelrail
                      "computed.");
     for (unsigned int n = 0; n < n_nodes; ++n)
       {
+        // the inverse of the Jacobian: dN/dx = (N_xi y_eta - N_eta y_xi)/area, dN/dy = (N_eta x_xi - N_xi
+        // x_eta)/area
         point.dx[n] = (shape.xi[n] * eta.y - shape.eta[n] * xi.y) / area;
         point.dy[n] = (shape.eta[n] * xi.x - shape.xi[n] * eta.x) / area;
       }
@@ -128,8 +137,10 @@ namespace wheelrail
     const double                lambda = elasticity.lame_lambda(), mu = elasticity.shear_modulus();
     for (int g = 0; g < 9; ++g)
       {
-        const WavePoint point  = wave_point(mesh, cell, g);
-        const double    weight = point.weight * (wheel ? point.place.y : 1);
+        const WavePoint point = wave_point(mesh, cell, g);
+        // 3 x 3 Gauss points, exact for straight cells of a rail. A wheel's section counts for one radian, r
+        // dr dx; its strain has 1/r, so that forces and energies are those of a radian.
+        const double weight = point.weight * (wheel ? point.place.y : 1);
         for (unsigned int i = 0; i < n_local; ++i)
           {
             strains(point, wheel, i, b0[i], b1[i]);
@@ -139,6 +150,8 @@ namespace wheelrail
         for (unsigned int i = 0; i < n_local; ++i)
           for (unsigned int j = 0; j <= i; ++j)
             {
+              // energy of B0 + k B1: K0 = B0' D B0, K1 = B0' D B1 + B1' D B0, K2 = B1' D B1, and the
+              // consistent mass rho N N (Gavric 1995; (1) of doc/theory/bodies.md)
               K[0][i][j] += weight * dot6(b0[i], s0[j]);
               K[1][i][j] += weight * (dot6(b0[i], s1[j]) + dot6(b1[i], s0[j]));
               K[2][i][j] += weight * dot6(b1[i], s1[j]);

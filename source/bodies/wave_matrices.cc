@@ -39,6 +39,8 @@ namespace wheelrail
       for (const auto &node : mesh.hanging)
         for (unsigned int m = 0; m < node.masters.size(); ++m)
           if (kind[node.masters[m]] != fixed)
+            // a hanging node is the mean, with these weights, of nodes of the coarser edge; held ones do not
+            // move
             waves.unknowns[node.node].emplace_back(waves.unknowns[node.masters[m]].front().first,
                                                    node.weights[m]);
     }
@@ -63,6 +65,7 @@ namespace wheelrail
             place = place + N[n] * mesh.nodes[nodes[n]];
           }
         for (int n = 0; n < 3; ++n)
+          // integral of N_n times a weight over the arc: ds = |dX/dt| dt, three Gauss points
           weights[n] += wave_gauss_weight[g] * norm(speed) * weight(place) * N[n];
       }
     return weights;
@@ -90,6 +93,8 @@ namespace wheelrail
                   rows.push_back(row);
                   columns.push_back(column);
                   for (int p = 0; p < 4; ++p)
+                    // W' K W, W the weights of unknowns in the nodes: hanging nodes leave the equations, and
+                    // K stays symmetric
                     entries[p].push_back(wa * wb * K[p][i][j]);
                 }
       }

@@ -20,9 +20,13 @@ namespace wheelrail
   wave_panels(const double low, const double high, const double first, const double longest)
   {
     std::vector<Wave> waves;
-    const double      widest = 3 / longest;
+    // (3) of doc/theory/bodies.md: cos(k z) turns by (width of the panel) z, at most three radians at the
+    // longest lag, which four Gauss points integrate; panels grow by half towards long k, where D is smooth
+    // in log k
+    const double widest = 3 / longest;
     for (double k = low, width = first; k < high; width = std::min(1.5 * width, widest))
       {
+        // the last panel takes what would be less than a fifth of one; the weight has the 1/pi of (3)
         const double end = k + 1.2 * width > high ? high : k + width;
         for (int g = 0; g < 4; ++g)
           waves.push_back({k + gauss_place[g] * (end - k), gauss_weight[g] * (end - k) / M_PI});

@@ -92,8 +92,9 @@ namespace wheelrail
         const Point2 start  = mesh.nodes[mesh.running[first].node[0]],
                      end    = mesh.nodes[mesh.running[first + cells - 1].node[2]];
         row.place           = mesh.nodes[cells % 2 ? middle[1] : middle[0]];
-        row.angle           = std::atan2(end.y - start.y, end.x - start.x);
-        row.radius          = wheel ? row.place.y : 0;
+        // of the chord from end to end
+        row.angle  = std::atan2(end.y - start.y, end.x - start.x);
+        row.radius = wheel ? row.place.y : 0;
         rows.push_back(row);
       }
     return rows;
@@ -174,6 +175,8 @@ namespace wheelrail
     auto       *x      = static_cast<double *>(matrix->x);
     const auto &values = parts.values;
     for (std::size_t e = 0; e < values[0].size(); ++e)
+      // (1) of doc/theory/bodies.md, K(k) = K0 + k K1 + k^2 K2 by Horner's rule; of a wheel k is the number n
+      // of waves around it, which the 1/r of its strains makes n/r
       x[e] = values[0][e] + k * (values[1][e] + k * values[2][e]);
     const OnOneThread one_thread;
     cholmod_factor   *L = cholmod_copy_factor(symbolic, &common);
@@ -228,6 +231,7 @@ namespace wheelrail
   {
     Data           &d = *data_;
     cholmod_factor *L = d.factor(k);
+    // 1. L of K = L L', packed column by column; of it the last ns x ns block
     cholmod_change_factor(CHOLMOD_REAL, 1, 0, 1, 1, L, &d.common);
     const int           n = d.parts.size(), ns = 3 * d.parts.n_surface, first = n - ns, nr = 3 * rows.size();
     std::vector<double> dense(std::size_t(ns) * ns, 0.), loads(std::size_t(ns) * nr, 0.);
@@ -240,11 +244,15 @@ namespace wheelrail
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (int a = 0; a < 3; ++a)
         for (const auto &[unknown, weight] : d.row_load(rows[r], a))
+          // 2. F: a traction of 1/width on a row, so that C is the mean displacement of a row under a force
+          // of 1 N/m on another. Forces of a wheel count for a radian: sqrt(r) on both sides brings C to a
+          // force for each metre of track at the row's radius.
           loads[(3 * r + a) * ns + d.place[unknown] - first] =
             weight / rows[r].width * (d.wheel ? std::sqrt(rows[r].radius) : 1);
     // C = F' K^-1 F = (L^-1 F)' L^-1 F, and only the end of L meets the loads of the surface
     const double        one = 1, zero = 0;
     std::vector<double> compliance(std::size_t(nr) * nr);
+    // 3. L^-1 F and its square, by BLAS; only the upper half is computed
     dtrsm_("L", "L", "N", "N", &ns, &nr, &one, dense.data(), &ns, loads.data(), &ns);
     dsyrk_("U", "T", &nr, &ns, &one, loads.data(), &ns, &zero, compliance.data(), &nr);
     for (int i = 0; i < nr; ++i)
@@ -300,6 +308,8 @@ namespace wheelrail
           const double    r     = point.place.y;
           for (unsigned int n = 0; n < n_wave_nodes; ++n)
             for (const auto &[unknown, weight] : d.parts.unknowns[cell[n]])
+              // centrifugal load rho omega^2 r outwards; the other r is the weight of a radian. Wavenumber 0:
+              // the same all around.
               load[3 * unknown + 1] += weight * point.value[n] * density * rate * rate * r * r * point.weight;
         }
     std::vector<Point2> growth;
