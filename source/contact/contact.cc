@@ -58,12 +58,14 @@ namespace wheelrail
   ContactSums
   Contact::evaluate(const double time_step)
   {
+    // 1. normals of the wheel's deformed, filtered surface
     projection_.renew_normals(wheel().lattice, window().wheel, states_.wheel.x);
     for (const auto &[body, k] : window_.nodes())
       states_[body].normal_force[k] = states_[body].traction_force[k] = {0, 0, 0};
 
     ContactSums        sums;
     std::vector<Touch> touches;
+    // 2. nodes of this rank's stations: closest point, gap, law
     for_own_nodes([&](const int i, const int j) { touch(i, j, time_step, sums, touches); });
     if (n_ranks_ > 1)
       {
@@ -75,6 +77,7 @@ namespace wheelrail
         if (time_step == 0)
           gather_nodes();
       }
+    // 3. forces of all nodes on both surfaces
     for (const Touch &at : touches)
       add_forces(at);
     // forces go back through the filters that places and velocities came through
@@ -112,6 +115,7 @@ namespace wheelrail
         sums.at_border = sums.at_border || node.pressure > 0;
         node           = ContactNode();
       }
+    // an open node forgets its shear
     if (node.gap >= 0)
       {
         node.pressure = 0;
@@ -119,9 +123,12 @@ namespace wheelrail
         node.slipping                            = false;
         return;
       }
+    // the law counts on the tributary area of the node (doc/theory/contact.md, Quadrature on the nodes)
     ContactMotion moves        = time_step > 0 ? motion(k, facing) : ContactMotion();
     moves.tilt                 = facing.tilt;
     const ContactForces forces = apply_law(law_, moves, time_step, rail().area[k], node, sums);
+    // forces on the wheel act at the rail's node: both bodies get opposite forces, moments differ by gap
+    // times traction
     add(sums.moment, 1, cross(states_.rail.x[k], forces.push + forces.drag));
     touches.push_back({k, facing.corners, facing.weight, forces});
     sums.at_border = sums.at_border || (node.pressure > 0 && at_border(i, j));
@@ -182,8 +189,11 @@ namespace wheelrail
         add(velocity, facing.weight[m], states_.wheel.v[facing.corners[m]]);
         add(motion.slip, facing.weight[m], states_.wheel.slip[facing.corners[m]]);
       }
+    // dg/dt = (v_w - v_r) . n, v_w at the foot by the facet's weights; the true normal is n + tilt
     motion.opening = dot(velocity - states_.rail.v[index], facing.normal + facing.tilt);
-    motion.slip    = motion.slip - states_.rail.slip[index];
+    // v_s of the wheel against the rail, from velocities through the shear filter; the part along n is taken
+    // off
+    motion.slip = motion.slip - states_.rail.slip[index];
     add(motion.slip, -dot(motion.slip, facing.normal), facing.normal);
     return motion;
   }
@@ -195,6 +205,7 @@ namespace wheelrail
   {
     for (int m = 0; m < 4; ++m)
       {
+        // the transpose of the interpolation: power of forces on nodes = force times velocity of the foot
         add(states_.wheel.normal_force[touch.corners[m]], touch.weight[m], touch.forces.push);
         add(states_.wheel.traction_force[touch.corners[m]], touch.weight[m], touch.forces.drag);
       }
@@ -228,6 +239,7 @@ namespace wheelrail
       {
         const Vector3 force = states_[body].normal_force[k] + states_[body].traction_force[k];
         if (force != Vector3{}) // few of the window's nodes have one
+          // [W], of own nodes alone, so that ranks add up
           sum += dot(force, velocity(surface(body).local[k]));
       }
     return sum;

@@ -42,6 +42,8 @@ namespace wheelrail
     const double bound = law.friction.at(norm(motion.slip)) * node.pressure;
     if (time_step > 0)
       add(total, law.damping, motion.slip);
+    // slipping where |t| > mu p: t = mu p t/|t|, and the history becomes t, damper included, so that its
+    // spring never holds more than the bound
     const double size = norm(total);
     node.slipping     = size > bound;
     if (node.slipping)
@@ -50,6 +52,7 @@ namespace wheelrail
         total               = factor * total;
         trial               = total;
       }
+    // sticking: the history is the trial without the damper, which is no state
     node.elastic  = trial;
     node.traction = total;
     // what the spring does not take: s - (de/dt) / k
@@ -57,6 +60,7 @@ namespace wheelrail
     if (time_step > 0)
       add(node.slip, -1 / (law.stiffness * time_step), trial - before);
 
+    // on the wheel: p A along the true normal out of the rail, -t A; minus both on the rail
     const ContactForces forces{(node.pressure * area) * (n + motion.tilt), -area * total};
     add(sums.force, 1, forces.push + forces.drag);
     sums.normal_force += node.pressure * area;

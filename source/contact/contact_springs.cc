@@ -15,7 +15,8 @@ namespace wheelrail
     const auto spread = [&](Spring &spring, const Body body, const int i, const int j, const double share) {
       const Surface      &surface  = this->surface(body);
       const StationRange &stations = window()[body];
-      const auto          stencil =
+      // S = I - w/2 D'D in both directions, 3 x 3 nodes (doc/theory/contact.md, Surface filter)
+      const auto stencil =
         filter_stencil(surface.lattice, stations.first, stations.last, law_.filter[body].normal, i, j);
       for (int k = -1; k <= 1; ++k)
         for (int l = -1; l <= 1; ++l)
@@ -39,8 +40,9 @@ namespace wheelrail
           if (node.pressure <= 0)
             continue;
           Spring spring;
-          spring.point     = k;
-          spring.normal    = node.normal;
+          spring.point  = k;
+          spring.normal = node.normal;
+          // k A n (x) n with k = eps: -dp/dg of the pressure p = -eps g (doc/theory/rolling.md, Static start)
           spring.stiffness = law_.stiffness * rail().area[k];
           spread(spring, Body::rail, i, j, 1);
           for (int a = 0; a < 2; ++a)

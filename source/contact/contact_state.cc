@@ -21,6 +21,8 @@ namespace wheelrail
     Shift
     shift_between(const Lattice &before, const Lattice &after)
     {
+      // both lattices are parts of one endless lattice where their spacings agree and their rows differ by a
+      // whole number
       const auto alike = [](const double a, const double b) { return std::abs(a - b) <= 1e-9 * b; };
       Shift      shift;
       shift.same = before.n_along > 0 && alike(before.spacing_along, after.spacing_along) &&
@@ -76,6 +78,7 @@ namespace wheelrail
     Vector3             mean{};
     for (int i = stations.first; i < stations.last; ++i)
       for (unsigned int j = 0; j < rows; ++j)
+        // of the window's nodes, each counted once
         add(mean, 1 / nodes, states_[body].v[surface(body).lattice.index(i, j)]);
     return mean;
   }
@@ -95,6 +98,9 @@ namespace wheelrail
         state.x = state.reference = X;
         state.v.assign(X.size(), {0, 0, 0});
         state.slip = state.normal_force = state.traction_force = state.v;
+        // offsets w(X) count from the filtered places of the undeformed nodes, since gaps are between
+        // filtered positions: the filter cuts a crown by w/2 D'D of it, which the offset gives back
+        // (doc/theory/contact.md, Surface filter)
         filter_surface(surface(body).lattice,
                        0,
                        surface(body).lattice.n_along,

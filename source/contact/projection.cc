@@ -44,7 +44,9 @@ namespace wheelrail
         const int before = std::max(i - 1, stations.first), after = std::min(i + 1, stations.last - 1);
         for (int j = 0; j < n; ++j)
           {
-            const int     left = std::max(j - 1, 0), right = std::min(j + 1, n - 1);
+            const int left = std::max(j - 1, 0), right = std::min(j + 1, n - 1);
+            // cross product of central differences over the neighbours, one-sided at borders; along x lateral
+            // points out of the rail
             const Vector3 along              = x[wheel.index(after, j)] - x[wheel.index(before, j)];
             const Vector3 lateral            = x[wheel.index(i, right)] - x[wheel.index(i, left)];
             wheel_normal_[wheel.index(i, j)] = normalised(cross(along, lateral));
@@ -59,6 +61,7 @@ namespace wheelrail
                      const std::size_t            index,
                      const FacetPoint            &point) const
   {
+    // bilinear weights of the corners (0, 0), (1, 0), (0, 1), (1, 1)
     const double xi = point.xi, eta = point.eta;
     Facing       facing;
     facing.corners = corners(wheel, point);
@@ -72,6 +75,8 @@ namespace wheelrail
         add(X, facing.weight[m], states.wheel.reference[k]);
       }
     facing.normal = normalised(normal);
+    // g = (foot - x) . n - w(X) of doc/theory/contact.md, X the reference place of the foot; less the rail's
+    // own offset, which its filtered node has, too
     facing.gap =
       dot(foot - states.rail.x[index], facing.normal) - surfaces_.wheel.offset(X) - rail_offset_[index];
     if (wheel_offsets_)
@@ -118,6 +123,9 @@ namespace wheelrail
         Vector3       r = place - x[c[0]];
         add(r, -point.xi, a);
         add(r, -point.eta, t2);
+        // x(xi, eta) = c0 + xi a + eta b + xi eta d; tangents t1 = a + eta d, t2 = b + xi d, r the place less
+        // x: normal equations T'T (dxi, deta) = T'r, whose neglected part r . d is of the order of gap times
+        // twist
         const double m11 = dot(t1, t1), m12 = dot(t1, t2), m22 = dot(t2, t2), r1 = dot(r, t1),
                      r2   = dot(r, t2);
         const double det  = m11 * m22 - m12 * m12;

@@ -34,6 +34,7 @@ namespace wheelrail
                                            lattice.index(i, j + 1),
                                            lattice.index(i + 1, j + 1)};
             const auto       &X         = surface.reference;
+            // area of a facet = |d1 x d2|/2, d1, d2 its diagonals; a quarter to each corner
             const Vector3 diagonal1 = X[corner[3]] - X[corner[0]], diagonal2 = X[corner[2]] - X[corner[1]];
             const double  quarter = norm(cross(diagonal1, diagonal2)) / 8;
             for (const auto c : corner)

@@ -16,6 +16,8 @@ namespace wheelrail
     {
       for (std::size_t k = 0; k < n; k += 3)
         for (int c = 0; c < 3; ++c)
+          // u + w/2 (u_before - 2 u + u_after) = (I - w/2 D'D) u: a wave loses w (1 - cos k h), w (k h)^2/2
+          // for long ones; on the way in and out w (k h)^2, the excess of the lattice
           values[k + c] += 0.5 * weight[c] * (before[k + c] - 2 * values[k + c] + after[k + c]);
     }
 
@@ -29,6 +31,7 @@ namespace wheelrail
     std::array<double, 3>
     line_stencil(const double weight, const bool has_before, const bool has_after)
     {
+      // at a border the neighbour beyond is the node itself: rows sum to 1, and S stays symmetric
       const double before = has_before ? 0.5 * weight : 0., after = has_after ? 0.5 * weight : 0.;
       return {before, 1 - before - after, after};
     }
@@ -39,6 +42,7 @@ namespace wheelrail
   normal_weights(const SurfaceFilter &filter)
   {
     const double w = filter.normal;
+    // positions, normal velocities and pressures: all components, both directions
     return {{w, w, w}, {w, w, w}};
   }
 
@@ -47,6 +51,8 @@ namespace wheelrail
   shear_weights(const SurfaceFilter &filter)
   {
     const double w = filter.shear;
+    // sliding and shear, each across its own direction: X, Y along the track, Z across it. A wave along its
+    // own traction is right to -0.008 (k h)^2 without a filter.
     return {{w, w, 0}, {0, 0, w}};
   }
 
@@ -95,6 +101,7 @@ namespace wheelrail
     std::array<std::array<double, 3>, 3> stencil;
     for (int k = 0; k < 3; ++k)
       for (int l = 0; l < 3; ++l)
+        // product of both directions, since filter_surface() does one after the other
         stencil[k][l] = along[k] * across[l];
     return stencil;
   }

@@ -20,6 +20,8 @@ namespace wheelrail
       for (int a = 0; a < 8; ++a)
         for (int b = 0; b < 8; ++b)
           {
+            // Bloch's theorem: node b of a cube moves as node a of its neighbour times exp(i phase), so that
+            // one layer has 3 unknowns below and 3 above
             const double phase = kx * ((b & 1) - (a & 1)) + ky * ((b >> 1 & 1) - (a >> 1 & 1));
             for (int i = 0; i < 3; ++i)
               for (int j = 0; j < 3; ++j)
@@ -46,10 +48,12 @@ namespace wheelrail
     {
       const Matrix lower = block(layer, 0, 0), coupling = block(layer, 0, 1), back = block(layer, 1, 0),
                    upper = block(layer, 1, 1);
-      Matrix    top      = upper;
+      Matrix top         = upper;
+      // a wave dies as exp(-k z): after 20/k layers 1e-9 of it is left
       const int n_layers = 10 + static_cast<int>(std::ceil(20 / k));
       for (int n = 0; n < n_layers; ++n)
         {
+          // stiffness of a ground with one more layer: T' = K_uu - K_ul (K_ll + T)^-1 K_lu (Schur complement)
           Matrix below = lower, step(3, 3), loss(3, 3);
           below.add(1., top);
           below.gauss_jordan();
@@ -73,9 +77,11 @@ namespace wheelrail
     const double k  = std::hypot(kx, ky);
     const Matrix c  = surface_compliance(layer_stiffness(stiffness, kx, ky), k);
     const double nu = material.poissons_ratio, cx = kx / k, cy = ky / k;
+    // (1 - nu)/(G k) under pressure and under traction along the wave, 1/(G k) under traction across it
     const double exact        = 2 * (1 - nu * nu) / (material.youngs_modulus * k);
     const double exact_across = 2 * (1 + nu) / (material.youngs_modulus * k);
     const double xx = c(0, 0).real(), yy = c(1, 1).real(), xy = c(0, 1).real(), yx = c(1, 0).real();
+    // (c_x, c_y) C (c_x, c_y)' along the wave, (-c_y, c_x) across it
     const double parallel      = cx * cx * xx + cx * cy * (xy + yx) + cy * cy * yy;
     const double perpendicular = cy * cy * xx - cx * cy * (xy + yx) + cx * cx * yy;
     return {c(2, 2).real() / exact - 1, parallel / exact - 1, perpendicular / exact_across - 1};
@@ -90,6 +96,7 @@ namespace wheelrail
     const auto    straight = surface_response(stiffness, material, k, 0);
     const auto    oblique  = surface_response(stiffness, material, half, half);
     SurfaceFilter filter;
+    // excess over (k h)^2 with h = 1
     filter.normal = 0.5 * (straight.normal + oblique.normal) / (k * k);
     filter.shear  = straight.perpendicular / (k * k);
     return filter;

@@ -47,7 +47,8 @@ namespace wheelrail
   {
     const auto range = [&](const Lattice &lattice, const double place, const int beyond) {
       const int middle = static_cast<int>(std::lround(place / lattice.spacing_along)) - lattice.first_station;
-      const int half   = static_cast<int>(std::ceil(half_length_ / lattice.spacing_along)) + beyond;
+      // stations from middle - half to middle + half, cut to those that are stored
+      const int half = static_cast<int>(std::ceil(half_length_ / lattice.spacing_along)) + beyond;
       return StationRange{std::max(0, middle - half), std::min<int>(lattice.n_along, middle + half + 1)};
     };
     // the wheel's part reaches further, so that every rail node finds a facet
@@ -115,7 +116,8 @@ namespace wheelrail
       {
         SurfaceState  &state = states[body];
         const Vector3 &X     = surfaces_[body].reference[k];
-        state.x[k]           = {X[0] + in[0], X[1] + in[1], X[2] + in[2]};
+        // x = X + u; the velocity goes two ways, through the normal and through the shear filter
+        state.x[k] = {X[0] + in[0], X[1] + in[1], X[2] + in[2]};
         state.v[k] = state.slip[k] = {in[3], in[4], in[5]};
         if (body == Body::rail)
           state.position[k] = state.x[k];

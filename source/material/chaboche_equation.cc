@@ -14,6 +14,8 @@ namespace wheelrail
     , isotropic_rate(hardening.isotropic_rate)
     , n_back(static_cast<int>(hardening.moduli.size()))
     , bounded(hardening.recovery < 1)
+    // slope of (3 mu + sum theta_i C_i) dp + R(dp): back stresses only add to it, R falls by |Q| b at most
+    // where Q < 0 (cyclic softening)
     , least_slope(3 * shear + std::min(0., isotropic * isotropic_rate))
   {
     if (hardening.rates.size() != hardening.moduli.size() || n_back > most_back_stresses)
@@ -21,6 +23,9 @@ namespace wheelrail
     double recovered = 0, moduli = 0;
     for (int i = 0; i < n_back; ++i)
       {
+        // dX_i = 2/3 C_i dE_p - gamma_i X_i dp (Armstrong and Frederick); the part mu of gamma_i acts always
+        // (`recovery`), the rest at the threshold q(X_i) = C_i/gamma_i alone (Abdel-Karim and Ohno 2000;
+        // doc/manual/material.md, Cyclic hardening)
         const double gamma = hardening.rates[i];
         modulus[i]         = hardening.moduli[i];
         recovery[i]        = hardening.recovery * gamma;
@@ -29,6 +34,8 @@ namespace wheelrail
         threshold[i] = gamma > 0 ? modulus[i] / gamma : std::numeric_limits<double>::infinity();
       }
     // what bends: theta_i C_i dp, theta_i X_i, the direction of their sum, and R
+    // a bound of half the second derivative, so that Newton's error after a step is at most curvature times
+    // its square
     curvature = 2 * recovered + 0.5 * moduli * moduli / (yield_stress + std::min(0., isotropic)) +
                 isotropic_rate * isotropic_rate * std::abs(isotropic);
   }

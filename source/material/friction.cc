@@ -10,6 +10,8 @@ namespace wheelrail
   {
     // mu(v) of doc/theory/contact.md, Friction law: d + (s - d) exp(-c v), or d + (s - d) / (1 + v/v_h) as in
     // CONTACT
+    // s = at_rest, d = at_speed, c = decay [s/m], v_h = half_velocity [m/s], where half of the fall is gone;
+    // v >= 0 is the slip speed [m/s]
     const double drop = at_rest - at_speed;
     switch (kind)
       {
@@ -33,6 +35,7 @@ namespace wheelrail
   double
   FrictionLaw::sliding() const
   {
+    // the limit of mu(v) for large v
     return kind == FrictionKind::constant ? at_rest : at_speed;
   }
 
@@ -42,6 +45,7 @@ namespace wheelrail
   {
     FrictionLaw law = *this;
     if (at_rest > 0)
+      // the same shape: mu(v) times a factor
       law.at_speed *= coefficient / at_rest;
     law.at_rest = coefficient;
     return law;
@@ -51,6 +55,7 @@ namespace wheelrail
   bool
   FrictionLaw::valid() const
   {
+    // friction that rises with speed, d > s, is accepted, too
     return at_rest >= 0 && at_speed >= 0 && decay >= 0 && half_velocity > 0;
   }
 
@@ -67,6 +72,9 @@ namespace wheelrail
   FrictionLaw::steepest_fall() const
   {
     // -dmu/dv where it is largest, at rest
+    // of the exponential law (s - d) c, of the rational one (s - d)/v_h [s/m]. Times the pressure it is
+    // compared with the impedance rho c_s/2 of shear waves: beyond it friction is unstable
+    // (doc/theory/contact.md, Friction).
     const double drop = std::max(0., at_rest - at_speed);
     switch (kind)
       {

@@ -28,6 +28,7 @@ namespace wheelrail
           std::swap(b[k], b[pivot]);
           for (std::size_t i = k + 1; i < n; ++i)
             {
+              // Gauss's elimination with partial pivoting
               const double factor = A[i][k] / A[k][k];
               for (std::size_t j = k; j < n; ++j)
                 A[i][j] -= factor * A[k][j];
@@ -73,6 +74,8 @@ namespace wheelrail
       Simd<1> E[6], S[6], work = 0.;
       for (int k = 0; k < 6; ++k)
         E[k] = strain[k];
+      // one step of the law (doc/manual/material.md, Theory): Green's strain E to the second Piola-Kirchhoff
+      // stress S, components xx, yy, zz, yz, xz, xy of the tensor, and the plastic work of the step
       point_response(law, E, history, S, work);
       for (int k = 0; k < 6; ++k)
         response.stress[k] = S[k][0];
@@ -103,6 +106,8 @@ namespace wheelrail
         // away from where the stress is missing, so that the slope is that of flow when that goes on
         const double step = miss[j] < 0 ? -probe : probe;
         probed[free[j]] += step;
+        // dS_i/dE_j by a one-sided difference of 1e-8, about the root of round-off: the law has a corner at
+        // yield, where a central one would mix elastic and plastic slopes
         const Response there = respond(probed);
         for (std::size_t i = 0; i < free.size(); ++i)
           slope[i][j] = (there.stress[free[i]] - response.stress[free[i]]) / step;
@@ -114,6 +119,9 @@ namespace wheelrail
   void
   MaterialPoint::go_to(const PointTarget &target)
   {
+    // free components: E_k such that S_k = wanted; the others are given. Newton's method, steps halved until
+    // the largest missing stress falls. Each try is one step of the law from the same history, so that tries
+    // leave no trace.
     const double             enough = 1e-13 * elasticity(law_).youngs_modulus;
     std::vector<std::size_t> free;
     SixNumbers               strain = strain_;
@@ -179,6 +187,7 @@ namespace wheelrail
     const double      trace     = stress_[0] + stress_[1] + stress_[2];
     SixNumbers        plastic   = strain_;
     for (std::size_t k = 0; k < 6; ++k)
+      // E_p = E - S/(2 mu) + nu/E tr(S) I: Hooke's law inverted, E_e = ((1 + nu) S - nu tr(S) I)/E
       plastic[k] -= ((1 + nu) * stress_[k] - (k < 3 ? nu * trace : 0.)) / constants.youngs_modulus;
     return plastic;
   }
