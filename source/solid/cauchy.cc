@@ -7,6 +7,7 @@ namespace wheelrail
   std::array<double, 6>
   cauchy_stress(const std::array<double, 9> &H, const Simd<1> (&S)[6])
   {
+    // Voigt's order xx, yy, zz, yz, xz, xy; S is the second Piola-Kirchhoff stress
     const double s[3][3] = {
       {S[0][0], S[5][0], S[4][0]}, {S[5][0], S[1][0], S[3][0]}, {S[4][0], S[3][0], S[2][0]}};
     const double f[3][3] = {{H[0] + 1, H[1], H[2]}, {H[3], H[4] + 1, H[5]}, {H[6], H[7], H[8] + 1}};
@@ -30,6 +31,7 @@ namespace wheelrail
   double
   von_mises(const double *s)
   {
+    // sqrt(3/2 dev s : dev s) (von Mises)
     const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
     return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
   }

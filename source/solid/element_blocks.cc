@@ -24,6 +24,7 @@ namespace wheelrail
     hourglass(const int a)
     {
       const double xi = sign[a][0], eta = sign[a][1], zeta = sign[a][2];
+      // h_1 ... h_4 of doc/theory/element.md, Uniform gradients: what one point does not see
       return {eta * zeta, zeta * xi, xi * eta, xi * eta * zeta};
     }
 
@@ -35,6 +36,7 @@ namespace wheelrail
       for (int a = 0; a < 8; ++a)
         for (int k = 0; k < 3; ++k)
           {
+            // dN_a/dxi_k with N_a = prod (1 + sign_al xi_l)/8
             double d = sign[a][k] / 8.;
             for (int l = 0; l < 3; ++l)
               if (l != k)
@@ -77,7 +79,8 @@ namespace wheelrail
     {
       const Matrix J        = jacobian(X, xi);
       const Matrix cofactor = {cross(J[1], J[2]), cross(J[2], J[0]), cross(J[0], J[1])};
-      const double det      = dot(J[0], cofactor[0]);
+      // J^-T det J: dN/dX = sum over k of dN/dxi_k cofactor_k/det J, so that det J cancels in the integral
+      const double det = dot(J[0], cofactor[0]);
       if (!(det > 0))
         throw RunError("a cell of the mesh is folded near (" + std::to_string(X[0][0]) + ", " +
                        std::to_string(X[0][1]) + ", " + std::to_string(X[0][2]) +
@@ -94,6 +97,7 @@ namespace wheelrail
                 if (l != k)
                   d[k] *= 1 + sign[a][l] * xi[l];
             }
+          // integral of N_a dV: the lumped mass over rho
           g.node_volume[a] += value * det;
           for (int i = 0; i < 3; ++i)
             g.B[a][i] += d[0] * cofactor[0][i] + d[1] * cofactor[1][i] + d[2] * cofactor[2][i];
@@ -106,22 +110,26 @@ namespace wheelrail
   element_geometry(const std::array<Vector, 8> &vertices)
   {
     ElementGeometry g{};
-    g.vertices         = vertices;
+    g.vertices = vertices;
+    // 2 x 2 x 2 Gauss points, weights 1: exact for integrals of dN/dX and N over a trilinear cell
     const double point = 1 / std::sqrt(3.);
     for (const auto &s : sign)
       add_gauss_point(vertices, {s[0] * point, s[1] * point, s[2] * point}, g);
     for (auto &gradient : g.B)
       for (double &component : gradient)
+        // B_a = (1/V) integral dN_a/dX dV (Flanagan and Belytschko 1981)
         component /= g.volume;
 
     for (int a = 0; a < 8; ++a)
       for (int m = 0; m < 4; ++m)
         for (int i = 0; i < 3; ++i)
+          // h_m X = sum over a of h_m(a) X_a: 0 of a brick
           g.hX[m][i] += hourglass(a)[m] * vertices[a][i];
 
     const Matrix J = jacobian(vertices, {0, 0, 0});
     g.frame        = closest_rotation(J);
     for (int k = 0; k < 3; ++k)
+      // l_k: half the length of the cell along xi_k, at its centre
       g.half[k] = std::sqrt(dot(J[k], J[k]));
     return g;
   }
@@ -156,6 +164,7 @@ namespace wheelrail
         const double r = std::clamp(dot(D[0], cross(D[1], D[2])) / 2, -1., 1.);
         largest += 2 * p * std::cos(std::acos(r) / 3);
       }
+    // omega^2 = (lambda + 2 mu) s V/(rho V_min) of doc/theory/element.md, Stable step; (2 c_p/h)^2 for a cube
     const double smallest_share = *std::min_element(g.node_volume.begin(), g.node_volume.end());
     return (material.lame_lambda() + 2 * material.shear_modulus()) * largest * g.volume /
            (material.density * smallest_share);
@@ -207,6 +216,7 @@ namespace wheelrail
             put(component);
         for (const double half : g.half)
           put(reduced::scaled_inverse_half(g.volume, half));
+        // L = 2 c_p/omega, the length of the bulk viscosity: about the shortest edge
         put(2 * material.wave_speed() / std::sqrt(element_frequency_bound(g, material)));
       }
     set_law(blocks, law);

@@ -47,6 +47,7 @@ namespace wheelrail
       for (int a = 0; a < 8; ++a)
         for (int m = 0; m < 4; ++m)
           {
+            // at rest q_m = sum over a of gamma_m(a) u_a: the pattern less what a linear field has of it
             gamma[a][m] = pattern[a][m];
             for (int i = 0; i < 3; ++i)
               gamma[a][m] -= g.B[a][i] * g.hX[m][i];
@@ -62,6 +63,7 @@ namespace wheelrail
       std::array<Vector, 3> S{};
       for (int k = 0; k < 3; ++k)
         {
+          // S = lambda tr(e) I + 2 mu e, e = (grad + grad')/2
           S[i][k] += mu * b[k];
           S[k][i] += mu * b[k];
           S[k][k] += material.lame_lambda() * b[i];
@@ -81,22 +83,27 @@ namespace wheelrail
     for (int b = 0; b < 8; ++b)
       for (int j = 0; j < 3; ++j)
         {
+          // column (b, j): stresses and patterns of a unit displacement of node b along j
           const auto            S = stress_of_row(material, j, g.B[b]);
           std::array<Vector, 4> p, Q;
           for (int m = 0; m < 4; ++m)
             for (int k = 0; k < 3; ++k)
+              // p_m = A' q_m: F = 1 at rest
               p[m][k] = gamma[b][m] * g.frame[k][j];
           Q = hourglass_law(g, material, p);
           std::array<Vector, 4> G{};
           for (int m = 0; m < 4; ++m)
             for (int k = 0; k < 3; ++k)
               for (int i = 0; i < 3; ++i)
+                // G_m = A Q_m
                 G[m][i] += g.frame[k][i] * Q[m][k];
           for (int a = 0; a < 8; ++a)
             for (int i = 0; i < 3; ++i)
               {
                 double value = 0;
                 for (int k = 0; k < 3; ++k)
+                  // force_a = V S B_a + sum over m of gamma_m(a) G_m: at rest the terms with q_m and F - 1
+                  // are of second order
                   value += g.volume * S[i][k] * g.B[a][k];
                 for (int m = 0; m < 4; ++m)
                   value += gamma[a][m] * G[m][i];

@@ -53,11 +53,15 @@ namespace wheelrail
   {
     std::vector<double> values;
     for (const EnergyTerm &term : terms_)
+      // all at the full step n: `here` belongs to n, works run to n - 1/2 (before) and n + 1/2 (work), of
+      // which the mean is taken (doc/theory/rolling.md, Energy balance)
       values.push_back(term.here + (first ? term.before : 0.5 * (term.before + term.work)));
     MPI_Allreduce(MPI_IN_PLACE, values.data(), values.size(), MPI_DOUBLE, MPI_SUM, communicator);
     std::size_t k = 0;
     for (EnergyTerm &term : terms_)
       term.value = values[k++];
+    // residual = stored + dissipated - supplied, less the same at the first step; over strain plus dissipated
+    // energy, since the kinetic energy of rolling is a hundred thousand times as large
     const double total = stored() + dissipated() - supplied();
     if (!state_.started)
       state_.start = total;

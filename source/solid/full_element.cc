@@ -23,6 +23,9 @@ namespace wheelrail
             {
               for (int k = 0; k < 3; ++k)
                 {
+                  // X(xi) = sum of coefficients: xi_k, xi_k+1 xi_k+2 and xi eta zeta; signs of the nodes pick
+                  // them out. Those of products have the place of a Gauss point, 1/sqrt(3), once, that of the
+                  // triple product twice (1/3).
                   row[full::linear_row + 3 * k + i] += s[k] * X[a][i] / 8;
                   row[full::product_row + 3 * k + i] +=
                     s[(k + 1) % 3] * s[(k + 2) % 3] * full::gauss * X[a][i] / 8;
@@ -61,6 +64,8 @@ namespace wheelrail
           auto &p = points.point[g];
           full::evaluate_point<1>(dX, du, g, p);
           points.volume += p.weight[0];
+          // theta = (1/V) sum w_g tr E_g; Ebar_g = E_g + (theta - tr E_g)/3 I (Nagtegaal, Parks and Rice
+          // 1974; doc/theory/element.md, The full element)
           dilatation += p.weight[0] * full::trace<1>(p.E)[0];
         }
       for (auto &p : points.point)
@@ -140,6 +145,7 @@ namespace wheelrail
     std::array<double, 6> mean{};
     for (int g = 0; g < 8; ++g)
       for (int k = 0; k < 6; ++k)
+        // volume mean of the eight Cauchy stresses
         mean[k] += points.point[g].weight[0] / points.volume * stress[g][k];
     return mean;
   }
@@ -183,6 +189,7 @@ namespace wheelrail
                   for (int l = 0; l < 3; ++l)
                     if (l != k)
                       slope *= (1 + ((a ^ g) >> l & 1 ? -full::gauss : full::gauss)) / 2;
+                  // dN_a/dX = sum over k of dN_a/dxi_k cofactor_k/det J, at the Gauss point g
                   d[a][j] += slope * point.cofactor[k][j][0] / weight;
                 }
               mean[a][j] += weight * d[a][j];
@@ -201,6 +208,8 @@ namespace wheelrail
       }
     for (int r = 0; r < 24; ++r)
       for (int c = 0; c < 24; ++c)
+        // K theta^2/2 V with theta = (1/V) sum over a of (integral of dN_a/dX) . u_a: one dilatation in a
+        // cell
         K[24 * r + c] += bulk / volume * mean[r / 3][r % 3] * mean[c / 3][c % 3];
     return K;
   }

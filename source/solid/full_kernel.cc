@@ -26,6 +26,8 @@ namespace wheelrail
       Simd<W>              u[8][3];
       const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
       for (int a = 0; a < 8; ++a)
+        // 1. F_g, E_g at the eight points, dilatation theta of the cell, Ebar_g (doc/theory/element.md, The
+        // full element)
         gather<W>(call.displacement, nodes + a * W, u[a]);
       Derivatives<W> dX, du;
       reference_derivatives<W>(call.blocks.data.data() + batch * fields * W, dX);
@@ -50,7 +52,9 @@ namespace wheelrail
                    const Points<W>       &points,
                    LaneEnergy<W>         &energy)
     {
-      double       *old = call.blocks.viscous.data() + batch * 2 * W;
+      double *old = call.blocks.viscous.data() + batch * 2 * W;
+      // b rho c_p L d(tr E)/dt, of the dilatation theta; its power is the mean of the stresses at both ends
+      // of the step times the rate, exact in central differences
       const Simd<W> rate =
         (points.dilatation - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
       points.dilatation.copy_to(old, stdx::vector_aligned);
@@ -104,6 +108,7 @@ namespace wheelrail
       fetch_ahead<W>(call, batch);
       Simd<W> viscous(0.);
       if (call.viscosity.time_step > 0)
+        // 2. bulk viscosity
         viscous = viscous_stress<W>(call, batch, points, energy);
 
       Derivatives<W> N;
@@ -118,6 +123,8 @@ namespace wheelrail
         {
           const auto &p = points.point[g];
           Simd<W>     S[6];
+          // 3. S_g of the law, and F_g S_g summed to nine derivatives of the shape functions. In the laws the
+          // pressure is K theta at each point, so that S_g is dpsi/dE and needs no correction for the mean.
           flows = respond<W, with_energy>(call, batch, g, p, flowed, S, work, energy) || flows;
           for (int k = 0; k < 3; ++k)
             S[k] += viscous;
@@ -136,6 +143,7 @@ namespace wheelrail
             energy.plastic_work += Simd<W>(total, stdx::vector_aligned);
         }
       Simd<W> f[8][3];
+      // 4. f_a = sum over g of w_g F_g S_g dN_a/dX, subtracted from the forces
       nodal_forces<W>(N, f);
       const std::uint32_t *nodes = call.blocks.nodes.data() + batch * 8 * W;
       for (int a = 0; a < 8; ++a)

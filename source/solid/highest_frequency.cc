@@ -32,6 +32,7 @@ namespace wheelrail
         for (std::size_t n = 0; n < solid_.mass.size(); ++n)
           for (int i = 0; i < 3; ++i)
             displacement_[4 * n + i] =
+              // u = M^-1/2 x; eigenvalues of M^-1/2 K M^-1/2 are omega^2, K from the kernel's own forces
               solid_.mass[n] > 0 ? small * x[4 * n + i] / std::sqrt(solid_.mass[n]) : 0.;
         distribute(solid_.mesh, displacement_.data());
         y.assign(4 * solid_.mass.size(), 0.);
@@ -89,6 +90,8 @@ namespace wheelrail
       {
         for (double &value : v)
           value /= beta;
+        // Lanczos (1950): beta v_next = K v - alpha v - beta v_before. The largest Ritz value of the
+        // tridiagonal matrix comes to omega^2 from below.
         K.apply(v, w);
         const double alpha = K.dot(w, v);
         for (std::size_t k = 0; k < w.size(); ++k)
@@ -116,7 +119,9 @@ namespace wheelrail
   void
   lower_stable_step(Solid &solid, const double bulk_viscosity, MPI_Comm communicator)
   {
-    const double b    = bulk_viscosity;
+    const double b = bulk_viscosity;
+    // omega dt <= 2 (sqrt(1 + b^2) - b), b the damping ratio of the bulk viscosity at the highest frequency,
+    // taken at the half step behind
     const double step = 2 / std::sqrt(highest_frequency(solid, communicator)) * (std::sqrt(1 + b * b) - b);
     if (step < solid.stable.step)
       {
@@ -135,6 +140,8 @@ namespace wheelrail
     const double bodies = 2 / solid.stable.step; // with their viscosity
     if (added > 0)
       {
+        // omega^2 <= omega_bodies^2 + omega_parts^2, parts without viscosity (doc/theory/rolling.md, Time
+        // stepping)
         solid.stable.step     = 2 / std::sqrt(bodies * bodies + added);
         solid.stable.of_parts = 1 - 0.5 * bodies * solid.stable.step;
       }

@@ -76,6 +76,7 @@ namespace wheelrail
               value += Hij[3 * l + i] * Hij[3 * l + j];
             E[k] = 0.5 * value;
           }
+        // S of the law with the history of the point; then sigma = F S F'/det F
         point_stress(blocks, e, 0, E, S);
         result[e] = cauchy_stress(Hij, S);
       }

@@ -19,6 +19,7 @@ namespace wheelrail
       Vector3
       operator()(const Vector3 &x) const
       {
+        // v + omega x (x - c)
         return velocity + cross(spin, x - centre);
       }
     };
@@ -41,6 +42,7 @@ namespace wheelrail
       void
       add(const double m, const Vector3 &x, const Vector3 &v)
       {
+        // angular momentum about the origin, x cross m v
         const Vector3 l = cross(x, v);
         sums[mass] += m;
         int k = second;
@@ -86,10 +88,13 @@ namespace wheelrail
         int                   k = 0;
         for (int i = 0; i < 3; ++i)
           for (int j = i; j < 3; ++j, ++k)
+            // Steiner: second moments about the centre of mass
             s[k] = sums[second + k] - M * field.centre[i] * field.centre[j];
-        const double size    = s[0] + s[3] + s[5];
-        const double I[3][3] = {
-          {s[3] + s[5], -s[1], -s[2]}, {-s[1], s[0] + s[5], -s[4]}, {-s[2], -s[4], s[0] + s[3]}};
+        const double         size    = s[0] + s[3] + s[5];
+        const double         I[3][3] = {// inertia I = sum of m (x.x 1 - x (x) x); omega = I^-1 L
+                                {s[3] + s[5], -s[1], -s[2]},
+                                {-s[1], s[0] + s[5], -s[4]},
+                                {-s[2], -s[4], s[0] + s[3]}};
         dealii::Tensor<2, 3> inertia;
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
@@ -195,6 +200,8 @@ namespace wheelrail
       for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
         if (inertia[n].inverse_mass > 0 && mass[4 * n + part] > 0)
           {
+            // the part of a node's mass that belongs to these cells, so that the sum of m v is that of the
+            // field on them
             const double  share = mass[4 * n + part] * inertia[n].inverse_mass;
             const Vector3 v     = field(solid.position(static_cast<unsigned int>(n)));
             for (int i = 0; i < 3; ++i)
@@ -224,9 +231,13 @@ namespace wheelrail
                           is  = moments(after, mass, side, nullptr, communicator);
             if (!(was.sums[0] > 0 && is.sums[0] > 0))
               continue;
+            // 1. changed cells, behind and ahead of the middle: their rigid motion before in place of that of
+            // the interpolated velocities
             const RigidField wanted = was.field(), have = is.field();
             add_field(after, mass, side, inertia, [&](const Vector3 &x) { return wanted(x) - have(x); });
           }
+        // 2. what the whole body still lacks of linear and angular momentum, as a rigid motion of its free
+        // nodes
         const Moments was        = moments(before, mass_before, all, nullptr, communicator),
                       is         = moments(after, mass, all, nullptr, communicator),
                       free       = moments(after, mass, all, &inertia, communicator);

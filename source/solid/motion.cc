@@ -38,6 +38,8 @@ namespace wheelrail
           if constexpr (with_energy)
             if (inverse > 0 && solid.mesh.owns(n))
               {
+                // v(n-1/2) m v(n+1/2)/2, which central differences conserve (doc/theory/rolling.md, Energy
+                // balance); at the half step of the start both are those before
                 const Four product = old * (before ? old : now);
                 kinetic += 0.5 / inverse * (product[0] + product[1] + product[2]);
               }

@@ -18,6 +18,7 @@ namespace wheelrail::patches
       for (int k = 0; k < 6; ++k)
         {
           const int i = first_of[k], j = second_of[k];
+          // (d + r)(d + r)' and s (d + r), from moments about the node
           all.dd[k] += share * (m.dd[k] + m.d[i] * r[j] + r[i] * m.d[j] + m.volume * r[i] * r[j]);
           all.s[k] += share * m.s[k];
           for (int l = 0; l < 3; ++l)
@@ -44,6 +45,8 @@ namespace wheelrail::patches
         {
           Vector3 rhs;
           for (int i = 0; i < 3; ++i)
+            // normal equations of s = s_0 + G (d - mean d), volumes as weights: C G = sum of V s d - (sum V
+            // s)(sum V d)/V
             rhs[i] = m.sd[i][k] - m.s[k] * m.d[i] / m.volume;
           for (int i = 0; i < 3; ++i)
             gradient.G[i][k] = dot(of_spread[i], rhs);
@@ -57,6 +60,8 @@ namespace wheelrail::patches
     double
     share_of(const Moments &m, const double size)
     {
+      // distance of the mean centre of the node's cells from the node, in cells: 0 inside, 1/2 on a face of
+      // cubes, where the share is 1e-4
       const double aside = norm(m.d) / (m.volume * size);
       return std::max(1e-4, 1 - 2.5 * aside);
     }
@@ -77,7 +82,8 @@ namespace wheelrail::patches
     for (const Element &element : elements)
       for (const unsigned int node : *element.nodes)
         {
-          Moments      &m = moments[node];
+          Moments &m = moments[node];
+          // moments with the volume as weight, d from the node to the element's centre
           const Vector3 d = element.centre - reference_place(mesh, node);
           const double  V = element.volume;
           m.volume += V;

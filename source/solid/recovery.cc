@@ -40,6 +40,7 @@ namespace wheelrail
           sum_over_ranks(solid.mesh, part.data());
           for (std::size_t node = 0; node < n_nodes; ++node)
             for (std::size_t k = 0; k < std::min<std::size_t>(3, n - first); ++k)
+              // mean of V x value over the elements around a node
               result[n * node + first + k] = volume[4 * node] > 0 ? part[4 * node + k] / volume[4 * node] : 0;
         }
       return result;

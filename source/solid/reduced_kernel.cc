@@ -65,6 +65,7 @@ namespace wheelrail
       V3<W> elastic[4];
       for (int m = 0; m < 4; ++m)
         for (int k = 0; k < 3; ++k)
+          // p - p_pl
           elastic[m][k] = has_history<Law> ? p[m][k] - history.p[m][k] : p[m][k];
       Simd<W>       square;
       const Simd<W> stabilisation = hourglass_stress<W>(g, elastic, call.law.elasticity, Q, square);
@@ -79,6 +80,8 @@ namespace wheelrail
               V3<W>         back[4];
               const Simd<W> of_patterns =
                 hourglass_stress<W>(g, history.p, call.law.elasticity, back, square);
+              // of the patterns: the back stress is f H/(3 mu) times the elastic stress of their plastic
+              // amplitudes
               energy.hardening +=
                 g.volume() * call.law.hardening_energy(history.point) + call.law.back_ratio * of_patterns;
             }
@@ -99,6 +102,8 @@ namespace wheelrail
       const Simd<W> now  = E[0] + E[1] + E[2];
       const Simd<W> rate = (now - Simd<W>(old, stdx::vector_aligned)) / call.viscosity.time_step;
       now.copy_to(old, stdx::vector_aligned);
+      // b rho c_p L d(tr E)/dt (von Neumann and Richtmyer 1950, the linear term); a pressure, so that no
+      // rotation and no shear is braked
       const Simd<W> extra = call.viscous_impedance * g.length() * rate;
       for (int k = 0; k < 3; ++k)
         S[k] += extra;
@@ -118,18 +123,24 @@ namespace wheelrail
       for (int a = 0; a < 8; ++a)
         gather<W>(call.displacement, nodes + a * W, u[a]);
       V3<W> H[3], F[3], q[4], FA[3], p[4];
+      // 1. H = sum u_a (x) B_a, q_m = sum h_m(a) u_a - H (h_m X) (doc/theory/element.md, Uniform gradients,
+      // Stabilisation)
       gradients<W>(g, u, H, q);
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           F[i][j] = i == j ? H[i][j] + 1. : H[i][j];
       Simd<W> E[6], S[6];
+      // 2. E = (H + H' + H' H)/2 and p_m = (F A)' q_m, which a rotation leaves alone
       green_strain<W>(H, E);
       hourglass_amplitudes<W>(g, F, q, FA, p);
 
       V3<W> P[3], Q[4], G[4];
+      // 3. S of the law, Q_m = dW/dp_m, both returned to one yield surface
       cell_response<W, with_energy>(call, batch, g, E, p, S, Q, energy);
       if (call.viscosity.time_step > 0)
         add_viscosity<W>(call, batch, g, E, S, energy);
+      // 4. the exact gradient of the energy: P = V F S + sum (q_m (x) A Q_m - G_m (x) h_m X), G_m = F A Q_m,
+      // f_a = P B_a + sum h_m(a) G_m (doc/theory/element.md, Forces)
       force_of_stress<W>(g, F, S, P);
       fetch_ahead<W>(call, batch);
       hourglass_forces<W>(g, FA, q, Q, P, G);

@@ -37,6 +37,8 @@ namespace wheelrail
               const int other = a ^ (1 << k);
               edge[k]         = (other > a ? 1. : -1.) * (X[other] - X[a]);
             }
+          // det of the three edges of a corner over the volume: 1 of a brick, 0 or less where the cell is
+          // folded
           worst = std::min(worst, dot(edge[0], cross(edge[1], edge[2])) / volume);
         }
       return worst;
@@ -96,6 +98,8 @@ namespace wheelrail
           for (int a = 0; a < 8; ++a)
             {
               const double share =
+                // rho integral N_a dV; hanging nodes hand it to their parents with the weights of the
+                // constraint
                 solid.blocks[body].elasticity().density * elements.geometry[body][e].node_volume[a];
               solid.cell_mass[solid.block_cells[body][e]][a] = share;
               mass[4 * elements.cells[body][e][a]] += share;
@@ -148,7 +152,8 @@ namespace wheelrail
       stable.body   = static_cast<Body>(static_cast<int>(data[0]));
       stable.length = data[1];
       stable.place  = {data[2], data[3], data[4]};
-      stable.step   = 2 / std::sqrt(best.value) * (std::sqrt(1 + coefficient * coefficient) - coefficient);
+      // dt = 2/omega (sqrt(1 + b^2) - b) (doc/theory/element.md, Stable step)
+      stable.step = 2 / std::sqrt(best.value) * (std::sqrt(1 + coefficient * coefficient) - coefficient);
       return stable;
     }
   } // namespace
@@ -189,6 +194,7 @@ namespace wheelrail
           std::array<Vector3, 4> X;
           for (int a = 0; a < 4; ++a)
             std::copy_n(&solid.mesh.reference[4 * face.nodes[a]], 3, X[a].begin());
+          // a quarter of the facet's area |d1 x d2|/2, d1, d2 its diagonals, times the mass per area [kg/m2]
           const double share = density * norm(cross(X[3] - X[0], X[2] - X[1])) / 8;
           for (const unsigned int node : face.nodes)
             {
@@ -231,6 +237,7 @@ namespace wheelrail
           sum[0] += solid.mass[n];
           for (int i = 0; i < 3; ++i)
             sum[1 + i] += solid.mass[n] * X[i];
+          // about an axis along X: m (dy^2 + dz^2)
           sum[4] += solid.mass[n] * (std::pow(X[1] - about[1], 2) + std::pow(X[2] - about[2], 2));
         }
     MPI_Allreduce(MPI_IN_PLACE, sum, 5, MPI_DOUBLE, MPI_SUM, communicator);

@@ -66,6 +66,8 @@ namespace wheelrail
               for (int k = 0; k < 6; ++k)
                 {
                   all.G[i][k] += element.volume * gradients[e].G[i][k];
+                  // sums of V G and V G d over the elements around the node; the gradient belongs to the
+                  // middle of its patch
                   all.Gd[k] += element.volume * gradients[e].G[i][k] * d[i];
                 }
           }
@@ -93,7 +95,8 @@ namespace wheelrail
             add(middle, 0.125, place[v]);
           }
         const double trifle = 1e-6 * std::pow(element.volume, 2. / 3);
-        Rows         spread = {{{trifle, 0, 0}, {0, trifle, 0}, {0, 0, trifle}}};
+        // H by least squares from eight nodes: G_v = G_0 + H (place_v - middle)
+        Rows spread = {{{trifle, 0, 0}, {0, trifle, 0}, {0, 0, trifle}}};
         for (int v = 0; v < 8; ++v)
           for (int i = 0; i < 3; ++i)
             add(spread[i], (place[v] - middle)[i], place[v] - middle);
@@ -150,7 +153,8 @@ namespace wheelrail
           const Element &element = elements[e];
           if (norm(gradients[e].place) < aside * std::cbrt(element.volume))
             continue;
-          const Bend                  bend(solid, element, moments, sums);
+          const Bend bend(solid, element, moments, sums);
+          // G at the element's centre = G of the patch - H (middle of the patch less centre)
           const std::array<Stress, 3> change = bend.along(-1. * gradients[e].place);
           for (const unsigned int node : *element.nodes)
             {
@@ -192,6 +196,9 @@ namespace wheelrail
               double slant = 0, bend = 0; // <G> <d>, <d> <H> <d>
               for (int i = 0; i < 3; ++i)
                 {
+                  // s(node) = mean s - slope times mean d. Where G changes by H, half of <G> <d> + <G d> with
+                  // the bend taken off is exact for quadratic stresses on even cells (doc/theory/element.md,
+                  // Stresses at nodes).
                   const double G       = (gradients[node].G[i][k] + bends[node].G[i][k]) / m.volume;
                   const double to_mean = bends[node].to_mean[i][k] / m.volume;
                   result.gradient[18 * node + 6 * i + k] = G - to_mean;
@@ -221,6 +228,7 @@ namespace wheelrail
                 {
                   double change = 0;
                   for (int i = 0; i < 3; ++i)
+                    // mean over eight nodes of s + G d/2: from a quadratic field, its value at the centre
                     change += nodal.gradient[18 * node + 6 * i + k] * away[i];
                   centre[k] += 0.125 * (nodal.stress[6 * node + k] + 0.5 * change);
                 }

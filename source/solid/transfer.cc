@@ -286,6 +286,7 @@ namespace wheelrail
           {
             if (level == place.level)
               return row(found->second);
+            // an eighth of the volume for each level
             const double share = name == "plastic_work" ? std::ldexp(1., 3 * (level - place.level)) : 1.;
             mean.assign(row(found->second), row(found->second) + old.components);
             for (double &value : mean)
@@ -319,6 +320,7 @@ namespace wheelrail
   {
     AlignedVector<double> behind = after.displacement, ignored(after.displacement.size(), 0.);
     for (std::size_t k = 0; k < behind.size(); ++k)
+      // u(n-1) = u(n) - dt v(n-1/2)
       behind[k] -= time_step * after.velocity[k];
     for (const Body body : both_bodies)
       {
@@ -378,6 +380,8 @@ namespace wheelrail
       if (inertia[n].inverse_mass > 0)
         {
           const Vector3 v = three(solid.velocity, n);
+          // v(n-1/2) m v(n+1/2)/2 = m v^2/2 + dt f . v/2 with v = v(n-1/2), f the elements' forces and the
+          // weight
           sum[0] += 0.5 * time_step * (dot(three(force, n), v) - inertia[n].weight * v[1]);
           sum[0] += inertia[n].weight * solid.displacement[4 * n + 1];
           if (solid.mesh.owns(n))
