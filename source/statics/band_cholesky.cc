@@ -40,6 +40,8 @@ namespace wheelrail
     constexpr auto decompose = [](auto *values, const int n, const int band) {
       const int rows = band + 1;
       int       info = 0;
+      // A = L L' (Cholesky), lower band column by column: A(i, j) at values[(i - j) + rows j]; n band^2
+      // operations
       if constexpr (std::is_same_v<decltype(values), double *>)
         dpbtrf_("L", &n, &band, values, &rows, &info, 1);
       else

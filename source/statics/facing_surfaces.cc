@@ -61,6 +61,8 @@ namespace wheelrail
             // how far the wheel's steel stands ahead of where a surface that is rolled out flat would have it
             const double ahead = at_foot(contact, node.foot, [&](const std::size_t corner) {
               const double z = contact.wheel().reference[corner][2];
+              // how far the wheel's steel has moved along its own arc: z + u_z less r asin(z/r)
+              // (doc/theory/rolling.md, What half-spaces lack)
               return z + contact.displacement(Body::wheel, corner)[2] - r * std::asin(z / r);
             });
             const double rail  = contact.displacement(Body::rail, k)[2] - rail_before[k][2];
@@ -71,6 +73,7 @@ namespace wheelrail
         for (const auto &[z, u] : line)
           {
             const double from_middle = z - place / line.size();
+            // slope of least squares over the loaded nodes of each line, summed over the lines
             products += from_middle * (u - apart / line.size());
             squares += from_middle * from_middle;
           }
@@ -96,6 +99,8 @@ namespace wheelrail
               return contact.displacement(Body::wheel, corner);
             });
             const Vector3 apart = wheel - contact.displacement(Body::rail, k);
+            // wheel less rail along e_s = (cos, sin), mean over the pressure, with minus sign: the steel at s
+            // lay at s - v
             aside -= p * (std::cos(angle) * apart[0] + std::sin(angle) * apart[1]);
             load += p;
           }

@@ -33,8 +33,9 @@ namespace wheelrail
     void
     join(Columns &columns, const Columns &next)
     {
-      const double load   = columns.load + next.load;
-      columns.last        = next.last;
+      const double load = columns.load + next.load;
+      columns.last      = next.last;
+      // mean over the load
       columns.inclination = (columns.load * columns.inclination + next.load * next.inclination) / load;
       columns.load        = load;
     }
@@ -73,6 +74,7 @@ namespace wheelrail
           if (contact.nodes()[lattice.index(i, j)].pressure > 0)
             i0 = std::min<int>(i0, i), i1 = std::max<int>(i1, i);
       const double spacing_across =
+        // rows have equal distances across the frame; on a plane inclined against it they lie farther apart
         lattice.spacing_lateral / std::cos(columns.inclination - contact.surfaces().frame.angle);
       StartGrid loaded;
       loaded.first_i       = std::max(0, i0 - 1);

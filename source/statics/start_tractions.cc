@@ -17,6 +17,8 @@ namespace wheelrail
     WheelPlace
     wheel_place(const RunningSurfaces &surfaces, const double s)
     {
+      // angle of the tread at s, and angle of its normal against the axle: sin(angle) = t . a with the
+      // tangent t turned by a right angle
       const double  tangent = inclination(surfaces, s);
       const Vector3 axis    = surfaces.pose().axis();
       const double  sine    = std::sin(tangent) * axis[0] - std::cos(tangent) * axis[1];
@@ -42,6 +44,8 @@ namespace wheelrail
           const RowSlip slip = row_slip(wheel_place(surfaces, loaded.s(j) + aside), motion, 0);
           for (int i = 0; i < problem.grid.mx; ++i)
             {
+              // w_x = r(s)/r - 1 + e, w_s = (z/r) sin(angle(s)); c is xi of the solver
+              // (doc/theory/rolling.md, Shear tractions)
               problem.rigid_slip_x.push_back(slip.along + start.stretch);
               problem.rigid_slip_y.push_back(slip.lateral_at(problem.grid.x(i)));
             }
@@ -60,6 +64,7 @@ namespace wheelrail
       added->add_slip({{nullptr, nullptr, &problem.pressure}}, {{&x, &y, nullptr}});
       for (std::size_t e = 0; e < x.size(); ++e)
         {
+          // what the solver would add of the pressure, (u - u')/dx of the remainder
           problem.rigid_slip_x[e] -= x[e];
           problem.rigid_slip_y[e] -= y[e];
         }
@@ -90,6 +95,8 @@ namespace wheelrail
           for (int i = 0; i < loaded.grid.mx; ++i)
             pressure[i + std::size_t(loaded.grid.mx) * j] *=
               area_ratio(contact, i / loaded.parts, j / loaded.parts);
+        // bounds mu p half an element on, where the particles of the step are in the mean
+        // (doc/theory/accuracy.md, Edges of the patch)
         problem.pressure = in_midst_of_step(loaded.grid, pressure);
         set_slip(contact.surfaces(), motion, loaded, facing_aside(contact, loaded), problem);
         if (beyond)
@@ -100,6 +107,7 @@ namespace wheelrail
       double
       area_ratio(const Contact &contact, const int i, const int j) const
       {
+        // so that pressure times element area is the force of the node
         return contact.rail().area[loaded.node(contact.lattice(), i, j)] /
                (loaded.grid.element_area() * loaded.parts * loaded.parts);
       }
@@ -149,7 +157,8 @@ namespace wheelrail
           {
             StartPlane &plane                      = planes_.front();
             plane.problem.longitudinal_force_given = true;
-            plane.problem.fx                       = -force;
+            // the rail is body 1: its force is minus that on the wheel
+            plane.problem.fx = -force;
             plane.solve();
             return plane.solution.within_friction && plane.solution.tangential_converged;
           }
@@ -218,9 +227,12 @@ namespace wheelrail
                 for (int b = 0; b < parts; ++b)
                   {
                     const std::size_t e = loaded.element(i, j, a, b);
+                    // mean over the parts x parts elements of a node
                     along += traction[0][e] / (parts * parts);
                     lateral += traction[1][e] / (parts * parts);
                   }
+              // (x, y) of the plane in (X, Y, Z) of the track: y along (cos, sin) of the inclination; over
+              // the ratio of areas, tractions per area of the node
               const double angle = inclination(contact_.surfaces(), loaded.s(parts * j + (parts - 1) / 2)),
                            ratio = plane.area_ratio(contact_, i, j);
               Vector3 &node      = to[loaded.node(contact_.lattice(), i, j)];
@@ -242,6 +254,7 @@ namespace wheelrail
     {
       if (planes.drive(force))
         return planes.tractions();
+      // friction d N is carried at any speed; more of it may have no steady solution
       double low = std::copysign(carried, force), high = force;
       planes.drive(low);
       StartTractions best = planes.tractions();

@@ -64,6 +64,7 @@ namespace wheelrail
             auto &block = blocks[{parts[a].node, parts[b].node}];
             for (int i = 0; i < 3; ++i)
               for (int j = 0; j < 3; ++j)
+                // k w_a (x) w_b: the block of two nodes in B' C B
                 block[3 * i + j] += springs.stiffness()[spring] * parts[a].weight[i] * parts[b].weight[j];
           }
       }

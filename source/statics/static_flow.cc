@@ -30,15 +30,19 @@ namespace wheelrail
       for (std::size_t k = secants.size(); k-- > 0;)
         {
           const Secant &secant = secants[k];
-          weight[k]            = (residual * secant.step.increment + bore * secant.step.lift) / secant.work;
+          // first loop, newest secant first: w_k = s_k . q/(y_k . s_k), q -= w_k y_k; s the step, y the
+          // change of minus the force (BFGS with limited memory)
+          weight[k] = (residual * secant.step.increment + bore * secant.step.lift) / secant.work;
           residual.add(-weight[k], secant.change);
           bore -= weight[k] * secant.bore_change;
         }
+      // the elastic multigrid cycle stands for the first inverse
       StaticStep step = search.preconditioned_step(residual, bore);
       for (std::size_t k = 0; k < secants.size(); ++k)
         {
           const Secant &secant = secants[k];
           const double  share =
+            // second loop, oldest first: step += (w_k - y_k . step/(y_k . s_k)) s_k
             weight[k] - (secant.change * step.increment + secant.bore_change * step.lift) / secant.work;
           step.increment.add(share, secant.step.increment);
           step.lift += share * secant.step.lift;
@@ -60,6 +64,7 @@ namespace wheelrail
           at                 = next;
           balance            = search.balance();
           const double value = search.power(balance, step);
+          // Wolfe's condition on the slope
           if (std::abs(value) < 0.5 * first)
             break;
           if (value > 0)
@@ -69,6 +74,7 @@ namespace wheelrail
           if (high > 0)
             next = low + (high - low) * std::min(std::max(power_low / (power_low - power_high), 0.1), 0.9);
           else
+            // beyond the end: where the slope would vanish on a straight line, 1.5 to 4 times as far
             next = at * std::min(4., std::max(1.5, first / std::max(first - value, 1e-9 * first)));
         }
       step.increment *= at;
@@ -110,6 +116,7 @@ namespace wheelrail
         Secant        secant{step, flow.balance.residual, flow.balance.bore - next.bore};
         secant.change -= next.residual;
         secant.work = secant.change * step.increment + secant.bore_change * step.lift;
+        // y . s > 0, or the inverse would not stay positive
         if (secant.work > 0)
           secants.push_back(std::move(secant));
         if (secants.size() > memory)

@@ -27,6 +27,7 @@ namespace wheelrail
     Symmetric
     inverse(const Symmetric &m)
     {
+      // inverse of a symmetric 3 x 3 matrix by cofactors (Cramer)
       const Symmetric cofactor    = {m[1] * m[2] - m[3] * m[3],
                                      m[0] * m[2] - m[4] * m[4],
                                      m[0] * m[1] - m[5] * m[5],
@@ -67,6 +68,7 @@ namespace wheelrail
         for (const Share &b : shares)
           if (a.node == b.node)
             {
+              // W' K W on a node, W the weights of parents of hanging nodes
               const double w = a.weight * b.weight;
               const auto   k = [&](const int i, const int j) {
                 return w * K[24 * (3 * a.vertex + i) + 3 * b.vertex + j];
@@ -124,6 +126,8 @@ namespace wheelrail
   StaticLevel::find_elastic_force(const NodeVector &x)
   {
     tiny_.zero_out_ghost_values();
+    // K x = -f(tiny x)/tiny: Green's strain has (H' H)/2 of relative size tiny; strains are exact to
+    // round-off since H is never added to 1 in the elastic stress
     tiny_.equ(tiny, x);
     tiny_.update_ghost_values();
     distribute(mesh_, tiny_.begin());
@@ -298,6 +302,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < parts.size(); ++k)
       if (const unsigned int n = springs_.local_nodes()[k]; mesh_.owns(n))
         {
+          // D^-1 B'
           images_[k] = times(inverse_[n], parts[k].weight.data());
           at_node[n].push_back(k);
         }
@@ -305,6 +310,7 @@ namespace wheelrail
       for (const std::size_t a : at.second)
         for (const std::size_t b : at.second)
           if (parts[b].spring <= parts[a].spring)
+            // B D^-1 B', lower half, in the band of springs that share a node
             coupling_(parts[a].spring, parts[b].spring) += dot(images_[a], parts[b].weight);
     MPI_Allreduce(MPI_IN_PLACE,
                   coupling_.data(),
@@ -313,6 +319,7 @@ namespace wheelrail
                   MPI_SUM,
                   communicator_);
     for (std::size_t k = 0; k < springs_.size(); ++k)
+      // C^-1 + B D^-1 B' (Sherman, Morrison and Woodbury)
       coupling_(k, k) += 1 / springs_.stiffness()[k];
     coupling_.factorise();
   }
@@ -342,6 +349,8 @@ namespace wheelrail
         product(p, q);
         const double alpha = rz / (p * q);
         r.add(-alpha, q);
+        // Lanczos' tridiagonal matrix from conjugate gradients: 1/alpha_k + beta_k/alpha_k-1 on the diagonal,
+        // sqrt(beta_k)/alpha_k-1 beside it
         diagonal.push_back(1 / alpha + (k == 0 ? 0 : beta / alpha_before));
         if (k > 0)
           beside.push_back(std::sqrt(beta) / alpha_before);

@@ -15,6 +15,7 @@ namespace wheelrail
       AlignedVector<double> mark(4 * coarse.mesh.n_nodes(), 0.);
       for (std::size_t n = 0; n < held.size(); ++n)
         if (held[n] && coarse.begin[n + 1] == coarse.begin[n] + 1)
+          // a node of one parent lies on it
           mark[4 * coarse.nodes[coarse.begin[n]]] = 1;
       sum_over_ranks(coarse.mesh, mark.data());
       std::vector<unsigned char> result(coarse.mesh.n_nodes());
@@ -56,6 +57,7 @@ namespace wheelrail
       for (std::size_t n = 0; n < finer.n_owned; ++n)
         for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
           for (int i = 0; i < 3; ++i)
+            // f_coarse = P' f, P trilinear interpolation
             to.begin()[4 * coarse.nodes[p] + i] += coarse.weights[p] * from[4 * n + i];
       condense(coarse.mesh, to.begin());
       to.compress(dealii::VectorOperation::add);
@@ -82,6 +84,7 @@ namespace wheelrail
           {
             double value = 0;
             for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
+              // u = P u_coarse
               value += coarse.weights[p] * from.begin()[4 * coarse.nodes[p] + i];
             to.begin()[4 * n + i] = value;
           }
@@ -158,6 +161,8 @@ namespace wheelrail
         return;
       }
     StaticLevel &level = *levels_[k];
+    // V cycle: 1. smooth; 2. residual to the coarser level and its correction; 3. back; 4. smooth. The
+    // smoother is symmetric in D, and so is the cycle.
     level.smooth(x, residual, true);
     NodeVector coarse_residual = node_vector(coarse_[k].mesh), correction = coarse_residual;
     restrict_forces(coarse_[k], level.mesh(), residual.begin(), coarse_residual);

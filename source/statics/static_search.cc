@@ -14,6 +14,7 @@ namespace wheelrail
     radial_arm(const Vector3 &X, const AxleData &axle)
     {
       const Vector3 arm = X - axle.centre;
+      // r = (X - c) - ((X - c) . a) a, a the axle's direction
       return arm - dot(arm, axle.axis) * axle.axis;
     }
 
@@ -30,6 +31,7 @@ namespace wheelrail
             const double *X      = &solid.mesh.reference[4 * n];
             const Vector3 radial = radial_arm({X[0], X[1], X[2]}, axle);
             for (int i = 0; i < 3; ++i)
+              // m omega^2 r, at the place before deformation
               force[4 * n + i] += solid.mass[n] * rate * rate * radial[i];
           }
     }
@@ -46,6 +48,8 @@ namespace wheelrail
       const HalfspaceSteels bodies = {solid.blocks.rail.elasticity(), solid.blocks.wheel.elasticity()};
       const StartMotion     motion = {loads.axle.velocity, loads.axle.lateral_creepage, stretch};
       const double          force =
+        // F cos(yaw) + F_x sin(yaw) = traction coefficient x load: along a wheelset with yaw the lateral
+        // force on the wheel has a part
         (loads.traction_coefficient * load - lateral * std::sin(loads.yaw)) / std::cos(loads.yaw);
       return loads.rate_held
                ? start_tractions_at_creepage(contact, loads.creepage, bodies, motion, loads.beyond)
@@ -70,7 +74,8 @@ namespace wheelrail
       mass_properties(solid, Body::wheel, axle.centre, discretization.communicator());
     wheel_mass_   = wheel.mass;
     wheel_offset_ = radial_arm(wheel.centre, axle)[1];
-    rate_         = loads.axle.velocity / loads.forward_radius;
+    // omega = V/(r cos(yaw)) without creepage
+    rate_ = loads.axle.velocity / loads.forward_radius;
     contact_.gather(solid_.displacement.data(), solid_.velocity.data());
     rail_before_ = rail_displacements(contact_);
     press();
@@ -84,6 +89,8 @@ namespace wheelrail
   StaticSearch::press()
   {
     constexpr int most = 3; // steeper places may be nearer once the wheel has come down
+    // 0.55 of the approach (Kik and Piotrowski 1996): the interpenetration of undeformed profiles has then
+    // about the size of the patch
     lower_wheel(kik_piotrowski * loads_.first_approach);
     for (int k = 0; k < most; ++k)
       {
@@ -93,6 +100,7 @@ namespace wheelrail
         double least = HUGE_VAL;
         for (const ContactNode &node : contact_.nodes())
           if (norm(node.normal) > 0) // faces the wheel
+            // vertical distance = gap over the cosine of the normal, at least a tenth
             least = std::min(least, node.gap / std::max(node.normal[1], 0.1));
         if (!std::isfinite(least))
           return;
@@ -116,6 +124,8 @@ namespace wheelrail
   StaticSearch::balance()
   {
     flow_.restore(solid_.blocks);
+    // forces out of balance: elements, centrifugal load, weight and what parts give, contact, tractions found
+    // before
     AlignedVector<double> force = element_forces_at_rest(solid_);
     add_centrifugal_load(solid_, loads_.axle, rate_, force);
     for (std::size_t k = 0; k < force.size(); ++k)
@@ -129,6 +139,7 @@ namespace wheelrail
     balance.sums.force = balance.sums.force + drag_sum_;
     balance.residual   = system_.right_hand_side(force);
     // a mesh finer at one place than elsewhere is a wheel a little out of balance, which the axle bears
+    // vertical balance of the axle: bore force - (M + m_a) g - the unbalance m omega^2 e
     balance.bore = system_.bore_force(force) -
                    (loads_.axle.sprung_mass + loads_.axle.mass) * loads_.axle.gravity -
                    wheel_mass_ * rate_ * rate_ * wheel_offset_;
@@ -176,6 +187,7 @@ namespace wheelrail
   double
   StaticSearch::power(const StaticBalance &balance, const StaticStep &step) const
   {
+    // work of the forces out of balance along the step: minus the slope of the potential
     return balance.residual * step.increment + balance.bore * step.lift;
   }
 
@@ -193,6 +205,8 @@ namespace wheelrail
   StaticBalance
   StaticSearch::search_along(const StaticStep &step, const StaticBalance &start)
   {
+    // the slope of the convex potential is zero at its minimum along the step: root of power(at), at = 1
+    // first
     const double  first = power(start, step), before = start.largest();
     double        at = 0, low = 0, high = 1, power_low = first, power_high = 0;
     double        next = 1, last = 0;
@@ -210,6 +224,8 @@ namespace wheelrail
         if (value > 0)
           {
             low = at, power_low = value;
+            // Illinois: the end that stays twice counts half, so that it does not stay for good (Dowell and
+            // Jarratt 1971)
             power_high *= same_end ? 0.5 : 1;
           }
         else
@@ -218,6 +234,7 @@ namespace wheelrail
             power_low *= same_end ? 0.5 : 1;
           }
         last = value;
+        // regula falsi
         next = low + (high - low) * power_low / (power_low - power_high);
       }
     return balance;
@@ -243,12 +260,15 @@ namespace wheelrail
       stretch_ = stretch_beyond_halfspaces();
     const StartTractions before = std::move(tractions);
     tractions = wanted_tractions(solid_, contact_, loads_, wheel_load(), lateral_force_, stretch_);
-    rate_     = loads_.axle.velocity / loads_.forward_radius * (1 + tractions.creepage);
+    // omega = V/(r cos(yaw)) (1 + creepage)
+    rate_ = loads_.axle.velocity / loads_.forward_radius * (1 + tractions.creepage);
     if (!loads_.tractions)
       tractions.traction.assign(tractions.traction.size(), Vector3{});
     drag_.assign(solid_.force.size(), 0.);
     AlignedVector<double> pressures(solid_.force.size(), 0.);
-    const Vector3         whole = contact_forces(&tractions.traction, drag_).force;
+    // forces with tractions less those without: the shear part, bounded by mu p, which acts as a given load
+    // until it is found anew
+    const Vector3 whole         = contact_forces(&tractions.traction, drag_).force;
     drag_sum_                   = whole - contact_forces(nullptr, pressures).force;
     const double before_lateral = lateral_force_;
     lateral_force_              = whole[0];

@@ -33,6 +33,7 @@ namespace wheelrail
           }
         for (unsigned int p = mesh_.hanging_begin[hangs->second]; p < mesh_.hanging_begin[hangs->second + 1];
              ++p)
+          // u of a hanging node = sum of weights x u of its parents
           parts.push_back({spring, mesh_.global_node[mesh_.parents[p]], mesh_.weights[p] * weight});
       }
 
@@ -67,6 +68,8 @@ namespace wheelrail
         stiffness_.push_back(springs[k].stiffness);
         for (const auto &[global, weight] : springs[k].nodes)
           if (const auto node = local.find(global); node != local.end() && mesh.owns(node->second))
+            // row k of B: gap change = sum of weight_n n . u_n, K_springs = B' C B with C = diag(k A)
+            // (doc/theory/rolling.md, Static start, 2)
             list.add(k, node->second, weight * springs[k].normal);
       }
     take(std::move(list.parts), mesh, held);
@@ -100,6 +103,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < parts_.size(); ++k)
       if (const unsigned int n = local_[k]; mesh_->owns(n))
         for (unsigned int p = coarse.begin[n]; p < coarse.begin[n + 1]; ++p)
+          // B P, P the interpolation from the coarser level: the coarse springs are P' B' C B P (Galerkin)
           list.add(parts_[k].spring, coarse.nodes[p], coarse.weights[p] * parts_[k].weight);
     result.take(std::move(list.parts), coarse.mesh, held);
     return result;
@@ -143,6 +147,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < parts_.size(); ++k)
       if (const unsigned int n = local_[k]; mesh_->owns(n))
         for (int i = 0; i < 3; ++i)
+          // B x
           stretch[parts_[k].spring] += parts_[k].weight[i] * x[4 * n + i];
     MPI_Allreduce(MPI_IN_PLACE, stretch.data(), static_cast<int>(size()), MPI_DOUBLE, MPI_SUM, communicator_);
     return stretch;
@@ -155,6 +160,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < parts_.size(); ++k)
       if (const unsigned int n = local_[k]; mesh_->owns(n))
         for (int i = 0; i < 3; ++i)
+          // B' f
           y[4 * n + i] += parts_[k].weight[i] * forces[parts_[k].spring];
   }
 

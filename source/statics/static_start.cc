@@ -76,7 +76,8 @@ namespace wheelrail
               balance                  = search.balance();
               progress                 = StaticProgress();
             }
-          const bool   close = residual < nearly && std::abs(missing) < 10 * nearly * result.wheel_load;
+          const bool close = residual < nearly && std::abs(missing) < 10 * nearly * result.wheel_load;
+          // [N]; the vertical balance counts as one more force
           const double norm  = std::hypot(balance.residual.l2_norm(), missing);
           const bool   stuck = progress.stuck(norm);
           // a patch that presses on the edge of the lattice for so long, or gets stuck there, finds no
@@ -99,6 +100,8 @@ namespace wheelrail
             throw RunError(
               "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
               "Mesh/Solution cell size");
+          // Newton's step on the elastic stiffness and the springs of the nodes in contact, then its length
+          // (doc/theory/rolling.md, Static start, 2 and 5)
           balance             = search.search_along(search.newton_step(balance, linear), balance);
           result.newton_steps = step + 1;
         }

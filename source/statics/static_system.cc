@@ -50,6 +50,8 @@ namespace wheelrail
     , response_{zero(), 1}
   {
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
+      // r: a rigid vertical displacement of the wheel. Unknowns are u = x + lift r, and lift: so the bodies'
+      // own stiffness drops out of the vertical balance (doc/theory/rolling.md, Static start, 2).
       rigid_.begin()[4 * n + 1] = mesh_.node_body[n] == Body::wheel && !held_[n] ? 1 : 0;
     for (const unsigned int n : mesh_.hanging)
       if (mesh_.owns(n))
@@ -159,7 +161,9 @@ namespace wheelrail
     y.lift                    = 0;
     for (std::size_t k = 0; k < force.size(); ++k)
       {
+        // C B (x + lift r): springs alone feel the rigid part
         force[k] = level.springs().stiffness()[k] * (force[k] + x.lift * rigid_stretch_[k]);
+        // r' B' C B (x + lift r)
         y.lift += rigid_stretch_[k] * force[k];
       }
     level.springs().add(force, y.nodes.begin());
@@ -185,6 +189,7 @@ namespace wheelrail
   StaticSystem::precondition(const Unknowns &forces, Unknowns &z)
   {
     multigrid_->cycle(forces.nodes, z.nodes);
+    // w (w' f)/(w' K w), w the response to a lift
     const double share = dot(forces, response_) / approach_stiffness_;
     z.nodes.add(share, response_.nodes);
     z.lift = share;
@@ -218,10 +223,13 @@ namespace wheelrail
         else
           multigrid_->cycle(residual.nodes, z.nodes);
         const double along = dot(residual, z);
+        // beta = z_k . (r_k - r_k-1)/(z_k-1 . r_k-1): of a fixed symmetric preconditioner the second part is
+        // zero
         const double share = k == 0 ? 0 : (along - dot(before, z)) / product_before;
         step.nodes.sadd(share, 1, z.nodes);
         step.lift = share * step.lift + z.lift;
         product(step, image);
+        // alpha = r . z/(p . K p)
         const double length = along / dot(step, image);
         x.nodes.add(length, step.nodes);
         x.lift += length * step.lift;
@@ -242,6 +250,7 @@ namespace wheelrail
   {
     constexpr double tolerance = 0.01;
     Unknowns         load = {zero(), 0}, image = {zero(), 0};
+    // w = (x, 1) with K (x, 1) = 0 in all rows of nodes: K x = -K r
     product({zero(), -1}, load);
     const double enough = tolerance * load.nodes.l2_norm();
     product(response_, image);

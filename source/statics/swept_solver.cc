@@ -62,6 +62,7 @@ namespace wheelrail
             double    sum = 0;
             for (int k = 0; k < 3; ++k)
               for (int l = 0; l < 3; ++l)
+                // A_a K_ab A_b': the axes of the section of each vertex
                 sum += axes[a / 4][row % 3][k] * K[24 * (3 * a + k) + 3 * b + l] * axes[b / 4][at % 3][l];
             turned[24 * row + at] = sum;
           }
@@ -109,6 +110,8 @@ namespace wheelrail
                  const std::vector<unsigned char> &held,
                  const std::vector<Vector3>       &ground)
         : order_(grid)
+        // band of 3 (corners + band of a section): unknowns of one section follow one another, blocks join
+        // two
         , n_sections_(grid.n_sections())
       {
         const std::size_t n_corners = order_.place.size();
@@ -245,6 +248,9 @@ namespace wheelrail
           blocks.push_back(block_stiffness(grid, b, 0, material, form));
         for (int m = 0; m <= n_sectors_ / 2; ++m)
           {
+            // u_k = sum over m of U_m exp(i m 2 pi k/n): equal sectors, in axes that turn with them, leave
+            // each m by itself; K_m = sum of blocks times exp(i (q - p) 2 pi m/n), p, q the sides of the
+            // block. Real fields need m = 0 ... n/2.
             auto &matrix = harmonics_.emplace_back(n_unknowns_, 3 * order_.band + 2);
             for (int b = 0; b < grid.n_blocks(); ++b)
               add(matrix, blocks[b], grid.corners(b), held, 2 * M_PI * m / n_sectors_);
@@ -268,6 +274,7 @@ namespace wheelrail
         std::fill(x.begin(), x.end(), 0.);
         turn(x, [this](const Vector3 &axis, double *of_track, const double own) {
           for (int i = 0; i < 3; ++i)
+            // FFTW's transforms there and back multiply by n
             of_track[i] += axis[i] * own / n_sectors_;
         });
       }
@@ -330,6 +337,8 @@ namespace wheelrail
   swept_solver_memory(const SweptGrid &grid)
   {
     const double n = 3. * grid.n_corners(), band = 3. * CornerOrder(grid).band;
+    // n band^2-sized factors: complex ones for n/2 + 1 harmonics of a section, or one along all sections
+    // [bytes]
     return grid.closed() ? sizeof(Complex) * (grid.n_columns() / 2 + 1) * n * band
                          : sizeof(double) * grid.n_sections() * n * (n + band);
   }

@@ -29,6 +29,7 @@ namespace wheelrail
     constexpr unsigned int most_steps = 40;
     const WheelAxes        axes(axle);
     const KeptState        loaded(solid);
+    // positions in the axes that turn with the wheel: its rotation is no load
     axes.to_wheel(solid);
     StaticSystem system(discretization, solid, parts);
     system.set_springs({});
@@ -41,6 +42,8 @@ namespace wheelrail
         if (steps == 0)
           first = norm;
         const double left = first > 0 ? norm / first : 0;
+        // equilibrium that the plastic strains alone keep up: contact, weight and inertia are off
+        // (doc/manual/material.md, Residual stress)
         if (left <= enough)
           {
             axes.to_track(solid);
@@ -51,6 +54,7 @@ namespace wheelrail
                          std::to_string(100 * left) +
                          " % of the forces are left, and residual stresses stay unknown");
         NodeVector step = system.zero();
+        // Newton's step with the elastic stiffness; steel that yields in reverse makes it slower, not wrong
         cg_steps += system.solve_held(force, of_step, step);
         system.add_to_nodes(step, 0, solid.displacement);
       }
