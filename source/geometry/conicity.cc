@@ -12,8 +12,7 @@ namespace wheelrail
     struct HalfSwing
     {
       double potential = 0; ///< integral of the difference from the line to the turning point [m2]
-      double quarter =
-        0; ///< of the wavelength, times the root of 2 / (e r0) [1]; NaN: it does not turn there
+      double quarter   = 0; ///< of the wavelength, over the root of e r0 [1]; NaN: it does not turn there
     };
 
     HalfSwing
@@ -24,6 +23,9 @@ namespace wheelrail
     {
       // with y = amplitude sin(theta) the integrand stays finite at the turning point; the inner
       // integral is summed from there, by the trapezoidal rule, which is exact between the table's places
+      // y'' = -f(y)/(e r0) (Klingel 1883), f the difference of rolling radii, has the energy y'^2/2 +
+      // integral f dy/(e r0): dx = dy/sqrt(2 (P(a) - P(y))/(e r0)), a quarter of the wavelength from the line
+      // to the turning point a
       constexpr int n     = 2000;
       const auto    value = [&](const double y) { return side * difference.at(line + side * y); };
       HalfSwing     swing;
@@ -54,7 +56,8 @@ namespace wheelrail
     if (after == displacement.end())
       return value.back();
     const std::size_t i = after - displacement.begin();
-    const double      f = (y - displacement[i - 1]) / (displacement[i] - displacement[i - 1]);
+    // linear between the places of the table
+    const double f = (y - displacement[i - 1]) / (displacement[i] - displacement[i - 1]);
     return value[i - 1] + f * (value[i] - value[i - 1]);
   }
 
@@ -66,6 +69,7 @@ namespace wheelrail
       return 0;
     double line = std::nan("");
     for (std::size_t i = 1; i < value.size(); ++i)
+      // where the difference goes through zero and grows, the wheelset comes back; the one next to the middle
       if (value[i - 1] < 0 && value[i] >= 0)
         if (const double y = displacement[i - 1] + value[i - 1] / (value[i - 1] - value[i]) *
                                                      (displacement[i] - displacement[i - 1]);
@@ -91,6 +95,7 @@ namespace wheelrail
           // the modelled wheel comes to its own rail with a negative shift
           const ContactGeometry contact = find_contact(rail, wheel, track, {-i * step, roll}, other);
           result.displacement.push_back(i * step);
+          // the wheel towards whose rail the wheelset has moved, less the other
           result.value.push_back(contact.rolling_radius - contact.other_radius);
           return true;
         }
@@ -130,7 +135,9 @@ namespace wheelrail
         double low = 0, high = 2 * amplitude;
         for (int i = 0; i < 50; ++i)
           {
-            right              = 0.5 * (low + high);
+            right = 0.5 * (low + high);
+            // profiles that differ on both sides: the same potential at both turning points, together 2 x
+            // amplitude apart
             const bool farther = half_swing(difference, line, 1, right).potential <
                                  half_swing(difference, line, -1, 2 * amplitude - right).potential;
             (farther ? low : high) = right;
@@ -142,6 +149,8 @@ namespace wheelrail
       return none;
     const double half = half_swing(difference, line, 1, right).quarter +
                         half_swing(difference, line, -1, 2 * amplitude - right).quarter;
+    // L = 2 (quarter right + quarter left); the cone of the same L has tan gamma = (pi/L)^2 2 e r0 (EN 15302;
+    // doc/theory/geometry.md)
     const double wavelength = 2 * half * std::sqrt(distance * radius);
     return std::isfinite(half) ? std::pow(M_PI / wavelength, 2) * 2 * distance * radius : none;
   }

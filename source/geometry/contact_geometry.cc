@@ -68,8 +68,10 @@ namespace wheelrail
     gap_minima(const FrameProfile &wheel, const FrameProfile &rail)
     {
       const std::vector<double> points = common_places(wheel, rail, 2e-4);
-      const auto                slope  = [&](const double X) { return wheel.at(X).slope - rail.at(X).slope; };
-      const auto                entry  = [&](const double X) {
+      // gap'(X) = wheel' - rail': from falling to rising there is a minimum, with a common tangent where the
+      // slope is 0 and not a jump
+      const auto slope = [&](const double X) { return wheel.at(X).slope - rail.at(X).slope; };
+      const auto entry = [&](const double X) {
         return GapMinimum{X, undeformed_distance(wheel, rail, X), std::abs(slope(X)) < 1e-3};
       };
 
@@ -133,6 +135,7 @@ namespace wheelrail
       const auto minima = minima_at(pair, PlacedWheel(pair, pose, roll));
       if (minima.empty())
         return {};
+      // the wheel sinks until the least gap is 0
       return pair.track.nominal_radius - minima.front().gap;
     }
 
@@ -145,6 +148,7 @@ namespace wheelrail
         const auto a = axle_height(pair, pose, roll), b = axle_height(opposite, mirrored(pose), -roll);
         if (!a || !b)
           return {};
+        // both wheels of one axle touch where both ask for the same height
         return *a - *b;
       };
 
@@ -177,7 +181,14 @@ namespace wheelrail
       };
       std::uintmax_t steps = 100;
       const auto     root  = boost::math::tools::toms748_solve(
-        value, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>(52), steps);
+        // root to 52 bits (Alefeld, Potra and Shi 1995, TOMS 748)
+        value,
+        low,
+        high,
+        f_low,
+        f_high,
+        boost::math::tools::eps_tolerance<double>(52),
+        steps);
       if (!known)
         return {};
       return 0.5 * (root.first + root.second);
@@ -196,12 +207,14 @@ namespace wheelrail
       contact.rail_y                   = on_rail.position.y;
       contact.wheel_x                  = on_wheel.position.x;
       contact.wheel_y                  = on_wheel.position.y;
-      contact.angle                    = -contact.frame.angle;
-      contact.axis                     = axle_line(contact.wheel, pair.track, contact.yaw);
+      // contact angle positive where the surface falls to the gauge side
+      contact.angle = -contact.frame.angle;
+      contact.axis  = axle_line(contact.wheel, pair.track, contact.yaw);
       const AxleLine::SurfacePoint point =
         contact.axis.surface_point(contact.frame.origin, contact.frame.angle);
-      contact.along           = point.along;
-      contact.ahead           = point.ahead;
+      contact.along = point.along;
+      contact.ahead = point.ahead;
+      // y of a tread is 0 on the running circle and positive towards the axle
       contact.rolling_radius  = pair.track.nominal_radius - contact.wheel_y;
       contact.forward_radius  = contact.rolling_radius * std::cos(contact.yaw);
       contact.rail_curvature  = on_rail.curvature;

@@ -33,6 +33,7 @@ namespace wheelrail
             box.low        = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
             box.high       = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
           }
+        // between two samples a curve is no farther from them than its own length
         const double margin = l / n;
         boxes_.push_back({box.low - Point2{margin, margin}, box.high + Point2{margin, margin}});
       }
@@ -104,6 +105,7 @@ namespace wheelrail
         const Box   &b  = boxes_[i];
         const double dx = std::max({b.low.x - p.x, 0., p.x - b.high.x});
         const double dy = std::max({b.low.y - p.y, 0., p.y - b.high.y});
+        // the box of a segment lies farther than the best point so far
         if (dx * dx + dy * dy >= best)
           continue;
         const double f = closest_on(segments_[i], p);

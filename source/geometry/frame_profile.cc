@@ -53,8 +53,10 @@ namespace wheelrail
                              const double        max_slope)
     : curve_(curve)
   {
-    const double angle  = placement.angle - frame.angle;
-    origin_             = frame.to_frame(placement.origin);
+    const double angle = placement.angle - frame.angle;
+    origin_            = frame.to_frame(placement.origin);
+    // x of a section points to the field side, s of the frame to the track centre: the section is mirrored,
+    // then turned
     ex_                 = {-std::cos(angle), -std::sin(angle)};
     ey_                 = {-std::sin(angle), std::cos(angle)};
     const auto in_frame = [this](const Point2 &p) { return origin_ + p.x * ex_ + p.y * ey_; };
@@ -130,6 +132,7 @@ namespace wheelrail
         const PolynomialValue x =
           is_spline ? evaluate_polynomial(g.coefficients_x, v) : PolynomialValue{v, 1, 0};
         // ds/dv is never zero, since the slope in the frame is bounded.
+        // Newton's method for s(v) = s, s(v) = origin + x(v) ex + y(v) ey
         const double step =
           (s - origin_.x - ex_.x * x.value - ey_.x * y.value) / (ex_.x * x.slope + ey_.x * y.slope);
         v += step;
@@ -156,7 +159,8 @@ namespace wheelrail
       }
     if (g.kind == Segment::Kind::arc)
       {
-        const double ds     = s - piece.centre.x;
+        const double ds = s - piece.centre.x;
+        // n = n_c +- sqrt(r^2 - ds^2), as (r - ds)(r + ds) without cancellation; slope -ds/(n - n_c)
         const double height = piece.side * std::sqrt(std::max((g.radius - ds) * (g.radius + ds), 0.));
         return {piece.centre.y + height, -ds / height};
       }
@@ -165,6 +169,7 @@ namespace wheelrail
     const PolynomialValue x =
       g.kind == Segment::Kind::spline ? evaluate_polynomial(g.coefficients_x, v) : PolynomialValue{v, 1, 0};
     return {origin_.y + ex_.y * x.value + ey_.y * y.value,
+            // dn/ds = (dn/dv)/(ds/dv)
             (ex_.y * x.slope + ey_.y * y.slope) / (ex_.x * x.slope + ey_.x * y.slope)};
   }
 

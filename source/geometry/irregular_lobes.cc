@@ -10,6 +10,7 @@ namespace wheelrail
   {
     if (std::abs(u) >= 0.5 * length)
       return {};
+    // cos^2(pi u/length): value and slope are 0 at both ends
     const double c = std::cos(M_PI * u / length), s = std::sin(M_PI * u / length);
     return {c * c, -2 * M_PI / length * c * s};
   }
@@ -46,6 +47,8 @@ namespace wheelrail
     shape.at    = [size, along = std::move(along), across = std::move(across)](const double x,
                                                                             const double place) {
       const Lobe a = along(place - size.place), b = across(x - size.lateral);
+      // depth counts into the body, height out of it; height = -depth a(place) b(x), and its slopes along and
+      // across
       return IrregularHeight{
         -size.depth * a.value * b.value, -size.depth * a.value * b.slope, -size.depth * a.slope * b.value};
     };

@@ -34,6 +34,7 @@ namespace wheelrail
     Lobe
     waves(const double u, const double wavelength)
     {
+      // (1 - cos(2 pi u/lambda))/2, from 0 to 1, and its slope
       const double phase = 2 * M_PI * u / wavelength;
       return {0.5 * (1 - std::cos(phase)), M_PI / wavelength * std::sin(phase)};
     }
@@ -85,6 +86,7 @@ namespace wheelrail
     Irregularity joint = hollow(
       size,
       [length = size.length](const double u) {
+        // (1 - 2 |u|/length)^2: two parabolas that meet in a kink at the joint, level at their ends
         const double rest = std::max(0., 1 - 2 * std::abs(u) / length);
         return Lobe{rest * rest, std::copysign(4 * rest / length, -u)};
       },
@@ -97,6 +99,7 @@ namespace wheelrail
   Irregularity
   fresh_flat(const IrregularSize &size, const double radius)
   {
+    // a chord of `length` across the rolling circle, from -half to half along the arc
     const double half_angle = std::asin(0.5 * size.length / radius), half = radius * half_angle,
                  inner = std::cos(half_angle);
     IrregularSize unit = size;
@@ -107,6 +110,7 @@ namespace wheelrail
       size.place + half,
       [radius, inner](const double u) {
         const double c = std::cos(u / radius), s = std::sin(u / radius);
+        // depth below the circle r (1 - cos(half angle)/cos(u/r)), and its slope over the arc
         return Lobe{radius * (1 - inner / c), -inner * s / (c * c)};
       },
       across_plateau(size));

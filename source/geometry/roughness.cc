@@ -47,6 +47,8 @@ namespace wheelrail
             throw InputError(in_mm(band.wavelength) +
                              " is the middle of no one-third-octave band; the nearest is " +
                              in_mm(std::round(1e5 * middle_of(n)) / 1e5));
+          // level L = 10 lg(mean square/(1 um)^2): mean square = r0^2 10^(L/10) of one-third-octave bands (EN
+          // 15610)
           if (!power.insert({n, reference * reference * std::pow(10., band.level / 10)}).second)
             throw InputError("the band of " + in_mm(band.wavelength) + " stands there twice");
         }
@@ -59,6 +61,7 @@ namespace wheelrail
     std::vector<double>
     amplitudes(const std::map<int, double> &power, const double length)
     {
+      // lines of the spectrum k/length up to the lower edge of the shortest band
       const double        shortest = middle_of(power.begin()->first) * std::pow(10., -0.5 / octave_part);
       std::vector<double> amplitude(static_cast<std::size_t>(length / shortest) + 2, 0.);
       std::map<int, std::vector<std::size_t>> lines;
@@ -73,6 +76,7 @@ namespace wheelrail
               " has no line of the spectrum, since these lie 1/length apart: take a Length of " +
               in_mm(std::ceil(1e3 * 5 * middle_of(n)) / 1e3) + " or leave the band out");
           for (const std::size_t k : lines[n])
+            // a cosine of amplitude A has the mean square A^2/2; all lines of a band get the same share
             amplitude[k] = std::sqrt(2 * mean_square / double(lines[n].size()));
         }
       return amplitude;
@@ -90,6 +94,7 @@ namespace wheelrail
       for (std::size_t k = 1; k < amplitude.size(); ++k)
         {
           // the library's distributions differ from system to system
+          // random phases, even in [0, 2 pi): sum over k of A_k cos(2 pi k u/length + phase)
           const double phase = 2 * M_PI * double(random() >> 11) * std::pow(2., -53);
           values[k]          = 0.5 * amplitude[k] * std::cos(phase);
           values[n - k]      = 0.5 * amplitude[k] * std::sin(phase);

@@ -86,6 +86,8 @@ namespace wheelrail
     const double secant = std::sqrt(1 + smooth.slope * smooth.slope), angle = std::atan(smooth.slope);
     // x of the section over the length of the profile in the direction of s
     const double across = -std::cos(frame_.angle + angle - pose_.section.angle);
+    // height h along the normal: n + h cos(angle) at s - h sin(angle), the angle grows by atan(dh/dl), and
+    // along the track the slope is that of h over cos(angle)
     return {smooth.n + outwards * h.height / secant,
             std::tan(angle + std::atan(outwards * h.across * across)),
             outwards * h.along * secant};
@@ -98,6 +100,8 @@ namespace wheelrail
     const double outwards = body_ == Body::rail ? 1 : -1;
     const auto   before = at(s - 0.5 * span, along), after = at(s + 0.5 * span, along), here = at(s, along);
     const double secant = std::sqrt(1 + here.slope * here.slope);
+    // -n''/(1 + n'^2)^(3/2) by differences over `span`, positive where convex; along the track 1/r of the
+    // wheel and what irregularities add
     return {outwards * (before.slope - after.slope) / (span * secant * secant * secant),
             (radius_ > 0 ? 1 / radius_ : 0) +
               outwards * (at(s, along - 0.5 * span).slope_along - at(s, along + 0.5 * span).slope_along) /
@@ -125,6 +129,8 @@ namespace wheelrail
       {
         const Point2 q     = frame_.to_frame(body_ == Body::rail ? Point2{X[0], X[1]} : pose_.on_section(X));
         const auto   value = section_.at(q.x);
+        // w(X) of doc/theory/contact.md: height above the place times the cosine, its distance along the
+        // normal to first order
         return outwards * (value.n - q.y) / std::sqrt(1 + value.slope * value.slope);
       }
     const Place         p     = place(X);
@@ -162,7 +168,8 @@ namespace wheelrail
     const Place               p        = place(X);
     const double              s        = section_.within(p.s);
     const FrameProfile::Value smooth   = section_.at(s);
-    const double              share    = 1 - std::max(0., outwards * (smooth.n - p.n)) / blend_depth;
+    // nodes below the surface move less, linearly down to `blend_depth`
+    const double share = 1 - std::max(0., outwards * (smooth.n - p.n)) / blend_depth;
     if (share <= 0)
       return X;
     const double          across = pose_.section.to_section(frame_.to_track({s, smooth.n})).x;

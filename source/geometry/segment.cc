@@ -244,7 +244,8 @@ namespace wheelrail
         const double speed = norm(q.first);
         point.position     = q.position;
         point.tangent      = (1. / speed) * q.first;
-        point.curvature    = cross(q.first, q.second) / (speed * speed * speed);
+        // (x' y'' - y' x'')/(x'^2 + y'^2)^(3/2)
+        point.curvature = cross(q.first, q.second) / (speed * speed * speed);
       }
     else
       {
@@ -254,7 +255,8 @@ namespace wheelrail
         const double          w    = std::sqrt(1. + p.slope * p.slope);
         point.position             = {x, p.value};
         point.tangent              = {sign / w, sign * p.slope / w};
-        point.curvature            = sign * p.second / (w * w * w);
+        // y''/(1 + y'^2)^(3/2), with the sign of the direction in x
+        point.curvature = sign * p.second / (w * w * w);
       }
     return point;
   }
@@ -268,6 +270,7 @@ namespace wheelrail
     if (g.kind == Segment::Kind::spline)
       return norm(motion_on(g, f).first);
     const double slope = evaluate_polynomial(g.coefficients, abscissa(g, f)).slope;
+    // ds/df, f from 0 to 1 over x
     return std::abs(g.end.x - g.start.x) * std::sqrt(1. + slope * slope);
   }
 
@@ -304,8 +307,9 @@ namespace wheelrail
     for (int i = 0; i < 20; ++i)
       {
         const double reached = f >= f0 ? length_on(g, f0, f) : -length_on(g, f, f0);
-        const double step    = (distance - reached) / speed_on(g, f);
-        f                    = std::clamp(f + step, 0., 1.);
+        // Newton's method for length(f0, f) = distance
+        const double step = (distance - reached) / speed_on(g, f);
+        f                 = std::clamp(f + step, 0., 1.);
         if (std::abs(step) < 1e-15)
           break;
       }

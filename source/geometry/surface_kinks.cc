@@ -17,6 +17,8 @@ namespace wheelrail
         return (surfaces.distance(s, z + from + step) - surfaces.distance(s, z + from - step)) / (2 * step);
       };
       const double behind = slope(-aside), ahead = slope(aside);
+      // jump of the slope over 2 a, less what it changes over the 2 a on either side, in the mean: of a
+      // smooth curve the difference is of third order
       return ahead - behind - 0.5 * (slope(3 * aside) - ahead + behind - slope(-3 * aside));
     }
 

@@ -16,6 +16,7 @@ namespace wheelrail
     {
       const Point2 d = placement.origin - centre;
       const double c = std::cos(roll), s = std::sin(roll);
+      // rotation about `centre`, then the lateral shift
       return {{centre.x + c * d.x - s * d.y + lateral, centre.y + s * d.x + c * d.y}, placement.angle + roll};
     }
 
@@ -120,6 +121,7 @@ namespace wheelrail
     for (double s = s_min(); s <= s_max(); s += 4 * step)
       for (double x = -widest; x <= widest; x += 4 * step)
         {
+          // how far irregularities bring the surfaces nearer (> 0) or apart
           const double h = smooth.distance(s, x) - surfaces_.distance(s, x);
           up             = std::max(up, h);
           down           = std::min(down, h);
@@ -225,6 +227,8 @@ namespace wheelrail
     const Point2              place = frame.to_track({s, wheel.n});
 
     Slice slice;
+    // angle of the wheel's section against X in the track plane; the surface of revolution touches its plane
+    // at the lowest place of the circle through it, `along` ahead of the axle with yaw
     slice.wheel_tangent                 = frame.angle + std::atan(wheel.slope);
     const AxleLine::SurfacePoint lowest = axle_.surface_point(place, slice.wheel_tangent);
     slice.along                         = lowest.along - region_.along;
@@ -232,7 +236,8 @@ namespace wheelrail
     slice.wheel_angle                   = lowest.slope;
     slice.rail_angle                    = frame.angle + std::atan(rail().at(s).slope);
     slice.from_middle                   = {place.x - axle_.middle.x, place.y - axle_.middle.y, lowest.along};
-    slice.rolling                       = cross(axle_.direction, slice.from_middle);
+    // velocity over the pitch rate: axis x arm
+    slice.rolling = cross(axle_.direction, slice.from_middle);
     return slice;
   }
 
@@ -302,6 +307,7 @@ namespace wheelrail
         sum += p;
         means.s += p * s;
         means.rail_angle += p * slice.rail_angle;
+        // means over the pressure; CONTACT forms others (doc/theory/accuracy.md, Position and angles)
         means.wheel_angle += p * slice.wheel_angle;
       }
     return {means.s / sum, means.rail_angle / sum, means.wheel_angle / sum};
@@ -324,9 +330,12 @@ namespace wheelrail
     if (motion.one_spin)
       {
         problem.phi = std::isnan(motion.spin)
+                        // one spin for all rows: sin(angle)/(r cos(yaw)) - kappa cos(angle)
                         ? std::sin(means.wheel_angle) / (centre.radius * std::cos(sections.geometry().yaw)) -
                             motion.curvature * std::cos(centre.wheel_tangent)
                         : motion.spin;
+        // w_x = w_mean - phi (y - y_mean), w_s = w_mean + phi (x - x_mean): the solver has the spin about (0,
+        // 0)
         problem.rigid_slip_x.assign(grid.size(), mean.along + problem.phi * means.s);
         problem.rigid_slip_y.assign(grid.size(), -problem.phi * centre.along);
         return;
@@ -339,6 +348,7 @@ namespace wheelrail
         for (int i = 0; i < grid.mx; ++i)
           {
             problem.rigid_slip_x[i + grid.mx * j] = slip.along;
+            // w_s at x + dq/6, less its mean, which is eta
             problem.rigid_slip_y[i + grid.mx * j] = slip.lateral_at(grid.x(i) + offset) - mean.lateral;
           }
       }
