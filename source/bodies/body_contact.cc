@@ -9,6 +9,12 @@
 #include <array>
 #include <cmath>
 
+// One wheel on one rail as true bodies (doc/theory/bodies.md, Contact). One round: 1. load and force that the
+// solver gets, with what tractions carry of them; 2. rigid slip, less u_Y/r of the tread; 3. half-space
+// problem with the remainder R; 4. u_Y of the wheel's surface; 5. rows moved by (5) and (6). The rail is body
+// 1: x forwards, y along its profile to the track centre, n into the rail; angle a of a row against X, e_s =
+// (cos a, sin a), normal out of the rail (-sin a, cos a).
+
 namespace wheelrail
 {
   namespace

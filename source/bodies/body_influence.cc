@@ -10,6 +10,12 @@
 #include <cmath>
 #include <string>
 
+// (3) of doc/theory/bodies.md, R(z) = 1/pi int D(k) cos(k z) dk of a rail, and for a wheel of radius r 1/(pi
+// r) sum' D_n cos(n z/r) over harmonics, then the integral beyond. Steps: 1. D at a wave, from the table; 2.
+// turned to the axes of the track; 3. plus what the half-space along the body's own arc differs from that
+// along the contact; 4. summed over waves at all lags; 5. of a wheel less the integral over H for which its
+// harmonics stand.
+
 namespace wheelrail
 {
   namespace

@@ -5,6 +5,11 @@
 #include <cmath>
 #include <vector>
 
+// Turns and shift of each row of elements (doc/theory/bodies.md, Where both move to): phi_rail = n . d(R_rail
+// t)/ds, phi_wheel = n . d(u of the wheel's remainder + growth)/ds, v = e_s . [wheel less rail + growth -
+// approach e_Y], each the mean along the track over the pressure. First order alone: they are milliradians
+// and tenths of a millimetre.
+
 namespace wheelrail
 {
   namespace

@@ -8,6 +8,10 @@
 #include <cmath>
 #include <vector>
 
+// Where head and rim move and turn to under the forces of the contact: displacements inside the sections at
+// each wavenumber, added up at z = 0 as (3) of doc/theory/bodies.md, mean over a slab, and a rigid motion
+// fitted by least squares. Parts across the track alone: even in z of forces across, odd of those along.
+
 namespace wheelrail
 {
   namespace

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+// Distance, angles and rolling radius of each row of elements of the unfolded rail (doc/theory/bodies.md,
+// Contact).
+
 namespace wheelrail
 {
   BodyContact::Row

@@ -13,6 +13,9 @@
 #include <cstdint>
 #include <map>
 
+// Nine-node quadrilaterals of a section: blocks as those of a run, halved towards the running surface;
+// hanging nodes from deal.II, as the edge of the coarse cell has them.
+
 namespace wheelrail
 {
   namespace

@@ -36,6 +36,9 @@ extern "C"
          int *);
 }
 
+// (K(k) - omega^2 M) u = 0 of a section at one wavenumber: slowest motions by subspace iteration with a
+// shift, as rigid motions have no stiffness at k = 0.
+
 namespace wheelrail
 {
   namespace

@@ -29,6 +29,11 @@ extern "C"
          int *);
 }
 
+// Waves of a rail at one frequency: all k with (K0 + k K1 + k^2 K2 - omega^2 M) u = 0, on a basis of some
+// dozens of motions (Galerkin). 1. basis: slow motions at real wavenumbers, and static responses to the
+// forces for near fields; 2. K0, K1, K2, M on it; 3. eigenvalues k^2 by LAPACK; 4. responses as sums of
+// residues of waves that decay.
+
 namespace wheelrail
 {
   namespace

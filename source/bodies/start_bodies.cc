@@ -8,6 +8,9 @@
 #include <memory>
 #include <vector>
 
+// R of (4) in doc/theory/bodies.md for the patch of a static start: across the track, where it makes both
+// bodies yaw against each other under tractions (doc/theory/rolling.md, What half-spaces lack).
+
 namespace wheelrail
 {
   namespace

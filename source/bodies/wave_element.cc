@@ -3,6 +3,12 @@
 
 #include <string>
 
+// (1) of doc/theory/bodies.md: u = (u_x, u_y, i w)(x, y) exp(i k z), strains B0 + k B1 with xx u_x,x; yy
+// u_y,y; zz -k w (+ u_r/r); xy u_x,y + u_y,x; yz i (w,y + k u_y) (- i w/r); xz i (w,x + k u_x). In brackets
+// what a wheel adds, z = r theta. Factors i of both shears cancel in the energy, so that K(k) is real and
+// symmetric (Gavric 1995; Nilsson, Jones, Thompson and Ryue 2009).
+// Nine nodes and not four: linear ones lock in bending, and 16 mm blocks are divided but three times.
+
 namespace wheelrail
 {
   namespace

@@ -40,6 +40,11 @@ extern "C"
          const int *);
 }
 
+// C(k) = F' K(k)^-1 F, compliance between rows of the running surface at one wavenumber
+// (doc/theory/bodies.md, 2.5-D elements). K(k) is real, symmetric and, with foot or bore held, positive:
+// Cholesky. With the surface ordered last F has entries in the end of L alone, and C = (L^-1 F)'(L^-1 F) asks
+// for a dense block of it.
+
 namespace wheelrail
 {
   namespace

@@ -6,6 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+// u = (half-spaces + R) t, (4) of doc/theory/bodies.md: here R t. Forces of the elements are gathered on rows
+// of 2 mm that run along x, F_r(x) = sum over j of weight_jr T_j t_j dx dy, T_j from (x, y, n) of the row of
+// elements to fixed axes. Along x the influence of row r' on row r is a convolution over the lag, (3): a
+// product for each mode of an FFT. Displacements go back by the same weights, so that R stays symmetric to
+// round-off.
+
 namespace wheelrail
 {
   namespace

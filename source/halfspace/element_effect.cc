@@ -4,6 +4,9 @@
 #include <cmath>
 #include <vector>
 
+// What elements of twice the size change (Richardson's extrapolation): an error of first order is the change
+// itself.
+
 namespace wheelrail
 {
   namespace

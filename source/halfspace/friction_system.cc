@@ -4,6 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+// The linear equations of one Newton step (doc/theory/halfspace.md, Algorithm). Symbols: t traction [Pa], s
+// slip, g = mu p `bound`, b = `b_` influence of an element on its own slip [1/Pa], q = t - s/b, n = q/|q| =
+// (`nx_`, `ny_`), tau = (-n_y, n_x), `stiffness_` = b (|q| - g)/g.
+//   sticks, |q| <= g:   B dt = -s
+//   slips, along n:     b n . dt = -b n . (t - g n)
+//   slips, along tau:   tau . B dt + stiffness tau . dt = -b |q|/g tau . (t - g n)
+//   force given:        sum(dt) = force/area - sum(t), with d(creepage) added to all B dt
+// B is A/dq of a shift, (A - A')/dq of steady rolling, which is not symmetric: hence GMRES.
+
 namespace wheelrail
 {
   FrictionSystem::FrictionSystem(InfluenceProducts           &products,

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+// Sums over elements, exact for constant tractions: F = sum t dA, Mz = sum (x t_y - y t_x) dA, T-gamma = -(Fx
+// xi + Fy eta + Mz phi) besides rigid slip by rows [N] = [J/m].
+
 namespace wheelrail
 {
   namespace

@@ -4,6 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+// What a particle slides on its path through the contact. It comes from +x and passes from element e + 1 to
+// e; over that path it has the mean of both tractions and the slip of e (doc/theory/halfspace.md, T-gamma:
+// the sum of elements alone is 14 % too small with 0.5 mm).
+
 namespace wheelrail
 {
   namespace

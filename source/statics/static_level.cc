@@ -191,6 +191,8 @@ namespace wheelrail
     step_ = 0;
     for (int k = 1; k <= smoothing_steps; ++k)
       {
+        // Chebyshev's polynomial of the fourth kind (Lottes 2023): d_k = (2k - 3)/(2k + 1) d_k-1 + (8k -
+        // 4)/(2k + 1)/lambda_max D^-1 r_k. It asks for the largest eigenvalue alone.
         smoothing_step(residual, (2. * k - 3) / (2 * k + 1), (8. * k - 4) / (2 * k + 1) / largest_, step_, x);
         if (k < smoothing_steps || last_residual)
           subtract_product(step_, residual);
