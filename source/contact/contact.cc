@@ -5,6 +5,11 @@
 #include <cmath>
 #include <utility>
 
+// Contact at the nodes of the rail's lattice, each with its tributary area A: forces p A and t A, the
+// opposite on the wheel's facet by bilinear weights (doc/theory/contact.md, Quadrature on the nodes). Nodes
+// and not Gauss points: on equal lattices one pass meets the patch test, and each node carries its friction
+// history through the patch.
+
 namespace wheelrail
 {
   Contact::Contact(RunningSurfaces surfaces, ContactLaw law, const double half_window, MPI_Comm communicator)

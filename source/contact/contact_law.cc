@@ -2,6 +2,13 @@
 
 #include <algorithm>
 
+// Pressure and friction of a node (doc/theory/contact.md, Pressure, Friction). k = eps is `stiffness` [Pa/m],
+// c = d is `damping` [Pa s/m], g the gap (negative in contact), s = v_s `slip` and dg/dt `opening` [m/s], e
+// the traction of the shear spring `elastic`, t `traction` on the rail [Pa]. The shear spring is as stiff as
+// the normal one: a softer one would soften the creep curve.
+// Checked: Cattaneo's spheres, stick radius -1.1 %; Carter's force, -0.2 %; a million steps to and fro
+// (doc/theory/contact.md, Checked).
+
 namespace wheelrail
 {
   ContactSums &

@@ -5,6 +5,9 @@
 #include <cstdlib>
 #include <vector>
 
+// Normal springs of the nodes in contact for the static start: k A n (x) n between what the filters make of
+// nodes of both bodies (doc/theory/rolling.md, Static start, 2).
+
 namespace wheelrail
 {
   std::vector<Contact::Spring>

@@ -6,6 +6,10 @@
 #include <array>
 #include <cmath>
 
+// Penalty stiffness, damper and added mass (doc/theory/contact.md, Pressure, Added mass; Askes,
+// Caramés-Saddler and Rodríguez-Ferran 2010): with the mass the springs alone are stable at the step of the
+// elements, and so is the sum (Irons).
+
 namespace wheelrail
 {
   namespace

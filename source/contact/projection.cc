@@ -4,6 +4,11 @@
 #include <cmath>
 #include <utility>
 
+// Closest points, normals and gaps (doc/theory/contact.md, Projection and normals, Gap between the true
+// profiles). Facets are chords of the true surfaces: without offsets gaps would vary by h^2/(8 R), 0.3 um at
+// 1 mm and 460 mm. Normals of nodes, interpolated, are continuous over the edges of facets, where those of
+// the facets jump.
+
 namespace wheelrail
 {
   namespace

@@ -5,6 +5,10 @@
 #include <cmath>
 #include <complex>
 
+// Discrete compliance of a half-space of unit cubes under nodal forces exp(i k x), over the exact one
+// (doc/theory/contact.md, Surface filter): layers of elements put on one another until the ground below has
+// no effect. Its excess over (k h)^2 is the weight of the filter; nothing is fitted.
+
 namespace wheelrail
 {
   namespace

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <utility>
 
+// Stations around the axle whose nodes can touch, half length sqrt(2 r approach) and two cells more
+// (doc/theory/contact.md, Window and ranks).
+
 namespace wheelrail
 {
   ContactWindow::ContactWindow(const double half_length, MPI_Comm communicator)

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+// Laws of doc/theory/contact.md, Friction: constant; exponential, the static and dynamic coefficient and
+// decay of explicit codes; rational, CONTACT's.
+
 namespace wheelrail
 {
   double

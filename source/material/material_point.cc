@@ -9,6 +9,9 @@
 #include <type_traits>
 #include <utility>
 
+// One point of a steel under given strains and stresses, by the very code of the elements: strains whose
+// stress is wanted are found by Newton's method.
+
 namespace wheelrail
 {
   namespace

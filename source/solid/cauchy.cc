@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+// Stresses of output: force on the deformed area.
+
 namespace wheelrail
 {
   std::array<double, 6>

@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+// What an element needs of its geometry, once: B_a, V, h_m X, axes A, half lengths (doc/theory/element.md,
+// Uniform gradients, Stabilisation, SIMD).
+
 namespace wheelrail
 {
   namespace

@@ -3,6 +3,10 @@
 
 #include <array>
 
+// Exact linearisation at rest of the reduced element's force, K = V B'D B + stabilisation
+// (doc/theory/element.md): of the centre by Hooke's law, of the patterns by the kernel's own law, so that
+// static start and time loop have one equilibrium.
+
 namespace wheelrail
 {
   namespace

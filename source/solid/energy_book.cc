@@ -3,6 +3,9 @@
 #include <cmath>
 #include <vector>
 
+// Energy balance of doc/theory/rolling.md: stored + dissipated - supplied stays what it was at the first
+// step.
+
 namespace wheelrail
 {
   EnergyTerm &

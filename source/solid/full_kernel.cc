@@ -4,6 +4,9 @@
 
 #include <cstdint>
 
+// Force of the full element: W = sum over g of w_g psi(Ebar_g), f_a = dW/du_a (doc/theory/element.md, The
+// full element).
+
 namespace wheelrail
 {
   namespace

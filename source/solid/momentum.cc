@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstdint>
 
+// Linear and angular momentum over a change of the mesh: interpolated velocities on other nodal masses have
+// others. Rigid motions are added, first to what has changed, then to all.
+
 namespace wheelrail
 {
   namespace

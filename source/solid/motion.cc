@@ -1,6 +1,9 @@
 #include <wheelrail/solid/lanes.h>
 #include <wheelrail/solid/motion.h>
 
+// Central differences, velocities at half steps (doc/theory/rolling.md, Time stepping): second order, and
+// stable up to omega dt = 2.
+
 namespace wheelrail
 {
   namespace

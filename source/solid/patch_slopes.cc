@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+// Slopes of the stresses in the elements by least squares over the elements around them, from moments at the
+// nodes, which ranks add up (doc/theory/element.md, Stresses at nodes).
+
 namespace wheelrail::patches
 {
   namespace

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+// Elements, lumped mass rho integral N_a dV and stable step of both bodies on this rank
+// (doc/theory/element.md).
+
 namespace wheelrail
 {
   namespace

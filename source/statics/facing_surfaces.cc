@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+// What half-spaces lack of a start, read from the finite elements: stretch of the tread against the head, and
+// the shift of the steel that faces a row (doc/theory/rolling.md, What half-spaces lack).
+
 namespace wheelrail
 {
   namespace

@@ -16,6 +16,9 @@
 #include <array>
 #include <cmath>
 
+// Coarse solver where exact factors would take a gigabyte: conjugate gradients after ML's smoothed
+// aggregation (doc/theory/rolling.md, Static start, 4).
+
 namespace wheelrail
 {
   namespace

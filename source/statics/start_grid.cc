@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+// Elements of the start: an odd number to each node, at most 0.35 mm or a 60th of the patch; patches whose
+// inclinations differ by 0.1 rad have planes of their own. p^2 is interpolated, since Hertz's p^2 is a
+// paraboloid and straight near the edge.
+
 namespace wheelrail
 {
   namespace

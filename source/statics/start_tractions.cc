@@ -9,6 +9,11 @@
 #include <memory>
 #include <numeric>
 
+// Tractions of the start: steady rolling of half-spaces under the pressures found (doc/theory/rolling.md,
+// Shear tractions, What half-spaces lack). 1. elements of the patches, pressures between nodes; 2. rigid slip
+// with the stretch of the tread; 3. half-space solution at a force or a creepage; 4. tractions back to the
+// nodes, half an element back.
+
 namespace wheelrail
 {
   namespace

@@ -7,6 +7,10 @@
 #include <utility>
 #include <vector>
 
+// Flow of one step from rest: its potential is convex, and a quasi-Newton method of limited memory (Nocedal
+// 1980) over the elastic preconditioner finds the minimum without the tangent of the flow
+// (doc/manual/material.md, A wheel that rolls over a yielding rail).
+
 namespace wheelrail
 {
   namespace

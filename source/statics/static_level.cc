@@ -11,6 +11,11 @@ extern "C"
   dsterf_(const int *, double *, double *, int *);
 }
 
+// One level of the multigrid: K x from the kernel's own forces, and a smoother over the nodes' diagonal
+// blocks D with the springs in full, (D + B'C B)^-1 = D^-1 - D^-1 B' (C^-1 + B D^-1 B')^-1 B D^-1 (Sherman,
+// Morrison and Woodbury): springs ten times as stiff as a cell would slow down a smoother that has their
+// diagonals alone.
+
 namespace wheelrail
 {
   namespace

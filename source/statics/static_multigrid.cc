@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 
+// Geometric multigrid on the levels of the octree, global coarsening (doc/theory/rolling.md, Static start,
+// 3): coarse elements are computed anew on their own vertices.
+
 namespace wheelrail
 {
   namespace

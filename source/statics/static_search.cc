@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+// Equilibrium of wheel and rail under wheel load, weight, preload and centrifugal load
+// (doc/theory/rolling.md, Static start), from the explicit kernel's own forces. Penalty contact under given
+// loads has a convex potential, so that a search along each Newton step ends at its minimum.
+
 namespace wheelrail
 {
   namespace

@@ -5,6 +5,9 @@
 #include <tuple>
 #include <unordered_map>
 
+// K_springs = B' C B: rows of B are springs, C = diag(stiffness) [N/m], entries of B are weights of nodes
+// along the direction of the spring.
+
 namespace wheelrail
 {
   namespace

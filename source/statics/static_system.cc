@@ -8,6 +8,10 @@
 #include <string>
 #include <utility>
 
+// Linear equations of a Newton step: displacements against a rigid lift of the wheel, and that lift
+// (doc/theory/rolling.md, Static start, 2). Forces at the bore are 10^4 times those of the contact: the
+// vertical balance by the lift alone does not see them.
+
 namespace wheelrail
 {
   namespace

@@ -13,6 +13,10 @@
 #include <complex>
 #include <stdexcept>
 
+// Exact solution of the coarse blocks (doc/theory/rolling.md, Static start, 4). A rail: a band matrix as wide
+// as two sections. A wheel: equal sectors, in axes that turn with them, make a block-circulant matrix, which
+// Fourier's series over the sectors splits into one band matrix for each harmonic.
+
 namespace wheelrail
 {
   namespace

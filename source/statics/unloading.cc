@@ -6,6 +6,9 @@
 
 #include <string>
 
+// Residual stresses: equilibrium without loads (doc/manual/material.md, Residual stress: the loads taken
+// off).
+
 namespace wheelrail
 {
   namespace
