@@ -59,6 +59,7 @@ namespace wheelrail
       Matrix Q = J;
       for (int iteration = 0; iteration < 20; ++iteration)
         {
+          // Q^-T = cofactor/det Q
           const Matrix cofactor = {cross(Q[1], Q[2]), cross(Q[2], Q[0]), cross(Q[0], Q[1])};
           const double det      = dot(Q[0], cofactor[0]);
           const double scale    = std::pow(std::abs(det), -1. / 3);
@@ -149,6 +150,7 @@ namespace wheelrail
         for (int j = 0; j < 3; ++j)
           S[i][j] += b[i] * b[j];
     // largest eigenvalue of a symmetric 3x3 matrix by the trigonometric formula (Smith 1961)
+    // lambda_max = mean + 2 p cos(acos(det((S - mean 1)/p)/2)/3), p^2 = tr((S - mean 1)^2)/6
     const double p1   = S[0][1] * S[0][1] + S[0][2] * S[0][2] + S[1][2] * S[1][2];
     const double mean = (S[0][0] + S[1][1] + S[2][2]) / 3;
     const double p2 =

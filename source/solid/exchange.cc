@@ -49,6 +49,7 @@ namespace wheelrail
     Four *node = reinterpret_cast<Four *>(values);
     for (std::size_t k = 0; k < mesh.hanging.size(); ++k)
       {
+        // f_parent += w f_hanging: the transpose of distribute(), so that power is kept
         const Four from = node[mesh.hanging[k]];
         for (unsigned int p = mesh.hanging_begin[k]; p < mesh.hanging_begin[k + 1]; ++p)
           node[mesh.parents[p]] += mesh.weights[p] * from;
@@ -63,6 +64,7 @@ namespace wheelrail
     Four *node = reinterpret_cast<Four *>(values);
     for (std::size_t k = 0; k < mesh.hanging.size(); ++k)
       {
+        // u_hanging = sum of w u_parent: on an edge the mean of two, on a face of four
         Four mean = {0, 0, 0, 0};
         for (unsigned int p = mesh.hanging_begin[k]; p < mesh.hanging_begin[k + 1]; ++p)
           mean += mesh.weights[p] * node[mesh.parents[p]];

@@ -206,6 +206,7 @@ namespace wheelrail
               const double product = d[a][0] * d[b][0] + d[a][1] * d[b][1] + d[a][2] * d[b][2];
               for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j)
+                  // (i, j) entry of mu (d_a . d_b 1 + d_b (x) d_a - 2/3 d_a (x) d_b)
                   K[24 * (3 * a + i) + 3 * b + j] +=
                     weight * mu * ((i == j ? product : 0.) + d[a][j] * d[b][i] - 2. / 3 * d[a][i] * d[b][j]);
             }

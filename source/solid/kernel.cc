@@ -17,6 +17,7 @@ namespace wheelrail
                           ElementEnergy       &energy)
   {
     if (blocks.form == ElementForm::full)
+      // f_a -= dW/du_a [N]
       subtract_full_force(blocks, displacement, force, viscosity, with_energy, energy);
     else
       subtract_reduced_force(blocks, displacement, force, viscosity, with_energy, energy);

@@ -162,6 +162,8 @@ namespace wheelrail
                 double *at = &mass[4 * solid.mesh.cells[c][a]];
                 at[2] += solid.cell_mass[c][a];
                 if (changed)
+                  // cells behind the middle of the wheel and ahead of it have changed on their own: a field
+                  // for each side
                   at[z > middle] += solid.cell_mass[c][a];
               }
           }
@@ -182,6 +184,7 @@ namespace wheelrail
           have[2] += after[k] > 0 && after[k + 1] > 0;
         }
       ordered_sum(have, communicator);
+      // no node has mass of both sides
       if (have[0] > 0 && have[1] > 0 && have[2] == 0)
         return;
       for (AlignedVector<double> *mass : {&before, &after})

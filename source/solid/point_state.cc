@@ -34,6 +34,7 @@ namespace wheelrail
                Simd<1> (&S)[6])
   {
     const auto of_law = [&](const auto &law) {
+      // S = K tr(E) 1 + 2 mu (dev E - E_p) (doc/manual/material.md, Theory)
       law.stress(E, point_history(law, blocks, element, point), S);
     };
     std::visit(of_law, blocks.law);

@@ -56,6 +56,7 @@ namespace wheelrail
       {
         const ElementBlocks &blocks = solid.blocks[body];
         for (std::size_t e = 0; e < blocks.n_elements; ++e)
+          // H_ij = du_i/dX_j, uniform over the element
           gradient[body].push_back(element_gradient(blocks, e, field));
       }
     return nodal_means<9>(solid, gradient);

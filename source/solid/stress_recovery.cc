@@ -206,6 +206,7 @@ namespace wheelrail
                   // Stresses at nodes).
                   const double G       = (gradients[node].G[i][k] + bends[node].G[i][k]) / m.volume;
                   const double to_mean = bends[node].to_mean[i][k] / m.volume;
+                  // slope at the node itself: mean slope at the centres, less H times the mean distance
                   result.gradient[18 * node + 6 * i + k] = G - to_mean;
                   slant += G * m.d[i] / m.volume;
                   bend += to_mean * m.d[i] / m.volume;

@@ -61,6 +61,7 @@ namespace wheelrail
   {
     distribute(before_.mesh, before_.displacement.data());
     distribute(before_.mesh, before_.velocity.data());
+    // nodal H = F - 1 and dH/dt, volume-weighted means of the cells around (doc/theory/mesh.md, Transfer)
     gradient_u_ = nodal_gradient(before_, before_.displacement.data());
     gradient_v_ = nodal_gradient(before_, before_.velocity.data());
   }
@@ -159,7 +160,8 @@ namespace wheelrail
         const auto      found = cell_.find(whole.key());
         if (found == cell_.end())
           continue;
-        const int    d    = place.level - level;
+        const int d = place.level - level;
+        // natural coordinates, 0 to 1, of the vertex in the cell `level` that it is a part of
         const double x[3] = {std::ldexp(place.i - (whole.i << d) + int(vertex & 1), -d),
                              std::ldexp(place.j - (whole.j << d) + int(vertex >> 1 & 1), -d),
                              std::ldexp(place.k - (whole.k << d) + int(vertex >> 2), -d)};
@@ -208,6 +210,8 @@ namespace wheelrail
         const Vector3 off = three(mesh.reference, n) - value.X;
         if (off != Vector3{0, 0, 0})
           {
+            // u_new = u_old + (F - I) dX, v_new = v_old + dF/dt dX, dX = X_new - X_old: surfaces are curved,
+            // and a new vertex lies beside the old cell; linear fields pass exactly
             add(value.u, 1, times(value.H, off));
             add(value.v, 1, times(value.D, off));
           }

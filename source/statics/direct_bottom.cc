@@ -96,6 +96,7 @@ namespace wheelrail
     direction.response.assign(x_[direction.body].size(), 0.);
     for (const auto &[row, weight] : direction.weights)
       direction.response[row] += weight;
+    // K^-1 b
     solver_[direction.body]->solve(direction.response);
   }
 
@@ -123,6 +124,8 @@ namespace wheelrail
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           G(first.at(pair.first) + i, first.at(pair.second) + j) = block[3 * i + j];
+    // (K + B'G B)^-1 = K^-1 - K^-1 B' (1 + G S)^-1 G B K^-1 with S = B K^-1 B' (Woodbury): G of contact
+    // springs is singular, so that the form with G^-1 is not taken
     G.mmult(GS, S);
     for (std::size_t k = 0; k < n; ++k)
       GS(k, k) += 1;
@@ -198,6 +201,8 @@ namespace wheelrail
         y[k] = direction * x_[direction.body];
     MPI_Allreduce(MPI_IN_PLACE, y.begin(), static_cast<int>(n), MPI_DOUBLE, MPI_SUM, communicator_);
     if (n > 0)
+      // y = B x: what the springs would be stretched; forces = (1 + G S)^-1 G y, whose responses K^-1 B' are
+      // taken off
       couple_.vmult(force, y);
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t m = 0; m < held_[k]->response.size(); ++m)

@@ -116,6 +116,7 @@ namespace wheelrail
         for (int i = 0; i < n_i_; ++i)
           for (int j = 0; j < n_j_; ++j)
             square_[i + std::size_t(n_i_) * j] =
+              // Hertz: p^2 = p0^2 (1 - x^2/a^2 - y^2/b^2)
               std::pow(contact.nodes()[loaded.node(contact.lattice(), i, j)].pressure, 2);
         const std::vector<double> inside = square_;
         const auto                at     = [&](const int i, const int j) {
@@ -131,6 +132,8 @@ namespace wheelrail
                   for (int b = -1; b <= 1; ++b)
                     if ((a != 0 || b != 0) && at(i + a, j + b) > 0)
                       {
+                        // straight line through the last two nodes, at the next one; never above 0, where no
+                        // node presses
                         sum += std::min(0., 2 * at(i + a, j + b) - at(i + 2 * a, j + 2 * b));
                         ++n;
                       }
@@ -155,6 +158,7 @@ namespace wheelrail
   double
   inclination(const RunningSurfaces &surfaces, const double s)
   {
+    // angle of the wheel's section against X
     return surfaces.frame.angle + std::atan(surfaces.outline.at(s).slope);
   }
 
@@ -181,7 +185,8 @@ namespace wheelrail
           for (int a = 0; a < loaded.parts; ++a)
             for (int b = 0; b < loaded.parts; ++b)
               {
-                const int    da = 2 * a - loaded.parts + 1, db = 2 * b - loaded.parts + 1;
+                const int da = 2 * a - loaded.parts + 1, db = 2 * b - loaded.parts + 1;
+                // distance of the element from its node, in spacings: p^2 bilinear between four nodes
                 const double u = 0.5 * std::abs(da) / loaded.parts, v = 0.5 * std::abs(db) / loaded.parts;
                 const int    k = i + (da < 0 ? -1 : 1), l = j + (db < 0 ? -1 : 1);
                 const double q = (1 - u) * ((1 - v) * square(i, j) + v * square(i, l)) +
@@ -204,6 +209,7 @@ namespace wheelrail
     std::vector<double> mean(grid.size(), 0.);
     for (int e = 0; e < grid.size(); ++e)
       {
+        // half of each pressure acts on the element, half on the one ahead: (p_e + p_e-1)/2, the load stays
         mean[e] += 0.5 * pressure[e];
         mean[e % grid.mx + 1 < grid.mx && pressure[e + 1] > 0 ? e + 1 : e] += 0.5 * pressure[e];
       }
@@ -221,12 +227,15 @@ namespace wheelrail
           continue;
         const int  ahead = e % grid.mx + 1 < grid.mx ? e + 1 : e;
         const bool first = ahead == e || behind.state[ahead] == HalfspaceSolution::exterior;
-        double     x     = 0.5 * (behind.traction_x[e] + (first ? 0 : behind.traction_x[ahead])),
-               y         = 0.5 * (behind.traction_y[e] + (first ? 0 : behind.traction_y[ahead]));
+        // the solution has tractions at the end of a step, half an element behind its middle: mean of e and e
+        // + 1; the leading element begins at 0
+        double x = 0.5 * (behind.traction_x[e] + (first ? 0 : behind.traction_x[ahead])),
+               y = 0.5 * (behind.traction_y[e] + (first ? 0 : behind.traction_y[ahead]));
         if (behind.state[e] == HalfspaceSolution::slip &&
             (first || behind.state[ahead] == HalfspaceSolution::slip))
           {
-            const double size  = std::hypot(x, y);
+            const double size = std::hypot(x, y);
+            // where both slip, |t| = mu p of the element itself
             const double scale = size > 0 ? behind.friction[e] * pressure[e] / size : 0;
             x *= scale;
             y *= scale;

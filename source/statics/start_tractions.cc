@@ -98,6 +98,7 @@ namespace wheelrail
         pressure                   = element_pressures(contact, loaded);
         for (int j = 0; j < loaded.grid.my; ++j)
           for (int i = 0; i < loaded.grid.mx; ++i)
+            // force of a node over the area of its elements
             pressure[i + std::size_t(loaded.grid.mx) * j] *=
               area_ratio(contact, i / loaded.parts, j / loaded.parts);
         // bounds mu p half an element on, where the particles of the step are in the mean
@@ -167,6 +168,7 @@ namespace wheelrail
             plane.solve();
             return plane.solution.within_friction && plane.solution.tangential_converged;
           }
+        // planes have one creepage: root of sum of forces - force (several patches)
         const double close = 1e-6 * bound();
         // from the creepage of the last force on
         const CreepageFound found = find_creepage(
@@ -263,6 +265,7 @@ namespace wheelrail
       double low = std::copysign(carried, force), high = force;
       planes.drive(low);
       StartTractions best = planes.tractions();
+      // bisection on the force
       while (std::abs(high - low) > 0.01 * std::abs(force))
         {
           const double middle = 0.5 * (low + high);

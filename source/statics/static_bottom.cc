@@ -21,6 +21,7 @@ namespace wheelrail
         {
           AlignedVector<double> moved(4 * mesh.n_nodes(), 0.), force(moved);
           for (std::size_t n = 0; n < mesh.n_owned; ++n)
+            // row sums of the joined terms: what holds a translation along i
             moved[4 * n + i] = 1;
           ground.joined.add_product(1, moved.data(), force.data());
           for (std::size_t n = 0; n < mesh.n_owned; ++n)

@@ -39,6 +39,7 @@ namespace wheelrail
             for (int i = 0; i < 3; ++i)
               X[a][i] = mesh.reference[4 * mesh.cells[c][a] + i];
           const Body body = mesh.cell_body[c];
+          // elastic elements of the coarse cells, of the same form
           geometry[body].push_back(element_geometry(X));
           cells[body].push_back(mesh.cells[c]);
         }
@@ -186,6 +187,7 @@ namespace wheelrail
     double cells = 0, finest = 0;
     for (const auto &level : levels_)
       {
+        // work in products with the finest stiffness
         cells += double(level->products) * level->mesh().cells.size();
         if (&level == &levels_.front())
           finest = level->mesh().cells.size();

@@ -15,9 +15,12 @@ namespace wheelrail
     const std::vector<NodeInertia> inertia = prepare_parts(parts, solid);
     held_                                  = held_nodes(solid, inertia);
     for (std::size_t n = 0; n < inertia.size(); ++n)
+      // weights along -Y [N]
       loads_[4 * n + 1] = -inertia[n].weight; // of one rank
     sum_over_ranks(solid.mesh, loads_.data());
     for (const auto &part : parts)
+      // diagonal springs of sleepers and other parts [N/m], their own unknowns condensed
+      // (doc/theory/rolling.md, Time stepping)
       part->add_springs(springs_.data());
     int any = std::any_of(springs_.begin(), springs_.end(), [](const double k) { return k > 0; }) ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, communicator);

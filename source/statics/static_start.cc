@@ -60,12 +60,15 @@ namespace wheelrail
           const double residual = balance.largest() / result.wheel_load;
           const double missing  = result.wheel_load - balance.sums.force[1];
           // a patch that hangs over the lattice may come to rest without the load
-          const bool still   = residual < tolerance;
+          const bool still = residual < tolerance;
+          // converged: 2e-6 of the wheel load at each node, 1e-5 of it vertically (doc/theory/rolling.md,
+          // Static start, 7)
           const bool settled = still && std::abs(missing) < 5 * tolerance * result.wheel_load;
           const bool carried = residual < (rounds == most_rounds ? balanced : nearby * allowed) &&
                                std::abs(missing) < std::min(loaded * allowed, 2 * change) * result.wheel_load;
           if (settled || (rounds > 0 && (carried || still)))
             {
+              // tractions anew for the present pressures; from then on they are given loads (6)
               change             = rounds > 0 ? search.renew_tractions() : 0;
               const bool changed = change > unchanged;
               if (settled && !changed)

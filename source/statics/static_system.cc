@@ -117,6 +117,7 @@ namespace wheelrail
   StaticSystem::solve(const Vector &forces, const double bore, const double tolerance, StaticStep &step)
   {
     // a rigid lift of the wheel moves all its nodes against the forces
+    // right side of the lift: r' f + bore force
     const Unknowns     load  = {forces, forces * rigid_ + bore};
     Unknowns           x     = {zero(), 0};
     const unsigned int steps = conjugate_gradients<true>(load, x, tolerance * std::sqrt(dot(load, load)));
@@ -262,6 +263,7 @@ namespace wheelrail
     residual.nodes -= image.nodes;
     conjugate_gradients<false>(std::move(residual), response_, enough);
     product(response_, image);
+    // w' K w [N/m]: stiffness of the contact against a lift
     approach_stiffness_ = dot(response_, image);
   }
 

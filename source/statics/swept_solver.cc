@@ -138,6 +138,7 @@ namespace wheelrail
               hold(matrix_, index(c, section));
             else if (!ground.empty())
               for (int i = 0; i < 3; ++i)
+                // diagonal springs of the ground [N/m]
                 matrix_(index(c, section) + i, index(c, section) + i) += ground[n][i];
         matrix_.factorise();
       }
@@ -269,6 +270,7 @@ namespace wheelrail
       solve(std::vector<double> &x) override
       {
         turn(x, [](const Vector3 &axis, double *of_track, double &own) {
+          // components in the axes of the sector
           own = axis[0] * of_track[0] + axis[1] * of_track[1] + axis[2] * of_track[2];
         });
         fftw_execute(transform_.forward);

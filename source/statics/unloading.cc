@@ -44,6 +44,7 @@ namespace wheelrail
         const double     norm  = force.l2_norm();
         if (steps == 0)
           first = norm;
+        // over the forces that the taken-off loads leave at first
         const double left = first > 0 ? norm / first : 0;
         // equilibrium that the plastic strains alone keep up: contact, weight and inertia are off
         // (doc/manual/material.md, Residual stress)
