@@ -39,7 +39,8 @@ namespace wheelrail
     problem_.force_given = true;
     problem_.motion      = HalfspaceMotion::steady;
     tolerance_           = problem_.tangential_tolerance;
-    reached_             = 1.5 * expected_approach(scene, geometry.contact.rolling_radius);
+    // gaps up to 1.5 times the expected approach lie on the grid
+    reached_ = 1.5 * expected_approach(scene, geometry.contact.rolling_radius);
   }
 
 
@@ -90,8 +91,9 @@ namespace wheelrail
   {
     const HalfspaceGrid &grid = problem_.grid;
     std::vector<double>  rise(grid.size(), 0.);
-    const auto           own    = displacements(*wheel_kernels_, {1, 2}, t);
-    const auto           beyond = added_->fixed_displacement(1, t);
+    // y and n of the wheel's half-space
+    const auto own    = displacements(*wheel_kernels_, {1, 2}, t);
+    const auto beyond = added_->fixed_displacement(1, t);
     for (int j = 0; j < grid.my; ++j)
       {
         const double c = std::cos(rows_[j].angle), s = std::sin(rows_[j].angle);
@@ -201,6 +203,7 @@ namespace wheelrail
   double
   BodyContact::vertical_load(const WheelRailLoad &load) const
   {
+    // a force along the normal of the first contact point has the vertical part F cos(angle)
     return load.vertical ? load.force : load.force * std::cos(geometry_.contact.frame.angle);
   }
 
@@ -213,6 +216,7 @@ namespace wheelrail
     BodyLoads            loads{rows.first, {}, {}};
     loads.forces.assign(rows.count, std::vector<Vector3>(grid.mx, Vector3{}));
     for (int i = 0; i < grid.mx; ++i)
+      // forces of each row at each x, what body_pose() takes
       loads.along.push_back(grid.x(i));
     const double side = on_wheel ? -1 : 1;
     for (int j = 0; j < grid.my; ++j)
@@ -301,6 +305,7 @@ namespace wheelrail
         if (const double p = solution_.pressure[i + problem_.grid.mx * j]; p > 0)
           {
             sum += p;
+            // means over the pressure
             result.angle += p * rows_[j].angle;
             wheel_angle += p * rows_[j].slice.wheel_angle;
             x += p * problem_.grid.x(i);

@@ -106,6 +106,8 @@ namespace wheelrail
                      const double     source,
                      const double     least)
     {
+      // H of one body alone, displacements under tractions on it; at distance 0, where the tangential-normal
+      // terms jump, the mean of both sides
       LineResponse local{};
       const bool   close = std::abs(s) < least;
       for (const double side : {1., -1.})
@@ -175,6 +177,8 @@ namespace wheelrail
             if (i == j)
               {
                 // the limit: log of the stretch, alike in all directions but for Poisson's ratio
+                // K0(x) goes as -ln x for x to 0: own less flat is -ln(d arc/d lateral) times the factor of
+                // K0, (1 - nu)/(pi G) for t and n, 1/(pi G) for w
                 const double log_stretch = std::log(a.stretch);
                 for (int c = 0; c < 3; ++c)
                   D[n * (3 * i + c) + 3 * j + c] -= f * (c == 2 ? 1 : 1 - nu) * log_stretch;
@@ -282,6 +286,7 @@ namespace wheelrail
       return r;
     };
     ContactRows rows;
+    // rows under the contact and three beside it on either side, for the cubic spline
     rows.first     = std::max(0, before(placement.arcs.front()) - beside);
     const int last = std::min<int>(table.rows.size() - 1, before(placement.arcs.back()) + 1 + beside);
     rows.count     = last - rows.first + 1;
@@ -297,6 +302,7 @@ namespace wheelrail
     for (int r = 0; r < rows.count; ++r)
       {
         std::vector<double> unit(rows.count, 0.);
+        // weights of the natural cubic spline: its value at the arc for a 1 on row r and 0 on the others
         unit[r] = 1;
         gsl_interp_init(spline, arcs.data(), unit.data(), rows.count);
         for (std::size_t j = 0; j < placement.arcs.size(); ++j)
@@ -331,6 +337,7 @@ namespace wheelrail
     const double per_wave = table.wheel ? 1 / radius : 1;
     const double first    = table.wheel ? (table.harmonics - 0.5) * per_wave : 0,
                  last     = table.waves.back() * per_wave;
+    // 1. harmonics of a wheel, n = 0, 1, 2, ...
     for (unsigned int h = 0; h < table.harmonics; ++h)
       {
         std::vector<double> D = harmonic(table, rows, h);
@@ -339,6 +346,7 @@ namespace wheelrail
         // sum over n of cos(n z/r)/(pi r), of n = 0 half: a load around the wheel in Fourier's series
         add_wave({h / radius, (h > 0 ? 1. : 0.5) / (M_PI * radius)}, D, lags, influence.by_lag);
       }
+    // 2. the integral over k: of a rail from 0, of a wheel beyond its harmonics
     for (const Wave &wave : wave_panels(first, last, table.wheel ? 3 / radius : 0.05, longest))
       {
         std::vector<double> D = remainder_at(table, rows, wave.k / per_wave);

@@ -59,6 +59,7 @@ namespace wheelrail
         const double change = solve_round(load);
         if (solution_.touches_grid_edge && enlargements_ < most_enlargements)
           {
+            // the patch reaches the edge: a grid for 1.5 times the gap
             reached_ *= 1.5;
             ++enlargements_;
             lay_grid(problem_.grid.dx, reached_);

@@ -34,6 +34,7 @@ namespace wheelrail
     double              load = 0;
     for (int e = 0; e < grid.size(); ++e)
       {
+        // one distribution along the track for all rows: a row without pressure moves, too
         weight[e % grid.mx] += solution_.pressure[e];
         load += solution_.pressure[e];
       }
@@ -80,7 +81,8 @@ namespace wheelrail
       return {};
     const double place  = std::clamp((y - problem_.grid.y(0)) / problem_.grid.dy, 0., motions_.size() - 1.);
     const std::size_t j = std::min(std::size_t(place), motions_.size() - 2);
-    const double      r = place - j;
+    // linear between rows; beyond them as at the end
+    const double r = place - j;
     return {(1 - r) * motions_[j].turn + r * motions_[j + 1].turn,
             (1 - r) * motions_[j].shift + r * motions_[j + 1].shift,
             (1 - r) * motions_[j].rim_turn + r * motions_[j + 1].rim_turn};

@@ -81,6 +81,7 @@ namespace wheelrail
       std::vector<Point2> means(body.mesh.nodes.size());
       const double        radius = body.wheel ? body.nominal_radius : 1;
       if (body.wheel)
+        // growth of the turning wheel, rho omega^2 r
         means = stiffness.growth(body.rate, body.elasticity.density);
       for (const Wave &wave : waves_of(body.wheel, radius))
         {
@@ -107,6 +108,7 @@ namespace wheelrail
       for (const auto &cell : body.mesh.cells)
         for (int g = 0; g < 9; ++g)
           {
+            // at the nine Gauss points of each cell, so that parts count by their area
             const WavePoint point = wave_point(body.mesh, cell, g);
             const Point2    place =
               body.placement.to_track(profile_place(point.place, body.wheel, body.nominal_radius));

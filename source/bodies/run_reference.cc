@@ -61,6 +61,7 @@ namespace wheelrail
       const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
       if (!real.solution.converged())
         return;
+      // run over true bodies, less 1, at the run's own creepage and load
       measures.bodies_difference = run.max_pressure / real.solution.peak_pressure - 1;
       // the rail is body 1: its fx is minus the force on the wheel
       measures.force_difference = (run.longitudinal_force + real.solution.fx) / run.vertical_force;

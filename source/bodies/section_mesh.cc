@@ -158,9 +158,11 @@ namespace wheelrail
         const Place                 place = place_of(cell);
         for (unsigned int n = 0; n < 9; ++n)
           {
-            const auto  &corner   = corner_places[place.block];
-            const double xi       = place.xi + 0.5 * (n % 3) * place.size,
-                         eta      = place.eta + 0.5 * (n / 3) * place.size;
+            const auto  &corner = corner_places[place.block];
+            const double xi     = place.xi + 0.5 * (n % 3) * place.size,
+                         eta    = place.eta + 0.5 * (n / 3) * place.size;
+            // bilinear place in the block, then the block's own curved edges: nodes of cells at the surface
+            // lie on the profile
             const Point2 in_block = corner[0] + xi * (corner[1] - corner[0]) + eta * (corner[2] - corner[0]);
             nodes[n]              = dofs[place_in_cell[n]];
             mesh.nodes[nodes[n]]  = section.position(place.block, in_block.x, in_block.y);

@@ -134,6 +134,7 @@ namespace wheelrail
     unsigned int     seed = 1;
     for (auto &column : x)
       for (double &value : column)
+        // noise, the same on every machine (linear congruence): no motion is missed
         value = (seed = seed * 1664525u + 1013904223u) / 4294967296. - 0.5;
     std::vector<double> values(m, 0.), before;
     for (int round = 0; round < most; ++round)

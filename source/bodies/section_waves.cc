@@ -107,6 +107,7 @@ namespace wheelrail
             std::vector<double> f(matrices_.size(), 0.);
             for (const auto &[d, share] : force.shares)
               f[d] += share;
+            // (K(k) + shift M)^-1 f: what a force does near itself, which decays as exp(-k z)
             keep(solver.solve(f));
           }
       }
@@ -155,6 +156,7 @@ namespace wheelrail
     dgesv_(&n, &n, with_square.data(), &n, pivot.data(), b_.data(), &n, &code);
     for (const SectionForce &force : forces_)
       {
+        // f' X: displacement along a force
         auto &at = at_.emplace_back(n_, 0.);
         for (std::size_t j = 0; j < n_; ++j)
           for (const auto &[d, share] : force.shares)
@@ -180,10 +182,12 @@ namespace wheelrail
       if (springs[s] != 0.)
         for (std::size_t i = 0; i < n_; ++i)
           for (std::size_t j = 0; j < n_; ++j)
+            // f s f': a spring on the direction of a force
             a[i + n_ * j] += springs[s] * at_[s][i] * at_[s][j];
     for (std::size_t j = 0; j < n_; ++j)
       for (std::size_t l = 0; l < n_; ++l)
         {
+          // k^2 u = -(K2 + K1)^-1 (K0 - w^2 M/steel + K1' + springs/steel) u
           const Complex factor = -a[l + n_ * j] / steel;
           if (factor != 0.)
             for (std::size_t i = 0; i < n_; ++i)
@@ -212,6 +216,7 @@ namespace wheelrail
           wave.k = -wave.k;
         Complex *const shape = &shapes[n_ * s];
         for (std::size_t i = n_plane_; i < n_; ++i)
+          // back to u = (plane, along): along is k times the unknown
           shape[i] *= wave.k;
         for (const auto &at : at_)
           {
@@ -224,7 +229,7 @@ namespace wheelrail
           {
             Complex sum = 0;
             for (std::size_t i = 0; i < n_; ++i)
-              // u' (dD/dk) u = u' (K1 + 2 k K2) u, the denominator of the residue at k
+              // u' (dD/dk) u = steel u' (K1 + 2 k K2) u, the denominator of the residue at k
               sum += (k1_[i + n_ * j] + 2. * wave.k * k2_[i + n_ * j]) * shape[i];
             wave.turn += steel * sum * shape[j];
           }
@@ -240,6 +245,7 @@ namespace wheelrail
     std::vector<double> squares;
     slow_motions(matrices_, k, count, &squares);
     for (double &value : squares)
+      // omega^2 to Hz
       value = std::sqrt(std::max(value, 0.)) / (2 * M_PI);
     return squares;
   }

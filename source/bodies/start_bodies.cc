@@ -77,6 +77,7 @@ namespace wheelrail
             rows.push_back({head.length(0, head.closest(contact.rail.to_section(place))),
                             // closest point of the wheel to the rail's row: arc on the tread
                             geometry_.wheel.tread.length(0, contact.outline.on_tread(tw)),
+                            // one angle for both bodies: that of the wheel's section
                             sections_.slice(s).wheel_tangent,
                             grid.grid.y(j)});
           }

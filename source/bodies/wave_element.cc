@@ -161,6 +161,7 @@ namespace wheelrail
               K[0][i][j] += weight * dot6(b0[i], s0[j]);
               K[1][i][j] += weight * (dot6(b0[i], s1[j]) + dot6(b1[i], s0[j]));
               K[2][i][j] += weight * dot6(b1[i], s1[j]);
+              // mass couples like components: u_x, u_y and w, whose factors i cancel
               if (i % 3 == j % 3)
                 K[3][i][j] += weight * elasticity.density * point.value[i / 3] * point.value[j / 3];
             }

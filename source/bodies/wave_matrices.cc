@@ -88,6 +88,7 @@ namespace wheelrail
               for (const auto &[b, wb] : waves.unknowns[cell[j / 3]])
                 {
                   const int row = 3 * a + i % 3, column = 3 * b + j % 3;
+                  // K0, K2 and M are symmetric, and so is K1 with the factor i in u_z: lower half
                   if (row < column)
                     continue;
                   rows.push_back(row);
@@ -109,13 +110,14 @@ namespace wheelrail
         triplet.i                   = rows.data();
         triplet.j                   = columns.data();
         triplet.x                   = entries[p].data();
-        triplet.stype               = -1;
-        triplet.itype               = CHOLMOD_INT;
-        triplet.xtype               = CHOLMOD_REAL;
-        triplet.dtype               = CHOLMOD_DOUBLE;
-        cholmod_sparse *sparse      = cholmod_triplet_to_sparse(&triplet, 0, &common);
-        const auto      n           = cholmod_nnz(sparse, &common);
-        const auto     *x           = static_cast<const double *>(sparse->x);
+        // lower half of a symmetric matrix
+        triplet.stype          = -1;
+        triplet.itype          = CHOLMOD_INT;
+        triplet.xtype          = CHOLMOD_REAL;
+        triplet.dtype          = CHOLMOD_DOUBLE;
+        cholmod_sparse *sparse = cholmod_triplet_to_sparse(&triplet, 0, &common);
+        const auto      n      = cholmod_nnz(sparse, &common);
+        const auto     *x      = static_cast<const double *>(sparse->x);
         const auto *start = static_cast<const int *>(sparse->p), *row = static_cast<const int *>(sparse->i);
         waves.values[p].assign(x, x + n);
         if (p == 0)

@@ -161,6 +161,7 @@ namespace wheelrail
   {
     // the running surface last: the end of the factor is then all that its compliance asks for
     std::vector<int> member(parts.size(), 0), permutation(parts.size());
+    // constrained minimum degree (CAMD): members of set 1 come after all of set 0
     std::fill(member.end() - 3 * parts.n_surface, member.end(), 1);
     cholmod_camd(matrix, nullptr, 0, member.data(), permutation.data(), &common);
     common.nmethods           = 1;
@@ -187,6 +188,7 @@ namespace wheelrail
     cholmod_factor   *L = cholmod_copy_factor(symbolic, &common);
     cholmod_factorize(matrix, L, &common);
     constexpr double singular = 1e-13; // what rounding leaves of a pivot that is 0
+    // a pivot that is 0 to round-off: a motion without strain, which foot or bore should hold
     if (common.status != CHOLMOD_OK || L->minor < L->n || cholmod_rcond(L, &common) < singular)
       {
         cholmod_free_factor(&L, &common);
@@ -209,6 +211,7 @@ namespace wheelrail
         const auto  weights = edge_integrals(mesh, edge);
         for (int n = 0; n < 3; ++n)
           for (const auto &[unknown, weight] : parts.unknowns[edge.node[n]])
+            // integral of N over the row [m]
             load[3 * unknown + a] += weight * weights[n];
       }
     return {load.begin(), load.end()};
@@ -296,6 +299,7 @@ namespace wheelrail
     for (std::size_t r = 0; r < rows.size(); ++r)
       for (int a = 0; a < 3; ++a)
         for (const auto &[unknown, weight] : data_->row_load(rows[r], a))
+          // a force spread evenly over its row
           load[unknown] += weight / rows[r].width * forces[r][a];
     return data_->solve(k, load);
   }
@@ -337,6 +341,7 @@ namespace wheelrail
             const auto &edge    = data_->mesh.running[e];
             const auto  weights = edge_integrals(data_->mesh, edge);
             for (int n = 0; n < 3; ++n)
+              // mean over the row
               mean = mean + weights[n] / row.width * nodes[edge.node[n]];
           }
         means.push_back(mean);

@@ -37,8 +37,9 @@ namespace wheelrail
 
   struct AddedInfluence::Body
   {
-    int                  rows  = 0;
-    int                  modes = 0; ///< the first ones, behind which nothing is left
+    int rows  = 0;
+    int modes = 0; ///< the first ones, behind which nothing is left
+    // w_jr, row of elements j, row of the table r: u_j = sum over r of w_jr u_r
     std::vector<double>  weights;
     std::vector<Complex> here, slip; ///< spectra of the influences: mode, row, column
   };
@@ -151,6 +152,7 @@ namespace wheelrail
         }
     // what the slips have beyond is the rounding of the influences over the step
     const double least = nothing * *std::max_element(largest.begin(), largest.end());
+    // modes exp(2 pi i m x/length) that hold less than 1e-6 of the largest one are left out, some twenty stay
     while (body.modes > 1 && largest[body.modes - 1] < least)
       --body.modes;
     for (std::vector<Complex> *kernel : {&body.here, &body.slip})
@@ -222,6 +224,8 @@ namespace wheelrail
             double re = 0, im = 0;
             for (int j = 0; j < n; ++j)
               {
+                // complex matrix times vector, (3 rows)^2 for each mode, without the care for infinities of
+                // std::complex
                 re += k[j].real() * f[j].real() - k[j].imag() * f[j].imag();
                 im += k[j].real() * f[j].imag() + k[j].imag() * f[j].real();
               }
@@ -256,6 +260,7 @@ namespace wheelrail
           for (int r = 0; r < body.rows; ++r)
             if (const double weight = body.weights[std::size_t(j) * body.rows + r]; weight != 0)
               for (int i = 0; i < mx; ++i)
+                // u_j = sum over r of w_jr u_r, left in the fixed axes
                 fixed[axis][i + mx * j] += weight * u[std::size_t(3 * r + axis) * mx + i];
       }
     return fixed;

@@ -42,6 +42,7 @@ namespace wheelrail
                                      (grid.my + before + 1) / 2,
                                      2 * grid.dx,
                                      2 * grid.dy,
+                                     // the middle of a doubled element lies half an element off
                                      grid.x0 + (0.5 - before) * grid.dx,
                                      grid.y0 + (0.5 - before) * grid.dy};
       for (auto *const field :
@@ -70,6 +71,7 @@ namespace wheelrail
     bare.added.reset();
     bare.previous = nullptr;
     if (bare.force_given)
+      // the same load on both
       bare.normal_force = solution.fn;
     if (!rolls || !solution.within_friction)
       bare.motion = HalfspaceMotion::none;
@@ -88,6 +90,7 @@ namespace wheelrail
         effect.pressure =
           std::max({effect.pressure,
                     relative(coarse.peak_pressure - fine.peak_pressure, fine.peak_pressure, 1),
+                    // with a given approach the force is the result
                     relative(coarse.fn - fine.fn, fine.fn, 1)});
         if (bare.motion == HalfspaceMotion::none || bare.friction.frictionless() || !coarse.within_friction ||
             !fine.within_friction)

@@ -27,6 +27,7 @@ namespace wheelrail
     for (int k = 0; k < task.grid.size(); ++k)
       if (task.bound[k] > 0)
         {
+          // the contact is where mu p > 0
           elements.push_back(k);
           largest_ = std::max(largest_, task.bound[k]);
         }
@@ -62,6 +63,7 @@ namespace wheelrail
   void
   FrictionSystem::apply_slip()
   {
+    // B t of half-spaces, and what bodies add (added_influence.h)
     apply(kernels_.xx, kernels_.xy, kernels_.yy, work_, image_);
     if (task_.added)
       task_.added->add_slip({{&work_[0], &work_[1], nullptr}}, {{&image_[0], &image_[1], nullptr}});
@@ -92,6 +94,7 @@ namespace wheelrail
     apply_slip();
     std::array<double, 2> creepage = creepage_;
     for (std::size_t f = 0; f < forces.size(); ++f)
+      // creepages behind the tractions in the vector of unknowns
       creepage[forces[f]] = t[2 * n_ + f];
     slip.resize(2 * n_);
     double sum = 0, largest = 0;
@@ -124,6 +127,7 @@ namespace wheelrail
                             bool                       first,
                             std::vector<double>       &rhs)
   {
+    // product and preconditioner use these sets until the next step
     slipping.assign(n_, 0);
     nx_.assign(n_, 0);
     ny_.assign(n_, 0);
@@ -184,6 +188,7 @@ namespace wheelrail
         for (std::size_t e = 0; e < n_; ++e)
           if (slipping[e])
             {
+              // along n the row holds no slip: the creepage is not in it
               const double tangent = -unit[2 * e] * ny_[e] + unit[2 * e + 1] * nx_[e];
               unit[2 * e]          = -tangent * ny_[e];
               unit[2 * e + 1]      = tangent * nx_[e];
@@ -343,6 +348,7 @@ namespace wheelrail
     double sum = 0;
     for (std::size_t e = 0; e < n_; ++e)
       sum += t[2 * e + forces[f]];
+    // sum(t) dA = force on body 1
     return task_.force[forces[f]] / task_.grid.element_area() - sum;
   }
 
@@ -353,6 +359,7 @@ namespace wheelrail
     if (c_ > 0) // the held creepages take part of the force
       return error;
     for (std::size_t f = 0; f < forces.size(); ++f)
+      // over n times the largest bound
       error = std::max(error, std::abs(missing_force(t, f)) / (n_ * largest_));
     return error;
   }

@@ -20,6 +20,7 @@ namespace wheelrail
       for (int size = n + n % 2;; size += 2)
         {
           int rest = size;
+          // sizes with small prime factors, for which FFTW is fast
           for (const int factor : {2, 3, 5})
             while (rest % factor == 0)
               rest /= factor;
@@ -128,7 +129,8 @@ namespace wheelrail
                         const double                      ahead,
                         const std::vector<InfluencePair> &pairs)
   {
-    const int                        nx = products.columns(), ny = products.rows();
+    const int nx = products.columns(), ny = products.rows();
+    // distances from -nx/2 to nx/2 - 1 in elements: all that a doubled grid asks for
     const int                        middle_x = nx / 2, middle_y = ny / 2;
     std::vector<std::vector<double>> tables(pairs.size(), std::vector<double>(std::size_t(nx) * ny));
     sweep_corners(

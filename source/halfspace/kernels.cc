@@ -27,6 +27,7 @@ namespace wheelrail
   {
     const HalfspaceGrid     &grid = problem.grid;
     const HalfspaceConstants now  = constants_of(problem);
+    // A depends on distances alone: the place of the grid does not matter
     return grid.mx == grid_.mx && grid.my == grid_.my && grid.dx == grid_.dx && grid.dy == grid_.dy &&
            now.normal == constants_.normal && now.poisson == constants_.poisson &&
            now.coupling == constants_.coupling && now.layer == constants_.layer;
@@ -73,6 +74,7 @@ namespace wheelrail
           {
             const HalfspaceKernels::Spectrum &kernel = kernels.of(components[k], b, 0);
             for (std::size_t m = 0; m < sum.size(); ++m)
+              // convolution as a product of modes
               sum[m] += times(kernel[m], spectra[b][m]);
           }
         kernels.products().backward(sum, found[k]);

@@ -27,6 +27,7 @@ namespace wheelrail
     for (std::vector<double> *inverse : {&k.inverse_xx, &k.inverse_xy, &k.inverse_yy})
       inverse->resize(xx.size());
     // kernel() holds the factor 1 / size that belongs to the way back: it must stand in the inverse, too.
+    // (1/N A)^-1 = N A^-1; what is wanted is A^-1/N: the factor 1/N^2
     const double scale = 1. / std::pow(double(products.padded_size()), 2);
     for (std::size_t m = 0; m < xx.size(); ++m)
       {
@@ -34,6 +35,8 @@ namespace wheelrail
         // inverse is (d -b; -b a)/det.
         const double a = std::abs(xx[m].real()), b = xy[m].real(), d = std::abs(yy[m].real());
         // a preconditioner only: kept away from singular where the cut kernels' symbol is not definite
+        // of long periodic waves the kernels' cut at the edge of the grid leaves symbols that are not
+        // positive
         const double det = std::max(a * d - b * b, 0.01 * a * d);
         k.inverse_xx[m]  = scale * d / det;
         k.inverse_xy[m]  = -scale * b / det;

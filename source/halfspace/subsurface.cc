@@ -71,6 +71,7 @@ namespace wheelrail
           for (int i = 0; i < g.mx; ++i)
             {
               const int e = i + g.mx * j;
+              // closed integrals of all loaded elements, added up: n points times n elements
               if (solution.pressure[e] <= 0)
                 continue;
               add_element(g,

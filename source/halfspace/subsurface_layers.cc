@@ -58,6 +58,7 @@ namespace wheelrail
           for (int load = 0; load < 3; ++load)
             {
               HalfspaceStress stress;
+              // stress under a traction of 1 Pa along x, along y, a pressure of 1 Pa
               add_stress(d, poisson_ratio, depth, load == 0, load == 1, load == 2, stress);
               for (std::size_t c = 0; c < components.size(); ++c)
                 {
@@ -89,6 +90,8 @@ namespace wheelrail
       for (std::size_t e = 0; e < stresses.size(); ++e)
         {
           for (const auto component : components)
+            // sigma = -+ share of tractions + share of pressure; then xn, yn change their sign with n in body
+            // 2
             stresses[e].*component = sign * shares[0][e].*component + shares[1][e].*component;
           stresses[e].xn *= sign;
           stresses[e].yn *= sign;

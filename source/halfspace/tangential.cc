@@ -40,8 +40,10 @@ namespace wheelrail
         {
           // 1. slip s = w + B t and residual t - P(t - s/b), P the projection on |t| <= mu p
           state.residual = system.residual(t, slip);
+          // a singular step: the next method takes over
           if (!std::isfinite(state.residual))
             return false;
+          // rms of t - P over the largest P, and missing force over n times the largest bound
           if (state.residual <= tolerance && system.force_error(t) <= tolerance)
             return true;
           if (steps == max_steps)

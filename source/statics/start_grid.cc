@@ -194,6 +194,7 @@ namespace wheelrail
                 sum += pressure[loaded.element(i, j, a, b)] = std::sqrt(std::max(0., q));
               }
           const double scale =
+            // node's pressure over the mean of its elements: the load stays what the nodes carry
             sum > 0 ? std::sqrt(std::max(0., square(i, j))) * loaded.parts * loaded.parts / sum : 0;
           for (int a = 0; a < loaded.parts; ++a)
             for (int b = 0; b < loaded.parts; ++b)
