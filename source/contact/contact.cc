@@ -55,6 +55,7 @@ namespace wheelrail
       filter_surface(surface(body).lattice,
                      window()[body].first,
                      window()[body].last,
+                     // S on the way in (positions, velocities) and on the way out (forces)
                      shear ? shear_weights(law_.filter[body]) : normal_weights(law_.filter[body]),
                      states_[body].*field);
   }
@@ -165,10 +166,11 @@ namespace wheelrail
   Contact::find_gap(const int i, const int j, Facing &facing)
   {
     const Lattice    &r = lattice(), &w = wheel().lattice;
-    const std::size_t k     = r.index(i, j);
-    const double      along = (r.first_station + i) * r.spacing_along + window_.wheel_ahead(),
-                 s          = r.s_begin + j * r.spacing_lateral;
-    ContactNode &node       = nodes_[k];
+    const std::size_t k = r.index(i, j);
+    // first guess of the foot: the wheel's node at the same place along and across
+    const double along = (r.first_station + i) * r.spacing_along + window_.wheel_ahead(),
+                 s     = r.s_begin + j * r.spacing_lateral;
+    ContactNode &node  = nodes_[k];
     if (!project(w,
                  window().wheel,
                  states_.wheel.x,

@@ -43,9 +43,12 @@ namespace wheelrail
     // shear: elastic trial e + k s dt in the tangent plane (on the rail, so along the wheel's slip s), the
     // damper's c s on top, return to the Coulomb bound mu(|s|) p along the trial (Simo and Laursen 1992)
     const Vector3 before = node.elastic - dot(node.elastic, n) * n;
-    Vector3       trial  = before;
+    // history projected on the tangent plane of now: the normal turns as the wheel rolls
+    Vector3 trial = before;
     add(trial, law.stiffness * time_step, motion.slip);
-    Vector3      total = trial;
+    Vector3 total = trial;
+    // mu at the slip speed of the half step behind: an implicit one has several solutions once p |dmu/dv| > k
+    // dt
     const double bound = law.friction.at(norm(motion.slip)) * node.pressure;
     if (time_step > 0)
       add(total, law.damping, motion.slip);

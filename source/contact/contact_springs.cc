@@ -21,6 +21,8 @@ namespace wheelrail
       // S = I - w/2 D'D in both directions, 3 x 3 nodes (doc/theory/contact.md, Surface filter)
       const auto stencil =
         filter_stencil(surface.lattice, stations.first, stations.last, law_.filter[body].normal, i, j);
+      // the filtered place x_f = sum of stencil weights times x: the spring acts on all nine nodes with these
+      // weights
       for (int k = -1; k <= 1; ++k)
         for (int l = -1; l <= 1; ++l)
           if (stencil[k + 1][l + 1] != 0)
@@ -40,6 +42,7 @@ namespace wheelrail
         {
           const std::size_t  k    = lattice().index(i, j);
           const ContactNode &node = nodes_[k];
+          // Newton's stiffness has the nodes that press now
           if (node.pressure <= 0)
             continue;
           Spring spring;

@@ -29,6 +29,7 @@ namespace wheelrail
                    alike(before.spacing_lateral, after.spacing_lateral);
       if (!shift.same)
         return shift;
+      // stations count from Z = 0, rows from s_begin
       const double rows = (before.s_begin - after.s_begin) / after.spacing_lateral;
       shift.stations    = before.first_station - after.first_station;
       shift.rows        = static_cast<int>(std::lround(rows));
@@ -56,6 +57,7 @@ namespace wheelrail
               continue;
             ContactNode &node = moved[after.rail.index(k, l)];
             node              = nodes[before.rail.index(i, j)];
+            // the same place on the wheel, in the numbers of the new lattice
             const FacetPoint foot{
               node.foot.i + wheel.stations, node.foot.j + wheel.rows, node.foot.xi, node.foot.eta};
             const bool stored = node.foot.i >= 0 && wheel.same && foot.i >= 0 && foot.j >= 0 &&

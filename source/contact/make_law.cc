@@ -30,6 +30,7 @@ namespace wheelrail
     {
       std::array<Vector3, 8> cube;
       for (int a = 0; a < 8; ++a)
+        // a cube of edge 1 m: weights of the filter have no unit
         cube[a] = {double(a & 1), double(a >> 1 & 1), double(a >> 2)};
       return surface_filter(element_stiffness(element_geometry(cube), body.material, body.form),
                             body.material);

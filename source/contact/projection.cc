@@ -35,6 +35,7 @@ namespace wheelrail
   {
     rail_offset_.clear();
     for (const Vector3 &X : states.rail.reference)
+      // what the rail's true profile stands out of the filtered node, along its normal; constant in a run
       rail_offset_.push_back(surfaces_.rail.offset(X));
     wheel_normal_.assign(states.wheel.reference.size(), Vector3{});
   }
@@ -97,6 +98,7 @@ namespace wheelrail
   Vector3
   Projection::tilt(const Vector3 &X, const Vector3 &normal) const
   {
+    // gradient of w along the wheel's arc and across it
     const auto    slopes = surfaces_.wheel.offset_slopes(surfaces_.wheel.place(X));
     const Vector3 along = normalised(cross(surfaces_.pose().axis(), normal)), across = cross(normal, along);
     return slopes.along * along + slopes.across * across;
@@ -140,6 +142,7 @@ namespace wheelrail
         bool      moved = false;
         for (int k = 0; k < 2; ++k)
           {
+            // a foot beyond its facet is sought on the next one
             const int move = next[k] < 0 ? -1 : next[k] > 1 ? 1 : 0;
             if (move != 0 && !pinned[k] && move == -last_move[k])
               pinned[k] = true;
@@ -157,6 +160,7 @@ namespace wheelrail
         point.xi            = next[0];
         point.eta           = next[1];
         if (!moved && change < 1e-9)
+          // settled to 1e-9 of a facet
           return point.xi > -1e-6 && point.xi < 1 + 1e-6 && point.eta > -1e-6 && point.eta < 1 + 1e-6;
       }
     return false;

@@ -69,11 +69,13 @@ namespace wheelrail
         for (const unsigned int node : face.nodes)
           if (done.insert(node).second)
             {
-              const double *x     = &mesh.reference[4 * node];
-              const Vector3 X     = {x[0], x[1], x[2]};
-              const auto    place = surfaces[body].place(X);
-              const long    i     = lattice.station(place.along) - lattice.first_station;
-              const long    j     = std::lround((place.s - lattice.s_begin) / lattice.spacing_lateral);
+              const double *x = &mesh.reference[4 * node];
+              const Vector3 X = {x[0], x[1], x[2]};
+              // station i = Z (or arc) over the spacing, row j = (s - s_begin) over the spacing
+              // (doc/theory/mesh.md, The lattice)
+              const auto place = surfaces[body].place(X);
+              const long i     = lattice.station(place.along) - lattice.first_station;
+              const long j     = std::lround((place.s - lattice.s_begin) / lattice.spacing_lateral);
               if (i < 0 || j < 0 || i >= long(lattice.n_along) || j >= long(lattice.n_lateral))
                 continue;
               const std::size_t k = lattice.index(i, j);

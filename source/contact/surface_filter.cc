@@ -78,6 +78,7 @@ namespace wheelrail
           std::copy(line, line + n, old.begin() + 3);
           std::copy(line, line + 3, old.begin());
           std::copy(line + n - 3, line + n, old.end() - 3);
+          // 1. across the track
           blend(line, old.data(), old.data() + 6, n, weights.across);
         }
     if (!is_zero(weights.along))
@@ -86,6 +87,7 @@ namespace wheelrail
           double *line = field[lattice.index(i, 0)].data();
           std::copy(line, line + n, here.begin());
           const double *after = i + 1 < last ? field[lattice.index(i + 1, 0)].data() : here.data();
+          // 2. along it, on the result: S_along S_across, which commute on a lattice
           blend(line, i == first ? here.data() : before.data(), after, n, weights.along);
           before.swap(here);
         }

@@ -73,6 +73,7 @@ namespace wheelrail
           for (unsigned int j = 0; j < surface.lattice.n_lateral; ++j)
             {
               const unsigned int k = surface.lattice.index(i, j);
+              // each node is sent by its owner
               by_rank[surface.owner[k]].push_back({body, k});
             }
       }
@@ -137,6 +138,7 @@ namespace wheelrail
         const int node = surfaces_[body].local[k];
         if (node >= 0)
           for (int i = 0; i < 3; ++i)
+            // [N], on every rank that holds the node
             force[4 * node + i] += states[body].normal_force[k][i] + states[body].traction_force[k][i];
       }
   }

@@ -27,8 +27,9 @@ namespace wheelrail
         // (`recovery`), the rest at the threshold q(X_i) = C_i/gamma_i alone (Abdel-Karim and Ohno 2000;
         // doc/manual/material.md, Cyclic hardening)
         const double gamma = hardening.rates[i];
-        modulus[i]         = hardening.moduli[i];
-        recovery[i]        = hardening.recovery * gamma;
+        // C_i [Pa], gamma_i [-]; X_i grows to C_i/gamma_i
+        modulus[i]  = hardening.moduli[i];
+        recovery[i] = hardening.recovery * gamma;
         recovered += recovery[i] * modulus[i];
         moduli += modulus[i];
         threshold[i] = gamma > 0 ? modulus[i] / gamma : std::numeric_limits<double>::infinity();

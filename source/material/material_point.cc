@@ -86,6 +86,7 @@ namespace wheelrail
       response.work = work[0];
       if constexpr (has_history<Law>)
         {
+          // a = integral of sqrt(2/3 dE_p : dE_p)
           response.accumulated = history.accumulated[0];
           response.hardening   = law.hardening_energy(history)[0];
         }
@@ -133,6 +134,7 @@ namespace wheelrail
         free.push_back(k);
       else
         strain[k] = target.value[k];
+    // wanted less present stress of the free components [Pa]
     const auto missing = [&](const Response &response) {
       std::vector<double> values;
       for (const std::size_t k : free)
@@ -144,6 +146,7 @@ namespace wheelrail
     std::vector<double> miss     = missing(response);
     for (int iteration = 0; largest(miss) > enough; ++iteration)
       {
+        // dE = (dS/dE)^-1 (wanted - S)
         const std::vector<double> change = solve(slope_of_stress(strain, response, free, miss), miss);
         const double              before = largest(miss);
         double                    part   = 1;
@@ -178,6 +181,7 @@ namespace wheelrail
     rows_        = std::move(response.rows);
     accumulated_ = response.accumulated;
     hardening_   = response.hardening;
+    // integral of S : dE_p [J/m3]
     work_ += response.work;
   }
 
