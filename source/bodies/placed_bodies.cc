@@ -11,7 +11,8 @@ namespace wheelrail
   {
     const double c = std::cos(angle), s = std::sin(angle);
     // fixed axes X (to the track centre), Y (up), Z (forwards) in rows; columns x = Z, y = (c, s) along the
-    // rail's profile, n = (s, -c) down into the rail, body 1: right-handed
+    // rail's profile, n = (s, -c) down into the rail, body 1: x x y is -n, out of the rail, about which spins
+    // count
     return {{0, c, s, 0, s, -c, 1, 0, 0}};
   }
 
