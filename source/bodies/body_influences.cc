@@ -3,6 +3,9 @@
 #include <cstddef>
 #include <vector>
 
+// R at lags i dx and at i dx + step: displacement here, and where the particle was one step before, for the
+// slip (u - u')/dq.
+
 namespace wheelrail
 {
   BodyInfluences

@@ -5,6 +5,10 @@
 #include <memory>
 #include <vector>
 
+// Rounds of pressure, tractions, stretch and motion (doc/theory/bodies.md, Contact): first on elements of
+// twice the size, a quarter of them, then on the wanted ones from there; settled when slips change by less
+// than 1e-7, pressures by 2e-4 of the peak, turns by 2e-6, v by 0.1 um.
+
 namespace wheelrail
 {
   namespace

@@ -3,6 +3,9 @@
 #include <wheelrail/mesh/wheel_section.h>
 #include <wheelrail/model/scene_material.h>
 
+// Sections whose tables serve any place of contact (doc/theory/bodies.md, 2.5-D elements): blocks of 16 mm,
+// divided three times along the running surface, rail held at its foot, wheel at its bore.
+
 namespace wheelrail
 {
   BodySections

@@ -4,6 +4,10 @@
 
 #include <cmath>
 
+// H(k) of (2) in doc/theory/bodies.md: a half-space under a line load exp(i k z), directions t along the
+// surface, n along its normal, w along the line. 2 K0 and 2 k s K1 are the transforms of 1/r and s^2/r^3 over
+// z.
+
 namespace wheelrail
 {
   LineResponse

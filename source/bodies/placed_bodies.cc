@@ -4,6 +4,9 @@
 #include <memory>
 #include <vector>
 
+// Where the rows of elements lie on the profiles of both bodies, and R of (4) in doc/theory/bodies.md from
+// that.
+
 namespace wheelrail
 {
   AddedInfluence::Basis

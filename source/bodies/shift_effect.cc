@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+// How far half-spaces hold (doc/theory/bodies.md, Where half-spaces hold): against the true bodies under the
+// same forces, or by the lateral shift with which wheel and rail yield, 0.2 mm per 100 kN.
+
 namespace wheelrail
 {
   double

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+// Wavenumbers and weights of (3) in doc/theory/bodies.md: the integral over k as a sum.
+
 namespace wheelrail
 {
   namespace

@@ -7,6 +7,9 @@
 #include <set>
 #include <string>
 
+// Lattice of the running surface: nodes by station and row, tributary areas A of the quadrature on the nodes
+// (doc/theory/contact.md, doc/theory/mesh.md, The lattice).
+
 namespace wheelrail
 {
   namespace

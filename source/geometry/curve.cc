@@ -5,6 +5,9 @@
 #include <limits>
 #include <string>
 
+// A row of segments, t = segment + fraction: points, lengths, closest points and places at a level
+// (doc/theory/geometry.md, Curves).
+
 namespace wheelrail
 {
   Curve::Curve(std::vector<Segment> segments)

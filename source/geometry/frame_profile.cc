@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+// Heights n(s) of a profile in a contact frame, from the exact segment: closed for lines and arcs, Newton's
+// steps for polynomials and splines (doc/theory/geometry.md, Rigid contact, 2).
+
 namespace wheelrail
 {
   namespace

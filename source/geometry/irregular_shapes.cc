@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+// Shapes of irregularities: depth times a profile along, 0 to 1, times one across; u is the place along from
+// the middle [m] (doc/manual/irregularities.md).
+
 namespace wheelrail
 {
   namespace

@@ -14,6 +14,10 @@
 #include <string>
 #include <utility>
 
+// Heights from levels of one-third-octave bands (EN 15610; doc/manual/irregularities.md): lines of a spectrum
+// k/length with equal shares of a band's mean square and random phases; periodic over `length`, faded at its
+// ends.
+
 namespace wheelrail
 {
   namespace

@@ -2,11 +2,16 @@
 
 #include <cmath>
 
+// Height of the turning wheel over a place (s, z) of the rail: on the surface of revolution itself, in its
+// position with yaw and offsets (doc/theory/geometry.md). A parabola in its place changes the main scene by
+// 2e-5.
+
 namespace wheelrail
 {
   double
   half_length_bound(const double approach, const double rolling_radius)
   {
+    // half a chord of the rolling circle, sqrt((2 r - d) d)
     return std::sqrt((2 * rolling_radius - approach) * approach);
   }
 
@@ -34,6 +39,7 @@ namespace wheelrail
     double value = inside(n), rise = 1;
     for (int k = 0; k < 20 && std::abs(value) > enough; ++k)
       {
+        // secant steps: rise is d(inside)/dn
         const double step = -value / rise, next = inside(n + step);
         n += step;
         if (std::abs(next) >= std::abs(value))

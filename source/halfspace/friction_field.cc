@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+// mu of each element from its slip, with memory: what friction falls to takes a distance
+// (doc/theory/halfspace.md, Limits; Vollebregt and Schuttelaars 2012). Without memory falling friction may
+// have several solutions.
+
 namespace wheelrail
 {
   std::vector<double>

@@ -8,6 +8,12 @@
 #include <cmath>
 #include <mutex>
 
+// A_ab of doc/theory/halfspace.md, Equations: displacement difference u_a of two half-spaces under a constant
+// traction t_b on a rectangle, in closed form from the primitives of x^2/r^3, y^2/r^3, x y/r^3, x/r^2, y/r^2
+// (Boussinesq 1885, Cerruti 1882; Kalker 1990), and products with A by FFT.
+// Checked: CONTACT's peak pressure and approach of Hertz's ellipses, to its last printed digit
+// (doc/theory/halfspace.md, Verification).
+
 namespace wheelrail
 {
   namespace

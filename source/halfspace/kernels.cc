@@ -1,5 +1,8 @@
 #include <wheelrail/halfspace/kernels.h>
 
+// Influence matrices as spectra, kept while grid and materials stay: each is computed when it is first asked
+// for.
+
 namespace wheelrail
 {
   namespace

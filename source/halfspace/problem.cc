@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+// Grids and undeformed distances h(x, y) at the centres of elements [m].
+
 namespace wheelrail
 {
   HalfspaceGrid

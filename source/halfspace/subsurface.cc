@@ -5,6 +5,9 @@
 #include <cmath>
 #include <string>
 
+// Stresses at points in one body, element by element in closed form (doc/theory/halfspace.md, Stresses below
+// the surface). Signs: tension positive, n of the contact frame.
+
 namespace wheelrail
 {
   namespace

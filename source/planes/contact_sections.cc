@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+// Undeformed distance d(s, x), rolling radius and angles of the slices of a contact plane, and the rigid slip
+// that follows. With yaw and irregularities the wheel is the surface of revolution in its position.
+
 namespace wheelrail
 {
   namespace

@@ -1,5 +1,8 @@
 #include <wheelrail/planes/rigid_slip.h>
 
+// Rigid slip of the rail against the wheel over V (doc/theory/halfspace.md, A wheelset in a curve;
+// doc/theory/rolling.md, Shear tractions).
+
 namespace wheelrail
 {
   // w_x and w_s of doc/theory/halfspace.md, "A wheelset in a curve"

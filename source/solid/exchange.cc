@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <vector>
 
+// Hanging nodes: u_h = sum of w u_parent, f_parent += w f_h, the transpose (doc/theory/element.md, Uniform
+// gradients); nodal sums over the ranks that hold a node.
+
 namespace wheelrail
 {
   void

@@ -5,6 +5,9 @@
 #include <array>
 #include <vector>
 
+// Nodal means with volumes as weights: H of the rolling velocities v = V e_z + (1 + H)(omega x r)
+// (doc/theory/rolling.md, Rolling velocities), and plastic strains.
+
 namespace wheelrail
 {
   namespace

@@ -33,6 +33,8 @@ extern "C"
           std::size_t);
 }
 
+// Cholesky's factors of a symmetric (hermitian) positive definite band matrix, by LAPACK.
+
 namespace wheelrail
 {
   namespace

@@ -9,6 +9,9 @@
 #include <cstdint>
 #include <map>
 
+// Exact coarse solver (doc/theory/rolling.md, Static start, 4): K^-1 of each body by its sweep; contact
+// springs and what joins nodes of the rail are a correction of low rank in their directions (Woodbury).
+
 namespace wheelrail
 {
   DirectBottom::DirectBottom(const Discretization             &discretization,

@@ -6,6 +6,8 @@
 #include <memory>
 #include <vector>
 
+// Choice of the coarse solver by the memory of exact factors (doc/theory/rolling.md, Static start, 4).
+
 namespace wheelrail
 {
   namespace

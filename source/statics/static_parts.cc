@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+// What parts of a scene give to the static start: loads, springs, held nodes (doc/theory/rolling.md, Time
+// stepping).
+
 namespace wheelrail
 {
   StaticParts::StaticParts(const SceneParts &parts, const Solid &solid, MPI_Comm communicator)

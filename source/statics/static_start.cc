@@ -9,6 +9,10 @@
 #include <string>
 #include <utility>
 
+// Static start (doc/theory/rolling.md): 1. pressed rigidly by 0.55 of the approach; 2. Newton's steps with
+// search, shear tractions set anew on the way, until no node has more than 2e-6 of the wheel load; 3. flow of
+// bodies that yield, tractions for the pressures of the yielded patch; 4. tractions put into the contact.
+
 namespace wheelrail
 {
   namespace
