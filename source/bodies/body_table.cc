@@ -66,6 +66,7 @@ namespace wheelrail
           weights[i] = 1;
           for (int j = 0; j < 4; ++j)
             if (j != i)
+              // product over j of (x - x_j)/(x_i - x_j)
               weights[i] *= (x - at[j]) / (at[i] - at[j]);
         }
       return weights;
@@ -200,6 +201,7 @@ namespace wheelrail
       {
         const std::vector<Point2> growth = stiffness.growth(1, elasticity.density, rows);
         for (std::size_t i = 0; i < rows.size(); ++i)
+          // at 1 rad/s; y of a wheel's section is outwards, down at the contact
           table.rows[i].growth = {growth[i].x, -growth[i].y};
         for (unsigned int n = 0; n < n_harmonics; ++n)
           table.waves.push_back(n);
@@ -209,6 +211,7 @@ namespace wheelrail
                             ? between(n_harmonics - 0.5, highest_wavenumber * nominal_radius, n_wavenumbers)
                             : between(lowest_wavenumber, highest_wavenumber, n_of_rail))
       table.waves.push_back(k);
+    // D at each wavenumber (rail) or number of waves (wheel): one factor of K each
     for (const double wave : table.waves)
       {
         leave_if_interrupted();

@@ -185,6 +185,7 @@ namespace wheelrail
         for (const auto &[master, weight] : line.entries)
           {
             mesh.hanging.back().masters.push_back(master);
+            // value of the coarse edge's quadratic at the hanging node
             mesh.hanging.back().weights.push_back(weight);
           }
       }

@@ -153,6 +153,7 @@ namespace wheelrail
             for (int i = 0; i < m; ++i)
               {
                 a[i + std::size_t(m) * j] = dot_product(x[i], stiff);
+                // m x m matrices of the subspace
                 b[i + std::size_t(m) * j] = dot_product(x[i], heavy);
               }
           }

@@ -96,7 +96,8 @@ namespace wheelrail
         const auto  &middle = mesh.running[first + cells / 2].node;
         const Point2 start  = mesh.nodes[mesh.running[first].node[0]],
                      end    = mesh.nodes[mesh.running[first + cells - 1].node[2]];
-        row.place           = mesh.nodes[cells % 2 ? middle[1] : middle[0]];
+        // middle node of the row
+        row.place = mesh.nodes[cells % 2 ? middle[1] : middle[0]];
         // of the chord from end to end
         row.angle  = std::atan2(end.y - start.y, end.x - start.x);
         row.radius = wheel ? row.place.y : 0;
@@ -247,6 +248,7 @@ namespace wheelrail
     const auto         *value = static_cast<const double *>(L->x);
     for (int column = first; column < n; ++column)
       for (int e = start[column]; e < start[column + 1]; ++e)
+        // the last ns x ns block of L, dense
         dense[std::size_t(column - first) * ns + row[e] - first] = value[e];
     cholmod_free_factor(&L, &d.common);
     for (std::size_t r = 0; r < rows.size(); ++r)

@@ -89,6 +89,7 @@ namespace wheelrail
         throw RunError("a cell of the mesh is folded near (" + std::to_string(X[0][0]) + ", " +
                        std::to_string(X[0][1]) + ", " + std::to_string(X[0][2]) +
                        ") m: its Jacobian is not positive; choose another coarse cell size");
+      // V = sum of det J over eight points of weight 1
       g.volume += det;
       for (int a = 0; a < 8; ++a)
         {
@@ -130,6 +131,7 @@ namespace wheelrail
           // h_m X = sum over a of h_m(a) X_a: 0 of a brick
           g.hX[m][i] += hourglass(a)[m] * vertices[a][i];
 
+    // axes A: orthonormal, closest to the columns of the Jacobian at the centre
     const Matrix J = jacobian(vertices, {0, 0, 0});
     g.frame        = closest_rotation(J);
     for (int k = 0; k < 3; ++k)

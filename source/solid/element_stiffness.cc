@@ -35,6 +35,8 @@ namespace wheelrail
       for (int m = 0; m < 4; ++m)
         for (int k = 0; k < 3; ++k)
           amplitudes[m][k] = p[m][k];
+      // Q_m = dW/dp_m: plates in bending and twist, bars in the last pattern (doc/theory/element.md, table of
+      // Stabilisation)
       reduced::hourglass_stress<1>({rows}, amplitudes, material, stresses, square);
       std::array<Vector, 4> Q;
       for (int m = 0; m < 4; ++m)

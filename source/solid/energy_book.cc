@@ -35,6 +35,7 @@ namespace wheelrail
     double total = 0;
     for (const EnergyTerm &term : terms_)
       if (term.kind == kind)
+        // [J], all ranks
         total += term.value;
     return total;
   }
@@ -45,7 +46,8 @@ namespace wheelrail
   {
     for (EnergyTerm &term : terms_)
       {
-        term.here   = 0;
+        term.here = 0;
+        // works up to n - 1/2
         term.before = term.work;
       }
   }

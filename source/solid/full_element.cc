@@ -22,6 +22,7 @@ namespace wheelrail
       std::array<double, full::fields> row{};
       for (int a = 0; a < 8; ++a)
         {
+          // signs of the natural coordinates of node a
           const double s[3] = {a & 1 ? 1. : -1., a & 2 ? 1. : -1., a & 4 ? 1. : -1.};
           for (int i = 0; i < 3; ++i)
             {
@@ -67,6 +68,7 @@ namespace wheelrail
         {
           auto &p = points.point[g];
           full::evaluate_point<1>(dX, du, g, p);
+          // V = sum of w_g = det dX/dxi
           points.volume += p.weight[0];
           // theta = (1/V) sum w_g tr E_g; Ebar_g = E_g + (theta - tr E_g)/3 I (Nagtegaal, Parks and Rice
           // 1974; doc/theory/element.md, The full element)
@@ -189,6 +191,8 @@ namespace wheelrail
               d[a][j] = 0;
               for (int k = 0; k < 3; ++k)
                 {
+                  // dN_a/dxi_k at the Gauss point g: +-1/2 along k times (1 +- 1/sqrt(3))/2 along the two
+                  // others, plus where node and point lie on the same side (equal bits of a and g)
                   double slope = a >> k & 1 ? 0.5 : -0.5;
                   for (int l = 0; l < 3; ++l)
                     if (l != k)
@@ -196,6 +200,7 @@ namespace wheelrail
                   // dN_a/dX = sum over k of dN_a/dxi_k cofactor_k/det J, at the Gauss point g
                   d[a][j] += slope * point.cofactor[k][j][0] / weight;
                 }
+              // integral of dN_a/dX: the gradient of the cell's dilatation
               mean[a][j] += weight * d[a][j];
             }
         volume += weight;

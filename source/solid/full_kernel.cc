@@ -86,6 +86,7 @@ namespace wheelrail
       Simd<W>                                 density(0.);
       if (flowed)
         history.load(rows);
+      // trial and radial return on Ebar_g (doc/manual/material.md, Theory)
       const bool flows = point_response(call.law, point.E, history, S, density);
       if (flows)
         {

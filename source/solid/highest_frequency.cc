@@ -96,6 +96,7 @@ namespace wheelrail
         // Lanczos (1950): beta v_next = K v - alpha v - beta v_before. The largest Ritz value of the
         // tridiagonal matrix comes to omega^2 from below.
         K.apply(v, w);
+        // alpha_k and beta_k: diagonal and off-diagonal of the tridiagonal matrix
         const double alpha = K.dot(w, v);
         for (std::size_t k = 0; k < w.size(); ++k)
           w[k] -= alpha * v[k] + (step > 0 ? beta : 0.) * before[k];
@@ -139,6 +140,7 @@ namespace wheelrail
   {
     double added = 0;
     for (const auto &part : parts)
+      // omega^2 of the whole is at most the sum of that of the bodies and those of the parts
       added += part->squared_frequency(solid);
     const double bodies = 2 / solid.stable.step; // with their viscosity
     if (added > 0)

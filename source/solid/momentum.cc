@@ -82,6 +82,7 @@ namespace wheelrail
         RigidField field;
         if (!(sums[mass] > 0))
           return field;
+        // v = P/M, omega = I^-1 (L - c x P)
         const double M  = sums[mass];
         field.centre    = (1 / M) * three(first);
         field.velocity  = (1 / M) * momentum;

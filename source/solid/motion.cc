@@ -11,6 +11,7 @@ namespace wheelrail
     Four
     resting_force(const NodeInertia &inertia)
     {
+      // -m g along Y: forces begin a step with the weight
       return Four{0, -inertia.weight, 0, 0};
     }
 
@@ -67,6 +68,7 @@ namespace wheelrail
     std::vector<NodeInertia> inertia(solid.mesh.n_nodes());
     for (std::size_t n = 0; n < inertia.size(); ++n)
       if (solid.mass[n] > 0)
+        // the added mass of the contact has inertia, no weight
         inertia[n].inverse_mass = 1 / (solid.mass[n] + solid.added_mass[n]);
     return inertia;
   }

@@ -133,6 +133,7 @@ namespace wheelrail::patches
         Moments      around;
         const double size = std::cbrt(element.volume);
         for (const unsigned int node : *element.nodes)
+          // patch of an element: all elements around its eight nodes, counted by their nodes
           add_moved(around,
                     moments[node],
                     reference_place(mesh, node) - element.centre,

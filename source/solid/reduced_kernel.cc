@@ -36,6 +36,8 @@ namespace wheelrail
       Simd<W>        done(0.);
       if (flowed)
         history.load(rows);
+      // centre and patterns flow back by the same fraction, on n^2 + m^2 + n m/4 (doc/theory/element.md,
+      // Plastic flow)
       if (return_to_yield<W>(call.law, g, E, p, history, Q, done))
         {
           flowed = 1;

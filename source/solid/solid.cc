@@ -38,7 +38,8 @@ namespace wheelrail
           for (int k = 0; k < 3; ++k)
             {
               const int other = a ^ (1 << k);
-              edge[k]         = (other > a ? 1. : -1.) * (X[other] - X[a]);
+              // edges of corner a along the natural coordinates
+              edge[k] = (other > a ? 1. : -1.) * (X[other] - X[a]);
             }
           // det of the three edges of a corner over the volume: 1 of a brick, 0 or less where the cell is
           // folded
@@ -111,6 +112,7 @@ namespace wheelrail
       sum_over_ranks(solid.mesh, mass.data());
       solid.mass.resize(solid.mesh.n_nodes());
       for (std::size_t n = 0; n < solid.mesh.n_nodes(); ++n)
+        // row sums of the condensed consistent mass: diagonal, and the total mass exactly
         solid.mass[n] = mass[4 * n];
       for (const unsigned int n : solid.mesh.hanging)
         solid.mass[n] = 0;

@@ -23,6 +23,7 @@ namespace wheelrail
         return (1 - foot.xi) * value(lattice.index(foot.i, foot.j + b)) +
                foot.xi * value(lattice.index(foot.i + 1, foot.j + b));
       };
+      // bilinear in the facet
       return (1 - foot.eta) * line(0) + foot.eta * line(1);
     }
 

@@ -147,7 +147,8 @@ namespace wheelrail
         for (StartPlane &plane : planes_)
           {
             plane.problem.longitudinal_force_given = false;
-            plane.problem.xi                       = creepage;
+            // c of w_x: the same for all planes, one pitch rate
+            plane.problem.xi = creepage;
             plane.solve();
           }
       }
@@ -206,6 +207,7 @@ namespace wheelrail
       {
         double sum = 0;
         for (const StartPlane &plane : planes_)
+          // on the wheel
           sum -= plane.solution.fx;
         return sum;
       }
@@ -310,6 +312,7 @@ namespace wheelrail
     double             load      = 0;
     for (std::size_t k = 0; k < contact.nodes().size(); ++k)
       load += contact.nodes()[k].pressure * contact.rail().area[k];
+    // 98 % of mu times the sum of p A
     const double   bound = full_slip * friction.at(0) * load;
     const double   force = std::clamp(longitudinal_force, -bound, bound);
     StartPlanes    planes(contact, bodies, motion, beyond);

@@ -91,6 +91,7 @@ namespace wheelrail
     {
       const double load = search.wheel_load();
       return balance.largest() < tolerance * load &&
+             // vertical balance to ten times the tolerance of a node
              std::abs(balance.sums.force[1] - load) < 10 * tolerance * load;
     }
   } // namespace
@@ -118,6 +119,7 @@ namespace wheelrail
         StaticStep    step = quasi_newton_step(search, flow.balance, secants);
         StaticBalance next = go_along(search, step, flow.balance);
         Secant        secant{step, flow.balance.residual, flow.balance.bore - next.bore};
+        // y = residual before - residual after
         secant.change -= next.residual;
         secant.work = secant.change * step.increment + secant.bore_change * step.lift;
         // y . s > 0, or the inverse would not stay positive

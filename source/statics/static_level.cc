@@ -166,6 +166,7 @@ namespace wheelrail
     if (!ground_.springs.empty())
       for (std::size_t k = 0; k < 4 * mesh_.n_owned; ++k)
         if (!held_[k / 4])
+          // diagonal ground springs of sleepers [N/m]
           y[k] += factor * ground_.springs[k] * x.begin()[k];
     ground_.joined.add_product(factor, x.begin(), y);
   }
@@ -259,6 +260,7 @@ namespace wheelrail
     for (std::size_t k = 0; k < images_.size(); ++k)
       if (const unsigned int n = springs_.local_nodes()[k]; mesh_.owns(n))
         for (int i = 0; i < 3; ++i)
+          // B D^-1 r
           forces[springs_.parts()[k].spring] += images_[k][i] * residual.begin()[4 * n + i];
     MPI_Allreduce(
       MPI_IN_PLACE, forces.data(), static_cast<int>(forces.size()), MPI_DOUBLE, MPI_SUM, communicator_);
@@ -292,6 +294,7 @@ namespace wheelrail
       if (const unsigned int n = springs_.local_nodes()[k]; mesh_.owns(n))
         for (int i = 0; i < 3; ++i)
           {
+            // D^-1 B' times the spring forces
             const double held_back = take * forces[springs_.parts()[k].spring] * images_[k][i];
             s[4 * n + i] -= held_back;
             to[4 * n + i] -= held_back;
@@ -354,6 +357,7 @@ namespace wheelrail
         const double beta = k == 0 ? 0 : rz / product_before;
         p.sadd(beta, 1, z);
         product(p, q);
+        // conjugate gradients on K x = r with D^-1: alpha_k = r z/(p K p), beta_k = r z/(r z before)
         const double alpha = rz / (p * q);
         r.add(-alpha, q);
         // Lanczos' tridiagonal matrix from conjugate gradients: 1/alpha_k + beta_k/alpha_k-1 on the diagonal,

@@ -76,7 +76,8 @@ namespace wheelrail
     const AxleData      &axle = loads.axle;
     const MassProperties wheel =
       mass_properties(solid, Body::wheel, axle.centre, discretization.communicator());
-    wheel_mass_   = wheel.mass;
+    wheel_mass_ = wheel.mass;
+    // e: height of the wheel's centre of mass over the axle; zero of an even mesh
     wheel_offset_ = radial_arm(wheel.centre, axle)[1];
     // omega = V/(r cos(yaw)) without creepage
     rate_ = loads.axle.velocity / loads.forward_radius;
@@ -200,6 +201,7 @@ namespace wheelrail
   StaticSearch::move(const StaticStep &step, const double factor)
   {
     NodeVector increment = step.increment;
+    // u += factor (x + lift r)
     increment *= factor;
     system_.add_to_nodes(increment, factor * step.lift, solid_.displacement);
     lift += factor * step.lift;
@@ -281,6 +283,8 @@ namespace wheelrail
     const double least = 1e-300; // of a creepage that is 0
     return std::max(
       {std::abs(tractions.creepage - before.creepage) / std::max(std::abs(tractions.creepage), least),
+       // changes of creepage, of the longitudinal force and, with yaw, of the lateral force along the
+       // wheelset
        std::abs(tractions.force - before.force) / wheel_load(),
        std::abs((lateral_force_ - before_lateral) * std::sin(loads_.yaw)) / wheel_load()});
   }

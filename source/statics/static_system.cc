@@ -69,6 +69,8 @@ namespace wheelrail
     Vector vector = zero();
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       if (!held_[n])
+        // equations of free nodes alone: forces of hanging ones are at their parents, held ones have
+        // reactions
         std::copy_n(&nodal[4 * n], 3, vector.begin() + 4 * n);
     for (const unsigned int n : mesh_.hanging)
       if (mesh_.owns(n))
@@ -84,6 +86,7 @@ namespace wheelrail
     everywhere.update_ghost_values();
     for (std::size_t n = 0; n < held_.size(); ++n)
       if (bore_[n])
+        // the bore moves with the axle, all other nodes by x + lift r, which `increment` holds already
         nodal[4 * n + 1] += lift;
       else if (!held_[n])
         for (unsigned int i = 0; i < 3; ++i)
@@ -193,6 +196,7 @@ namespace wheelrail
   void
   StaticSystem::precondition(const Unknowns &forces, Unknowns &z)
   {
+    // M^-1 = V cycle with the bore held + w w'/(w' K w)
     multigrid_->cycle(forces.nodes, z.nodes);
     // w (w' f)/(w' K w), w the response to a lift
     const double share = dot(forces, response_) / approach_stiffness_;
@@ -260,6 +264,7 @@ namespace wheelrail
     const double enough = tolerance * load.nodes.l2_norm();
     product(response_, image);
     Unknowns residual = {zero(), 0};
+    // residual of -K r - K x for the last x: the search starts there
     residual.nodes -= image.nodes;
     conjugate_gradients<false>(std::move(residual), response_, enough);
     product(response_, image);

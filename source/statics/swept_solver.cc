@@ -37,6 +37,7 @@ namespace wheelrail
         for (int b = 0; b < grid.n_blocks(); ++b)
           for (const unsigned int p : grid.corners(b))
             for (const unsigned int q : grid.corners(b))
+              // corners of one block are coupled
               touching.add(p, q);
         std::vector<dealii::types::global_dof_index> order(place.size());
         dealii::SparsityTools::reorder_Cuthill_McKee(touching, order);
@@ -251,6 +252,7 @@ namespace wheelrail
         std::vector<Stiffness> blocks;
         for (int b = 0; b < grid.n_blocks(); ++b)
           blocks.push_back(block_stiffness(grid, b, 0, material, form));
+        // hermitian matrix of each harmonic, phase 2 pi m/n from sector to sector
         for (int m = 0; m <= n_sectors_ / 2; ++m)
           {
             // u_k = sum over m of U_m exp(i m 2 pi k/n): equal sectors, in axes that turn with them, leave
