@@ -117,6 +117,66 @@ namespace wheelrail
               {"penalty_part_of_peak_difference", json_number(measures.penalty_part())},
               {"mesh_part_of_peak_difference", json_number(measures.mesh_part())}};
     }
+
+    /// Throws InputError where the folder holds no results of a run.
+    void
+    require_run(const std::string &folder)
+    {
+      const std::filesystem::path path = folder;
+      const auto holds = [&](const char *name) { return std::filesystem::exists(path / name); };
+      if ((holds("halfspace.h5") && !holds("patch.h5")) || holds("wheelset.csv"))
+        throw InputError(folder +
+                         ": half-spaces, which have no run to be compared with; compare needs the "
+                         "output folder of a run");
+      if (!std::filesystem::exists(path / "summary.json"))
+        throw InputError("The folder " + folder + " holds no summary.json; give the output folder of a run.");
+    }
+
+    /// What is held against half-spaces on elements of `element` mm, and in which pose.
+    void
+    print_compared(const std::string    &title,
+                   const double          element,
+                   const SectionOffsets &offsets,
+                   std::ostream         &out)
+    {
+      out << title << "\nMeans of the run against half-spaces on elements of " << element
+          << " mm, wheel moved by " << text("%.3f", 1e3 * offsets.lateral) << " mm and rail turned by "
+          << text("%.3f", 1e3 * (offsets.wheel_roll - offsets.rail_roll)) << " mrad to the track centre\n";
+    }
+
+    /// Half-spaces without what a run does not have.
+    void
+    leave_to_half_spaces(Scene &scene, std::ostream &out)
+    {
+      if (scene.halfspace_memory_length > 0 || scene.halfspace_layer_thickness > 0)
+        out << "note: Half-space/Friction memory and Interface layer are left out, since a run has neither\n";
+      scene.halfspace_memory_length   = 0;
+      scene.halfspace_layer_thickness = 0;
+      scene.halfspace_bodies          = ContactBodies::half_spaces;
+    }
+
+    /// What the verdict of a compared run follows from. `bodies`: what compare_bodies() gave.
+    Measures
+    measures_of_comparison(const Scene                  &scene,
+                           const SceneGeometry          &geometry,
+                           const Summary                &run,
+                           const WheelRailSolution      &result,
+                           const Comparison             &comparison,
+                           const bool                    with_bodies,
+                           const nlohmann::ordered_json &bodies)
+    {
+      Measures measures      = measures_of_run(scene, run);
+      measures.beyond        = comparison.beyond;
+      measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
+      measure_against(halfspace_pressure(result), scene, run, measures);
+      if (with_bodies && force_is_a_result(scene))
+        measure_against_bodies(scene, geometry, run, measures);
+      if (!bodies.is_null() && bodies["converged"])
+        measures.bodies_difference = get_figure(run, "bodies_relative_difference_max_pressure");
+      measures.pose_effect =
+        result.solution.peak_pressure / halfspace_pressure(scene, geometry, result.solution.fn, {}).peak - 1;
+      return measures;
+    }
   } // namespace
 
 
@@ -127,28 +187,18 @@ namespace wheelrail
                       const bool                      draws,
                       std::ostream                   &out)
   {
+    require_run(folder);
     const std::filesystem::path path = folder;
-    const auto holds                 = [&](const char *name) { return std::filesystem::exists(path / name); };
-    if ((holds("halfspace.h5") && !holds("patch.h5")) || holds("wheelset.csv"))
-      throw InputError(folder +
-                       ": half-spaces, which have no run to be compared with; compare needs the "
-                       "output folder of a run");
-    if (!std::filesystem::exists(path / "summary.json"))
-      throw InputError("The folder " + folder + " holds no summary.json; give the output folder of a run.");
-    const FolderLock held(folder); // no run, and no other comparison, works in it meanwhile
-    Summary          run   = read_summary((path / "summary.json").string());
-    SceneInput       input = read_scene((path / "parameters.prm").string(), sets);
+    const FolderLock            held(folder); // no run, and no other comparison, works in it meanwhile
+    Summary                     run   = read_summary((path / "summary.json").string());
+    SceneInput                  input = read_scene((path / "parameters.prm").string(), sets);
     print_notes(entries_without_effect(input, "compare"), out);
     use_kept_profiles(input.scene, folder);
     if (const double place = get_figure(run, "motion_distance_m"); std::isfinite(place))
       input.scene = scene_on_way(input.scene, place);
     const SceneGeometry geometry = require_touching(input);
-    if (input.scene.halfspace_memory_length > 0 || input.scene.halfspace_layer_thickness > 0)
-      out << "note: Half-space/Friction memory and Interface layer are left out, since a run has neither\n";
-    input.scene.halfspace_memory_length   = 0;
-    input.scene.halfspace_layer_thickness = 0;
-    input.scene.halfspace_bodies          = ContactBodies::half_spaces;
-    const Scene &scene                    = input.scene;
+    leave_to_half_spaces(input.scene, out);
+    const Scene &scene = input.scene;
     check_figures(scene, run, (path / "summary.json").string());
     const WheelRailLoad     load      = load_of_run(run);
     const SectionOffsets    offsets   = offsets_of_run(run);
@@ -157,23 +207,12 @@ namespace wheelrail
     Summary                 halfspace = halfspace_summary(scene, result);
     set_stress_below(largest_stress_below(stresses.slices, scene.cell_size), halfspace);
 
-    out << run.title << "\nMeans of the run against half-spaces on elements of "
-        << 1e3 * result.solution.grid.dx << " mm, wheel moved by " << text("%.3f", 1e3 * offsets.lateral)
-        << " mm and rail turned by " << text("%.3f", 1e3 * (offsets.wheel_roll - offsets.rail_roll))
-        << " mrad to the track centre\n";
+    print_compared(run.title, 1e3 * result.solution.grid.dx, offsets, out);
     const Comparison       comparison = compare_figures(run, halfspace, half_spaces, out);
     nlohmann::ordered_json bodies =
       with_bodies ? compare_bodies(scene, geometry, load, run, out) : nlohmann::ordered_json();
-    Measures measures      = measures_of_run(scene, run);
-    measures.beyond        = comparison.beyond;
-    measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
-    measure_against(halfspace_pressure(result), scene, run, measures);
-    if (with_bodies && force_is_a_result(scene))
-      measure_against_bodies(scene, geometry, run, measures);
-    if (!bodies.is_null() && bodies["converged"])
-      measures.bodies_difference = get_figure(run, "bodies_relative_difference_max_pressure");
-    measures.pose_effect =
-      result.solution.peak_pressure / halfspace_pressure(scene, geometry, result.solution.fn, {}).peak - 1;
+    const Measures measures =
+      measures_of_comparison(scene, geometry, run, result, comparison, with_bodies, bodies);
     const Verdict verdict = judge_run(scene, measures);
     set_verdict(run, verdict);
     const std::string sentence = agreement_sentence(scene, measures, verdict);

@@ -84,6 +84,40 @@ namespace wheelrail
       if (scene.support.kind != RailSupport::clamped_foot)
         out << "note: without Track/Support: the contact of steady rolling does not depend on it\n";
     }
+
+    /// What was solved, and its figures. `given`: the undeformed distance, and with it the normal force.
+    void
+    print_solution(const Scene             &scene,
+                   const WheelRailSolution &result,
+                   const HalfspaceResults  &results,
+                   const bool               given,
+                   std::ostream            &out)
+    {
+      const bool           real    = scene.halfspace_bodies == ContactBodies::real;
+      const Summary       &figures = results.figures;
+      const HalfspaceGrid &grid    = result.solution.grid;
+      char                 text[256];
+      std::snprintf(text,
+                    sizeof(text),
+                    "%s: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
+                    real ? "Contact of the true bodies" : "Half-space contact",
+                    given ? "normal force" : "wheel load",
+                    1e-3 * (given ? result.solution.fn : figures.vertical_force),
+                    scene.drive == Drive::rate ? "creepage given" : "longitudinal force given",
+                    1e3 * grid.dx,
+                    grid.mx,
+                    grid.my);
+      out << text;
+      if (const std::string note = resolution_note(scene, result.solution); !note.empty())
+        out << "note: " << note << '\n';
+      for (const std::string &line : halfspace_screen(figures))
+        out << line << '\n';
+      if (!result.others.empty())
+        print_patches(figures, result.others.size() + 1, out);
+      print_stresses(results.stresses, out);
+      if (real)
+        out << halfspaces_beside(figures) << '\n';
+    }
   } // namespace
 
 
@@ -126,28 +160,7 @@ namespace wheelrail
       replace_file(inputs.basic, contact_input(result.problem, scene.title));
     if (!inputs.wheel_rail.empty())
       write_wheel_rail_input(scene, *geometry, figures.vertical_force, inputs.wheel_rail);
-    const HalfspaceGrid &grid = result.solution.grid;
-    char                 text[256];
-    std::snprintf(text,
-                  sizeof(text),
-                  "%s: %s %.3f kN, %s, elements of %g mm, grid of %d x %d\n",
-                  real ? "Contact of the true bodies" : "Half-space contact",
-                  given ? "normal force" : "wheel load",
-                  1e-3 * (given ? result.solution.fn : figures.vertical_force),
-                  scene.drive == Drive::rate ? "creepage given" : "longitudinal force given",
-                  1e3 * grid.dx,
-                  grid.mx,
-                  grid.my);
-    out << text;
-    if (const std::string note = resolution_note(scene, result.solution); !note.empty())
-      out << "note: " << note << '\n';
-    for (const std::string &line : halfspace_screen(figures))
-      out << line << '\n';
-    if (!result.others.empty())
-      print_patches(figures, result.others.size() + 1, out);
-    print_stresses(results.stresses, out);
-    if (real)
-      out << halfspaces_beside(figures) << '\n';
+    print_solution(scene, result, results, given, out);
 
     remove_earlier_results(folder);
     write_halfspace_folder(scene, result, results, folder.string());

@@ -124,6 +124,64 @@ namespace wheelrail
       out << line << std::flush;
     }
 
+    /// What a blow gave.
+    struct Struck
+    {
+      const Receptances            &blow;
+      const FigureTable            &table;
+      const std::vector<Resonance> &peaks;
+    };
+
+    /// The same by the waves of the rail's section: waves.csv, the largest difference, and the peak that
+    /// record and rail cut most.
+    void
+    hold_against_waves(const Scene                 &scene,
+                       const ReceptanceOptions     &options,
+                       const LoneBody              &body,
+                       const RailPlaces            &places,
+                       const Struck                &struck,
+                       const std::filesystem::path &folder,
+                       nlohmann::ordered_json      &summary,
+                       std::ostream                &out)
+    {
+      const TrackWaves  waves(body.plan.rail,
+                             elasticity(scene.rail_material),
+                             scene.support.kind,
+                             track_data(scene, body.plan.start_block * body.plan.block_length()),
+                             places.faces);
+      const FigureTable second = make_waves_table(waves, struck.blow, places.distance);
+      second.write_csv((folder / "waves.csv").string());
+      print_difference(struck.table, second, summary, out);
+      if (const auto cut = most_cut(struck.peaks, waves, struck.blow.fading))
+        {
+          summary["cut_peak_Hz"] = cut->frequency;
+          summary["cut_peak_dB"] = cut->decibel;
+          out << cut_note(*cut, options.duration, scene.rail_length) << '\n';
+        }
+      if (scene.support.kind == RailSupport::sleepers)
+        {
+          summary["pinned_pinned_Hz"] = waves.pinned_pinned();
+          out << "Pinned-pinned (a wave of two bays on the unsupported rail): "
+              << std::lround(waves.pinned_pinned()) << " Hz\n";
+        }
+    }
+
+    void
+    print_fading(const Receptances &blow, std::ostream &out)
+    {
+      if (blow.fading > 0)
+        {
+          char line[200];
+          std::snprintf(
+            line,
+            sizeof(line),
+            "note: %.0f %% of the motion is left at the end of the record; it is faded, which makes "
+            "peaks %.0f Hz broader; --duration takes a longer record\n",
+            100 * blow.left,
+            blow.fading / M_PI);
+          out << line;
+        }
+    }
 
     int
     run_receptance_command(const Scene             &scene,
@@ -167,40 +225,8 @@ namespace wheelrail
       for (const char *const old : {"waves.csv", "beside.csv"})
         std::filesystem::remove(folder / old);
       if (rail && options.waves)
-        {
-          const TrackWaves  waves(body->plan.rail,
-                                 elasticity(scene.rail_material),
-                                 scene.support.kind,
-                                 track_data(scene, body->plan.start_block * body->plan.block_length()),
-                                 places.faces);
-          const FigureTable second = make_waves_table(waves, blow, places.distance);
-          second.write_csv((folder / "waves.csv").string());
-          print_difference(table, second, summary, out);
-          if (const auto cut = most_cut(peaks, waves, blow.fading))
-            {
-              summary["cut_peak_Hz"] = cut->frequency;
-              summary["cut_peak_dB"] = cut->decibel;
-              out << cut_note(*cut, options.duration, scene.rail_length) << '\n';
-            }
-          if (scene.support.kind == RailSupport::sleepers)
-            {
-              summary["pinned_pinned_Hz"] = waves.pinned_pinned();
-              out << "Pinned-pinned (a wave of two bays on the unsupported rail): "
-                  << std::lround(waves.pinned_pinned()) << " Hz\n";
-            }
-        }
-      if (blow.fading > 0)
-        {
-          char line[200];
-          std::snprintf(
-            line,
-            sizeof(line),
-            "note: %.0f %% of the motion is left at the end of the record; it is faded, which makes "
-            "peaks %.0f Hz broader; --duration takes a longer record\n",
-            100 * blow.left,
-            blow.fading / M_PI);
-          out << line;
-        }
+        hold_against_waves(scene, options, *body, places, {blow, table, peaks}, folder, summary, out);
+      print_fading(blow, out);
       replace_file((folder / "parameters.prm").string(), print_parameters(scene));
       table.write_csv((folder / "receptance.csv").string());
       table.write_hdf5((folder / "receptance.h5").string());

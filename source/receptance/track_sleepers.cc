@@ -179,9 +179,8 @@ namespace wheelrail
   TrackWaves::add_sleepers(const SeatComplex w, const SeatWaves &waves, std::vector<SeatComplex> &moved) const
   {
     constexpr int each_side = 15;
-    const double  middle    = face_place_.front();
-    const double  spacing   = track_.spacing;
-    const double  nearest   = std::round((middle - track_.first) / spacing);
+    const double  middle = face_place_.front(), spacing = track_.spacing;
+    const double  nearest = std::round((middle - track_.first) / spacing);
     const int     seats = 2 * each_side + 1, n = n_seat * seats;
     const auto place  = [&](const int seat) { return track_.first + (nearest + seat - each_side) * spacing; };
     const auto spread = [&](const unsigned int i) {

@@ -201,6 +201,25 @@ namespace wheelrail
           out << "note: " << note << '\n';
     }
 
+    /// `torn`: why it stopped before the plan was done, or nothing.
+    void
+    print_judged_end(const Scene &scene, const WearState &state, const std::string &torn, std::ostream &out)
+    {
+      print_end(state, scene.wear_plan.worn, out);
+      if (!torn.empty())
+        out << "stopped: " << torn << '\n';
+      const Verdict verdict = wear_verdict(state);
+      out << "verdict: " << grade_word(verdict.grade()) << (verdict.findings.empty() ? "" : ": ")
+          << verdict.doubts() << '\n';
+    }
+
+    void
+    print_kept(const std::optional<WearState> &kept, const fs::path &folder, std::ostream &out)
+    {
+      if (kept)
+        out << (kept->finished ? "everything is there: " : "going on from step ")
+            << (kept->finished ? folder.string() : std::to_string(kept->steps.size() - 1)) << '\n';
+    }
 
     int
     run_wear_command(const Scene &scene, const bool draws, const bool overwrite, std::ostream &screen)
@@ -220,9 +239,7 @@ namespace wheelrail
       const fs::path           folder = folder_beside(scene.folder, "-wear");
       std::optional<WearState> kept   = overwrite ? std::nullopt : kept_states(scene, digest, folder);
       WearState                state  = kept ? *kept : begin_wear(profiles);
-      if (kept)
-        out << (kept->finished ? "everything is there: " : "going on from step ")
-            << (kept->finished ? folder.string() : std::to_string(kept->steps.size() - 1)) << '\n';
+      print_kept(kept, folder, out);
       state.files = profiles.files;
       if (kept && !kept->finished)
         take_back_last(state);
@@ -262,12 +279,7 @@ namespace wheelrail
           throw Interrupted("the states up to " + reached(known.steps.back()) + " are kept in " +
                             folder.string() + ": the same command goes on from there");
         }
-      print_end(state, scene.wear_plan.worn, out);
-      if (!torn.empty())
-        out << "stopped: " << torn << '\n';
-      const Verdict verdict = wear_verdict(state);
-      out << "verdict: " << grade_word(verdict.grade()) << (verdict.findings.empty() ? "" : ": ")
-          << verdict.doubts() << '\n';
+      print_judged_end(scene, state, torn, out);
       out << "Results in " << folder.string() << std::endl;
       if (draws && leads)
         draw_results("wear_evolution.py", folder.string());
