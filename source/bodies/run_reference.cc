@@ -2,7 +2,6 @@
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/bodies/wheel_rail_contact.h>
 
-#include <algorithm>
 #include <cmath>
 
 // A run against half-spaces and true bodies under its own load (doc/theory/accuracy.md): relative
@@ -29,11 +28,10 @@ namespace wheelrail
   {
     measures.peak_difference = run.max_pressure / halfspace.peak - 1;
     // what the penalty layer gives way under the peak, p/eps with eps = f K/h (doc/theory/contact.md,
-    // Pressure), over the approach; with the smaller of both bulk moduli
-    measures.penetration = run.max_pressure * scene.cell_size /
-                           (scene.penalty_scale *
-                            std::min(bulk_modulus(scene.rail_material), bulk_modulus(scene.wheel_material))) /
-                           halfspace.approach;
+    // Pressure), over the approach; K is the mean of both bodies, as in make_law()
+    const double modulus = 0.5 * (bulk_modulus(scene.rail_material) + bulk_modulus(scene.wheel_material));
+    measures.penetration =
+      run.max_pressure * scene.cell_size / (scene.penalty_scale * modulus) / halfspace.approach;
     measures.turn = halfspace.turn;
     if (const double patches = get_figure(run, "patches"); patches > 1 && patches != halfspace.patches)
       measures.patches = patches;

@@ -41,7 +41,7 @@ namespace wheelrail
     node.pressure       = std::max(0., spring - law.damping * motion.opening);
 
     // shear: elastic trial e + k s dt in the tangent plane (on the rail, so along the wheel's slip s), the
-    // damper's c s on top, return to the Coulomb bound mu(|s|) p along the trial (Simo and Laursen 1992)
+    // damper's c s on top, return to the Coulomb bound mu(|s|) p along the trial (Ma et al. 2017)
     const Vector3 before = node.elastic - dot(node.elastic, n) * n;
     // history projected on the tangent plane of now: the normal turns as the wheel rolls
     Vector3 trial = before;

@@ -16,7 +16,7 @@ namespace wheelrail
   namespace
   {
     // Newton steps that are exact to 1e-3 gain three digits each, enough where the sets of slip still change;
-    // the limits lie far beyond what cases need: 25 products and 11 steps (doc/theory/halfspace.md)
+    // the limits lie far beyond what cases need: 25 products and 8 steps (doc/theory/halfspace.md)
     constexpr double krylov_tolerance   = 1e-3;
     constexpr int    max_krylov         = 200;
     constexpr int    max_inner_steps    = 12; ///< of one proximal point

@@ -11,7 +11,7 @@
 // Frictional contact of two elastic half-spaces on a rectangular grid: what is asked and what comes back.
 //
 // The contact frame: x along rolling (the frame moves along +x over both bodies), y lateral, n normal to
-// the contact plane, out of body 2 into body 1. x, y, n form a right-handed system.
+// the contact plane, out of body 2 into body 1. Spin turns x towards y.
 // Body 1 is the upper one (n > 0), body 2 the lower one. Tractions t and the pressure p are those on body 1
 // (p along +n, positive when it presses); body 2 carries the opposite. Displacement differences u and the
 // rigid slip w are "body 1 minus body 2"; so friction opposes the slip: t = -mu p s / |s|.
