@@ -45,7 +45,7 @@ namespace
         wheelrail::advance(ball.move[1],
                            ball.velocity[1],
                            pair.sums.force[1] / mass - gravity,
-                           wheelrail::make_kick(step),
+                           wheelrail::make_velocity_update(step),
                            step);
       };
     }
@@ -99,10 +99,10 @@ namespace
             if (ball.pair.sums.nodes > 0)
               (touch == 0 ? touch : leave) = ball.scene.time();
           }
-        const double      out     = ball.pair.wheel.velocity[1];
-        const std::string name    = "ball, contact damping " + std::to_string(damping).substr(0, 3) + ": ";
-        const EnergyBook &quarter = ball.scene.energy();
-        const double      left =
+        const double         out     = ball.pair.wheel.velocity[1];
+        const std::string    name    = "ball, contact damping " + std::to_string(damping).substr(0, 3) + ": ";
+        const EnergyBalance &quarter = ball.scene.energy();
+        const double         left =
           4 * (quarter["kinetic_energy"] + quarter["strain_energy"] + quarter["stabilisation_energy"]);
         std::cout << "        contact for " << 1e6 * (leave - touch) << " us, force up to "
                   << 1e-3 * ball.largest_force << " kN, rebound " << out / speed << ", waves left "
@@ -150,9 +150,9 @@ namespace
     while (ball.scene.time() < 300e-6)
       {
         ball.scene.step(true);
-        const EnergyBook &e   = ball.scene.energy();
-        const double      v   = ball.pair.wheel.velocity[1];
-        const double      sum = 4 * (e["kinetic_energy"] + e["strain_energy"] + e["stabilisation_energy"]) +
+        const EnergyBalance &e = ball.scene.energy();
+        const double         v = ball.pair.wheel.velocity[1];
+        const double sum       = 4 * (e["kinetic_energy"] + e["strain_energy"] + e["stabilisation_energy"]) +
                            0.5 * ball.mass * v * v + ball.pair.sums.stored_energy + ball.pair.damping_energy;
         worst = std::max(worst, sum / stored);
       }

@@ -143,10 +143,10 @@ namespace
     PressedPlate  plate;
     constexpr int settled = 20;
     const Cycle   early = turn(plate, settled), late = turn(plate, million / PressedPlate::cycle - settled);
-    const double  drift    = norm(late.place - early.place);
-    const EnergyBook &e    = plate.scene.energy();
-    const auto       &pair = plate.pair;
-    const double      kept = pair.sums.stored_energy + pair.friction_energy + pair.damping_energy;
+    const double  drift       = norm(late.place - early.place);
+    const EnergyBalance &e    = plate.scene.energy();
+    const auto          &pair = plate.pair;
+    const double         kept = pair.sums.stored_energy + pair.friction_energy + pair.damping_energy;
     std::cout << "        plate: swing " << 1e6 * late.swing << " um, drift " << 1e9 * drift
               << " nm, shear force " << late.shear << " of the bound, friction " << pair.friction_energy
               << " J, energy of the bodies off by " << e.residual() << " J, of the contact by "

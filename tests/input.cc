@@ -37,7 +37,7 @@ namespace
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
     straight.scene.passage_jump     = 0;      // the wheel is the same again
     straight.scene.planned_strip.clear();     // nor that strip
-    straight.scene.irregularities   = {};     // longer than its way
+    straight.scene.irregularities   = {};     // longer than its path
     straight.scene.halfspace_bodies = ContactBodies::half_spaces; // which take a pose by hand
     leave_wheelset(straight.scene);
     straight.scene.start_offset     = 0; // the window is fixed

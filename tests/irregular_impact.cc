@@ -1,6 +1,6 @@
 // ranks: 1
 // label: long
-// A wheel with a flat that leaves the rail and comes back: force over the way against a rigid wheel on the
+// A wheel with a flat that leaves the rail and comes back: force over the path against a rigid wheel on the
 // spring that its contact is at rest, and against the two masses on Hertz's spring.
 #include "parallel.h"
 #include "reduced_impact.h"
@@ -77,7 +77,7 @@ namespace
     return {*top, along[top - force.begin()], along[leave == force.end() ? 0 : leave - force.begin()]};
   }
 
-  /// Of the reduced model on `spring`, a force over the way and the height.
+  /// Of the reduced model on `spring`, a force over the path and the height.
   Impact
   reduced_impact(const ReducedWheel                          &wheel,
                  const Scene                                 &scene,

@@ -186,7 +186,7 @@ namespace
       }
   }
 
-  /// Vertical force over the way on waves of 40 mm.
+  /// Vertical force over the path on waves of 40 mm.
   Result
   over_waves(const double depth)
   {

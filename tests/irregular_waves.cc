@@ -212,7 +212,7 @@ namespace
     return drop;
   }
 
-  /// Force of the linear law over the way: F = -drop/compliance.
+  /// Force of the linear law over the path: F = -drop/compliance.
   Signal
   linear_force(const Scene &scene, const Signal &drop, const Curve &compliance)
   {

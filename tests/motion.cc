@@ -6,7 +6,7 @@
 #include <wheelrail/base/smooth_curve.h>
 #include <wheelrail/commands/scene_row.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/motion_way.h>
+#include <wheelrail/model/motion_path.h>
 #include <wheelrail/model/scene_motion.h>
 
 #include "check.h"
@@ -67,11 +67,11 @@ namespace
     scene.velocity               = 20;
     const Scene         start    = scene_at_start(scene);
     const SceneGeometry geometry = make_geometry(start);
-    const auto          samples  = sample_way(start, geometry);
-    const GuidedWay     way      = make_way(start, samples, 1);
+    const auto          samples  = sample_path(start, geometry);
+    const GuidedPath    way      = make_path(start, samples, 1);
     check(samples.size() > 10, "samples");
     const WheelPose &first = geometry.contact.pose;
-    for (const WaySample &sample : samples)
+    for (const PathSample &sample : samples)
       {
         const WheelPose  &pose   = sample.geometry.contact.pose;
         const RigidMotion lead   = way.lead(sample.rolled);
@@ -81,17 +81,17 @@ namespace
         check_near(std::hypot(moved[0], moved[2]), 0, 1e-9, "centre of the wheel [m]");
         check_near(way.contact_along.at(sample.rolled), sample.geometry.contact.along, 1e-12, "contact");
         check_near(way.load.at(sample.rolled), sample.scene.wheel_load, 1e-9, "load [N]");
-        const double          h    = 1e-6;
-        const GuidedWay::Rate rate = way.rate(sample.rolled);
-        const RigidMotion     next = way.lead(sample.rolled + h), last = way.lead(sample.rolled - h);
-        const Vector3         arm = {0.1, 0.2, 0.3};
-        const Vector3 there       = (0.5 / h) * (next.turned(arm) + next.move - last.turned(arm) - last.move);
+        const double           h    = 1e-6;
+        const GuidedPath::Rate rate = way.rate(sample.rolled);
+        const RigidMotion      next = way.lead(sample.rolled + h), last = way.lead(sample.rolled - h);
+        const Vector3          arm = {0.1, 0.2, 0.3};
+        const Vector3 there = (0.5 / h) * (next.turned(arm) + next.move - last.turned(arm) - last.move);
         if (sample.rolled > h)
           check_near(norm(there - rate.centre - cross(rate.spin, lead.turned(arm))), 0, 1e-5, "velocity");
       }
     SweepSizes sizes;
     sizes.approach = 1e-4;
-    plan_for_way(geometry, samples, sizes);
+    plan_for_path(geometry, samples, sizes);
     check(sizes.across.s1 - sizes.across.s0 > 15e-3, "the patches lie beside each other");
     check(sizes.ahead.s1 - sizes.ahead.s0 > 7e-3, "the contact goes ahead with the yaw");
   }
@@ -177,7 +177,7 @@ namespace
     refused_from(scene_with("distance [mm],yaw [mrad]\n0,0\n50,0\n51,5\n200,5\n"),
                  entry +
                    ": from row 2 to row 3, over 1 mm of distance, the yaw changes with an acceleration of ");
-    // beyond the way of the run rows may say what they like; within it, what wheelsets do
+    // beyond the path of the run rows may say what they like; within it, what wheelsets do
     check_text(test::message_of([]() {
                  SceneMotion motion(
                    scene_with("distance [mm],lateral shift [mm]\n0,0\n60,1\n150,1\n150.001,2\n"));
@@ -194,7 +194,7 @@ namespace
               "velocity; correct one of them, or leave time or distance out");
     const Scene far =
       scene_at_start(scene_with("distance [m],lateral shift [mm],yaw [mrad]\n0,0,0\n0.1,-11.9,50\n"));
-    const std::string message = test::message_of([&]() { sample_way(far, make_geometry(far)); });
+    const std::string message = test::message_of([&]() { sample_path(far, make_geometry(far)); });
     check(message.rfind(entry + ", ", 0) == 0 &&
             message.find(" rolled: Wheel 'S1002' and rail '54E1' have no ") != std::string::npos,
           "where wheel and rail do not touch: " + message);

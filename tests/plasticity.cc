@@ -4,7 +4,7 @@
 // plastic moments.
 
 #include <wheelrail/base/errors.h>
-#include <wheelrail/solid/elastic_meanwhile.h>
+#include <wheelrail/solid/elastic_scope.h>
 #include <wheelrail/solid/point_state.h>
 
 #include "check.h"
@@ -171,14 +171,14 @@ namespace
 
   /// A solver's trial states leave no trace in the history.
   void
-  elastic_meanwhile()
+  elastic_scope()
   {
     const Mesh mesh = brick({2, 2, 2}, {1, 1, 1}, 0.2);
     Brick      body(mesh, Elasticity(), soft), elastic(mesh, Elasticity(), Plasticity());
     const auto u = nodal(mesh, [](const Vector &X) { return rough(X, 1); });
     elastic.move_to(u);
     {
-      const ElasticMeanwhile meanwhile(body.blocks);
+      const ElasticScope meanwhile(body.blocks);
       body.move_to(u);
     }
     check_near(difference(body.f, elastic.f), 0, 0, "made elastic, a body beyond yield has elastic forces");
@@ -301,7 +301,7 @@ main(int argc, char **argv)
   energy(perfect, " (perfect plasticity)");
   energy({100e6, 21e9, 1}, " (kinematic hardening)");
   widths();
-  elastic_meanwhile();
+  elastic_scope();
   saved_state();
   fully_plastic_moment();
   return report();

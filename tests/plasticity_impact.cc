@@ -100,7 +100,7 @@ namespace
                       << r.strain << ", largest displacement " << r.rebound << ", energy error "
                       << r.energy_error << ", with half the step " << half.energy_error << std::endl;
             // In cells that yield within one step the stress before it is not known
-            // to the book of plastic work: an error of second order.
+            // to the energies of plastic work: an error of second order.
             test::check(r.energy_error < 0.01, name + ": energy error below 1 %");
             test::check(half.energy_error < 0.0025, name + ": energy error below 0.25 % with half the step");
             test::check(r.energy_error > 3 * half.energy_error, name + ": which is of second order");

@@ -30,7 +30,7 @@ namespace
     Vector3       begin_force{}, mean_force{}, last_force{}; ///< on the wheel [N]
     double        spread       = 0; ///< largest departure of the vertical force from its mean [N]
     double        worst_energy = 0; ///< largest energy error
-    EnergyBook    energy;
+    EnergyBalance energy;
     double        last_pressure = 0, slip_share = 0, creepage = 0, axle_height = 0;
     bool          at_border = false;
     unsigned long steps     = 0;

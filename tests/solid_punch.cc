@@ -17,7 +17,7 @@ namespace
   constexpr double half = 0.5; ///< half width of the punch [m]
 
   /// Mean pressure below a smooth punch over half of a strip 5 x 4 half widths large, over Prandtl's
-  /// (2 + pi) Y / sqrt(3): at the end, and at 3/4 of the way.
+  /// (2 + pi) Y / sqrt(3): at the end, and at 3/4 of the path.
   struct Curve
   {
     double three_quarters, end;

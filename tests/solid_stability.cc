@@ -135,7 +135,7 @@ namespace
         if (scene.steps() % 100 == 0)
           worst = std::max(worst, std::abs(scene.energy().residual()));
       }
-    const EnergyBook &energy = scene.energy();
+    const EnergyBalance &energy = scene.energy();
     std::cout << "        of " << start << " J: strain " << energy["strain_energy"] << ", stabilisation "
               << energy["stabilisation_energy"] << ", viscous " << energy["viscous_dissipation"]
               << ", largest residual " << worst << " J\n";

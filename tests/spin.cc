@@ -206,7 +206,7 @@ namespace
     std::vector<double> total;
 
     void
-    add(const State &now, const EnergyBook &energy, const State &first)
+    add(const State &now, const EnergyBalance &energy, const State &first)
     {
       angular  = std::max(angular, norm(now.angular - first.angular));
       momentum = std::max(momentum, norm(now.momentum - first.momentum));

@@ -362,7 +362,7 @@ namespace
       displacement[4 * (rail.size() + k)] = away;
     contact.gather(displacement.data(), still.data());
     contact.evaluate(0);
-    check_near(facing_aside(contact, start_grids(contact).front()),
+    check_near(facing_after_shift(contact, start_grids(contact).front()),
                -away,
                1e-2 * away,
                "steel from farther in lies where the wheel was moved out");

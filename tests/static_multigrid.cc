@@ -5,8 +5,8 @@
 
 #include <wheelrail/mesh/coarse_levels.h>
 #include <wheelrail/mesh/discretization.h>
-#include <wheelrail/statics/direct_bottom.h>
-#include <wheelrail/statics/iterative_bottom.h>
+#include <wheelrail/statics/direct_coarse_solver.h>
+#include <wheelrail/statics/iterative_coarse_solver.h>
 #include <wheelrail/statics/static_multigrid.h>
 #include <wheelrail/statics/static_system.h>
 
@@ -270,7 +270,7 @@ namespace
       if (!held[n] && std::abs(mesh.reference[4 * n + 2]) < 0.05)
         forces.begin()[4 * n + 1] = mesh.node_body[n] == Body::rail ? -1 : 1;
     const PerBody<ElementBlocks> &blocks = model.solid.blocks;
-    DirectBottom                  with_joined(*model.discretization, mesh, blocks, held, {{}, joined});
+    DirectCoarseSolver            with_joined(*model.discretization, mesh, blocks, held, {{}, joined});
     with_joined.set_springs(springs);
     with_joined.solve(forces, x);
     NodeVector back = assembled_product(mesh, blocks, held, x);
@@ -281,8 +281,8 @@ namespace
     check_near(
       back.l2_norm() / forces.l2_norm(), 0, 1e-8, "forces of the direct solution off those asked for");
 
-    DirectBottom    direct(*model.discretization, mesh, blocks, held);
-    IterativeBottom iterative(mesh, blocks, held, {}, MPI_COMM_WORLD);
+    DirectCoarseSolver    direct(*model.discretization, mesh, blocks, held);
+    IterativeCoarseSolver iterative(mesh, blocks, held, {}, MPI_COMM_WORLD);
     direct.set_springs(springs);
     iterative.set_springs(springs);
     direct.solve(forces, x);

@@ -145,7 +145,7 @@ main()
 
   refused({2e-2}, "noise of the");
   Faults slope;
-  slope.slope = 0.3; // 0.03 % a mm, 1 % over the way in which the wheel's slowest mode turns by a radian
+  slope.slope = 0.3; // 0.03 % a mm, 1 % over the path in which the wheel's slowest mode turns by a radian
   refused(slope, "slope of the contact area");
   // a slope that does not stand out of the noise: the error of the mean holds what it changes in a patch
   // length

@@ -164,7 +164,7 @@ namespace
         worst = std::max(worst, rolling.energy().error());
       }
     check_near(worst, 0, 2e-3, "energy error, largest");
-    const EnergyBook &energy = rolling.energy();
+    const EnergyBalance &energy = rolling.energy();
     check(energy["pad_energy"] > 1 && energy["ballast_energy"] > 1 && energy["sleeper_energy"] > 0 &&
             energy["pad_dissipation"] > 0 && energy["ballast_dissipation"] > 0,
           "named energies");

@@ -192,7 +192,7 @@ namespace
       return setup;
     }
 
-    /// From 0 to 1 and back over ramps of one and a half half extents at both ends of the way.
+    /// From 0 to 1 and back over ramps of one and a half half extents at both ends of the path.
     double
     share_of_load(const double at) const
     {
@@ -238,7 +238,7 @@ namespace
       return place;
     }
 
-    /// In the middle of the way.
+    /// In the middle of the path.
     Left
     left() const
     {

@@ -53,10 +53,10 @@ namespace
     }
 
     void
-    enter(EnergyBook &book) override
+    enter(EnergyBalance &energies) override
     {
-      springs_ = &book.term("foot_spring_energy", EnergyKind::stored);
-      kinetic_ = &book.term("foot_mass_energy", EnergyKind::stored);
+      springs_ = &energies.term("foot_spring_energy", EnergyKind::stored);
+      kinetic_ = &energies.term("foot_mass_energy", EnergyKind::stored);
     }
 
     void
@@ -73,7 +73,7 @@ namespace
       if (now.with_energy)
         springs_->here += energy + share(0.5 * ground_ * place_ * place_);
       const double before = speed_;
-      advance(place_, speed_, force / mass_, now.kick, now.step);
+      advance(place_, speed_, force / mass_, now.velocity_update, now.step);
       if (now.with_energy) // at the full step: the mean of the half steps around it
         kinetic_->here += share(now.first ? 0.5 * mass_ * before * before : 0.5 * mass_ * before * speed_);
     }

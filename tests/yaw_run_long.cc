@@ -45,7 +45,7 @@ namespace
                1e-5,
                "lateral force, difference over the load");
   }
-  /// A wheelset that drifts sideways by minus a yaw slides as one with that yaw; the way aside, 12 um here,
+  /// A wheelset that drifts sideways by minus a yaw slides as one with that yaw; the path aside, 12 um here,
   /// hardly moves the contact.
   void
   drifting()

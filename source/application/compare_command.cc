@@ -195,7 +195,7 @@ namespace wheelrail
     print_notes(entries_without_effect(input, "compare"), out);
     use_kept_profiles(input.scene, folder);
     if (const double place = get_figure(run, "motion_distance_m"); std::isfinite(place))
-      input.scene = scene_on_way(input.scene, place);
+      input.scene = scene_on_path(input.scene, place);
     const SceneGeometry geometry = require_touching(input);
     leave_to_half_spaces(input.scene, out);
     const Scene &scene = input.scene;

@@ -70,7 +70,7 @@ namespace wheelrail
     }
 
     void
-    tell_large_strains(const std::vector<MaterialCycle> &cycles, std::ostream &out)
+    print_large_strains(const std::vector<MaterialCycle> &cycles, std::ostream &out)
     {
       constexpr double large = 0.1;
       double           most  = 0;
@@ -102,7 +102,7 @@ namespace wheelrail
     out << "Steel of the " << body_name(test.body) << ", " << test.cycles << " cycles, " << steps
         << " steps from value to value" << (given ? "" : ", as many as 0.1 % needs") << "\n";
     print_cycles(answer.cycles, out);
-    tell_large_strains(answer.cycles, out);
+    print_large_strains(answer.cycles, out);
 
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     answer.steps.write_csv((folder / "material.csv").string());

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 // S = I - w/2 D'D in each direction, D the differences of neighbours (doc/theory/contact.md, Surface filter).
-// On the way in and out a wave loses w (k h)^2, which is what the lattice has too much. S is symmetric with
+// On the path in and out a wave loses w (k h)^2, which is what the lattice has too much. S is symmetric with
 // rows that sum to 1: forces and moments are kept, and power is the same on both sides of it.
 
 namespace wheelrail

@@ -3,13 +3,13 @@
 namespace wheelrail
 {
   void
-  ElementForces::enter(EnergyBook &book)
+  ElementForces::enter(EnergyBalance &energies)
   {
-    strain_        = &book.term("strain_energy", EnergyKind::stored);
-    stabilisation_ = &book.term("stabilisation_energy", EnergyKind::stored);
-    plastic_       = &book.term("plastic_work", EnergyKind::dissipated);
-    hardening_     = &book.term("hardening_energy", EnergyKind::noted);
-    viscous_       = &book.term("viscous_dissipation", EnergyKind::dissipated);
+    strain_        = &energies.term("strain_energy", EnergyKind::stored);
+    stabilisation_ = &energies.term("stabilisation_energy", EnergyKind::stored);
+    plastic_       = &energies.term("plastic_work", EnergyKind::dissipated);
+    hardening_     = &energies.term("hardening_energy", EnergyKind::noted);
+    viscous_       = &energies.term("viscous_dissipation", EnergyKind::dissipated);
   }
 
 

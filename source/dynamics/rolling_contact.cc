@@ -3,15 +3,15 @@
 namespace wheelrail
 {
   void
-  RollingContact::enter(EnergyBook &book)
+  RollingContact::enter(EnergyBalance &energies)
   {
     int rank;
     MPI_Comm_rank(communicator_, &rank);
     tells_    = rank == 0;
-    stored_   = &book.term("contact_energy", EnergyKind::stored);
-    friction_ = &book.term("friction_dissipation", EnergyKind::dissipated);
-    damping_  = &book.term("contact_damping_dissipation", EnergyKind::dissipated);
-    gain_     = &book.term("contact_scheme_energy", EnergyKind::noted);
+    stored_   = &energies.term("contact_energy", EnergyKind::stored);
+    friction_ = &energies.term("friction_dissipation", EnergyKind::dissipated);
+    damping_  = &energies.term("contact_damping_dissipation", EnergyKind::dissipated);
+    gain_     = &energies.term("contact_scheme_energy", EnergyKind::noted);
   }
 
 
@@ -29,13 +29,13 @@ namespace wheelrail
   void
   RollingContact::account(const Instant &now, const Solid &solid, const std::vector<NodeInertia> &inertia)
   {
-    gain_->add_work(now.kick.duration * contact_.power([&](const unsigned int node) {
-      return mean_velocity(solid, inertia, node, now.kick);
+    gain_->add_work(now.velocity_update.duration * contact_.power([&](const unsigned int node) {
+      return mean_velocity(solid, inertia, node, now.velocity_update);
     }));
     if (!tells_)
       return;
-    const double friction = now.kick.duration * sums_.friction_power,
-                 damping  = now.kick.duration * sums_.damping_power;
+    const double friction = now.velocity_update.duration * sums_.friction_power,
+                 damping  = now.velocity_update.duration * sums_.damping_power;
     stored_->here += sums_.stored_energy;
     friction_->add_work(friction);
     damping_->add_work(damping);
@@ -58,9 +58,9 @@ namespace wheelrail
 
 
   void
-  AddedMassRotation::enter(EnergyBook &book)
+  AddedMassRotation::enter(EnergyBalance &energies)
   {
-    work_ = &book.term("added_mass_support_work", EnergyKind::supplied);
+    work_ = &energies.term("added_mass_support_work", EnergyKind::supplied);
   }
 
 
@@ -87,7 +87,7 @@ namespace wheelrail
     double power = 0;
     for (std::size_t k = 0; k < nodes_.size(); ++k)
       if (solid.mesh.owns(nodes_[k]))
-        power += dot(force_[k], mean_velocity(solid, inertia, nodes_[k], now.kick));
-    work_->add_work(now.kick.duration * power);
+        power += dot(force_[k], mean_velocity(solid, inertia, nodes_[k], now.velocity_update));
+    work_->add_work(now.velocity_update.duration * power);
   }
 } // namespace wheelrail

@@ -19,9 +19,9 @@ namespace wheelrail
       moving[k] -= still[k];
     const auto gradient =
       travelling ? nodal_gradient(solid, moving.data()) : std::vector<double>(9 * solid.mesh.n_nodes(), 0.);
-    GuidedWay::Rate led{{axle.lateral_creepage, 0, 0}, {}};
-    if (axle.way)
-      led = axle.way->rate(0);
+    GuidedPath::Rate led{{axle.lateral_creepage, 0, 0}, {}};
+    if (axle.path)
+      led = axle.path->rate(0);
     for (unsigned int n = 0; n < solid.mesh.n_nodes(); ++n)
       {
         const double *H = &gradient[9 * n], *X = &solid.mesh.reference[4 * n];

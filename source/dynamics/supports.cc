@@ -22,9 +22,9 @@ namespace wheelrail
 
 
   void
-  Weight::enter(EnergyBook &book)
+  Weight::enter(EnergyBalance &energies)
   {
-    potential_ = &book.term("potential_energy", EnergyKind::stored);
+    potential_ = &energies.term("potential_energy", EnergyKind::stored);
   }
 
 

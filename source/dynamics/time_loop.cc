@@ -42,10 +42,10 @@ namespace wheelrail
     , clock(wall_seconds)
     , solid_(solid)
     , communicator_(communicator)
-    , kinetic_(book_.term("kinetic_energy", EnergyKind::stored))
-    , mesh_change_(book_.term("mesh_change_work", EnergyKind::supplied))
+    , kinetic_(energies_.term("kinetic_energy", EnergyKind::stored))
+    , mesh_change_(energies_.term("mesh_change_work", EnergyKind::supplied))
   {
-    elements_.enter(book_);
+    elements_.enter(energies_);
   }
 
 
@@ -53,7 +53,7 @@ namespace wheelrail
   TimeLoop::add(Part &part)
   {
     parts_.push_back(&part);
-    part.enter(book_);
+    part.enter(energies_);
   }
 
 
@@ -112,7 +112,7 @@ namespace wheelrail
     const bool first = steps_ == 0;
     return {time_,
             scheme.time_step,
-            make_kick(first ? scheme.time_step / 2 : scheme.time_step, scheme.mass_damping),
+            make_velocity_update(first ? scheme.time_step / 2 : scheme.time_step, scheme.mass_damping),
             first,
             with_energy};
   }
@@ -122,7 +122,7 @@ namespace wheelrail
   TimeLoop::step(const bool with_energy)
   {
     const Instant now = instant(with_energy);
-    book_.begin_step();
+    energies_.begin_step();
     // 1. each rank's share of the forces
     {
       const Stopwatch watch(clock, timing_.elements);
@@ -156,7 +156,7 @@ namespace wheelrail
     time_ += now.step;
     ++steps_;
     if (with_energy)
-      book_.balance(now.first, communicator_);
+      energies_.balance(now.first, communicator_);
   }
 
 
@@ -171,17 +171,18 @@ namespace wheelrail
     for (unsigned int n = 0; n < inertia_.size(); ++n)
       if (inertia_[n].inverse_mass > 0 && solid_.mesh.owns(n))
         {
-          const Vector3 v = mean_velocity(solid_, inertia_, n, now.kick);
+          const Vector3 v = mean_velocity(solid_, inertia_, n, now.velocity_update);
           power += scheme.mass_damping / inertia_[n].inverse_mass * dot(v, v);
         }
-    book_.term("mass_damping_dissipation", EnergyKind::dissipated).add_work(now.kick.duration * power);
+    energies_.term("mass_damping_dissipation", EnergyKind::dissipated)
+      .add_work(now.velocity_update.duration * power);
   }
 
 
   void
   TimeLoop::move(const Instant &now)
   {
-    kinetic_.here += move_nodes(solid_, inertia_, now.kick, now.step, now.with_energy);
+    kinetic_.here += move_nodes(solid_, inertia_, now.velocity_update, now.step, now.with_energy);
     distribute(solid_.mesh, solid_.displacement.data());
   }
 
@@ -189,7 +190,7 @@ namespace wheelrail
   TimeLoop::State
   TimeLoop::state() const
   {
-    State state{time_, steps_, book_.state(), {}};
+    State state{time_, steps_, energies_.state(), {}};
     for (const Part *part : parts_)
       if (!part->name().empty())
         state.parts[part->name()] = part->state();
@@ -202,7 +203,7 @@ namespace wheelrail
   {
     time_  = state.time;
     steps_ = state.steps;
-    book_.set_state(state.energy);
+    energies_.set_state(state.energy);
     for (Part *part : parts_)
       if (!part->name().empty())
         part->set_state(state.parts.at(part->name()));

@@ -13,7 +13,7 @@ namespace wheelrail
 {
   namespace
   {
-    /// One side of the way of a wheelset, from its rolling line to a turning point.
+    /// One side of the path of a wheelset, from its rolling line to a turning point.
     struct HalfSwing
     {
       double potential = 0; ///< integral of the difference from the line to the turning point [m2]
@@ -134,7 +134,7 @@ namespace wheelrail
     const double none = std::nan(""), line = difference.rolling_line();
     if (!(amplitude > 0) || !std::isfinite(line))
       return none;
-    double right = amplitude; // the way to the turning point towards the modelled rail
+    double right = amplitude; // the path to the turning point towards the modelled rail
     if (!difference.odd)
       {
         double low = 0, high = 2 * amplitude;

@@ -22,7 +22,7 @@ namespace wheelrail
     // before - mu(v)) exp(-max(v, v_0) dt/L). Explicit steps would overshoot where v dt > L.
     const double time = step / problem.velocity;
     for (int j = 0; j < grid.my; ++j)
-      for (int i = grid.mx - 1; i >= 0; --i) // the way of the particles
+      for (int i = grid.mx - 1; i >= 0; --i) // the path of the particles
         {
           const int    e = i + grid.mx * j;
           const double v = problem.velocity * std::hypot(slip[0][e], slip[1][e]);

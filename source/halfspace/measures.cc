@@ -11,7 +11,7 @@ namespace wheelrail
 {
   namespace
   {
-    /// Work of friction over the way rolled, from what its tractions are against: creepage, spin and other
+    /// Work of friction over the path rolled, from what its tractions are against: creepage, spin and other
     /// rigid slip; NaN where the motion is not steady [N].
     double
     creepage_work(const HalfspaceProblem &problem, const HalfspaceSolution &s)

@@ -77,8 +77,8 @@ namespace wheelrail
   {
     if (problem.motion != HalfspaceMotion::steady)
       return std::nan("");
-    // mean of the tractions at both ends of a way over an element, and its slip: with u = A t and A symmetric
-    // the sum of (t + t') (u - u') vanishes (doc/theory/halfspace.md, T-gamma)
+    // mean of the tractions at both ends of a path over an element, and its slip: with u = A t and A
+    // symmetric the sum of (t + t') (u - u') vanishes (doc/theory/halfspace.md, T-gamma)
     const SlidingPaths paths = sliding_paths(problem, s);
     double             work  = 0;
     for (std::size_t e = 0; e < paths.slip_x.size(); ++e)

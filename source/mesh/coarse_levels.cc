@@ -63,7 +63,7 @@ namespace wheelrail
                   hangs_[face->child(0)->vertex_index(3)] = 1;
             }
         if (dealii::Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
-          tell_of_parents(discretization);
+          exchange_parents(discretization);
       }
 
       bool
@@ -75,7 +75,7 @@ namespace wheelrail
     private:
       /// Parents that have parts on several ranks hold the first or the last cell of each of them.
       void
-      tell_of_parents(const Discretization &discretization)
+      exchange_parents(const Discretization &discretization)
       {
         struct Parent
         {

@@ -109,7 +109,7 @@ namespace wheelrail
               0};
     }
 
-    /// Of the area between a stretch of a curve and the axle, with the sign of the way along the axle [m3].
+    /// Of the area between a stretch of a curve and the axle, with the sign of the path along the axle [m3].
     double
     moment_below(const MirroredCurve &curve, const double start, const double end)
     {

@@ -8,7 +8,7 @@ namespace wheelrail
 {
   namespace
   {
-    /// The stretches of the way on which an irregularity lies under the wheel, `beside` it at most [m].
+    /// The stretches of the path on which an irregularity lies under the wheel, `beside` it at most [m].
     std::vector<Range>
     stretches(const RunningSurfaces &surfaces, const double distance, const double beside)
     {

@@ -5,7 +5,7 @@
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/irregular_strip.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/model/motion_way.h>
+#include <wheelrail/model/motion_path.h>
 #include <wheelrail/model/planned_strip.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/model/scene_motion.h>
@@ -239,7 +239,7 @@ namespace wheelrail
     }
 
     SweepSizes
-    sweep_sizes(const Scene &scene, const SceneGeometry &geometry, const std::vector<WaySample> &way)
+    sweep_sizes(const Scene &scene, const SceneGeometry &geometry, const std::vector<PathSample> &path)
     {
       SweepSizes sizes;
       sizes.cell        = scene.cell_size;
@@ -247,7 +247,7 @@ namespace wheelrail
       sizes.fine_depth  = scene.depth_of_fine_cells();
       sizes.fine_margin = scene.fine_margin;
       Scene planned     = under_planned_load(scene);
-      for (const WaySample &sample : way)
+      for (const PathSample &sample : path)
         if (sample.scene.wheel_load > 0)
           planned.wheel_load = std::max(planned.wheel_load, sample.scene.wheel_load);
       sizes.approach    = expected_approach(planned, geometry.contact.rolling_radius);
@@ -255,7 +255,7 @@ namespace wheelrail
       sizes.rail_length = scene.rail_length;
       sizes.start       = scene.start_offset;
       sizes.moving      = scene.window == MeshWindow::moving;
-      plan_for_way(geometry, way, sizes);
+      plan_for_path(geometry, path, sizes);
       plan_for_irregularities(geometry, sizes);
       return sizes;
     }
@@ -291,11 +291,11 @@ namespace wheelrail
 
     /// Sprung mass, load and drive of the axle, once the mass of the wheel is known.
     void
-    load_axle(const Scene                  &scene,
-              const SceneGeometry          &geometry,
-              const std::vector<WaySample> &way,
-              Model                        &model,
-              MPI_Comm                      communicator)
+    load_axle(const Scene                   &scene,
+              const SceneGeometry           &geometry,
+              const std::vector<PathSample> &path,
+              Model                         &model,
+              MPI_Comm                       communicator)
     {
       model.axle = make_axle(scene, model.contact->surfaces().pose());
       const double unsprung =
@@ -306,8 +306,8 @@ namespace wheelrail
       model.axle.torque =
         drive_torque(geometry.contact, scene.traction_coefficient * model.wheel_load, model.wheel_load);
       model.axle.torque_ramp = run_in_length(scene, geometry);
-      if (!way.empty())
-        model.axle.way = std::make_shared<GuidedWay>(make_way(scene, way, model.wheel_load));
+      if (!path.empty())
+        model.axle.path = std::make_shared<GuidedPath>(make_path(scene, path, model.wheel_load));
     }
   } // namespace
 
@@ -315,27 +315,27 @@ namespace wheelrail
   SweepPlan
   sweep_plan(const Scene &scene, const SceneGeometry &geometry)
   {
-    return plan_of(scene, geometry, sweep_sizes(scene, geometry, sample_way(scene, geometry)));
+    return plan_of(scene, geometry, sweep_sizes(scene, geometry, sample_path(scene, geometry)));
   }
 
 
   Model
   make_model(const Scene &scene, const SceneGeometry &geometry, MPI_Comm communicator)
   {
-    const std::vector<WaySample> way   = sample_way(scene, geometry);
-    const SweepSizes             sizes = sweep_sizes(scene, geometry, way);
-    Model                        model;
+    const std::vector<PathSample> path  = sample_path(scene, geometry);
+    const SweepSizes              sizes = sweep_sizes(scene, geometry, path);
+    Model                         model;
     model.geometry          = geometry.contact;
     model.expected_approach = expected_approach(scene, geometry.contact.rolling_radius);
     const Range overlap     = overlap_along(
-      geometry, std::max(model.expected_approach, way.empty() ? 0 : sizes.approach), scene.fine_margin);
+      geometry, std::max(model.expected_approach, path.empty() ? 0 : sizes.approach), scene.fine_margin);
     model.reach           = std::max({-overlap.s0, overlap.s1, -sizes.along.s0, sizes.along.s1});
     model.discretization  = std::make_unique<Discretization>(communicator, plan_of(scene, geometry, sizes));
     model.solid.choice    = bodies_of(scene);
     const double end      = scene.mesh_distance() + sizes.ahead.s1;
     model.window.path_end = {end, end};
     prepare_start(scene, model, communicator);
-    load_axle(scene, geometry, way, model, communicator);
+    load_axle(scene, geometry, path, model, communicator);
     model.duration  = run_duration(scene);
     model.time_step = time_step(scene, model.duration, model.solid.stable);
     return model;

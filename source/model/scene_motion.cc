@@ -111,7 +111,7 @@ namespace wheelrail
   {
     if (!has(Q::velocity))
       return rolled / scene_.velocity;
-    // Simpson's rule; velocities change little over the way of a run
+    // Simpson's rule; velocities change little over the path of a run
     constexpr int parts = 200;
     double        sum   = 0;
     for (int k = 0; k <= parts; ++k)
@@ -128,7 +128,7 @@ namespace wheelrail
 
 
   Scene
-  scene_on_way(const Scene &scene, const double rolled)
+  scene_on_path(const Scene &scene, const double rolled)
   {
     return scene.motion == "none" ? scene : SceneMotion(scene).at(rolled);
   }

@@ -176,7 +176,7 @@ namespace wheelrail
       if (room < 2e-4 || t.y > 0.999) // the back itself, also one that a given origin puts elsewhere
         return;
       // an arc with this tangent at the end that turns into the vertical at the flange back
-      const double bend   = 1 - t.y; // radius times this is the way to the left
+      const double bend   = 1 - t.y; // radius times this is the path to the left
       const bool   cut    = t.y < -0.2;
       const double lowest = cut ? end.y - room / bend * (1 + t.x) : tip.y;
       if (end.x > tip.x + 1e-9 || t.x >= 0 || bend < 1e-6 || (cut && (lowest > -20e-3 || lowest < -40e-3)))

@@ -89,7 +89,7 @@ namespace wheelrail
     /// Lines of numbers before the points would be points where the heading was not understood: they are
     /// told.
     void
-    tell_headings(FileContent &content, const std::vector<Line> &lines, const std::size_t begin)
+    note_headings(FileContent &content, const std::vector<Line> &lines, const std::size_t begin)
     {
       std::size_t count = 0;
       for (std::size_t i = 0; i < begin; ++i)
@@ -150,7 +150,7 @@ namespace wheelrail
     if (commas)
       content.notes.push_back("decimal commas read as points");
     if (format != Format::simpack && begin < lines.size())
-      tell_headings(content, lines, begin);
+      note_headings(content, lines, begin);
     const auto off =
       std::count_if(lines.begin(), lines.end(), [](const Line &line) { return line.text[0] == '"'; });
     if (content.points.empty())

@@ -74,10 +74,10 @@ namespace wheelrail
     /// have real steps. A point beyond its neighbours along the line counts where these are near, `usual`
     /// being the distance of points: elsewhere it is the end of a piece that another one overlaps.
     double
-    stands_off(const std::vector<Point2> &points,
-               const std::size_t          first,
-               const std::size_t          last,
-               const double               usual)
+    distance_from_neighbours(const std::vector<Point2> &points,
+                             const std::size_t          first,
+                             const std::size_t          last,
+                             const double               usual)
     {
       constexpr double among = 0.6;
       if (first == 0 || last >= points.size())
@@ -125,9 +125,9 @@ namespace wheelrail
             // of a pair the first point alone would not do: the second one spoils its chord
             const double limit = std::max(8 * scatter[i], 5e-5);
             std::size_t  n     = 1;
-            double       off   = stands_off(all, i, i + 1, usual);
+            double       off   = distance_from_neighbours(all, i, i + 1, usual);
             if (!(off > limit) && i + 1 < points.size())
-              off = stands_off(all, i, i + (n = 2), usual);
+              off = distance_from_neighbours(all, i, i + (n = 2), usual);
             if (!(off > limit) || (!kept.empty() && kept.back().line != points[i - 1].line))
               {
                 kept.push_back(points[i++]);

@@ -71,9 +71,9 @@ namespace wheelrail
 
 
   void
-  Hammer::enter(EnergyBook &book)
+  Hammer::enter(EnergyBalance &energies)
   {
-    work_ = &book.term("hammer_work", EnergyKind::supplied);
+    work_ = &energies.term("hammer_work", EnergyKind::supplied);
   }
 
 
@@ -101,7 +101,8 @@ namespace wheelrail
     double       power = 0;
     for (const auto &[node, share] : nodes_.share)
       if (force > 0)
-        power += share * force * dot(nodes_.direction, mean_velocity(solid, inertia, node, now.kick));
-    work_->add_work(now.kick.duration * power);
+        power +=
+          share * force * dot(nodes_.direction, mean_velocity(solid, inertia, node, now.velocity_update));
+    work_->add_work(now.velocity_update.duration * power);
   }
 } // namespace wheelrail

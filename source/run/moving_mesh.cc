@@ -29,7 +29,7 @@ namespace wheelrail
 
 
   void
-  lengthen_way(RunState &run)
+  lengthen_path(RunState &run)
   {
     if (run.model.discretization->plan().moving && lengthen_path(run.model, run.scene.path()))
       change_mesh(run);

@@ -103,8 +103,7 @@ namespace wheelrail
     {
       const double force = summary.longitudinal_force;
       if (scene.friction.at(0) > 0)
-        set_figure(
-          summary, "traction_over_friction", force / (scene.friction.at(0) * summary.normal_force));
+        set_figure(summary, "traction_over_friction", force / (scene.friction.at(0) * summary.normal_force));
       if (scene.drive != Drive::torque)
         return;
       // a wheel that is hardly driven is judged by half of what friction carries: a force that is lost there
@@ -133,14 +132,14 @@ namespace wheelrail
 
     /// How the wheelset stood in the middle of the stretch of the means.
     void
-    add_motion(Summary &summary, const GuidedWay &way, const Range &stretch)
+    add_motion(Summary &summary, const GuidedPath &path, const Range &stretch)
     {
       const double middle = 0.5 * (stretch.s0 + stretch.s1);
       set_figure(summary, "motion_distance_m", middle);
-      set_figure(summary, "lateral_shift_m", way.lateral_shift.at(middle));
-      set_figure(summary, "wheelset_roll_rad", way.roll.at(middle));
-      set_figure(summary, "yaw_rad", way.yaw.at(middle));
-      summary.velocity = way.velocity.at(middle);
+      set_figure(summary, "lateral_shift_m", path.lateral_shift.at(middle));
+      set_figure(summary, "wheelset_roll_rad", path.roll.at(middle));
+      set_figure(summary, "yaw_rad", path.yaw.at(middle));
+      summary.velocity = path.velocity.at(middle);
       set_figure(summary, "frictional_power_W", get_figure(summary, "t_gamma_N") * summary.velocity);
     }
 
@@ -185,14 +184,14 @@ namespace wheelrail
     }
 
 
-    /// The means are those of a place of the way.
+    /// The means are those of a place of the path.
     void
-    compare_peak_on_way(const Scene         &scene,
-                        const SceneGeometry &geometry,
-                        Summary             &summary,
-                        Measures            &measures)
+    compare_peak_on_path(const Scene         &scene,
+                         const SceneGeometry &geometry,
+                         Summary             &summary,
+                         Measures            &measures)
     {
-      const Scene there = scene_on_way(scene, get_figure(summary, "motion_distance_m"));
+      const Scene there = scene_on_path(scene, get_figure(summary, "motion_distance_m"));
       compare_peak(
         there, make_geometry(there, {geometry.rail, geometry.wheel, {}, geometry.files}), summary, measures);
     }
@@ -248,7 +247,7 @@ namespace wheelrail
     measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
     measure_kinks(scene, geometry, summary, measures);
     if (scene.motion != "none")
-      compare_peak_on_way(scene, geometry, summary, measures);
+      compare_peak_on_path(scene, geometry, summary, measures);
     else if (!measures.off_rail())
       compare_peak(scene, geometry, summary, measures);
     if (force_is_a_result(scene))
@@ -341,8 +340,8 @@ namespace wheelrail
     set_figure(summary, "contact_angle_rad", model.geometry.angle);
     if (model.geometry.yaw != 0 || model.axle.lateral_creepage != 0)
       set_figure(summary, "yaw_rad", model.geometry.yaw);
-    if (model.axle.way)
-      add_motion(summary, *model.axle.way, run.recorder.averaging_stretch(run.scene));
+    if (model.axle.path)
+      add_motion(summary, *model.axle.path, run.recorder.averaging_stretch(run.scene));
     add_pose(summary, run.scene, model, run.axle, run.communicator);
     summary.peak_memory = peak_memory(run.communicator);
     summary.wall_time   = tally.wall_time;

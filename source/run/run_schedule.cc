@@ -8,7 +8,7 @@ namespace wheelrail
 {
   namespace
   {
-    /// Rows of the history over the whole way: a thousand, or sixteen a cell where means over cells are to
+    /// Rows of the history over the whole path: a thousand, or sixteen a cell where means over cells are to
     /// tell whether the run is steady.
     unsigned long
     rows(const Scene &scene)

@@ -59,7 +59,7 @@ namespace wheelrail
     restore_checkpoint(saved, run->model, run->rolling, run->recorder, communicator);
     if (const History &rows = run->recorder.state().history; !rows.columns.empty())
       run->axle.set_start_torque(column(rows, "drive_torque").front()); // of the first step
-    lengthen_way(*run);
+    lengthen_path(*run);
     run->ticks          = saved.ticks;
     run->first_step     = run->rolling.steps();
     run->first_distance = run->axle.travelled();

@@ -124,13 +124,13 @@ namespace wheelrail
 
 
   void
-  write_way_on(Log               &log,
-               const Scene       &scene,
-               const std::string &folder,
-               const Stop        &stop,
-               const double      *saved,
-               const double       bytes,
-               const int          ranks)
+  write_path_on(Log               &log,
+                const Scene       &scene,
+                const std::string &folder,
+                const Stop        &stop,
+                const double      *saved,
+                const double       bytes,
+                const int          ranks)
   {
     if (saved == nullptr)
       {

@@ -8,9 +8,9 @@
 #include <wheelrail/run/end_screen.h>
 #include <wheelrail/run/moving_mesh.h>
 #include <wheelrail/run/run_end.h>
-#include <wheelrail/run/run_resonances.h>
 #include <wheelrail/run/run_in.h>
 #include <wheelrail/run/run_output.h>
+#include <wheelrail/run/run_resonances.h>
 #include <wheelrail/run/run_schedule.h>
 #include <wheelrail/run/run_start.h>
 #include <wheelrail/run/run_state.h>
@@ -270,13 +270,13 @@ namespace wheelrail
       else
         {
           const double kept = states_.any() ? states_.kept().travelled() : 0;
-          write_way_on(log_,
-                       scene_,
-                       options_.whole_folder.empty() ? scene_.folder : options_.whole_folder,
-                       stop,
-                       states_.any() ? &kept : nullptr,
-                       bytes,
-                       size_);
+          write_path_on(log_,
+                        scene_,
+                        options_.whole_folder.empty() ? scene_.folder : options_.whole_folder,
+                        stop,
+                        states_.any() ? &kept : nullptr,
+                        bytes,
+                        size_);
         }
     }
 

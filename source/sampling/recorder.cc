@@ -87,10 +87,10 @@ namespace wheelrail
   void
   Recorder::add(const Rolling &rolling, const Axle &axle, MPI_Comm communicator)
   {
-    const ContactSums &c = rolling.contact_sums();
-    const EnergyBook  &e = rolling.energy();
-    const Point2       t = model_.geometry.frame.tangent(), n = model_.geometry.frame.normal();
-    Row                row(state_.history);
+    const ContactSums   &c = rolling.contact_sums();
+    const EnergyBalance &e = rolling.energy();
+    const Point2         t = model_.geometry.frame.tangent(), n = model_.geometry.frame.normal();
+    Row                  row(state_.history);
     row.put("time", "s", rolling.time());
     row.put("rolled_distance", axle.travelled());
     row.put("normal_force", c.force[0] * n.x + c.force[1] * n.y);
@@ -103,9 +103,9 @@ namespace wheelrail
     row.put("axle_lateral_force", "N", axle.reaction()[0]);
     row.put("axle_vertical_force", "N", axle.reaction()[1]);
     row.put("max_pressure", c.largest_pressure);
-    const GuidedWay *const way    = axle.data().way.get();
-    const double           rolled = axle.travelled(), V = axle.velocity(),
-                 radius = way ? way->forward_radius.at(rolled) : model_.geometry.forward_radius;
+    const GuidedPath *const path   = axle.data().path.get();
+    const double            rolled = axle.travelled(), V = axle.velocity(),
+                 radius = path ? path->forward_radius.at(rolled) : model_.geometry.forward_radius;
     row.put("creepage", (axle.pitch_rate() * radius - V) / V);
     row.put("pitch_rate", "rad/s", axle.pitch_rate());
     row.put("drive_torque", "N m", axle.applied_torque());
@@ -123,13 +123,13 @@ namespace wheelrail
         row.put("rail_irregularity", "m", surfaces.rail.at(0, on_rail).n - surfaces.rail.smooth(0).n);
         row.put("wheel_irregularity", "m", surfaces.wheel.smooth(0).n - surfaces.wheel.at(0, on_wheel).n);
       }
-    if (way)
+    if (path)
       {
-        row.put("lateral_shift", "m", way->lateral_shift.at(rolled));
-        row.put("wheelset_roll", "rad", way->roll.at(rolled));
-        row.put("yaw", "rad", way->yaw.at(rolled));
+        row.put("lateral_shift", "m", path->lateral_shift.at(rolled));
+        row.put("wheelset_roll", "rad", path->roll.at(rolled));
+        row.put("yaw", "rad", path->yaw.at(rolled));
         row.put("velocity", "m/s", V);
-        row.put("wheel_load", "N", way->load.at(rolled));
+        row.put("wheel_load", "N", path->load.at(rolled));
       }
     for (const auto &part : model_.parts)
       for (const PartMeasure &measure : part->measures())

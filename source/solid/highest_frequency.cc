@@ -1,6 +1,6 @@
 #include <deal.II/lac/tridiagonal_matrix.h>
 
-#include <wheelrail/solid/elastic_meanwhile.h>
+#include <wheelrail/solid/elastic_scope.h>
 #include <wheelrail/solid/highest_frequency.h>
 
 #include <cmath>
@@ -74,10 +74,10 @@ namespace wheelrail
       }
 
     private:
-      Solid                 &solid_;
-      MPI_Comm               communicator_;
-      AlignedVector<double>  displacement_;
-      const ElasticMeanwhile rail_, wheel_; ///< trial vectors are no steps in time
+      Solid                &solid_;
+      MPI_Comm              communicator_;
+      AlignedVector<double> displacement_;
+      const ElasticScope    rail_, wheel_; ///< trial vectors are no steps in time
     };
   } // namespace
 

@@ -15,12 +15,12 @@ namespace wheelrail
       return Four{0, -inertia.weight, 0, 0};
     }
 
-    /// `before`: whether the kinetic energy is that of the velocities before the kick.
+    /// `before`: whether the kinetic energy is that of the velocities before the velocity_update.
     template <bool with_energy>
     double
     pass(Solid                          &solid,
          const std::vector<NodeInertia> &inertia,
-         const Kick                     &kick,
+         const VelocityUpdate           &velocity_update,
          const double                    time_step,
          const bool                      before)
     {
@@ -35,8 +35,9 @@ namespace wheelrail
           const Four   old     = v[n];
           // v(n+1/2) = v(n-1/2) + dt f(n)/m, u(n+1) = u(n) + dt v(n+1/2) (doc/theory/rolling.md, Time
           // stepping); tied nodes are placed by the part that holds them
-          const Four now = (inverse > 0 ? kick.retain : 1.) * old + (kick.gain * inverse) * f[n];
-          v[n]           = now;
+          const Four now =
+            (inverse > 0 ? velocity_update.retain : 1.) * old + (velocity_update.gain * inverse) * f[n];
+          v[n] = now;
           u[n] += (inverse > 0 ? time_step : 0.) * now;
           f[n] = resting_force(inertia[n]);
           if constexpr (with_energy)
@@ -53,8 +54,8 @@ namespace wheelrail
   } // namespace
 
 
-  Kick
-  make_kick(const double duration, const double damping_rate)
+  VelocityUpdate
+  make_velocity_update(const double duration, const double damping_rate)
   {
     // v(n+1/2) = ((1 - c dt/2) v(n-1/2) + dt f/m) / (1 + c dt/2) (doc/theory/rolling.md, Time stepping)
     const double damping = 0.5 * duration * damping_rate;
@@ -86,11 +87,12 @@ namespace wheelrail
   double
   move_nodes(Solid                          &solid,
              const std::vector<NodeInertia> &inertia,
-             const Kick                     &kick,
+             const VelocityUpdate           &velocity_update,
              const double                    time_step,
              const bool                      with_energy)
   {
-    return with_energy ? pass<true>(solid, inertia, kick, time_step, kick.duration < time_step)
-                       : pass<false>(solid, inertia, kick, time_step, false);
+    return with_energy
+             ? pass<true>(solid, inertia, velocity_update, time_step, velocity_update.duration < time_step)
+             : pass<false>(solid, inertia, velocity_update, time_step, false);
   }
 } // namespace wheelrail

@@ -1,7 +1,7 @@
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/cell_place.h>
 #include <wheelrail/mesh/fetch_rows.h>
-#include <wheelrail/solid/elastic_meanwhile.h>
+#include <wheelrail/solid/elastic_scope.h>
 #include <wheelrail/solid/momentum.h>
 #include <wheelrail/solid/transfer.h>
 
@@ -332,7 +332,7 @@ namespace wheelrail
         const AlignedVector<double> inherited = blocks.viscous;
         ElementEnergy               energy;
         {
-          const ElasticMeanwhile elastic(blocks);
+          const ElasticScope elastic(blocks);
           subtract_internal_force(
             blocks, behind.data(), ignored.data(), BulkViscosity{0, time_step}, false, energy);
         }

@@ -87,7 +87,7 @@ namespace wheelrail
 
 
   double
-  facing_aside(const Contact &contact, const StartGrid &loaded)
+  facing_after_shift(const Contact &contact, const StartGrid &loaded)
   {
     double aside = 0, load = 0;
     for (int j = 0; j < loaded.n_j; ++j)

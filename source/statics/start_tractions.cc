@@ -104,7 +104,7 @@ namespace wheelrail
         // bounds mu p half an element on, where the particles of the step are in the mean
         // (doc/theory/accuracy.md, Edges of the patch)
         problem.pressure = in_midst_of_step(loaded.grid, pressure);
-        set_slip(contact.surfaces(), motion, loaded, facing_aside(contact, loaded), problem);
+        set_slip(contact.surfaces(), motion, loaded, facing_after_shift(contact, loaded), problem);
         if (beyond)
           add_bodies(beyond(loaded), problem);
       }

@@ -1,4 +1,4 @@
-#include <wheelrail/solid/elastic_meanwhile.h>
+#include <wheelrail/solid/elastic_scope.h>
 #include <wheelrail/statics/static_level.h>
 
 #include <algorithm>
@@ -138,8 +138,8 @@ namespace wheelrail
     distribute(mesh_, tiny_.begin());
     force_ = 0;
     {
-      const ElasticMeanwhile rail(blocks_.rail), wheel(blocks_.wheel);
-      ElementEnergy          ignored;
+      const ElasticScope rail(blocks_.rail), wheel(blocks_.wheel);
+      ElementEnergy      ignored;
       subtract_internal_force(blocks_, tiny_.begin(), force_.begin(), BulkViscosity(), false, ignored);
     }
     condense(mesh_, force_.begin());

@@ -129,7 +129,7 @@ namespace wheelrail
         blocks = &blocks_.back();
         mesh   = &coarse.mesh;
       }
-    bottom_ = make_static_bottom(discretization, *mesh, *blocks, held_.back(), here);
+    coarse_solver_ = make_coarse_solver(discretization, *mesh, *blocks, held_.back(), here);
   }
 
 
@@ -143,7 +143,7 @@ namespace wheelrail
         levels_[k]->set_springs(std::move(here));
         here = std::move(next);
       }
-    bottom_->set_springs(here);
+    coarse_solver_->set_springs(here);
   }
 
 
@@ -161,7 +161,7 @@ namespace wheelrail
   {
     if (k == coarse_.size())
       {
-        bottom_->solve(residual, x);
+        coarse_solver_->solve(residual, x);
         return;
       }
     StaticLevel &level = *levels_[k];

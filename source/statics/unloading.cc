@@ -15,7 +15,7 @@ namespace wheelrail
   {
     /// Forces of the elements in the present position, one step from the history `flow`, on what is free.
     NodeVector
-    out_of_balance(Solid &solid, const KeptFlow &flow, const StaticSystem &system)
+    out_of_balance(Solid &solid, const SavedPlasticState &flow, const StaticSystem &system)
     {
       flow.restore(solid.blocks);
       AlignedVector<double> force = element_forces_at_rest(solid);
@@ -51,7 +51,7 @@ namespace wheelrail
         if (left <= enough)
           {
             axes.to_track(solid);
-            return {solid.displacement, KeptFlow(solid.blocks), steps, cg_steps, left};
+            return {solid.displacement, SavedPlasticState(solid.blocks), steps, cg_steps, left};
           }
         if (steps == most_steps || !(left < 10))
           throw RunError("the unloading did not converge: after " + std::to_string(steps) + " steps " +

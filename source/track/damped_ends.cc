@@ -42,9 +42,9 @@ namespace wheelrail
 
 
   void
-  DampedEnds::enter(EnergyBook &book)
+  DampedEnds::enter(EnergyBalance &energies)
   {
-    dissipated_ = &book.term("end_dissipation", EnergyKind::dissipated);
+    dissipated_ = &energies.term("end_dissipation", EnergyKind::dissipated);
   }
 
 
@@ -54,8 +54,8 @@ namespace wheelrail
     for (const Damped &damped : nodes_)
       if (const double inverse = inertia[damped.node].inverse_mass; inverse > 0)
         {
-          const Vector3 mean  = mean_velocity(solid, inertia, damped.node, now.kick);
-          const double  share = damped.rate / inverse / (1 + 0.5 * damped.rate * now.kick.gain);
+          const Vector3 mean  = mean_velocity(solid, inertia, damped.node, now.velocity_update);
+          const double  share = damped.rate / inverse / (1 + 0.5 * damped.rate * now.velocity_update.gain);
           for (int i = 0; i < 3; ++i)
             solid.force[4 * damped.node + i] -= share * mean[i];
         }
@@ -69,9 +69,9 @@ namespace wheelrail
     for (const Damped &damped : nodes_)
       if (damped.owned > 0)
         {
-          const Vector3 mean = mean_velocity(solid, inertia, damped.node, now.kick);
+          const Vector3 mean = mean_velocity(solid, inertia, damped.node, now.velocity_update);
           power += damped.rate * damped.owned * dot(mean, mean);
         }
-    dissipated_->add_work(now.kick.duration * power);
+    dissipated_->add_work(now.velocity_update.duration * power);
   }
 } // namespace wheelrail

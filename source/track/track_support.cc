@@ -17,15 +17,15 @@ namespace wheelrail
 
 
   void
-  TrackSupport::enter(EnergyBook &book)
+  TrackSupport::enter(EnergyBalance &energies)
   {
-    stored_     = &book.term("pad_energy", EnergyKind::stored);
-    dissipated_ = &book.term("pad_dissipation", EnergyKind::dissipated);
+    stored_     = &energies.term("pad_energy", EnergyKind::stored);
+    dissipated_ = &energies.term("pad_dissipation", EnergyKind::dissipated);
     if (!sleepers_move())
       return;
-    kinetic_            = &book.term("sleeper_energy", EnergyKind::stored);
-    ballast_            = &book.term("ballast_energy", EnergyKind::stored);
-    ballast_dissipated_ = &book.term("ballast_dissipation", EnergyKind::dissipated);
+    kinetic_            = &energies.term("sleeper_energy", EnergyKind::stored);
+    ballast_            = &energies.term("ballast_energy", EnergyKind::stored);
+    ballast_dissipated_ = &energies.term("ballast_dissipation", EnergyKind::dissipated);
   }
 
 
@@ -101,7 +101,7 @@ namespace wheelrail
           }
       }
     stored_->here += energy;
-    dissipated_->add_work(now.kick.duration * power);
+    dissipated_->add_work(now.velocity_update.duration * power);
     if (now.with_energy)
       measure(solid, on_pads);
     if (!place_.empty())
@@ -157,7 +157,7 @@ namespace wheelrail
           advance(place,
                   speed,
                   (force[3 * s + i] - stiffness * place - damper * speed) / data_.sleeper_mass,
-                  now.kick,
+                  now.velocity_update,
                   now.step);
           const double mean = 0.5 * (before + speed);
           mean_speed_[s][i] = mean;
@@ -168,7 +168,7 @@ namespace wheelrail
       return;
     kinetic_->here += kinetic;
     ballast_->here += potential;
-    ballast_dissipated_->add_work(now.kick.duration * power);
+    ballast_dissipated_->add_work(now.velocity_update.duration * power);
   }
 
 
@@ -181,14 +181,14 @@ namespace wheelrail
     for (const Bearing &at : bearings_)
       if (at.owned > 0)
         {
-          Vector3 speed = mean_velocity(solid, inertia, at.node, now.kick);
+          Vector3 speed = mean_velocity(solid, inertia, at.node, now.velocity_update);
           if (!place_.empty())
             speed = speed - mean_speed_[at.sleeper];
           speed = turned(speed);
           for (int i = 0; i < 3; ++i)
             power += at.share * data_.pad[i] * data_.pad_damping.damper * speed[i] * speed[i];
         }
-    dissipated_->add_work(now.kick.duration * power);
+    dissipated_->add_work(now.velocity_update.duration * power);
   }
 
 

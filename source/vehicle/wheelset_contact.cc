@@ -155,7 +155,7 @@ namespace wheelrail
     /// Tells the solutions of both wheels that they do not balance, and by how much, which says more than
     /// what else was not found in a pose that nothing holds.
     void
-    tell_unbalanced(WheelsetSolution &wheelset)
+    print_unbalanced(WheelsetSolution &wheelset)
     {
       const Scene &pose = wheelset.right.scene;
       const bool   at_bound =
@@ -215,7 +215,7 @@ namespace wheelrail
       // forces of a narrow patch jump by some 1e-4 where elements come into contact
       constexpr double nearly = 1e-3;
       if (!ends_well && !(root && larger_magnitude(root->left) < nearly))
-        tell_unbalanced(found);
+        print_unbalanced(found);
       return found;
     }
   } // namespace

@@ -147,16 +147,16 @@ namespace wheelrail
 
     /// Over irregular surfaces: whether the means are those of a contact, and the largest force is known.
     void
-    judge_way(const Measures &m, Verdict &verdict)
+    judge_path(const Measures &m, Verdict &verdict)
     {
-      constexpr double short_way = 0.5e-3; // what the force still rises over [m]
+      constexpr double short_path = 0.5e-3; // what the force still rises over [m]
       if (m.off_rail())
         add(verdict,
             Grade::with_care,
             "the wheel carries " + percent(m.load_share) +
               " of its load where the means are taken: it is off the rail there, and they say nothing of the "
               "contact; take Run/Evaluate at = largest force.");
-      if (m.force_at > m.path_end - short_way)
+      if (m.force_at > m.path_end - short_path)
         add(verdict,
             Grade::with_care,
             "the largest vertical force acts at the end of the path, " + text("%.1f mm", 1e3 * m.force_at) +
@@ -280,7 +280,7 @@ namespace wheelrail
     judge_sliding(measures, verdict);
     judge_resolution(scene, measures, verdict);
     if (scene.irregular())
-      judge_way(measures, verdict);
+      judge_path(measures, verdict);
     else
       judge_steadiness(scene, measures, verdict);
     judge_balances(scene, measures, verdict);

@@ -49,7 +49,7 @@ namespace wheelrail
               const Placement           &placement,
               WearingSurface            &surface)
     {
-      const auto way_at = [&](const Point2 &track) {
+      const auto path_at = [&](const Point2 &track) {
         return arc_next_to(surface.shape.points, surface.arc, placement.to_section(track));
       };
       double low = surface.arc.back(), high = 0;
@@ -60,7 +60,7 @@ namespace wheelrail
             pressed = patch.patch.pressure[j + patch.patch.n_lateral * i] > 0;
           if (!pressed)
             continue;
-          const double from = way_at(patch.row_edges[j]), to = way_at(patch.row_edges[j + 1]);
+          const double from = path_at(patch.row_edges[j]), to = path_at(patch.row_edges[j + 1]);
           low  = std::min({low, from, to});
           high = std::max({high, from, to});
           if (worn[j] > 0)

@@ -43,14 +43,14 @@ namespace wheelrail
 
 
   void
-  Axle::enter(EnergyBook &book)
+  Axle::enter(EnergyBalance &energies)
   {
-    terms_ = {&book.term("kinetic_energy", EnergyKind::stored),
-              &book.term("potential_energy", EnergyKind::stored),
-              &book.term("suspension_dissipation", EnergyKind::dissipated),
-              &book.term("torque_work", EnergyKind::supplied),
-              &book.term("speed_hold_work", EnergyKind::supplied),
-              data_.way ? &book.term("load_work", EnergyKind::supplied) : nullptr};
+    terms_ = {&energies.term("kinetic_energy", EnergyKind::stored),
+              &energies.term("potential_energy", EnergyKind::stored),
+              &energies.term("suspension_dissipation", EnergyKind::dissipated),
+              &energies.term("torque_work", EnergyKind::supplied),
+              &energies.term("speed_hold_work", EnergyKind::supplied),
+              data_.path ? &energies.term("load_work", EnergyKind::supplied) : nullptr};
   }
 
 
@@ -58,7 +58,7 @@ namespace wheelrail
   Axle::constrain(const Instant &now, Solid &solid, const std::vector<NodeInertia> &)
   {
     const AxleEnergy before = energy();
-    move(solid, now.kick, now.step);
+    move(solid, now.velocity_update, now.step);
     if (now.with_energy)
       write(before);
   }
@@ -123,7 +123,7 @@ namespace wheelrail
 
 
   void
-  Axle::move(Solid &solid, const Kick &kick, const double time_step)
+  Axle::move(Solid &solid, const VelocityUpdate &velocity_update, const double time_step)
   {
     const Reaction reaction = reaction_of(solid);
     reaction_               = reaction.force;
@@ -135,28 +135,28 @@ namespace wheelrail
     const double closing    = vertical_speed_ - sprung_speed_;
     const double suspension = data_.stiffness * stretch + data_.damping * closing;
     const double weight     = (data_.sprung_mass + data_.mass) * data_.gravity;
-    const double added      = data_.way ? data_.way->load.at(0) - data_.way->load.at(travelled_) : 0;
+    const double added      = data_.path ? data_.path->load.at(0) - data_.path->load.at(travelled_) : 0;
     const double before     = vertical_speed_;
     acceleration_           = (reaction.force[1] - weight - suspension + added) / total_mass_;
-    advance(height_, vertical_speed_, acceleration_, kick, time_step);
-    work_.load_work += kick.duration * added * 0.5 * (before + vertical_speed_);
+    advance(height_, vertical_speed_, acceleration_, velocity_update, time_step);
+    work_.load_work += velocity_update.duration * added * 0.5 * (before + vertical_speed_);
     if (data_.sprung_mass > 0)
-      advance(sprung_height_, sprung_speed_, suspension / data_.sprung_mass, kick, time_step);
-    work_.damped += kick.duration * data_.damping * closing * closing;
+      advance(sprung_height_, sprung_speed_, suspension / data_.sprung_mass, velocity_update, time_step);
+    work_.damped += velocity_update.duration * data_.damping * closing * closing;
 
-    turn_wheel(reaction, kick, time_step);
-    go_on(reaction, kick, time_step);
+    turn_wheel(reaction, velocity_update, time_step);
+    go_on(reaction, velocity_update, time_step);
     place_bore(solid, time_step);
   }
 
 
   void
-  Axle::turn_wheel(const Reaction &reaction, const Kick &kick, const double time_step)
+  Axle::turn_wheel(const Reaction &reaction, const VelocityUpdate &velocity_update, const double time_step)
   {
     // (I_a + I_b) omega' = moment of the bore forces + T (doc/theory/rolling.md, Axle):
     // driven by the torque, or held
     const double rate_before = pitch_rate_, moment = reaction.about_axis;
-    applied_torque_ = data_.way ? data_.way->torque.at(travelled_) : data_.torque;
+    applied_torque_ = data_.path ? data_.path->torque.at(travelled_) : data_.torque;
     if (travelled_ < data_.torque_ramp)
       {
         if (std::isnan(start_torque_))
@@ -167,28 +167,29 @@ namespace wheelrail
     if (data_.rate_held)
       {
         const double wanted =
-          data_.way ? data_.way->pitch_rate.at(travelled_ + 0.5 * time_step * velocity()) : pitch_rate_;
-        applied_torque_ = total_inertia_ * (wanted - pitch_rate_) / kick.duration - moment;
+          data_.path ? data_.path->pitch_rate.at(travelled_ + 0.5 * time_step * velocity()) : pitch_rate_;
+        applied_torque_ = total_inertia_ * (wanted - pitch_rate_) / velocity_update.duration - moment;
       }
-    advance(angle_, pitch_rate_, (moment + applied_torque_) / total_inertia_, kick, time_step);
-    work_.torque_work += kick.duration * applied_torque_ * 0.5 * (rate_before + pitch_rate_);
+    advance(angle_, pitch_rate_, (moment + applied_torque_) / total_inertia_, velocity_update, time_step);
+    work_.torque_work += velocity_update.duration * applied_torque_ * 0.5 * (rate_before + pitch_rate_);
   }
 
 
   void
-  Axle::go_on(const Reaction &reaction, const Kick &kick, const double time_step)
+  Axle::go_on(const Reaction &reaction, const VelocityUpdate &velocity_update, const double time_step)
   {
     const Vector3 &force = reaction.force;
-    if (!data_.way)
+    if (!data_.path)
       {
-        work_.hold_work -= kick.duration * (force[2] + force[0] * data_.lateral_creepage) * data_.velocity;
+        work_.hold_work -=
+          velocity_update.duration * (force[2] + force[0] * data_.lateral_creepage) * data_.velocity;
         travelled_ += time_step * data_.velocity;
         return;
       }
-    const GuidedWay::Rate rate = data_.way->rate(travelled_);
-    work_.hold_work -=
-      kick.duration * velocity() * (force[2] + dot(force, rate.centre) + dot(reaction.moment, rate.spin));
-    travelled_ += time_step * data_.way->velocity.at(travelled_ + 0.5 * time_step * velocity());
+    const GuidedPath::Rate rate = data_.path->rate(travelled_);
+    work_.hold_work -= velocity_update.duration * velocity() *
+                       (force[2] + dot(force, rate.centre) + dot(reaction.moment, rate.spin));
+    travelled_ += time_step * data_.path->velocity.at(travelled_ + 0.5 * time_step * velocity());
   }
 
 
@@ -215,9 +216,9 @@ namespace wheelrail
     , turn_(axle.data_.axis, axle.angle_)
     , turn_back_(axle.data_.axis, -axle.angle_)
   {
-    if (axle.data_.way)
+    if (axle.data_.path)
       {
-        lead_      = axle.data_.way->lead(axle.travelled_);
+        lead_      = axle.data_.path->lead(axle.travelled_);
         lead_.move = {};
       }
   }

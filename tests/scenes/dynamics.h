@@ -102,7 +102,7 @@ namespace scenes
     {
       return loop_.steps();
     }
-    const EnergyBook &
+    const EnergyBalance &
     energy() const
     {
       return loop_.energy();

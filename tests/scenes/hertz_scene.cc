@@ -201,7 +201,7 @@ namespace scenes
       advance(wheel.move[1],
               wheel.velocity[1],
               (pair.sums.force[1] - load * loading(time)) / mass,
-              make_kick(scene.time_step, scene.mass_damping),
+              make_velocity_update(scene.time_step, scene.mass_damping),
               scene.time_step);
     };
 

@@ -11,9 +11,9 @@ namespace scenes
   using namespace wheelrail;
 
   void
-  Tie::enter(EnergyBook &book)
+  Tie::enter(EnergyBalance &energies)
   {
-    work_ = &book.term("external_work", EnergyKind::supplied);
+    work_ = &energies.term("external_work", EnergyKind::supplied);
   }
 
 
@@ -28,9 +28,9 @@ namespace scenes
         if (inertia[n].inverse_mass == 0)
           continue;
         const unsigned int k    = 4 * n + component_;
-        const double       gain = now.kick.gain * inertia[n].inverse_mass;
+        const double       gain = now.velocity_update.gain * inertia[n].inverse_mass;
         const double       u = solid.displacement[k], v = solid.velocity[k];
-        const double       free   = now.kick.retain * v + gain * solid.force[k];
+        const double       free   = now.velocity_update.retain * v + gain * solid.force[k];
         const double       target = side_ == 0 ? value : value - solid.mesh.reference[k];
         if (side_ != 0 && side_ * (u + now.step * free - target) >= 0)
           continue;
@@ -39,7 +39,7 @@ namespace scenes
         reaction += force;
         way += force * 0.5 * (v + wanted);
       }
-    work_->add_work(now.kick.duration * way);
+    work_->add_work(now.velocity_update.duration * way);
   }
 
 
@@ -63,9 +63,9 @@ namespace scenes
 
 
   void
-  NodalLoad::enter(EnergyBook &book)
+  NodalLoad::enter(EnergyBalance &energies)
   {
-    work_ = &book.term("external_work", EnergyKind::supplied);
+    work_ = &energies.term("external_work", EnergyKind::supplied);
   }
 
 
@@ -87,8 +87,8 @@ namespace scenes
     for (unsigned int n = 0; n < inertia.size(); ++n)
       if (inertia[n].inverse_mass > 0)
         power += dot(Vector3{nodal_[4 * n], nodal_[4 * n + 1], nodal_[4 * n + 2]},
-                     mean_velocity(solid, inertia, n, now.kick));
-    work_->add_work(now.kick.duration * power);
+                     mean_velocity(solid, inertia, n, now.velocity_update));
+    work_->add_work(now.velocity_update.duration * power);
   }
 
 

@@ -12,7 +12,7 @@
 
 namespace scenes
 {
-  using wheelrail::EnergyBook;
+  using wheelrail::EnergyBalance;
   using wheelrail::EnergyTerm;
   using wheelrail::Instant;
   using wheelrail::NodeInertia;
@@ -37,7 +37,7 @@ namespace scenes
     }
 
     void
-    enter(EnergyBook &book) override;
+    enter(EnergyBalance &energies) override;
     void
     constrain(const Instant &now, Solid &solid, const std::vector<NodeInertia> &inertia) override;
 
@@ -102,7 +102,7 @@ namespace scenes
     void
     prepare(const Solid &solid, std::vector<NodeInertia> &inertia) override;
     void
-    enter(EnergyBook &book) override;
+    enter(EnergyBalance &energies) override;
     void
     add_forces(const Instant &now, Solid &solid) override;
     void

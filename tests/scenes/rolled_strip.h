@@ -13,7 +13,7 @@
 
 namespace scenes
 {
-  /// The pressure p0 sqrt(1 - z2/a2) with the shear traction `traction` times it, which points the way it
+  /// The pressure p0 sqrt(1 - z2/a2) with the shear traction `traction` times it, which points the path it
   /// goes.
   struct LineLoad
   {

@@ -60,10 +60,10 @@ namespace scenes
   /// What is found under load and after unloading; the errors are the largest ones of all elements [Pa].
   struct VesselState
   {
-    double     front        = 0; ///< radius where the plastic strain vanishes [m]
-    double     displacement = 0; ///< of the outer surface [m]
-    double     radial = 0, hoop = 0, residual = 0;
-    EnergyBook energy;
+    double        front        = 0; ///< radius where the plastic strain vanishes [m]
+    double        displacement = 0; ///< of the outer surface [m]
+    double        radial = 0, hoop = 0, residual = 0;
+    EnergyBalance energy;
   };
 
   /// Loads to the front c and unloads, slowly. The mesh is a quarter of the tube or an octant of the sphere

@@ -43,8 +43,8 @@ namespace wheelrail
                  double                     section,
                  std::vector<double>       &sections);
 
-  /// Sections smoothed along the way by Gauss's filter with a cut-off wavelength [m], at which half of a wave
-  /// stays (ISO 16610-21). Each cell's section is spread as a whole, so that none gets lost.
+  /// Sections smoothed along the path by Gauss's filter with a cut-off wavelength [m], at which half of a
+  /// wave stays (ISO 16610-21). Each cell's section is spread as a whole, so that none gets lost.
   std::vector<double>
   smoothed_sections(const std::vector<double> &arc, const std::vector<double> &sections, double cut_off);
 

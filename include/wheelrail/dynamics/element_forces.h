@@ -11,7 +11,7 @@ namespace wheelrail
   {
   public:
     void
-    enter(EnergyBook &book);
+    enter(EnergyBalance &energies);
 
     /// Subtracts the internal forces of the rank's elements; the first step only records the dilatation, from
     /// which the viscosity of the next one takes its rate.

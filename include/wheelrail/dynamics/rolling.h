@@ -63,7 +63,7 @@ namespace wheelrail
     {
       return contact_.sums();
     }
-    const EnergyBook &
+    const EnergyBalance &
     energy() const
     {
       return loop_.energy();

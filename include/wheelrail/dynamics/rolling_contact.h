@@ -23,7 +23,7 @@ namespace wheelrail
     }
 
     void
-    enter(EnergyBook &book) override;
+    enter(EnergyBalance &energies) override;
     void
     add_forces(const Instant &now, Solid &solid) override;
     void
@@ -59,7 +59,7 @@ namespace wheelrail
     void
     prepare(const Solid &solid, std::vector<NodeInertia> &inertia) override;
     void
-    enter(EnergyBook &book) override;
+    enter(EnergyBalance &energies) override;
     void
     add_forces(const Instant &now, Solid &solid) override;
     void

@@ -70,24 +70,24 @@ namespace wheelrail
     {
       return steps_;
     }
-    const EnergyBook &
+    const EnergyBalance &
     energy() const
     {
-      return book_;
+      return energies_;
     }
     /// For works that no part does.
-    EnergyBook &
+    EnergyBalance &
     energy()
     {
-      return book_;
+      return energies_;
     }
 
     /// What one step leaves to the next beside the bodies and the contact.
     struct State
     {
-      double            time  = 0; ///< [s]
-      unsigned long     steps = 0;
-      EnergyBook::State energy;
+      double               time  = 0; ///< [s]
+      unsigned long        steps = 0;
+      EnergyBalance::State energy;
       /// Of the parts that have a name.
       std::map<std::string, PartState> parts;
     };
@@ -133,7 +133,7 @@ namespace wheelrail
     ElementForces            elements_;
     std::vector<Part *>      parts_;
     std::vector<NodeInertia> inertia_;
-    EnergyBook               book_;
+    EnergyBalance            energies_;
     EnergyTerm              &kinetic_, &mesh_change_;
     double                   time_  = 0;
     unsigned long            steps_ = 0;

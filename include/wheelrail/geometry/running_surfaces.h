@@ -63,7 +63,7 @@ namespace wheelrail
     Vector3
     rolling(double s, double z) const;
 
-    /// Local rolling radius of the wheel at s: the way along the track for each angle that it turns [m].
+    /// Local rolling radius of the wheel at s: the path along the track for each angle that it turns [m].
     double
     local_radius(double s) const
     {

@@ -8,7 +8,7 @@ namespace wheelrail
 {
   /// What a particle of the surface meets on its way over one element, from the centre upstream (x + dx) to
   /// the centre of the element: the means of pressure [Pa] and tractions on body 1 [Pa] of both, and the slip
-  /// over the way [-]. Of all elements of the grid; zero where neither is in contact.
+  /// over the path [-]. Of all elements of the grid; zero where neither is in contact.
   struct SlidingPaths
   {
     std::vector<double> pressure, traction_x, traction_y, slip_x, slip_y;

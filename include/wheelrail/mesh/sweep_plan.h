@@ -59,14 +59,14 @@ namespace wheelrail
     // of a wheelset that is led
     Range across; ///< where patches come to lie besides that of the start, over s
     Range along;  ///< overlaps besides that of the start, from the contact point
-    Range ahead;  ///< how far the contact moves along besides the way
+    Range ahead;  ///< how far the contact moves along besides the path
   };
 
   /// Lays out the sections, the strip of finest cells, and the stations along rail and wheel. The finest
   /// cells cover the rolled stretch and, before and behind it, the reach of the undeformed wheel
   /// (overlap_along(), at kik_piotrowski of the approach) and the margin, at least three cells. On irregular
   /// surfaces, whose impacts spread the patch, the whole approach counts, and cells that move reach farther.
-  /// Those that move cover the way through one block in place of the whole stretch; at the start they reach
+  /// Those that move cover the path through one block in place of the whole stretch; at the start they reach
   /// no further than those that do not move. Blocks of the rail are even under the stretch and a metre beyond
   /// it; from there on each is a quarter longer than the one before, up to four times as long; a rail that
   /// the wheel starts farther along has the same blocks, all of them as much nearer to the start. Throws

@@ -16,7 +16,7 @@ namespace wheelrail
     std::optional<SceneGeometry> geometry; ///< none where an error forbids it
   };
 
-  /// Rail that a scene needs before its start and beyond the end of its way [m]: the stress field below a
+  /// Rail that a scene needs before its start and beyond the end of its path [m]: the stress field below a
   /// patch of 13 mm reaches some 50 mm, and a few coarse cells must lie beyond the fine ones.
   double
   free_rail(const Scene &scene, double patch_length);

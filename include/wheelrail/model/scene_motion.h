@@ -9,10 +9,10 @@
 
 namespace wheelrail
 {
-  /// What the columns of Wheelset/Motion say over the way rolled since the start of the run, as smooth curves
-  /// through the rows (SmoothCurve), so that velocities of the wheelset are continuous, and a load that
-  /// comes down to zero does not fall below. Rows over time stand at the way that the velocities cover, with
-  /// the mean of neighbouring rows between them.
+  /// What the columns of Wheelset/Motion say over the path rolled since the start of the run, as smooth
+  /// curves through the rows (SmoothCurve), so that velocities of the wheelset are continuous, and a load
+  /// that comes down to zero does not fall below. Rows over time stand at the way that the velocities cover,
+  /// with the mean of neighbouring rows between them.
   class SceneMotion
   {
   public:
@@ -21,12 +21,12 @@ namespace wheelrail
     /// some 1000 g, or time, distance and velocity say different things.
     explicit SceneMotion(const Scene &scene);
 
-    /// The scene at a place of its way [m]: columns in the place of its entries, the lateral creepage
+    /// The scene at a place of its path [m]: columns in the place of its entries, the lateral creepage
     /// from the change of the lateral shift. A torque is not an entry, see torque().
     Scene
     at(double rolled) const;
 
-    /// Time that the way takes [s].
+    /// Time that the path takes [s].
     double
     duration(double rolled) const;
 
@@ -37,14 +37,14 @@ namespace wheelrail
       return curves_.count(quantity) > 0;
     }
 
-    /// A column over the way [SI], or the constant that the scene has in its place.
+    /// A column over the path [SI], or the constant that the scene has in its place.
     SmoothCurve
     curve(MotionQuantity quantity, double constant) const
     {
       return has(quantity) ? curves_.at(quantity) : SmoothCurve(constant);
     }
 
-    /// A column at a place of the way [SI]; it must be there.
+    /// A column at a place of the path [SI]; it must be there.
     double
     value(MotionQuantity quantity, double rolled) const
     {
@@ -72,7 +72,7 @@ namespace wheelrail
     make_shift(const MotionFile &motion, const std::vector<double> &rolled);
 
     Scene                                 scene_;
-    std::map<MotionQuantity, SmoothCurve> curves_; ///< over the way rolled
+    std::map<MotionQuantity, SmoothCurve> curves_; ///< over the path rolled
     SmoothCurve                           shift_;
   };
 
@@ -80,7 +80,7 @@ namespace wheelrail
   double
   run_duration(const Scene &scene);
 
-  /// The scene at a place of its way [m]; without a motion the scene itself.
+  /// The scene at a place of its path [m]; without a motion the scene itself.
   Scene
-  scene_on_way(const Scene &scene, double rolled);
+  scene_on_path(const Scene &scene, double rolled);
 } // namespace wheelrail

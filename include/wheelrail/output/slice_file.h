@@ -37,7 +37,7 @@ namespace wheelrail
     /// Von Mises stress, xx, yy, zz, yz, xz, xy of the stress [Pa], and the accumulated plastic strain [1] of
     /// a body that may flow, see SliceField; NaN outside of the body.
     std::vector<std::vector<double>> values;
-    /// du_Z over the way along the outward normal of the contact frame, in slices of an unloaded body that
+    /// du_Z over the path along the outward normal of the contact frame, in slices of an unloaded body that
     /// were asked for it: the plastic shear that goes forward at the surface [1].
     std::vector<double> forward_shear;
   };

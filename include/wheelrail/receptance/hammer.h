@@ -45,7 +45,7 @@ namespace wheelrail
     void
     prepare(const Solid &solid, std::vector<NodeInertia> &inertia) override;
     void
-    enter(EnergyBook &book) override;
+    enter(EnergyBalance &energies) override;
     void
     add_shares(const Instant &now, Solid &solid) override;
     void

@@ -10,7 +10,7 @@ namespace wheelrail
   bool
   follow_wheel(RunState &run);
 
-  /// Gives the window of a resumed run the way to the scene's Run/Rolling distance. Collective.
+  /// Gives the window of a resumed run the path to the scene's Run/Rolling distance. Collective.
   void
-  lengthen_way(RunState &run);
+  lengthen_path(RunState &run);
 } // namespace wheelrail

@@ -10,7 +10,7 @@ namespace wheelrail
   class RunSchedule
   {
   public:
-    /// Over the whole way of a model; `stop_after_steps`: see RunOptions.
+    /// Over the whole path of a model; `stop_after_steps`: see RunOptions.
     RunSchedule(const Scene &scene, const Model &model, unsigned long stop_after_steps);
 
     /// The last one.
@@ -20,7 +20,7 @@ namespace wheelrail
       return steps_;
     }
 
-    /// A row of the history: every thousandth of the way, until steady every sixteenth of a cell where that
+    /// A row of the history: every thousandth of the path, until steady every sixteenth of a cell where that
     /// is less; the first step and the last one.
     bool
     record(unsigned long step) const;

@@ -60,7 +60,7 @@ namespace wheelrail
             Log                             &log,
             MPI_Comm                         communicator);
 
-  /// The state that was saved, on the mesh that it had, with the way to the scene's Run/Rolling distance.
+  /// The state that was saved, on the mesh that it had, with the path to the scene's Run/Rolling distance.
   /// Collective; throws as restore_checkpoint().
   std::unique_ptr<RunState>
   resume_run(const Scene &scene, Model model, const Checkpoint &saved, MPI_Comm communicator);

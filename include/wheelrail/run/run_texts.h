@@ -40,13 +40,13 @@ namespace wheelrail
   /// state, null), and the command that goes on from it on as many ranks, with the scene of `folder`: its
   /// own, or that of all passages; where that would only stop again at the same place, what helps.
   void
-  write_way_on(Log               &log,
-               const Scene       &scene,
-               const std::string &folder,
-               const Stop        &stop,
-               const double      *saved,
-               double             bytes,
-               int                ranks);
+  write_path_on(Log               &log,
+                const Scene       &scene,
+                const std::string &folder,
+                const Stop        &stop,
+                const double      *saved,
+                double             bytes,
+                int                ranks);
 
   /// Adds the rigid motions of rail head and wheel rim near the contact to the figures of a run, see
   /// fit_pose(). Collective.

@@ -17,7 +17,7 @@ namespace wheelrail
     /// Run/Staggered starts places, whole coarse blocks of cells, each at least the length of the patch
     /// farther along than the one before. With auto two, where that leaves twice the length of the patch to
     /// settle before the place where passages are compared, and the rail is long enough; else one, as where
-    /// the fine cells do not move. Throws InputError where the way has no room for the places asked for.
+    /// the fine cells do not move. Throws InputError where the path has no room for the places asked for.
     StaggeredStarts(const Scene &scene, const SceneGeometry &geometry);
 
     /// Run/Start offset of passage k, from 1 [m].

@@ -7,7 +7,7 @@
 namespace wheelrail
 {
   /// Adds what a rail on pads is asked for, from the history, where this has it: the deflection of its foot,
-  /// mean over `stretch` of rolled distance [m], and of the whole way the largest force and the largest pull
+  /// mean over `stretch` of rolled distance [m], and of the whole path the largest force and the largest pull
   /// of a pad.
   void
   add_track_figures(const History &history, const Range &stretch, Summary &summary);

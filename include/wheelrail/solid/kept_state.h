@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/solid/kept_flow.h>
+#include <wheelrail/solid/saved_plastic_state.h>
 #include <wheelrail/solid/solid.h>
 
 namespace wheelrail
@@ -25,7 +25,7 @@ namespace wheelrail
     KeptState &
     operator=(const KeptState &) = delete;
 
-    const KeptFlow &
+    const SavedPlasticState &
     flow() const
     {
       return flow_;
@@ -34,6 +34,6 @@ namespace wheelrail
   private:
     Solid                      &solid_;
     const AlignedVector<double> displacement_;
-    const KeptFlow              flow_;
+    const SavedPlasticState     flow_;
   };
 } // namespace wheelrail

@@ -10,23 +10,27 @@ namespace wheelrail
 
   /// How the force of a full step changes the velocities from one half step to the next:
   /// v becomes retain x v + gain x force / mass.
-  struct Kick
+  struct VelocityUpdate
   {
     double duration = 0; ///< the step, or half of it from a start at a full step [s]
     double retain   = 1; ///< below 1 with mass damping
     double gain     = 0; ///< [s]
   };
 
-  /// The kick over `duration` [s] with the damping force -rate x mass x velocity [1/s], which belongs to the
-  /// mean of the velocities of both half steps; without it, retain is exactly 1.
-  Kick
-  make_kick(double duration, double damping_rate = 0);
+  /// The velocity_update over `duration` [s] with the damping force -rate x mass x velocity [1/s], which
+  /// belongs to the mean of the velocities of both half steps; without it, retain is exactly 1.
+  VelocityUpdate
+  make_velocity_update(double duration, double damping_rate = 0);
 
   /// One step of a rigid body's coordinate: its speed is kicked by the acceleration, its place follows.
   inline void
-  advance(double &place, double &speed, const double acceleration, const Kick &kick, const double time_step)
+  advance(double               &place,
+          double               &speed,
+          const double          acceleration,
+          const VelocityUpdate &velocity_update,
+          const double          time_step)
   {
-    speed = kick.retain * speed + kick.gain * acceleration;
+    speed = velocity_update.retain * speed + velocity_update.gain * acceleration;
     place += time_step * speed;
   }
 
@@ -51,10 +55,11 @@ namespace wheelrail
   mean_velocity(const Solid                    &solid,
                 const std::vector<NodeInertia> &inertia,
                 const unsigned int              node,
-                const Kick                     &kick)
+                const VelocityUpdate           &velocity_update)
   {
     const double *v = &solid.velocity[4 * node], *f = &solid.force[4 * node];
-    const double  keep = 0.5 * (1 + kick.retain), gain = 0.5 * kick.gain * inertia[node].inverse_mass;
+    const double  keep = 0.5 * (1 + velocity_update.retain),
+                 gain  = 0.5 * velocity_update.gain * inertia[node].inverse_mass;
     return {keep * v[0] + gain * f[0], keep * v[1] + gain * f[1], keep * v[2] + gain * f[2]};
   }
 
@@ -64,13 +69,13 @@ namespace wheelrail
   ///
   /// With `with_energy` it returns the kinetic energy at the full step of the nodes that this rank owns
   /// [J]: half the mass times the product of the velocities before and after, or of those before alone
-  /// when the kick is half a step. With it, central differences keep the energy of a linear body to
-  /// round-off at any stable step (the mean of both squares would exceed it by up to the strain energy of the
-  /// highest waves). Returns zero otherwise.
+  /// when the velocity_update is half a step. With it, central differences keep the energy of a linear body
+  /// to round-off at any stable step (the mean of both squares would exceed it by up to the strain energy of
+  /// the highest waves). Returns zero otherwise.
   double
   move_nodes(Solid                          &solid,
              const std::vector<NodeInertia> &inertia,
-             const Kick                     &kick,
+             const VelocityUpdate           &velocity_update,
              double                          time_step,
              bool                            with_energy);
 } // namespace wheelrail

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/solid/energy_book.h>
+#include <wheelrail/solid/energy_balance.h>
 #include <wheelrail/solid/motion.h>
 
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace wheelrail
   /// The full step of which a scene's parts are asked, and how its forces change velocities.
   struct Instant
   {
-    double time = 0; ///< of the full step [s]
-    double step = 0; ///< to the next one [s]
-    Kick   kick;
-    bool   first       = false; ///< the kick begins at the full step, with the velocities of that instant
-    bool   with_energy = false; ///< energies are asked for
+    double         time = 0; ///< of the full step [s]
+    double         step = 0; ///< to the next one [s]
+    VelocityUpdate velocity_update;
+    bool first = false; ///< the velocity_update begins at the full step, with the velocities of that instant
+    bool with_energy = false; ///< energies are asked for
   };
 
   /// What one step leaves to the next of a part's own unknowns, as saved files hold it [SI].
@@ -74,7 +74,7 @@ namespace wheelrail
 
     /// Enters the energy terms of the part.
     virtual void
-    enter(EnergyBook &)
+    enter(EnergyBalance &)
     {
     }
 

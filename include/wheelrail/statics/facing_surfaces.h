@@ -26,5 +26,5 @@ namespace wheelrail
   /// How much farther out on its profile the wheel's steel lies than the rail's that it rests on, because
   /// both have moved aside under the load; along the plane, mean over its pressure [m].
   double
-  facing_aside(const Contact &contact, const StartGrid &loaded);
+  facing_after_shift(const Contact &contact, const StartGrid &loaded);
 } // namespace wheelrail

@@ -41,8 +41,8 @@ namespace wheelrail
   /// are cut to 98 % of full slip at rest, and with friction that falls with speed to the largest that it
   /// carries (to 1 %); a law that is zero at rest starts without tractions.
   /// A tread that is stretched more than the head runs backwards against it by as much. The wheel's steel is
-  /// that which the rail meets where both have moved to (facing_aside()). Under the tractions the bodies
-  /// give way as `beyond` tells: the yaw of one against the other slides the wheel aside.
+  /// that which the rail meets where both have moved to (facing_after_shift()). Under the tractions the
+  /// bodies give way as `beyond` tells: the yaw of one against the other slides the wheel aside.
   StartTractions
   start_tractions(const Contact          &contact,
                   double                  longitudinal_force,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/statics/static_bottom.h>
+#include <wheelrail/statics/coarse_solver.h>
 #include <wheelrail/statics/static_level.h>
 
 #include <memory>
@@ -50,7 +50,7 @@ namespace wheelrail
     std::vector<CoarseLevel>                  coarse_;
     std::vector<PerBody<ElementBlocks>>       blocks_; ///< of the coarse levels
     std::vector<std::unique_ptr<StaticLevel>> levels_; ///< the finest first; without the coarsest
-    std::unique_ptr<StaticBottom>             bottom_;
+    std::unique_ptr<CoarseSolver>             coarse_solver_;
     std::vector<std::vector<unsigned char>>   held_; ///< of all levels
   };
 } // namespace wheelrail

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/solid/kept_flow.h>
+#include <wheelrail/solid/saved_plastic_state.h>
 #include <wheelrail/statics/start_tractions.h>
 #include <wheelrail/statics/static_start.h>
 #include <wheelrail/statics/static_system.h>
@@ -116,17 +116,17 @@ namespace wheelrail
     ContactSums
     contact_forces(const std::vector<Vector3> *tractions, AlignedVector<double> &force);
 
-    Solid                &solid_;
-    Contact              &contact_;
-    const StaticLoads    &loads_;
-    StaticSystem          system_;
-    const KeptFlow        flow_; ///< that the bodies begin with
-    double                wheel_mass_ = 0, rate_ = 0;
-    double                wheel_offset_ = 0;  ///< of its centre of gravity above the axle's line [m]
-    AlignedVector<double> drag_;              ///< nodal forces of the tractions [N]
-    Vector3               drag_sum_{};        ///< on the wheel [N]
-    double                lateral_force_ = 0; ///< on the wheel with the present tractions [N]
-    double                stretch_       = 0; ///< of the tread less that of the head, by pressure alone [-]
-    std::vector<Vector3>  rail_before_;       ///< displacement of its surface that the search began with [m]
+    Solid                  &solid_;
+    Contact                &contact_;
+    const StaticLoads      &loads_;
+    StaticSystem            system_;
+    const SavedPlasticState flow_; ///< that the bodies begin with
+    double                  wheel_mass_ = 0, rate_ = 0;
+    double                  wheel_offset_ = 0;  ///< of its centre of gravity above the axle's line [m]
+    AlignedVector<double>   drag_;              ///< nodal forces of the tractions [N]
+    Vector3                 drag_sum_{};        ///< on the wheel [N]
+    double                  lateral_force_ = 0; ///< on the wheel with the present tractions [N]
+    double                  stretch_       = 0; ///< of the tread less that of the head, by pressure alone [-]
+    std::vector<Vector3>    rail_before_; ///< displacement of its surface that the search began with [m]
   };
 } // namespace wheelrail

@@ -13,7 +13,7 @@ namespace wheelrail
   struct UnloadedBodies
   {
     AlignedVector<double> displacement; ///< u_res as in Solid [m]
-    KeptFlow              flow;         ///< what flows while the loads go is in it
+    SavedPlasticState     flow;         ///< what flows while the loads go is in it
     unsigned int          steps    = 0; ///< of Newton's method
     unsigned int          cg_steps = 0;
     double residual = 0; ///< forces out of balance at the end over those at the begin (2-norms)

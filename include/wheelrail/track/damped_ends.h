@@ -22,7 +22,7 @@ namespace wheelrail
     void
     prepare(const Solid &solid, std::vector<NodeInertia> &inertia) override;
     void
-    enter(EnergyBook &book) override;
+    enter(EnergyBalance &energies) override;
     void
     constrain(const Instant &now, Solid &solid, const std::vector<NodeInertia> &inertia) override;
     void

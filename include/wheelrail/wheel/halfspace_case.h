@@ -100,11 +100,11 @@ namespace wheelrail
   SectionOffsets
   scene_offsets(const Scene &scene);
 
-  /// Solves the contact of the profiles in steady rolling by half-spaces, in one plane or, where the wheel has
-  /// contacts in planes that differ by more than 0.1 (separate_regions()), each in its own. The undeformed
-  /// distance is that of the exact surfaces; materials, friction, speed, element size and spin are those of
-  /// the scene (doc/manual/compare.md). Where the longitudinal force exceeds friction the whole patch slides,
-  /// see solve_carried().
+  /// Solves the contact of the profiles in steady rolling by half-spaces, in one plane or, where the wheel
+  /// has contacts in planes that differ by more than 0.1 (separate_regions()), each in its own. The
+  /// undeformed distance is that of the exact surfaces; materials, friction, speed, element size and spin are
+  /// those of the scene (doc/manual/compare.md). Where the longitudinal force exceeds friction the whole
+  /// patch slides, see solve_carried().
   WheelRailSolution
   solve_halfspaces(const Scene          &scene,
                    const SceneGeometry  &geometry,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/solid/part.h>
-#include <wheelrail/wheelset/guided_way.h>
+#include <wheelrail/wheelset/guided_path.h>
 
 #include <mpi.h>
 
@@ -34,7 +34,7 @@ namespace wheelrail
 
     /// What leads the wheelset; none: all of the above stays as it is. `load` is what is on the rail with the
     /// loads above: changes of it act on the axle.
-    std::shared_ptr<const GuidedWay> way;
+    std::shared_ptr<const GuidedPath> path;
   };
 
   /// Works and energies of axle, suspension and sprung mass [J].
@@ -49,7 +49,7 @@ namespace wheelrail
   };
 
   /// The rigid axle: vertical motion and pitch are free, longitudinal and lateral speed are held, roll and
-  /// yaw are fixed, or all of these follow a way (GuidedWay). The bore nodes follow the axle exactly.
+  /// yaw are fixed, or all of these follow a path (GuidedPath). The bore nodes follow the axle exactly.
   class Axle : public Part
   {
   public:
@@ -61,7 +61,7 @@ namespace wheelrail
     void
     prepare(const Solid &solid, std::vector<NodeInertia> &inertia) override;
     void
-    enter(EnergyBook &book) override;
+    enter(EnergyBalance &energies) override;
 
     /// Sums the forces on the bore nodes and advances the rigid motion by a step, then places the
     /// bore nodes (displacement and velocity of `solid`). Collective.
@@ -98,41 +98,41 @@ namespace wheelrail
     double
     aside() const
     {
-      return data_.way ? data_.way->lateral_shift.at(travelled_) - data_.way->lateral_shift.at(0)
-                       : data_.lateral_creepage * travelled_;
+      return data_.path ? data_.path->lateral_shift.at(travelled_) - data_.path->lateral_shift.at(0)
+                        : data_.lateral_creepage * travelled_;
     }
     /// Where its centre is now [m].
     Vector3
     centre() const
     {
       const Vector3 straight = data_.centre + Vector3{0, height_, travelled_};
-      return straight + (data_.way ? data_.way->lead(travelled_).move : Vector3{aside(), 0, 0});
+      return straight + (data_.path ? data_.path->lead(travelled_).move : Vector3{aside(), 0, 0});
     }
     /// Its direction to the track centre now, a unit vector.
     Vector3
     axis() const
     {
-      return data_.way ? data_.way->lead(travelled_).turned(data_.axis) : data_.axis;
+      return data_.path ? data_.path->lead(travelled_).turned(data_.axis) : data_.axis;
     }
     /// Of the wheelset along the track, now [m/s].
     double
     velocity() const
     {
-      return data_.way ? data_.way->velocity.at(travelled_) : data_.velocity;
+      return data_.path ? data_.path->velocity.at(travelled_) : data_.velocity;
     }
     /// Z of the contact, as the rigid profiles have it in the pose of now [m].
     double
     contact_along() const
     {
       return travelled_ +
-             (data_.way ? data_.way->contact_along.at(travelled_) - data_.way->contact_along.at(0) : 0);
+             (data_.path ? data_.path->contact_along.at(travelled_) - data_.path->contact_along.at(0) : 0);
     }
     /// The arc coordinate of the wheel there, at its rolling radius [m].
     double
     contact_on_wheel(const double rolling_radius) const
     {
       return rolling_radius * angle_ +
-             (data_.way ? data_.way->contact_ahead.at(travelled_) - data_.way->contact_ahead.at(0) : 0);
+             (data_.path ? data_.path->contact_ahead.at(travelled_) - data_.path->contact_ahead.at(0) : 0);
     }
 
     /// The rigid motion of the wheel from the start to now.
@@ -214,7 +214,7 @@ namespace wheelrail
     }
 
   private:
-    /// Terms of the energy book.
+    /// Terms of the energy energies.
     struct Terms
     {
       EnergyTerm *kinetic = nullptr, *potential = nullptr, *suspension = nullptr, *torque = nullptr,
@@ -229,11 +229,11 @@ namespace wheelrail
     Reaction
     reaction_of(const Solid &solid) const;
     void
-    turn_wheel(const Reaction &reaction, const Kick &kick, double time_step);
+    turn_wheel(const Reaction &reaction, const VelocityUpdate &velocity_update, double time_step);
     void
-    go_on(const Reaction &reaction, const Kick &kick, double time_step);
+    go_on(const Reaction &reaction, const VelocityUpdate &velocity_update, double time_step);
     void
-    move(Solid &solid, const Kick &kick, double time_step);
+    move(Solid &solid, const VelocityUpdate &velocity_update, double time_step);
     void
     write(const AxleEnergy &before);
     void

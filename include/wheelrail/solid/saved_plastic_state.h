@@ -9,10 +9,10 @@ namespace wheelrail
 {
   /// What plastic flow has left in the elements of both bodies, to come back to: searches ask for forces in
   /// positions that are no steps in time, each of them one step from here.
-  class KeptFlow
+  class SavedPlasticState
   {
   public:
-    explicit KeptFlow(const PerBody<ElementBlocks> &blocks)
+    explicit SavedPlasticState(const PerBody<ElementBlocks> &blocks)
     {
       for (const Body body : both_bodies)
         kept_[body] = {blocks[body].history, blocks[body].plastic_work, blocks[body].flowed};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/statics/static_bottom.h>
+#include <wheelrail/statics/coarse_solver.h>
 
 #include <cstdint>
 #include <memory>
@@ -15,16 +15,16 @@ namespace wheelrail
 {
   /// The coarsest level as a matrix, solved for roughly by conjugate gradients with smoothed aggregation
   /// (Trilinos' ML): for blocks so small that a direct solver would need gigabytes.
-  class IterativeBottom : public StaticBottom
+  class IterativeCoarseSolver : public CoarseSolver
   {
   public:
-    /// See make_static_bottom().
-    IterativeBottom(const LocalMesh                  &mesh,
-                    const PerBody<ElementBlocks>     &blocks,
-                    const std::vector<unsigned char> &held,
-                    AlignedVector<double>             ground,
-                    MPI_Comm                          communicator);
-    ~IterativeBottom() override;
+    /// See make_coarse_solver().
+    IterativeCoarseSolver(const LocalMesh                  &mesh,
+                          const PerBody<ElementBlocks>     &blocks,
+                          const std::vector<unsigned char> &held,
+                          AlignedVector<double>             ground,
+                          MPI_Comm                          communicator);
+    ~IterativeCoarseSolver() override;
 
     /// Takes the springs of the moment into the matrix and makes the preconditioner, unless those that it
     /// knows are near enough to serve on. Collective.

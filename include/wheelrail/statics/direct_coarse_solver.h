@@ -2,7 +2,7 @@
 
 #include <deal.II/lac/full_matrix.h>
 
-#include <wheelrail/statics/static_bottom.h>
+#include <wheelrail/statics/coarse_solver.h>
 #include <wheelrail/statics/swept_solver.h>
 
 #include <array>
@@ -20,15 +20,15 @@ namespace wheelrail
   /// S = T^T K^-1 T,
   ///
   ///     x = y - K^-1 T (1 + G S)^-1 G T^T y.
-  class DirectBottom : public StaticBottom
+  class DirectCoarseSolver : public CoarseSolver
   {
   public:
-    /// See make_static_bottom().
-    DirectBottom(const Discretization             &discretization,
-                 const LocalMesh                  &mesh,
-                 const PerBody<ElementBlocks>     &blocks,
-                 const std::vector<unsigned char> &held,
-                 const StaticGround               &ground = {});
+    /// See make_coarse_solver().
+    DirectCoarseSolver(const Discretization             &discretization,
+                       const LocalMesh                  &mesh,
+                       const PerBody<ElementBlocks>     &blocks,
+                       const std::vector<unsigned char> &held,
+                       const StaticGround               &ground = {});
 
     void
     set_springs(const StaticSprings &springs) override;

@@ -15,10 +15,10 @@ namespace wheelrail
   class Discretization;
 
   /// The coarsest level of the static start: the coarse blocks of both bodies with the contact springs.
-  class StaticBottom
+  class CoarseSolver
   {
   public:
-    virtual ~StaticBottom() = default;
+    virtual ~CoarseSolver() = default;
 
     /// Takes the springs of the moment. Collective.
     virtual void
@@ -34,8 +34,8 @@ namespace wheelrail
   /// The direct solver leaves out what holds the wheel to the ground, the iterative one takes springs of
   /// single nodes that hold as much when all nodes move alike. Discretization and mesh must outlive the
   /// object. Collective.
-  std::unique_ptr<StaticBottom>
-  make_static_bottom(const Discretization             &discretization,
+  std::unique_ptr<CoarseSolver>
+  make_coarse_solver(const Discretization             &discretization,
                      const LocalMesh                  &mesh,
                      const PerBody<ElementBlocks>     &blocks,
                      const std::vector<unsigned char> &held,

@@ -3,7 +3,7 @@
 
 #include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/discretization.h>
-#include <wheelrail/statics/direct_bottom.h>
+#include <wheelrail/statics/direct_coarse_solver.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -14,11 +14,11 @@
 
 namespace wheelrail
 {
-  DirectBottom::DirectBottom(const Discretization             &discretization,
-                             const LocalMesh                  &mesh,
-                             const PerBody<ElementBlocks>     &blocks,
-                             const std::vector<unsigned char> &held,
-                             const StaticGround               &ground)
+  DirectCoarseSolver::DirectCoarseSolver(const Discretization             &discretization,
+                                         const LocalMesh                  &mesh,
+                                         const PerBody<ElementBlocks>     &blocks,
+                                         const std::vector<unsigned char> &held,
+                                         const StaticGround               &ground)
     : mesh_(mesh)
     , communicator_(discretization.communicator())
   {
@@ -82,7 +82,7 @@ namespace wheelrail
 
   /// Component of a vector along it.
   double
-  DirectBottom::Direction::operator*(const std::vector<double> &x) const
+  DirectCoarseSolver::Direction::operator*(const std::vector<double> &x) const
   {
     double sum = 0;
     for (const auto &[row, weight] : weights)
@@ -92,7 +92,7 @@ namespace wheelrail
 
 
   void
-  DirectBottom::find_response(Direction &direction)
+  DirectCoarseSolver::find_response(Direction &direction)
   {
     if (!solver_[direction.body])
       return;
@@ -105,7 +105,7 @@ namespace wheelrail
 
 
   void
-  DirectBottom::set_springs(const StaticSprings &springs)
+  DirectCoarseSolver::set_springs(const StaticSprings &springs)
   {
     const SpringBlocks blocks = spring_blocks(springs);
     held_.clear();
@@ -138,8 +138,8 @@ namespace wheelrail
 
 
   /// Springs come and go, but stay near the contact: responses are kept.
-  const std::array<DirectBottom::Direction, 3> &
-  DirectBottom::directions_of(const std::uint32_t node)
+  const std::array<DirectCoarseSolver::Direction, 3> &
+  DirectCoarseSolver::directions_of(const std::uint32_t node)
   {
     const auto [entry, fresh] = of_node_.try_emplace(node);
     const Place place         = place_[node];
@@ -155,7 +155,7 @@ namespace wheelrail
 
   /// S, row-major: displacements along the directions under unit forces along them [m/N].
   std::vector<double>
-  DirectBottom::compliance() const
+  DirectCoarseSolver::compliance() const
   {
     const std::size_t   n = held_.size();
     std::vector<double> S(n * n, 0.);
@@ -170,7 +170,7 @@ namespace wheelrail
 
 
   void
-  DirectBottom::solve(const NodeVector &forces, NodeVector &z)
+  DirectCoarseSolver::solve(const NodeVector &forces, NodeVector &z)
   {
     std::vector<double> own;
     own.reserve(3 * mesh_.n_owned);
@@ -195,7 +195,7 @@ namespace wheelrail
 
   /// Takes off what the springs hold back.
   void
-  DirectBottom::hold_back()
+  DirectCoarseSolver::hold_back()
   {
     const std::size_t      n = held_.size();
     dealii::Vector<double> y(n), force(n);

@@ -8,7 +8,7 @@
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/trilinos_vector.h>
 
-#include <wheelrail/statics/iterative_bottom.h>
+#include <wheelrail/statics/iterative_coarse_solver.h>
 
 #include <ml_MultiLevelPreconditioner.h>
 
@@ -52,7 +52,7 @@ namespace wheelrail
   } // namespace
 
 
-  struct IterativeBottom::Matrix
+  struct IterativeCoarseSolver::Matrix
   {
     dealii::IndexSet                                           owned;
     std::vector<std::array<double, 24 * 24>>                   elements;
@@ -65,11 +65,11 @@ namespace wheelrail
   };
 
 
-  IterativeBottom::IterativeBottom(const LocalMesh                  &mesh,
-                                   const PerBody<ElementBlocks>     &blocks,
-                                   const std::vector<unsigned char> &held,
-                                   AlignedVector<double>             ground,
-                                   MPI_Comm                          communicator)
+  IterativeCoarseSolver::IterativeCoarseSolver(const LocalMesh                  &mesh,
+                                               const PerBody<ElementBlocks>     &blocks,
+                                               const std::vector<unsigned char> &held,
+                                               AlignedVector<double>             ground,
+                                               MPI_Comm                          communicator)
     : mesh_(mesh)
     , held_(held)
     , ground_(std::move(ground))
@@ -96,12 +96,12 @@ namespace wheelrail
   }
 
 
-  IterativeBottom::~IterativeBottom() = default;
+  IterativeCoarseSolver::~IterativeCoarseSolver() = default;
 
 
   /// The six rigid motions of both bodies together: smoothed aggregation must know them.
   void
-  IterativeBottom::make_modes()
+  IterativeCoarseSolver::make_modes()
   {
     Matrix           &m      = *matrix_;
     const std::size_t n_rows = m.owned.n_elements();
@@ -121,7 +121,7 @@ namespace wheelrail
 
 
   void
-  IterativeBottom::set_springs(const StaticSprings &springs)
+  IterativeCoarseSolver::set_springs(const StaticSprings &springs)
   {
     Matrix      &m      = *matrix_;
     SpringBlocks blocks = spring_blocks(springs);
@@ -136,7 +136,7 @@ namespace wheelrail
 
 
   dealii::DynamicSparsityPattern
-  IterativeBottom::pattern() const
+  IterativeCoarseSolver::pattern() const
   {
     const Matrix                  &m = *matrix_;
     dealii::DynamicSparsityPattern pattern(m.owned.size(), m.owned.size());
@@ -163,7 +163,7 @@ namespace wheelrail
 
 
   void
-  IterativeBottom::assemble()
+  IterativeCoarseSolver::assemble()
   {
     Matrix &m = *matrix_;
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
@@ -202,7 +202,7 @@ namespace wheelrail
 
 
   void
-  IterativeBottom::make_preconditioner()
+  IterativeCoarseSolver::make_preconditioner()
   {
     Matrix                &m = *matrix_;
     Teuchos::ParameterList list;
@@ -235,7 +235,7 @@ namespace wheelrail
 
 
   void
-  IterativeBottom::conjugate_gradients()
+  IterativeCoarseSolver::conjugate_gradients()
   {
     Matrix      &m    = *matrix_;
     const double norm = m.in.l2_norm();
@@ -269,7 +269,7 @@ namespace wheelrail
 
 
   void
-  IterativeBottom::solve(const NodeVector &forces, NodeVector &z)
+  IterativeCoarseSolver::solve(const NodeVector &forces, NodeVector &z)
   {
     Matrix &m = *matrix_;
     for (unsigned int n = 0; n < mesh_.n_owned; ++n)

@@ -27,11 +27,11 @@ namespace wheelrail
     double      work   = 0; ///< the same up to the half step ahead
     double      value  = 0; ///< at the full step of the last balance, of all ranks
 
-    /// Adds the work of the kick around the full step.
+    /// Adds the work of the velocity_update around the full step.
     void
-    add_work(const double of_kick)
+    add_work(const double of_update)
     {
-      work += of_kick;
+      work += of_update;
     }
 
     /// Adds the work of the step behind, all of it done at the full step.
@@ -45,10 +45,10 @@ namespace wheelrail
 
   /// The energy balance of a scene as named terms: what is stored plus what is dissipated less what is
   /// supplied stays as it was at the start. The parts of a scene enter their terms and keep them up to date.
-  class EnergyBook
+  class EnergyBalance
   {
   public:
-    /// The term of this name, entered when it is new. The reference stays good as long as the book.
+    /// The term of this name, entered when it is new. The reference stays good as long as the energies.
     EnergyTerm &
     term(const std::string &name, EnergyKind kind);
 
@@ -68,7 +68,8 @@ namespace wheelrail
     begin_step();
 
     /// Sums the terms over the ranks and balances them; the first balance is the start. Works count by the
-    /// mean of both half steps; when the kick begins at the full step (`first`), those before it. Collective.
+    /// mean of both half steps; when the velocity_update begins at the full step (`first`), those before it.
+    /// Collective.
     void
     balance(bool first, MPI_Comm communicator);
 

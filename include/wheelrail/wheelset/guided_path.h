@@ -5,9 +5,9 @@
 
 namespace wheelrail
 {
-  /// What leads a wheelset along its way, over the way rolled since the start [SI]; shift, roll and yaw as
+  /// What leads a wheelset along its path, over the path rolled since the start [SI]; shift, roll and yaw as
   /// seen from the modelled wheel (doc/manual/signs.md).
-  struct GuidedWay
+  struct GuidedPath
   {
     double      half_width = 0.75; ///< from the middle of the wheelset to the running circle [m]
     SmoothCurve lateral_shift, roll, yaw;
@@ -19,13 +19,13 @@ namespace wheelrail
     SmoothCurve contact_ahead; ///< of the axle, likewise
     SmoothCurve forward_radius;
 
-    /// How the wheelset stands at a place of its way against one that kept the pose of the start: the turn,
+    /// How the wheelset stands at a place of its path against one that kept the pose of the start: the turn,
     /// and the move of the wheel's centre in the track plane and along; its height is not led [m].
     RigidMotion
     lead(double rolled) const;
 
-    /// Change of that with the way: velocity of the centre over that of the middle of the wheelset, beside
-    /// the way itself, and turning rate over it [1/m].
+    /// Change of that with the path: velocity of the centre over that of the middle of the wheelset, beside
+    /// the path itself, and turning rate over it [1/m].
     struct Rate
     {
       Vector3 centre, spin;

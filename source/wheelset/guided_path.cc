@@ -1,4 +1,4 @@
-#include <wheelrail/wheelset/guided_way.h>
+#include <wheelrail/wheelset/guided_path.h>
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace wheelrail
 
 
   RigidMotion
-  GuidedWay::lead(const double rolled) const
+  GuidedPath::lead(const double rolled) const
   {
     const double   roll0 = roll.at(0), yaw0 = yaw.at(0), roll1 = roll.at(rolled), yaw1 = yaw.at(rolled);
     const Rotation roll_now(along, roll1), yaw_now(up, yaw1), roll_back(along, -roll0), yaw_back(up, -yaw0);
@@ -33,8 +33,8 @@ namespace wheelrail
   }
 
 
-  GuidedWay::Rate
-  GuidedWay::rate(const double rolled) const
+  GuidedPath::Rate
+  GuidedPath::rate(const double rolled) const
   {
     const double c = std::cos(yaw.at(rolled)), s = std::sin(yaw.at(rolled));
     const double cosine    = half_width * std::cos(roll.at(rolled)),

@@ -1,4 +1,4 @@
-#include <wheelrail/solid/energy_book.h>
+#include <wheelrail/solid/energy_balance.h>
 
 #include <cmath>
 #include <vector>
@@ -9,7 +9,7 @@
 namespace wheelrail
 {
   EnergyTerm &
-  EnergyBook::term(const std::string &name, const EnergyKind kind)
+  EnergyBalance::term(const std::string &name, const EnergyKind kind)
   {
     for (EnergyTerm &term : terms_)
       if (term.name == name)
@@ -20,7 +20,7 @@ namespace wheelrail
 
 
   double
-  EnergyBook::operator[](const std::string &name) const
+  EnergyBalance::operator[](const std::string &name) const
   {
     for (const EnergyTerm &term : terms_)
       if (term.name == name)
@@ -30,7 +30,7 @@ namespace wheelrail
 
 
   double
-  EnergyBook::sum(const EnergyKind kind) const
+  EnergyBalance::sum(const EnergyKind kind) const
   {
     double total = 0;
     for (const EnergyTerm &term : terms_)
@@ -42,7 +42,7 @@ namespace wheelrail
 
 
   void
-  EnergyBook::begin_step()
+  EnergyBalance::begin_step()
   {
     for (EnergyTerm &term : terms_)
       {
@@ -54,7 +54,7 @@ namespace wheelrail
 
 
   void
-  EnergyBook::balance(const bool first, MPI_Comm communicator)
+  EnergyBalance::balance(const bool first, MPI_Comm communicator)
   {
     std::vector<double> values;
     for (const EnergyTerm &term : terms_)
@@ -76,8 +76,8 @@ namespace wheelrail
   }
 
 
-  EnergyBook::State
-  EnergyBook::state() const
+  EnergyBalance::State
+  EnergyBalance::state() const
   {
     State state = state_;
     for (const EnergyTerm &term : terms_)
@@ -88,7 +88,7 @@ namespace wheelrail
 
 
   void
-  EnergyBook::set_state(const State &state)
+  EnergyBalance::set_state(const State &state)
   {
     for (EnergyTerm &term : terms_)
       if (const auto found = state.works.find(term.name); found != state.works.end())

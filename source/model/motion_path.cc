@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/model/expected_patch.h>
-#include <wheelrail/model/motion_way.h>
+#include <wheelrail/model/motion_path.h>
 #include <wheelrail/model/scene_motion.h>
 
 #include <algorithm>
@@ -45,11 +45,11 @@ namespace wheelrail
   }
 
 
-  std::vector<WaySample>
-  sample_way(const Scene &scene, const SceneGeometry &geometry)
+  std::vector<PathSample>
+  sample_path(const Scene &scene, const SceneGeometry &geometry)
   {
-    constexpr double       spacing = 5e-3, most = 60;
-    std::vector<WaySample> samples;
+    constexpr double        spacing = 5e-3, most = 60;
+    std::vector<PathSample> samples;
     if (scene.motion == "none")
       return samples;
     const SceneMotion motion(scene);
@@ -75,9 +75,9 @@ namespace wheelrail
 
 
   void
-  plan_for_way(const SceneGeometry &start, const std::vector<WaySample> &samples, SweepSizes &sizes)
+  plan_for_path(const SceneGeometry &start, const std::vector<PathSample> &samples, SweepSizes &sizes)
   {
-    for (const WaySample &sample : samples)
+    for (const PathSample &sample : samples)
       {
         const SceneGeometry &there = sample.geometry;
         for (const Range &part :
@@ -93,14 +93,14 @@ namespace wheelrail
   }
 
 
-  GuidedWay
-  make_way(const Scene &scene, const std::vector<WaySample> &samples, const double wheel_load)
+  GuidedPath
+  make_path(const Scene &scene, const std::vector<PathSample> &samples, const double wheel_load)
   {
     using Q = MotionQuantity;
     const SceneMotion motion(scene);
     const auto        sampled = [&](const auto &of) {
       std::vector<double> rolled, values;
-      for (const WaySample &sample : samples)
+      for (const PathSample &sample : samples)
         {
           rolled.push_back(sample.rolled);
           values.push_back(of(sample));
@@ -108,32 +108,32 @@ namespace wheelrail
       return SmoothCurve(rolled, values);
     };
     const auto seen = [&](const SmoothCurve &curve) { return scene.left_wheel ? curve.mirrored() : curve; };
-    const auto load = [&](const WaySample &sample) {
+    const auto load = [&](const PathSample &sample) {
       return motion.has(Q::load) ? sample.scene.wheel_load : wheel_load;
     };
-    GuidedWay way;
-    way.half_width    = running_circle_distance(scene.track);
-    way.lateral_shift = seen(motion.lateral_shift());
-    way.roll          = motion.has(Q::roll)
-                          ? seen(motion.curve(Q::roll, 0))
-                          : sampled([](const WaySample &sample) { return sample.geometry.contact.roll; });
-    way.yaw           = seen(motion.curve(Q::yaw, scene.yaw));
-    way.velocity      = motion.curve(Q::velocity, scene.velocity);
-    way.load          = motion.curve(Q::load, wheel_load);
-    way.torque        = sampled([&](const WaySample &sample) {
+    GuidedPath path;
+    path.half_width    = running_circle_distance(scene.track);
+    path.lateral_shift = seen(motion.lateral_shift());
+    path.roll          = motion.has(Q::roll)
+                           ? seen(motion.curve(Q::roll, 0))
+                           : sampled([](const PathSample &sample) { return sample.geometry.contact.roll; });
+    path.yaw           = seen(motion.curve(Q::yaw, scene.yaw));
+    path.velocity      = motion.curve(Q::velocity, scene.velocity);
+    path.load          = motion.curve(Q::load, wheel_load);
+    path.torque        = sampled([&](const PathSample &sample) {
       const ContactGeometry &contact = sample.geometry.contact;
       const double           driving = motion.has(Q::torque)
                                                 ? motion.value(Q::torque, sample.rolled) / contact.rolling_radius
                                                 : sample.scene.traction_coefficient * load(sample);
       return drive_torque(contact, driving, load(sample));
     });
-    way.pitch_rate    = sampled([](const WaySample &sample) {
+    path.pitch_rate    = sampled([](const PathSample &sample) {
       return sample.scene.velocity / sample.geometry.contact.forward_radius * (1 + sample.scene.creepage);
     });
-    way.contact_along = sampled([](const WaySample &sample) { return sample.geometry.contact.along; });
-    way.contact_ahead = sampled([](const WaySample &sample) { return sample.geometry.contact.ahead; });
-    way.forward_radius =
-      sampled([](const WaySample &sample) { return sample.geometry.contact.forward_radius; });
-    return way;
+    path.contact_along = sampled([](const PathSample &sample) { return sample.geometry.contact.along; });
+    path.contact_ahead = sampled([](const PathSample &sample) { return sample.geometry.contact.ahead; });
+    path.forward_radius =
+      sampled([](const PathSample &sample) { return sample.geometry.contact.forward_radius; });
+    return path;
   }
 } // namespace wheelrail

@@ -1,6 +1,6 @@
 #include <wheelrail/mesh/discretization.h>
-#include <wheelrail/statics/direct_bottom.h>
-#include <wheelrail/statics/iterative_bottom.h>
+#include <wheelrail/statics/direct_coarse_solver.h>
+#include <wheelrail/statics/iterative_coarse_solver.h>
 
 #include <algorithm>
 #include <memory>
@@ -34,8 +34,8 @@ namespace wheelrail
   } // namespace
 
 
-  std::unique_ptr<StaticBottom>
-  make_static_bottom(const Discretization             &discretization,
+  std::unique_ptr<CoarseSolver>
+  make_coarse_solver(const Discretization             &discretization,
                      const LocalMesh                  &mesh,
                      const PerBody<ElementBlocks>     &blocks,
                      const std::vector<unsigned char> &held,
@@ -45,8 +45,8 @@ namespace wheelrail
     const double     memory      = swept_solver_memory(discretization.grid(Body::rail)) +
                           swept_solver_memory(discretization.grid(Body::wheel));
     if (memory < most_memory)
-      return std::make_unique<DirectBottom>(discretization, mesh, blocks, held, ground);
-    return std::make_unique<IterativeBottom>(
+      return std::make_unique<DirectCoarseSolver>(discretization, mesh, blocks, held, ground);
+    return std::make_unique<IterativeCoarseSolver>(
       mesh, blocks, held, even_springs(ground, mesh), discretization.communicator());
   }
 

@@ -7,22 +7,22 @@ namespace wheelrail
   /// Makes elements elastic as long as it lives, whatever their law; their history is neither
   /// read nor written. For solvers that ask for forces in states that are no steps in time, whose
   /// flow would stay in the history.
-  class ElasticMeanwhile
+  class ElasticScope
   {
   public:
-    explicit ElasticMeanwhile(ElementBlocks &blocks)
+    explicit ElasticScope(ElementBlocks &blocks)
       : blocks_(blocks)
       , law_(blocks.law)
     {
       blocks_.law = ElasticLaw(blocks.elasticity());
     }
-    ~ElasticMeanwhile()
+    ~ElasticScope()
     {
       blocks_.law = law_;
     }
-    ElasticMeanwhile(const ElasticMeanwhile &) = delete;
-    ElasticMeanwhile &
-    operator=(const ElasticMeanwhile &) = delete;
+    ElasticScope(const ElasticScope &) = delete;
+    ElasticScope &
+    operator=(const ElasticScope &) = delete;
 
   private:
     ElementBlocks    &blocks_;
