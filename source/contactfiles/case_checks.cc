@@ -1,0 +1,165 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/text_rows.h>
+#include <wheelrail/contactfiles/case_checks.h>
+
+#include <array>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    [[noreturn]] void
+    fail(const ContactCase &one, const unsigned int line, const std::string &text)
+    {
+      throw InputError(place(one.file, line) + text);
+    }
+
+    /// Digits that exclude each other, of all modules and of each.
+    void
+    check_digits(const ContactCase &one, const ContactCase *before)
+    {
+      const ControlDigits &d     = one.digits;
+      const unsigned int   first = one.word_lines[0], second = one.word_lines[1], third = one.word_lines[2];
+      const bool           basic = one.module == 3;
+      if (d.material == 1 && d.motion != 3)
+        fail(one, second, "M = 1 (viscoelastic) needs T = 3 (steady rolling)");
+      if (d.material == 1 && basic && one.rolling.direction != 0)
+        fail(one, one.rolling.line, "M = 1 (viscoelastic) needs CHI = 0");
+      if (d.law == 6 && (d.heat == 0 || d.material == 2 || d.material == 3 || d.material == 5))
+        fail(one, second, "L = 6 (friction by temperature) needs H = 1 or 3 and none of M = 2, 3, 5");
+      if (d.heat == 3 && d.motion != 0 && d.motion != 3)
+        fail(one, third, "H = 3 (heat) needs T = 0 (no friction) or 3 (steady rolling)");
+      if (one.written.law == 1 && before && d.variation != before->digits.variation)
+        fail(one, second, "the digit V may not change where L = 1 keeps the friction of the case before");
+      if (!basic && d.forces == 1 && d.normal != 1)
+        fail(one, first, "F = 1 (FX_WS given) needs N = 1 (force given)");
+      if (basic && (d.bound == 5 || d.bound == 6) && d.normal != 0)
+        fail(one, first, "B = 5 and 6 need N = 0 (approach given)");
+      if (basic && one.written.grid != 0 && one.written.geometry == 0)
+        fail(one, second, "D = 1 and 2 (potential contact) need Z = 2 (undeformed distance)");
+      if (d.material != 0 && d.material != one.material.constants_of)
+        fail(one,
+             second,
+             "M = " + std::to_string(d.material) +
+               " has no constants: C = " + std::to_string(one.written.influence) + " keeps those of M = " +
+               std::to_string(one.material.constants_of) + "; set C = 2 and state them");
+    }
+
+    /// What a first case has to state.
+    void
+    check_stated(const ContactCase &one)
+    {
+      const unsigned int second = one.word_lines[1];
+      if (one.track.line == 0 || one.track.profile.line == 0)
+        fail(
+          one, second, "no case has stated the track and the profile of the rail; set Z = 3 and state them");
+      if (one.wheelset.line == 0)
+        fail(one,
+             second,
+             "no case has stated the wheelset and the profile of the wheel; set E = 3 and state them");
+    }
+
+    /// A grid has to be that of the case before, shifted by whole elements.
+    bool
+    continues(const ContactGrid &grid, const ContactGrid &other)
+    {
+      // corner or first centre and steps of both kinds of grids
+      const auto steps = [](const ContactGrid &g) {
+        const auto &v = g.values;
+        if (g.kind == 1 || g.kind == 3)
+          return std::array<double, 4>{
+            v[0] - (g.kind == 3 ? 0.5 * v[2] : 0), v[1] - (g.kind == 3 ? 0.5 * v[3] : 0), v[2], v[3]};
+        const double dx = (v[2] - v[0]) / (g.kind == 2 ? g.mx : g.mx - 1);
+        const double dy = (v[3] - v[1]) / (g.kind == 2 ? g.my : g.my - 1);
+        return std::array<double, 4>{
+          v[0] - (g.kind == 4 ? 0.5 * dx : 0), v[1] - (g.kind == 4 ? 0.5 * dy : 0), dx, dy};
+      };
+      const auto a = steps(grid), b = steps(other);
+      for (int k = 0; k < 2; ++k)
+        {
+          const double offset = (a[k] - b[k]) / a[k + 2];
+          if (std::abs(a[k + 2] - b[k + 2]) > 1e-6 * a[k + 2] || std::abs(offset - std::round(offset)) > 1e-6)
+            return false;
+        }
+      return true;
+    }
+
+    void
+    check_basic(const ContactCase &one, const ContactCase *before)
+    {
+      const ControlDigits &d    = one.digits;
+      const ContactGrid   &grid = one.grid;
+      if ((d.bound == 2 || d.bound == 3) && grid.kind > 0)
+        fail(
+          one, one.word_lines[0], "B = 2 and 3 (given pressure) need a Hertzian contact, IPOTCN = -6 to -1");
+      if ((d.bound == 4) != (grid.kind == -6))
+        fail(one, one.word_lines[0], "B = 4 and IPOTCN = -6 (two half ellipses) need each other");
+      if ((grid.kind == -4 || grid.kind == -5) && d.normal != 1)
+        fail(one, grid.line, "IPOTCN = -4 and -5 need N = 1 (force given)");
+      if (grid.kind > 0 && one.distance.line == 0)
+        fail(one, one.word_lines[1], "no case has stated the undeformed distance; set Z = 2 and state it");
+      if (d.motion >= 2 && one.rolling.line == 0)
+        fail(
+          one,
+          one.word_lines[1],
+          "no case has stated CHI, DQ and VELOC, which rolling (T = 2, 3) needs; set C = 2 and state them");
+      const std::size_t n = std::size_t(grid.mx) * std::size_t(grid.my);
+      if (grid.kind > 0 && one.distance.base == 9 && one.distance.values.size() != n)
+        fail(one,
+             grid.line,
+             "the grid has not as many elements as the undeformed distance kept of the case before");
+      if (d.extra == 9 && one.extra_slip.x.size() != n)
+        fail(one,
+             grid.line,
+             "the grid has not as many elements as the extra rigid slip kept of the case before");
+      if (d.variation == 3 && one.friction.lines.size() != std::size_t(grid.my))
+        fail(one, grid.line, "the grid has not as many rows as the friction kept of the case before");
+      const bool goes_on = d.past < 2 || d.past == 3 || d.start > 0;
+      if (before && goes_on && grid.kind > 0 && before->grid.kind > 0 && !continues(grid, before->grid))
+        fail(
+          one,
+          grid.line,
+          "the grid is not that of the case before, shifted by whole elements; P = 0, 1, 3 and I = 1, 2, 3 "
+          "need it");
+    }
+  } // namespace
+
+
+  void
+  check_case(const ContactCase &one, const ContactCase *before)
+  {
+    check_digits(one, before);
+    if (one.module == 3)
+      return check_basic(one, before);
+    check_stated(one);
+    if (before && one.digits.past != 2 && (one.digits.motion == 1 || one.digits.motion == 2) &&
+        (one.elements.dx != before->elements.dx || one.elements.ds != before->elements.ds))
+      fail(one, one.elements.line, "DX and DS may not change where shifts and transient rolling go on");
+  }
+
+
+  std::vector<std::string>
+  refusals(const ContactCase &one)
+  {
+    std::vector<std::string> found;
+    const auto add = [&](const unsigned int line, const std::string &what, const std::string &instead) {
+      found.push_back(place(one.file, line) + what + " is not computed; " + instead);
+    };
+    for (const ControlDigit &digit : control_digits())
+      {
+        if (digit.module != 0 && digit.module != one.module)
+          continue;
+        const int               value = one.digits.*digit.place;
+        const DigitValue *const entry = digit_value(digit, value);
+        if (!entry || entry->use != DigitValue::not_taken)
+          continue;
+        const unsigned int line = one.word_lines[digit.word == 4 ? 1 : digit.word - 1];
+        add(line,
+            std::string(1, digit.letter) + " = " + std::to_string(value) + " (" + digit.name + ": " +
+              entry->meaning + ")",
+            "taken are " + accepted_digits(digit, {DigitValue::taken, DigitValue::kept}));
+      }
+    return found;
+  }
+} // namespace wheelrail

@@ -1,0 +1,368 @@
+// label: fast
+
+// Faults of input files of CONTACT, and the message for each.
+
+#include "contact_inputs.h"
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/contactfiles/inp_file.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace wheelrail;
+using test::basic;
+using test::check_text;
+using test::replaced;
+using test::wheel_rail;
+
+namespace
+{
+  std::string
+  message_of(const std::string &text)
+  {
+    try
+      {
+        read_inp_text(text, "x.inp");
+      }
+    catch (const InputError &error)
+      {
+        return error.what();
+      }
+    return "no message";
+  }
+
+  /// An input with texts replaced, and the line and message of its fault.
+  struct Fault
+  {
+    const std::string                               &text;
+    std::vector<std::pair<std::string, std::string>> changes;
+    std::string                                      expected;
+  };
+
+  void
+  check_fault(const Fault &fault)
+  {
+    std::string text = fault.text, name;
+    for (const auto &[from, to] : fault.changes)
+      {
+        text = replaced(text, from, to);
+        name += (name.empty() ? "" : ", ") + ("\"" + to + "\"");
+      }
+    check_text(message_of(text), "x.inp:" + fault.expected, name);
+  }
+
+  void
+  test_files_cut_off()
+  {
+    check_text(
+      message_of(""),
+      "x.inp:1: the file ends without the line \"0 MODULE\"; it is cut off, or that line is missing behind "
+      "the last case",
+      "an empty file");
+    check_text(
+      message_of(basic.substr(0, basic.find(" -3\n"))),
+      "x.inp:34: the file ends within case 3, where IPOTCN should follow; it is cut off, or a digit asks for "
+      "values that are not there",
+      "a file that is cut off");
+    check_text(
+      message_of(basic.substr(0, basic.find("   6 7 8"))),
+      "x.inp:17: the file ends within case 1, where the undeformed distance of IBASE = 9 should follow; it "
+      "is cut off, or a digit asks for values that are not there",
+      "one that is cut off within an array");
+    check_text(
+      message_of(
+        replaced(basic, "   470.5, -0.00304, 0", "   470.5, -0.00304" + std::string(250, ' ') + "0")),
+      "x.inp:7: CETA stands behind the 256 characters that CONTACT reads of a line; write the values in "
+      "several lines",
+      "a long line");
+  }
+
+  void
+  test_faults_of_files()
+  {
+    const std::vector<Fault> faults{
+      {basic,
+       {{"-4.1 -4.2", "-4.1-4.2 "}},
+       "13: \"-4.1-4.2\" stands where XL should; numbers without a blank between them: separate them"},
+      {basic,
+       {{"1 2 3  heights", "1 2 3.-4."}},
+       "16: \"3.-4.\" stands where the undeformed distance of IBASE = 9, value 3 of 6 should; numbers "
+       "without a blank between them: separate them"},
+      {basic,
+       {{"   4 5\n", "   four 5\n"}},
+       "17: \"four\" stands where the undeformed distance of IBASE = 9, value 4 of 6 should; a number is "
+       "needed"},
+      {basic,
+       {{"0.4013  0.4013", "0.4013  0.4013 1.5-2.5"}},
+       "8: \"1.5-2.5\" are numbers without a blank between them: separate them"},
+      {basic,
+       {{"0.4013  0.4013", "        0.4013"}},
+       "9: \"180.d\" stands where FKIN should; a number is needed"},
+      {basic, {{"100.0", "100.5"}}, "6: MAXIN = 100.5 is no integer"},
+      {basic,
+       {{"180.d", "180.x"}},
+       "9: \"180.x\" stands where CHI should; an angle such as 0.02 (rad) or 1.5d (degrees) is needed"},
+      {basic,
+       {{"  022020", "  02202x"}},
+       "4: \"02202x\" stands where the digits VLDCMZE should; at most 7 digits in one word are needed"},
+      {basic,
+       {{"  022020", "00022020"}},
+       "4: \"00022020\" stands where the digits VLDCMZE should; at most 7 digits in one word are needed"},
+      {basic,
+       {{" 3  MODULE", " 2  MODULE"}},
+       "2: MODULE 2 is unknown; 1 (wheel and rail), 3 (basic contact) or 0 (end of the file) is needed; "
+       "digit R of the case before tells whether a MODULE line follows"},
+      {basic,
+       {{" 3  MODULE", " 3 1000 MODULE"}},
+       "2: result element 1000, contact problem 0; elements from 1 to 999 and problems from 1 on are needed"},
+      {basic,
+       {{" 3  MODULE", " % MODULE"}},
+       "3: MODULE 203100 is unknown; 1 (wheel and rail), 3 (basic contact) or 0 (end of the file) is needed; "
+       "digit R of the case before tells whether a MODULE line follows"},
+      {wheel_rail,
+       {{"'contact_inp_file/wheel.prw'", "contact_inp_file/wheel.prw"}},
+       "18: \"contact_inp_file/wheel.prw\" stands where WFNAME should; a text in single quotation marks is "
+       "needed, 'name'"},
+      {wheel_rail,
+       {{"/wheel.prw", "/whel.prw"}},
+       "18: the profile \"contact_inp_file/whel.prw\" is not there: no file contact_inp_file/whel.prw; paths "
+       "of profiles count from the folder of the input file"},
+      {wheel_rail,
+       {{"contact_inp_file/wheel.prw", "contact_inp_file"}},
+       "18: the profile \"contact_inp_file\" is no file, but a folder"},
+    };
+    for (const Fault &fault : faults)
+      check_fault(fault);
+  }
+
+  void
+  test_faults_of_digits()
+  {
+    const std::vector<Fault> faults{
+      {basic,
+       {{"  203100 ", "  205100 "}},
+       "3: the digit T = 5 (motion) is unknown; it may be 0 (no friction), 1 (shift), 2 (transient rolling) "
+       "or 3 (steady rolling)"},
+      {basic,
+       {{"  203100 ", " 3203100 "}},
+       "3: \"3203100\" stands where the digits PBTNFS should; at most 6 digits in one word are needed"},
+      {basic,
+       {{"  022020 ", "  722020 "}},
+       "4: the digit L = 7 (friction law) is unknown; it may be 0 (Coulomb), 1 (as before), 2 (linear in the "
+       "slip velocity), 3 (rational), 4 (exponential) or 6 (by temperature)"},
+      {basic,
+       {{"  022020 ", "  122020 "}},
+       "4: the digit L = 1 (friction law) keeps what the case before has, but case 1 is the first one; write "
+       "one of 0 (Coulomb), 2 (linear in the slip velocity), 3 (rational), 4 (exponential) or 6 (by "
+       "temperature)"},
+      {basic, {{"  203100 ", "  253100 "}}, "3: B = 5 and 6 need N = 0 (approach given)"},
+      {basic,
+       {{"  203100 ", "  223100 "}},
+       "3: B = 2 and 3 (given pressure) need a Hertzian contact, IPOTCN = -6 to -1"},
+      {basic, {{"  203100 ", "  243100 "}}, "3: B = 4 and IPOTCN = -6 (two half ellipses) need each other"},
+      {basic,
+       {{"  400000\n", "  420200\n"}},
+       "28: IPOTCN = 203000 is unknown; -6 to -1 (Hertzian contact) or 1 to 4 (a grid) is needed"},
+      {basic,
+       {{"  400000\n", "  400400\n"}},
+       "23: M = 4 has no constants: C = 0 keeps those of M = 0; set C = 2 and state them"},
+      {basic,
+       {{"  022020 ", "  022120 "}},
+       "13: more numbers than FG1 FG2 TC1 TC2 take, which begin in line 11: a value is missing there, or "
+       "digits ask for other values"},
+      {basic,
+       {{"  203120\n  400000", "  202120\n  400100"}},
+       "23: M = 1 (viscoelastic) needs T = 3 (steady rolling)"},
+      {basic, {{"  022020 ", "  622020 "}}, "9: \"180.d\" stands where DFHEAT should; a number is needed"},
+      {basic,
+       {{"0001341 ", "3001341 "}},
+       "13: more numbers than BKTEMP HEATCP LAMBDA DENS take, which begin in line 11: a value is missing "
+       "there, or digits ask for other values"},
+      {basic,
+       {{"  203120\n  400000", "  203120\n 3100000"}},
+       "23: the digit V may not change where L = 1 keeps the friction of the case before"},
+      {basic,
+       {{" 0122020 12", " 3122020   "}},
+       "35: a grid of MX x MY elements needs from 1 to 1000000 of them"},
+      {basic, {{" -3\n 11 13", " -5\n 11 13"}}, "36: IPOTCN = -4 and -5 need N = 1 (force given)"},
+      {wheel_rail, {{" 1203110", " 1203010"}}, "3: F = 1 (FX_WS given) needs N = 1 (force given)"},
+      {wheel_rail,
+       {{" 1022033", " 1022023"}},
+       "14: \"contact_inp_file\\rail of 54.prr\" stands where VZRAIL should; a number is needed"},
+      {wheel_rail,
+       {{" 1022033", " 1022032"}},
+       "18: \"contact_inp_file/wheel.prw\" stands where ROLL should; an angle such as 0.02 (rad) or 1.5d "
+       "(degrees) is needed"},
+      {wheel_rail,
+       {{" 1203100\n 1111002", " 1002100\n 1121002"}},
+       "26: DX, DS and DQREL, the size of the elements and of a step, are not positive"},
+    };
+    for (const Fault &fault : faults)
+      check_fault(fault);
+  }
+
+  void
+  test_faults_of_values()
+  {
+    const std::vector<Fault> faults{
+      {basic, {{"-4.1 -4.2", "MX   4.2"}}, "13: \"MX\" stands where XL should; a number is needed"},
+      {basic, {{"   470.5,", "  -470.5,"}}, "7: FN is negative; a force that presses counts positive"},
+      {basic,
+       {{"0.4013  0.4013", "0.4013  0.4   "}},
+       "8: FSTAT and FKIN differ; Coulomb's law (L = 0) needs equal ones"},
+      {basic,
+       {{"180.d   0.2  ", "180.d   0    "}},
+       "9: DQ and VELOC, the rolled distance of a step and the velocity, are not positive"},
+      {basic,
+       {{".28     .27", ".28     .57"}},
+       "10: Poisson's ratios POISS1, POISS2 are not from 0 to 0.5, or the shear moduli GG1, GG2 are not "
+       "positive"},
+      {basic,
+       {{"    1        ", "    5        "}},
+       "11: IPOTCN = 5 is unknown; -6 to -1 (Hertzian contact) or 1 to 4 (a grid) is needed"},
+      {basic,
+       {{"   3    2 ", "   3    0 "}},
+       "12: a grid of MX x MY elements needs from 1 to 1000000 of them"},
+      {basic,
+       {{"0.2  0.3", "0.2 -0.3"}},
+       "12: a size among XL YL DX DY is not positive, or the corners are not in order"},
+      {basic,
+       {{"   9    1 ", "   4    1 "}},
+       "15: IBASE = 4 is unknown; 1 (quadratic), 2 (profile and radius), 3 (waves) or 9 (by elements) is "
+       "needed"},
+      {basic,
+       {{"   9    1 ", "   9    3 "}},
+       "15: IPLAN = 3 (contact on rectangles) is not read; 1 (all elements) or 2 (within an ellipse) is "
+       "needed"},
+      {basic,
+       {{"   9    1 ", "   2 1\n 1 0 300 0 1\n"}},
+       "16: the profile of IBASE = 2 needs two heights or more, a positive step DY1 and a radius RM other "
+       "than 0"},
+      {basic,
+       {{"   9    1 ", "   3 1\n 1 1 1 1 1 1 0 1\n"}},
+       "16: B7 or B8 is 0; x and y squared are divided by them"},
+      {wheel_rail,
+       {{"  2           ", "  11          "}},
+       "8: NVF, the lines of the friction variation, is not from 1 to 10"},
+      {wheel_rail,
+       {{"-0.1r", "-0.5r"}},
+       "10: the lines of the friction variation do not rise in their first value"},
+      {wheel_rail,
+       {{"0.200   0.300   1.000", "0.200   0.000   1.000"}},
+       "12: DX, DS and DQREL, the size of the elements and of a step, are not positive"},
+      {wheel_rail,
+       {{"10000.", "-1000."}},
+       "19: FZ is negative; a force that presses wheel and rail together counts positive"},
+      {wheel_rail,
+       {{"wheel.prw'   0     1.0", "wheel.prw'   0     0.0"}},
+       "18: SCALE of a profile is not positive"},
+    };
+    for (const Fault &fault : faults)
+      check_fault(fault);
+  }
+
+  void
+  test_faults_of_kept_values()
+  {
+    const std::vector<Fault> faults{
+      {basic,
+       {{"   3    2 ", "  30    2 "},
+        {"   1 2 3  heights",
+         "  1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 1 "
+         "1 1 1"}},
+       "16: more than the 50 numbers that CONTACT reads of a line; write them in several lines"},
+      {basic,
+       {{"  022020 ", "  622020 "}, {"0.4013  0.4013 ", "0.3 0 -0.18 400\n 0 1 % "}},
+       "4: L = 6 (friction by temperature) needs H = 1 or 3 and none of M = 2, 3, 5"},
+      {basic,
+       {{"  022020 ", "  022120 "}, {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 1 1 0 0"}},
+       "9: M = 1 (viscoelastic) needs CHI = 0"},
+      {basic,
+       {{"  203100 ", "  201100 "},
+        {"0001341", "3001341"},
+        {"   180.d   0.2   1000.          CHI, DQ, VELOC\n", ""},
+        {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 0 450 .05 7e-6\n 0 450 .05 7e-6"}},
+       "5: H = 3 (heat) needs T = 0 (no friction) or 3 (steady rolling)"},
+      {basic,
+       {{"  400000\n", "  420000\n"},
+        {"   0.001 10.           MEMDST, MEM_S0\n",
+         "   0.001 10.           MEMDST, MEM_S0\n 1\n 3 2 0 0 1 1\n"}},
+       "23: D = 1 and 2 (potential contact) need Z = 2 (undeformed distance)"},
+      {basic,
+       {{"  203120\n  400000", "  003120\n  420020"},
+        {"   0.001 10.           MEMDST, MEM_S0\n",
+         "   0.001 10.           MEMDST, MEM_S0\n 1\n 3 2 0.15 0 .2 .3\n 1 1\n 0 0 0 0 0 0\n"}},
+       "29: the grid is not that of the case before, shifted by whole elements; P = 0, 1, 3 and I = 1, 2, 3 "
+       "need it"},
+      {basic,
+       {{"  022020 ", "  022029 "},
+        {"   6 7 8\n", "   6 7 8\n 1 2 3 4 5 6 7 8 9 10 11 12\n"},
+        {"  400000\n", "  420021\n"},
+        {"   0.001 10.           MEMDST, MEM_S0\n",
+         "   0.001 10.           MEMDST, MEM_S0\n 1\n 2 2 0 0 1 1\n 1 1\n 0 0 0 0 0 0\n"}},
+       "30: the grid has not as many elements as the extra rigid slip kept of the case before"},
+      {basic,
+       {{"  400000\n", "  420010\n"},
+        {"   0.001 10.           MEMDST, MEM_S0\n",
+         "   0.001 10.           MEMDST, MEM_S0\n 1\n 2 2 0 0 1 1\n"}},
+       "29: the grid has not as many elements as the undeformed distance kept of the case before"},
+      {basic,
+       {{"  022020 ", " 3022020 "},
+        {"   0.4013  0.4013               FSTAT, FKIN\n", ""},
+        {"   6 7 8\n", "   6 7 8\n .3 .3\n .4 .4\n"},
+        {"  400000\n", " 3120020\n"},
+        {"   0.18 0.12 1250. 0.03 1000.   FKIN,FEXP1,SH1,F2,SH2\n   0.001 10.           MEMDST, MEM_S0\n",
+         " 1\n 3 3 0 0 1 1\n 1 1\n 0 0 0 0 0 0\n"}},
+       "28: the grid has not as many rows as the friction kept of the case before"},
+      {basic,
+       {{"    1                           IPOTCN\n   3    2    % mx, my\n  -4.1 -4.2  % xl, yl\n   0.2  0.3  "
+         " dx, dy\n   9    1                       IBASE, IPLAN\n   1 2 3  heights\n   4 5\n\n   6 7 8\n",
+         " -3\n 3 2 4 2 1.1\n"},
+        {"  400000\n", "  420010\n"},
+        {"   0.001 10.           MEMDST, MEM_S0\n",
+         "   0.001 10.           MEMDST, MEM_S0\n 1\n 2 2 0 0 1 1\n"}},
+       "16: no case has stated the undeformed distance; set Z = 2 and state it"},
+      {basic,
+       {{"  203100 ", "  201100 "}, {"   180.d   0.2   1000.          CHI, DQ, VELOC\n", ""}},
+       "22: no case has stated CHI, DQ and VELOC, which rolling (T = 2, 3) needs; set C = 2 and state them"},
+      {basic,
+       {{"  203100 ", "  203103 "}, {"   6 7 8\n", "   6 7 8\n 2 4\n 4\n"}},
+       "21: ISUBS = 4 is unknown; 1, 2, 3, 5, 6, 7, 9 (points below the surface) or 0 (no more) is needed"},
+      {basic,
+       {{"  203100 ", "  203103 "}, {"   6 7 8\n", "   6 7 8\n 2 4\n 1\n -3 0 1\n"}},
+       "22: counts of points below the surface are not from 0 to 1000000"},
+      {wheel_rail,
+       {{" 1203100\n 1111002", " 1002100\n 1121002"},
+        {"  0.0  1.0  20000.", "  0.3 0.3 1 90d 6 3\n  0.0  1.0  20000."}},
+       "26: DX and DS may not change where shifts and transient rolling go on"},
+      {wheel_rail,
+       {{" 1022033", " 1022023"},
+        {"   14.0     0    1435.0   0.025           GAUGHT, GAUGSQ, GAUGWD, CANT\n  'contact_inp_file\\rail "
+         "of 54.prr'   0     1.0   0.0 0 1\n   0  150d   30d   6d   2.0\n",
+         ""}},
+       "4: no case has stated the track and the profile of the rail; set Z = 3 and state them"},
+      {wheel_rail,
+       {{" 1022033", " 1022032"},
+        {"  1360.0  -70.0   460.0\n  'contact_inp_file/wheel.prw'   0     1.0   0.0      % it's a wheel\n",
+         ""}},
+       "4: no case has stated the wheelset and the profile of the wheel; set E = 3 and state them"},
+    };
+    for (const Fault &fault : faults)
+      check_fault(fault);
+  }
+
+} // namespace
+
+int
+main()
+{
+  test::make_profiles();
+  test_files_cut_off();
+  test_faults_of_files();
+  test_faults_of_digits();
+  test_faults_of_values();
+  test_faults_of_kept_values();
+  return test::report();
+}
