@@ -281,6 +281,27 @@ namespace
     check(!beyond.within_friction && beyond.not_reached.find("Friction does not carry") != std::string::npos,
           "a force beyond friction is told");
   }
+
+  /// Free rolling of an aluminium roller (body 1) on steel with next to no friction: elements slide along the
+  /// creepage to either side, and only one sticks. Creepage of CONTACT (bentall.inp, case 2).
+  void
+  test_free_rolling_of_unlike_bodies()
+  {
+    HalfspaceProblem problem;
+    problem.grid = {216, 1, 1e-6, 1, -107.5e-6, 0};
+    problem.undeformed_distance =
+      quadratic_distance(problem.grid, 25e-3, std::numeric_limits<double>::infinity());
+    problem.body1                    = {23e9, 0.31};
+    problem.body2                    = {82e9, 0.28};
+    problem.normal_force             = 16201.9;
+    problem.friction.at_rest         = 1e-4;
+    problem.longitudinal_force_given = true;
+    problem.max_coupling_rounds      = 1;
+    const HalfspaceSolution s        = solve_rolling(problem);
+    check(s.tangential_converged, "free rolling of unlike bodies converges");
+    check_near(s.xi, -5.260e-4, 5e-7, "its creepage");
+    check_near(s.fx, 0, 1e-4, "its force");
+  }
 } // namespace
 
 int
@@ -294,5 +315,6 @@ main()
   test_transient();
   test_fallback();
   test_input();
+  test_free_rolling_of_unlike_bodies();
   return test::report();
 }

@@ -118,7 +118,7 @@ namespace wheelrail
         for (int d = 0; d < 2; ++d)
           sum += std::pow(t[2 * e + d] - factor * q[d], 2);
       }
-    return largest > 0 ? std::sqrt(sum / n_) / largest : 0;
+    return std::sqrt(sum / n_) / (largest > 0 ? largest : 1); // tractions that are no numbers stay so
   }
 
   void

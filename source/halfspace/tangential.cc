@@ -92,57 +92,121 @@ namespace wheelrail
         }
       return false;
     }
+
+    /// Solves by Newton steps, and by proximal points where these fail.
+    void
+    solve_at_once(InfluenceProducts &products, const TangentialTask &task, TangentialState &state);
+
+    /// One given force by interval halving of its creepage, where the force falls as the creepage rises.
+    /// Where nearly all elements slide along it, to either side, Newton steps do not see how the force
+    /// changes.
+    void
+    search_creepage(InfluenceProducts &products, const TangentialTask &task, TangentialState &state)
+    {
+      const int      d     = task.force_given[0] ? 0 : 1;
+      TangentialTask given = task;
+      given.force_given    = {{false, false}};
+      double limit = 0, width = 0;
+      for (std::size_t e = 0; e < task.bound.size(); ++e)
+        if (task.bound[e] > 0)
+          {
+            limit += task.bound[e] * task.grid.element_area();
+            width = std::max(width, std::abs(task.rigid_slip[d][e]) + task.kernels->diagonal * task.bound[e]);
+          }
+      TangentialState trial;
+      trial.creepage     = {{std::isfinite(state.creepage[0]) ? state.creepage[0] : 0,
+                         std::isfinite(state.creepage[1]) ? state.creepage[1] : 0}};
+      const auto missing = [&](const double creepage) {
+        trial.creepage[d] = creepage;
+        solve_at_once(products, given, trial);
+        state.newton_steps += trial.newton_steps;
+        state.krylov_iterations += trial.krylov_iterations;
+        double force = 0;
+        for (const double t : trial.traction[d])
+          force += t * task.grid.element_area();
+        return task.force[d] - force; // rises with the creepage
+      };
+      double low = -width, high = width;
+      for (int k = 0; k < 30 && missing(low) > 0; ++k)
+        low *= 2;
+      for (int k = 0; k < 30 && missing(high) < 0; ++k)
+        high *= 2;
+      for (int k = 0; k < 60; ++k)
+        {
+          const double middle = 0.5 * (low + high), more = missing(middle);
+          if (trial.converged && std::abs(more) <= task.tolerance * limit)
+            {
+              trial.newton_steps      = state.newton_steps;
+              trial.krylov_iterations = state.krylov_iterations;
+              state                   = trial;
+              return;
+            }
+          (more < 0 ? low : high) = middle;
+        }
+    }
   } // namespace
 
   void
   solve_tangential(InfluenceProducts &products, const TangentialTask &task, TangentialState &state)
   {
-    FrictionSystem    system(products, task, state.creepage);
-    const std::size_t n = system.elements.size();
-    // unknowns: t_x, t_y of each element in contact, then the creepages whose force is given
-    std::vector<double> cold(2 * n + system.forces.size(), 0.), slip, unused;
-    for (std::size_t f = 0; f < system.forces.size(); ++f)
-      cold[2 * n + f] = state.creepage[system.forces[f]];
-    std::vector<double> t    = cold;
-    bool                warm = false;
-    if (int(state.traction[0].size()) == task.grid.size())
-      for (std::size_t e = 0; e < n; ++e)
-        for (int d = 0; d < 2; ++d)
-          {
-            t[2 * e + d] = state.traction[d][system.elements[e]];
-            warm         = warm || t[2 * e + d] != 0;
-          }
-    system.project(t);
-
-    state.newton_steps = state.krylov_iterations = 0;
-    state.converged =
-      // tried in turn: from the guess, from no traction, proximal points
-      warm && iterate(system, task.tolerance, std::min(15, task.max_steps), false, t, slip, state);
-    if (!state.converged)
-      state.converged = iterate(system, task.tolerance, task.max_steps, true, t = cold, slip, state);
-    if (!state.converged)
-      state.converged = proximal_points(system, task, t = cold, slip, state);
-
-    state.residual = system.residual(t, slip);
-    // the state of each element, and tractions within the bound, from the last t
-    system.linearise(t, slip, false, unused);
-    system.project(t);
-    state.slipping.assign(task.grid.size(), 0);
-    for (int d = 0; d < 2; ++d)
-      {
-        state.traction[d].assign(task.grid.size(), 0.);
-        state.slip[d].assign(task.grid.size(), 0.);
-      }
-    for (std::size_t e = 0; e < n; ++e)
-      {
-        state.slipping[system.elements[e]] = system.slipping[e];
-        for (int d = 0; d < 2; ++d)
-          {
-            state.traction[d][system.elements[e]] = t[2 * e + d];
-            state.slip[d][system.elements[e]]     = slip[2 * e + d];
-          }
-      }
-    for (std::size_t f = 0; f < system.forces.size(); ++f)
-      state.creepage[system.forces[f]] = t[2 * n + f];
+    solve_at_once(products, task, state);
+    if (!state.converged && task.force_given[0] != task.force_given[1])
+      search_creepage(products, task, state);
   }
+
+
+  namespace
+  {
+    void
+    solve_at_once(InfluenceProducts &products, const TangentialTask &task, TangentialState &state)
+    {
+      FrictionSystem    system(products, task, state.creepage);
+      const std::size_t n = system.elements.size();
+      // unknowns: t_x, t_y of each element in contact, then the creepages whose force is given
+      std::vector<double> cold(2 * n + system.forces.size(), 0.), slip, unused;
+      for (std::size_t f = 0; f < system.forces.size(); ++f)
+        cold[2 * n + f] = state.creepage[system.forces[f]];
+      std::vector<double> t    = cold;
+      bool                warm = false;
+      if (int(state.traction[0].size()) == task.grid.size())
+        for (std::size_t e = 0; e < n; ++e)
+          for (int d = 0; d < 2; ++d)
+            {
+              t[2 * e + d] = state.traction[d][system.elements[e]];
+              warm         = warm || t[2 * e + d] != 0;
+            }
+      system.project(t);
+
+      state.newton_steps = state.krylov_iterations = 0;
+      state.converged =
+        // tried in turn: from the guess, from no traction, proximal points
+        warm && iterate(system, task.tolerance, std::min(15, task.max_steps), false, t, slip, state);
+      if (!state.converged)
+        state.converged = iterate(system, task.tolerance, task.max_steps, true, t = cold, slip, state);
+      if (!state.converged)
+        state.converged = proximal_points(system, task, t = cold, slip, state);
+
+      state.residual = system.residual(t, slip);
+      // the state of each element, and tractions within the bound, from the last t
+      system.linearise(t, slip, false, unused);
+      system.project(t);
+      state.slipping.assign(task.grid.size(), 0);
+      for (int d = 0; d < 2; ++d)
+        {
+          state.traction[d].assign(task.grid.size(), 0.);
+          state.slip[d].assign(task.grid.size(), 0.);
+        }
+      for (std::size_t e = 0; e < n; ++e)
+        {
+          state.slipping[system.elements[e]] = system.slipping[e];
+          for (int d = 0; d < 2; ++d)
+            {
+              state.traction[d][system.elements[e]] = t[2 * e + d];
+              state.slip[d][system.elements[e]]     = slip[2 * e + d];
+            }
+        }
+      for (std::size_t f = 0; f < system.forces.size(); ++f)
+        state.creepage[system.forces[f]] = t[2 * n + f];
+    }
+  } // namespace
 } // namespace wheelrail

@@ -37,7 +37,8 @@ namespace wheelrail
 
   /// Solves the task by Newton steps on t = P(t - s / B_II) with sets of adhesion and slip and the slip's
   /// direction linearised (semi-smooth Newton), each step by preconditioned GMRES; by proximal points where
-  /// that does not converge. The tractions returned keep |t| <= bound.
+  /// that does not converge, then by interval halving of the creepage of one given force. The tractions
+  /// returned keep |t| <= bound.
   void
   solve_tangential(InfluenceProducts &products, const TangentialTask &task, TangentialState &state);
 } // namespace wheelrail
