@@ -233,9 +233,12 @@ namespace
        "15: IBASE = 4 is unknown; 1 (quadratic), 2 (profile and radius), 3 (waves) or 9 (by elements) is "
        "needed"},
       {basic,
-       {{"   9    1 ", "   9    3 "}},
-       "15: IPLAN = 3 (contact on rectangles) is not read; 1 (all elements) or 2 (within an ellipse) is "
+       {{"   9    1 ", "   9    5 "}},
+       "15: IPLAN = 5 is unknown; 1 (all elements), 2 (quadratic), 3 (two rectangles) or 4 (patches) is "
        "needed"},
+      {basic,
+       {{"   9    1 ", "   9    4 "}, {"   6 7 8\n", "   6 7 8\n 1\n"}},
+       "20: NPATCH, the patches of IPLAN = 4, is not from 2 to 100"},
       {basic,
        {{"   9    1 ", "   2 1\n 1 0 300 0 1\n"}},
        "16: the profile of IBASE = 2 needs two heights or more, a positive step DY1 and a radius RM other "

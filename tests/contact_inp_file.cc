@@ -149,7 +149,8 @@ namespace
       "x.inp:3: T = 2 (motion: transient rolling) is not computed; taken are 0 (no friction) or 3 (steady "
       "rolling)",
       "transient rolling is refused");
-    check(refusals(cases[2]).size() == 2, "so are damping and gap weights");
+    check(refusals(cases[2]).size() == 3,
+          "so are damping, gap weights and a second term of the friction law");
     const ContactCase more =
       read_inp_text(replaced(basic, "0.4013  0.4013 ", "0.4013 0.4013 0.5 "), "x.inp")[0];
     check_text(more.notes.at(0),

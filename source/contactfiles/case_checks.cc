@@ -64,18 +64,7 @@ namespace wheelrail
     bool
     continues(const ContactGrid &grid, const ContactGrid &other)
     {
-      // corner or first centre and steps of both kinds of grids
-      const auto steps = [](const ContactGrid &g) {
-        const auto &v = g.values;
-        if (g.kind == 1 || g.kind == 3)
-          return std::array<double, 4>{
-            v[0] - (g.kind == 3 ? 0.5 * v[2] : 0), v[1] - (g.kind == 3 ? 0.5 * v[3] : 0), v[2], v[3]};
-        const double dx = (v[2] - v[0]) / (g.kind == 2 ? g.mx : g.mx - 1);
-        const double dy = (v[3] - v[1]) / (g.kind == 2 ? g.my : g.my - 1);
-        return std::array<double, 4>{
-          v[0] - (g.kind == 4 ? 0.5 * dx : 0), v[1] - (g.kind == 4 ? 0.5 * dy : 0), dx, dy};
-      };
-      const auto a = steps(grid), b = steps(other);
+      const std::array<double, 4> a = grid.corner(), b = other.corner();
       for (int k = 0; k < 2; ++k)
         {
           const double offset = (a[k] - b[k]) / a[k + 2];
@@ -139,6 +128,37 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// Values of module 3.
+    template <typename Add>
+    void
+    refuse_basic(const ContactCase &one, const Add &add)
+    {
+      const ControlDigits &d    = one.digits;
+      const int            kind = one.grid.kind;
+      if (kind <= -4)
+        add(one.grid.line,
+            "IPOTCN = " + std::to_string(kind),
+            "taken are -3 to -1 (ellipses) and 1 to 4 (grids)");
+      if (kind > 0 && one.distance.planform == 4)
+        add(one.distance.line, "IPLAN = 4 (weighted patches)", "taken are 1 (all elements), 2 and 3");
+      if (d.motion >= 2 && std::abs(std::sin(one.rolling.direction)) > 1e-3)
+        add(one.rolling.line, "CHI other than 0 and 180d (rolling across x)", "taken are 0 and 180d");
+      // ConvexGS alone keeps DQ, and corrects what comes into contact within a step
+      if (d.motion == 3 && d.solver == 2 && kind > 0 && one.rolling.step > 1.001 * one.grid.corner()[2])
+        add(one.rolling.line,
+            "DQ > DX with G = 2 (steps of several elements)",
+            "taken are DQ = DX and other solvers");
+      const ContactKinematics &k = one.kinematics;
+      if (d.motion != 0 && d.forces >= 1 && std::hypot(k.x, d.forces == 2 ? k.y : 0) >= 1)
+        add(k.line,
+            "a force FX, FY of FSTAT times FN or more (sliding as a whole)",
+            "taken are smaller ones, and creepages of any size");
+    }
+  } // namespace
+
+
   std::vector<std::string>
   refusals(const ContactCase &one)
   {
@@ -160,6 +180,15 @@ namespace wheelrail
               entry->meaning + ")",
             "taken are " + accepted_digits(digit, {DigitValue::taken, DigitValue::kept}));
       }
+    const ContactMaterial &material = one.material;
+    if (one.digits.material == 4 && material.constants[2] > 0 && material.constants[2] < 1e10)
+      add(material.line, "TAU_C0 > 0 (an interfacial layer that yields)", "taken are layers with TAU_C0 = 0");
+    if (one.digits.law == 3 || one.digits.law == 4)
+      for (const ContactFrictionLine &line : one.friction.lines)
+        if (line.constants[3] != 0)
+          add(line.line, "F2 other than 0 (a second term of the friction law)", "taken are laws with F2 = 0");
+    if (one.module == 3)
+      refuse_basic(one, add);
     return found;
   }
 } // namespace wheelrail

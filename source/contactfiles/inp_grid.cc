@@ -69,12 +69,51 @@ namespace wheelrail
                      " is not positive, or the corners are not in order");
     }
 
+    /// Coefficients (IPLAN = 2), two rectangles from and to in x and y (3), or the number of patches, the
+    /// places between them and their factors (4).
+    void
+    read_planform(InpWords &words, ContactDistance &distance)
+    {
+      std::vector<double> &plan = distance.plan;
+      switch (distance.planform)
+        {
+          case 1:
+            break;
+          case 2:
+            plan = words.array(6, "the six coefficients of IPLAN = 2").values;
+            break;
+          case 3:
+            plan = words.array(8, "the two rectangles of IPLAN = 3").values;
+            break;
+          case 4:
+            {
+              const InpGroup patches = words.group("#NPATCH");
+              const double   n       = patches.values[0];
+              if (n < 2 || n > 100)
+                words.fail(patches.line, "NPATCH, the patches of IPLAN = 4, is not from 2 to 100");
+              plan = patches.values;
+              for (const double count : {n - 1, n * (n - 1) / 2})
+                {
+                  const std::vector<double> more =
+                    words.array(std::size_t(count), "the places and factors of IPLAN = 4").values;
+                  plan.insert(plan.end(), more.begin(), more.end());
+                }
+              break;
+            }
+          default:
+            words.fail(distance.line,
+                       "IPLAN = " + std::to_string(distance.planform) +
+                         " is unknown; 1 (all elements), 2 (quadratic), 3 (two rectangles) or 4 (patches) is "
+                         "needed");
+        }
+    }
+
     void
     read_distance(InpWords &words, ContactCase &one)
     {
       const InpGroup kind = words.group("#IBASE #IPLAN");
       const int      base = int(kind.values[0]), plan = int(kind.values[1]);
-      one.distance                = {base, plan, {}, {}, kind.line, kind.line};
+      one.distance                = {base, plan, {}, {}, kind.line};
       std::vector<double> &values = one.distance.values;
       switch (base)
         {
@@ -115,13 +154,7 @@ namespace wheelrail
                 " is unknown; 1 (quadratic), 2 (profile and radius), 3 (waves) or 9 (by elements) is "
                 "needed");
         }
-      if (plan == 2)
-        one.distance.plan = words.group("BP1 BP2 BP3 BP4 BP5 BP6").values;
-      else if (plan != 1)
-        words.fail(
-          kind.line,
-          "IPLAN = " + std::to_string(plan) +
-            " (contact on rectangles) is not read; 1 (all elements) or 2 (within an ellipse) is needed");
+      read_planform(words, one.distance);
     }
   } // namespace
 

@@ -133,6 +133,10 @@ namespace wheelrail
     int                 kind = 0, mx = 0, my = 0;
     std::vector<double> values;
     unsigned int        line = 0;
+
+    /// Corner x, y of the grid and element lengths dx, dy [mm], of IPOTCN > 0.
+    std::array<double, 4>
+    corner() const;
   };
 
   /// Undeformed distance of module 3 (IPOTCN > 0).
@@ -141,7 +145,7 @@ namespace wheelrail
     int                 base = 1, planform = 1;
     std::vector<double> values; ///< of IBASE: coefficients, XM RM Y1 DY1 and heights, or one of each element
     std::vector<double> plan;   ///< of IPLAN
-    unsigned int        line = 0, plan_line = 0;
+    unsigned int        line = 0;
   };
 
   struct ContactExtraSlip

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <wheelrail/contactfiles/contact_case.h>
+#include <wheelrail/halfspace/hertz.h>
+#include <wheelrail/halfspace/problem.h>
+
+#include <optional>
+
+namespace wheelrail
+{
+  /// A case of module 3 as a problem of half-spaces.
+  struct CaseProblem
+  {
+    HalfspaceProblem problem;
+    /// The case rolls along -x (CHI = 180d): the problem is the case turned by half a turn about the normal.
+    bool turned = false;
+    /// FX, FY over FSTAT times the normal force, where that is to be found first (N = 0, F >= 1).
+    double                      relative_x = 0, relative_y = 0;
+    std::optional<HertzContact> hertz; ///< of IPOTCN < 0
+  };
+
+  /// The problem of a case of module 3 without refusals(), in SI units, with the signs of CONTACT, which are
+  /// those of HalfspaceProblem. Elements outside of a planform (IPLAN) lie far apart. The step is the element
+  /// length, as CONTACT sets it, but with ConvexGS (G = 2).
+  CaseProblem
+  case_problem(const ContactCase &one);
+
+  /// A solved case, in the axes of its file.
+  struct CaseSolution
+  {
+    HalfspaceSolution           solution;
+    std::optional<HertzContact> hertz; ///< of IPOTCN < 0
+  };
+
+  /// Solves it. With the approach and relative forces given, the normal force is found first; for unlike
+  /// materials both are repeated until the force holds to 1e-6.
+  CaseSolution
+  solve_case(const ContactCase &one);
+} // namespace wheelrail

@@ -1,0 +1,329 @@
+#include <wheelrail/contactfiles/case_problem.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double millimetre = 1e-3, megapascal = 1e6;
+
+    /// The grid, of an ellipse SCALE times as large.
+    HalfspaceGrid
+    grid_of(const ContactGrid &given, const std::optional<HertzContact> &hertz)
+    {
+      HalfspaceGrid grid;
+      grid.mx = given.mx;
+      grid.my = given.my;
+      double x, y; // the corner
+      if (hertz)
+        {
+          x       = -given.values.back() * hertz->a;
+          y       = -given.values.back() * hertz->b;
+          grid.dx = -2 * x / grid.mx;
+          grid.dy = -2 * y / grid.my;
+        }
+      else
+        {
+          const std::array<double, 4> corner = given.corner();
+          x                                  = millimetre * corner[0];
+          y                                  = millimetre * corner[1];
+          grid.dx                            = millimetre * corner[2];
+          grid.dy                            = millimetre * corner[3];
+        }
+      grid.x0 = x + 0.5 * grid.dx;
+      grid.y0 = y + 0.5 * grid.dy;
+      return grid;
+    }
+
+    /// The heights of IBASE = 2 between their points, on straight lines that go on outside [mm].
+    double
+    profile_height(const std::vector<double> &values, const double y)
+    {
+      const double first = values[2], step = values[3];
+      const double place = (y - first) / step;
+      const auto   last  = double(values.size() - 4) - 2;
+      const auto   k     = std::size_t(std::clamp(std::floor(place), 0., last));
+      const double left = values[4 + k], right = values[5 + k];
+      return left + (right - left) * (place - double(k));
+    }
+
+    /// Undeformed distance at a place, all in mm.
+    std::function<double(double, double)>
+    distance_of(const ContactDistance &given)
+    {
+      const std::vector<double> &v = given.values;
+      if (given.base == 1)
+        return [&v](const double x, const double y) {
+          return v[0] * x * x + v[1] * x * y + v[2] * y * y + v[3] * x + v[4] * y + v[5];
+        };
+      if (given.base == 2)
+        return [&v](const double x, const double y) {
+          return profile_height(v, y) + (x - v[0]) * (x - v[0]) / (2 * v[1]);
+        };
+      return [&v](const double x, const double y) {
+        return v[0] * std::sin(v[1] * (x - v[2])) - v[3] * std::sin(v[4] * (x - v[5])) + x * x / v[6] +
+               y * y / v[7];
+      };
+    }
+
+    /// Whether an element may touch (IPLAN).
+    bool
+    within_planform(const ContactDistance &given, const double x, const double y)
+    {
+      const std::vector<double> &v = given.plan;
+      if (given.planform == 2)
+        return v[0] * x * x + v[1] * x * y + v[2] * y * y + v[3] * x + v[4] * y + v[5] < 0;
+      const auto inside = [&](const std::size_t k) {
+        return x >= v[k] && x <= v[k + 1] && y >= v[k + 2] && y <= v[k + 3];
+      };
+      return given.planform != 3 || inside(0) || inside(4);
+    }
+
+    std::vector<double>
+    distances(const ContactCase &one, const HalfspaceGrid &grid, const std::optional<HertzContact> &hertz)
+    {
+      if (hertz)
+        return sampled_distance(grid,
+                                [&](double x, double y) { return hertz->A * x * x + hertz->B * y * y; });
+      std::vector<double> h;
+      if (one.distance.base == 9)
+        for (const double value : one.distance.values)
+          h.push_back(millimetre * value);
+      else
+        h = sampled_distance(grid, [at = distance_of(one.distance)](double x, double y) {
+          return millimetre * at(x / millimetre, y / millimetre);
+        });
+      constexpr double far_apart = 1; // [m]
+      for (int j = 0; j < grid.my; ++j)
+        for (int i = 0; i < grid.mx; ++i)
+          if (!within_planform(one.distance, grid.x(i) / millimetre, grid.y(j) / millimetre))
+            h[std::size_t(i + grid.mx * j)] = far_apart;
+      return h;
+    }
+
+    FrictionLaw
+    friction_of(const ContactCase &one)
+    {
+      const std::vector<double> &c = one.friction.lines.front().constants;
+      FrictionLaw                law;
+      if (one.digits.law == 0)
+        {
+          law.at_rest = c[0];
+          return law;
+        }
+      law.kind     = one.digits.law == 3 ? FrictionKind::rational : FrictionKind::exponential;
+      law.at_speed = c[0];
+      law.at_rest  = c[0] + c[1];
+      if (one.digits.law == 3)
+        law.half_velocity = millimetre * c[2];
+      else
+        law.decay = std::log(2) / (millimetre * c[2]);
+      return law;
+    }
+
+    /// What of the rigid slip is no creepage or spin about the origin.
+    void
+    add_rigid_slip(const ContactCase &one, HalfspaceProblem &problem)
+    {
+      const ContactKinematics &k    = one.kinematics;
+      const int                kind = one.digits.extra;
+      const std::size_t        n    = std::size_t(problem.grid.size());
+      if (k.spin_x == 0 && k.spin_y == 0 && kind == 0)
+        return;
+      // rolling along -x the middle of the step lies on the other side
+      const double ahead = (std::cos(one.rolling.direction) < 0 ? -1 : 1) * problem.spin_offset *
+                           (problem.step > 0 ? problem.step : problem.grid.dx);
+      problem.rigid_slip_x.assign(n, problem.phi * millimetre * k.spin_y);
+      problem.rigid_slip_y.assign(n, -problem.phi * millimetre * k.spin_x);
+      for (int j = 0; j < problem.grid.my; ++j)
+        for (int i = 0; i < problem.grid.mx; ++i)
+          {
+            const auto e = std::size_t(i + problem.grid.mx * j);
+            if (kind == 2)
+              problem.rigid_slip_y[e] -=
+                problem.phi * (problem.grid.x(i) + ahead) - problem.phi * millimetre * k.spin_x;
+            if (kind == 3)
+              problem.rigid_slip_x[e] +=
+                problem.phi * problem.grid.y(j) - problem.phi * millimetre * k.spin_y;
+            if (kind == 9)
+              {
+                problem.rigid_slip_x[e] += one.extra_slip.x[e];
+                problem.rigid_slip_y[e] += one.extra_slip.y[e];
+              }
+          }
+    }
+
+    void
+    negate(std::vector<double> &values)
+    {
+      for (double &value : values)
+        value = -value;
+    }
+
+    /// Half a turn of a grid about the normal.
+    void
+    turn(HalfspaceGrid &grid)
+    {
+      grid.x0 = -grid.x(grid.mx - 1);
+      grid.y0 = -grid.y(grid.my - 1);
+    }
+
+    /// The problem seen from the other side of the rail: vectors in the plane change sign, the spin does not.
+    void
+    turn(HalfspaceProblem &problem)
+    {
+      turn(problem.grid);
+      for (auto *field : {&problem.undeformed_distance, &problem.rigid_slip_x, &problem.rigid_slip_y})
+        std::reverse(field->begin(), field->end());
+      negate(problem.rigid_slip_x);
+      negate(problem.rigid_slip_y);
+      for (double *value : {&problem.xi, &problem.eta, &problem.fx, &problem.fy})
+        *value = -*value;
+    }
+
+    void
+    turn(HalfspaceSolution &solution)
+    {
+      turn(solution.grid);
+      for (auto *field : {&solution.pressure,
+                          &solution.traction_x,
+                          &solution.traction_y,
+                          &solution.displacement_n,
+                          &solution.displacement_x,
+                          &solution.displacement_y,
+                          &solution.gap,
+                          &solution.slip_x,
+                          &solution.slip_y,
+                          &solution.friction})
+        std::reverse(field->begin(), field->end());
+      std::reverse(solution.state.begin(), solution.state.end());
+      for (auto *field : {&solution.traction_x,
+                          &solution.traction_y,
+                          &solution.displacement_x,
+                          &solution.displacement_y,
+                          &solution.slip_x,
+                          &solution.slip_y})
+        negate(*field);
+      for (double *value : {&solution.fx, &solution.fy, &solution.xi, &solution.eta})
+        *value = -*value;
+    }
+
+    std::optional<HertzContact>
+    hertz_of(const ContactCase &one)
+    {
+      const std::vector<double> &v = one.grid.values;
+      const ContactMaterial     &m = one.material;
+      const double               E =
+        contact_modulus(megapascal * m.shear[0], m.poisson[0], megapascal * m.shear[1], m.poisson[1]);
+      const HertzLoad load{one.digits.normal == 1,
+                           (one.digits.normal == 1 ? 1 : millimetre) * one.kinematics.normal};
+      switch (one.grid.kind)
+        {
+          case -1:
+            return hertz_of_curvatures(v[0] / millimetre, v[1] / millimetre, E, load);
+          case -2:
+            return hertz_of_ratio(v[0] / millimetre, v[1], E, load);
+          case -3:
+            return hertz_of_axes(millimetre * v[0], millimetre * v[1], E, load);
+          default:
+            return {};
+        }
+    }
+  } // namespace
+
+
+  CaseProblem
+  case_problem(const ContactCase &one)
+  {
+    const ControlDigits     &d = one.digits;
+    const ContactKinematics &k = one.kinematics;
+    CaseProblem              result;
+    HalfspaceProblem        &problem = result.problem;
+    result.hertz                     = hertz_of(one);
+    problem.grid                     = grid_of(one.grid, result.hertz);
+    problem.undeformed_distance      = distances(one, problem.grid, result.hertz);
+    for (const auto &[body, index] : {std::pair{&problem.body1, 0}, std::pair{&problem.body2, 1}})
+      *body = {megapascal * one.material.shear[std::size_t(index)], one.material.poisson[std::size_t(index)]};
+    problem.force_given = d.normal == 1;
+    (problem.force_given ? problem.normal_force : problem.approach) =
+      (problem.force_given ? 1 : millimetre) * k.normal;
+    if (d.motion == 0)
+      {
+        problem.motion = HalfspaceMotion::none;
+        return result;
+      }
+
+    problem.friction      = friction_of(one);
+    problem.velocity      = millimetre * one.rolling.velocity;
+    problem.memory_length = millimetre * one.friction.memory_length;
+    if (one.friction.memory_speed > 0)
+      problem.memory_least_speed = millimetre * one.friction.memory_speed;
+    if (d.material == 4)
+      problem.layer_compliance =
+        millimetre / megapascal * one.material.constants[1] / one.material.constants[0];
+    if (d.solver == 2)
+      problem.step = millimetre * one.rolling.step;
+    problem.spin_offset                               = one.rolling.middle;
+    problem.phi                                       = k.spin / millimetre;
+    problem.longitudinal_force_given                  = d.forces >= 1;
+    problem.lateral_force_given                       = d.forces == 2;
+    (d.forces >= 1 ? result.relative_x : problem.xi)  = k.x;
+    (d.forces == 2 ? result.relative_y : problem.eta) = k.y;
+    const double scale = problem.friction.at(0) * problem.normal_force; // 0 where the approach is given
+    problem.fx         = scale * result.relative_x;
+    problem.fy         = scale * result.relative_y;
+    add_rigid_slip(one, problem);
+    // unlike materials: CONTACT passes once where MAXOUT = 1
+    if (one.iteration.maxout == 1 && !problem.friction.depends_on_speed())
+      problem.max_coupling_rounds = 1;
+    result.turned = std::cos(one.rolling.direction) < 0;
+    if (result.turned)
+      turn(problem);
+    return result;
+  }
+
+
+  CaseSolution
+  solve_case(const ContactCase &one)
+  {
+    CaseProblem       task    = case_problem(one);
+    HalfspaceProblem &problem = task.problem;
+    CaseSolution      result;
+    if (!problem.force_given && problem.longitudinal_force_given)
+      {
+        HalfspaceProblem normal = problem;
+        normal.motion           = HalfspaceMotion::none;
+        double       force      = solve_rolling(normal).fn;
+        const double sign       = task.turned ? -1 : 1;
+        for (int round = 0; round < 30; ++round)
+          {
+            problem.fx      = sign * task.relative_x * problem.friction.at(0) * force;
+            problem.fy      = sign * task.relative_y * problem.friction.at(0) * force;
+            result.solution = solve_rolling(problem);
+            if (std::abs(result.solution.fn - force) <= 1e-6 * force)
+              break;
+            force = result.solution.fn;
+          }
+      }
+    else
+      result.solution = solve_rolling(problem);
+    if (problem.max_coupling_rounds == 1)
+      {
+        result.solution.coupling_converged = true;
+        if (result.solution.normal_converged && result.solution.tangential_converged &&
+            result.solution.within_friction)
+          result.solution.not_reached.clear();
+      }
+    if (task.turned)
+      turn(result.solution);
+    result.hertz = task.hertz;
+    return result;
+  }
+} // namespace wheelrail

@@ -1,0 +1,16 @@
+#include <wheelrail/contactfiles/contact_case.h>
+
+namespace wheelrail
+{
+  std::array<double, 4>
+  ContactGrid::corner() const
+  {
+    const std::vector<double> &v       = values;
+    const bool                 centred = kind == 3 || kind == 4, both_ends = kind == 2 || kind == 4;
+    // from end to end lie mx elements, from the first to the last centre one less
+    const int    less = centred ? 1 : 0;
+    const double dx   = both_ends ? (v[2] - v[0]) / (mx - less) : v[2];
+    const double dy   = both_ends ? (v[3] - v[1]) / (my - less) : v[3];
+    return {{v[0] - (centred ? 0.5 * dx : 0), v[1] - (centred ? 0.5 * dy : 0), dx, dy}};
+  }
+} // namespace wheelrail

@@ -1,0 +1,107 @@
+#include <wheelrail/halfspace/hertz.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double pi = 3.14159265358979323846;
+
+    /// Factors of an ellipse of the ratio g of its short over its long axis (Johnson 1985, eq. 4.25
+    /// and 4.26): half curvatures along the long and the short axis and approach, for p0 = E* and a long axis
+    /// of 1.
+    struct EllipseFactors
+    {
+      double flat = 0, steep = 0, approach = 0;
+    };
+
+    EllipseFactors
+    ellipse_factors(const double g)
+    {
+      const double e2 = (1 - g) * (1 + g);
+      if (e2 < 1e-7) // a circle; differences of the integrals would be lost in rounding
+        return {0.25 * pi, 0.25 * pi, 0.5 * pi};
+      const double e = std::sqrt(e2), K = std::comp_ellint_1(e), E = std::comp_ellint_2(e);
+      return {g * (K - E) / e2, g * (E / (g * g) - K) / e2, g * K};
+    }
+
+    /// The contact of the ratio g of short over long axis and of p0 / E*.
+    HertzContact
+    contact_of(const double g,
+               const double long_axis,
+               const double pressure_ratio,
+               const bool   long_x,
+               const double modulus)
+    {
+      const EllipseFactors f = ellipse_factors(g);
+      HertzContact         contact;
+      contact.a             = long_axis;
+      contact.b             = g * long_axis;
+      contact.A             = pressure_ratio * f.flat / long_axis;
+      contact.B             = pressure_ratio * f.steep / long_axis;
+      contact.approach      = pressure_ratio * f.approach * long_axis;
+      contact.peak_pressure = pressure_ratio * modulus;
+      contact.force         = 2. / 3 * pi * contact.a * contact.b * contact.peak_pressure;
+      if (!long_x)
+        {
+          std::swap(contact.a, contact.b);
+          std::swap(contact.A, contact.B);
+        }
+      return contact;
+    }
+
+    /// The long axis under a load, where p0 / E* = c times it.
+    double
+    loaded_axis(const double g, const double c, const double modulus, const HertzLoad &load)
+    {
+      return load.force_given ? std::cbrt(load.value / (2. / 3 * pi * g * c * modulus))
+                              : std::sqrt(load.value / (ellipse_factors(g).approach * c));
+    }
+  } // namespace
+
+
+  double
+  contact_modulus(const double shear1, const double poisson1, const double shear2, const double poisson2)
+  {
+    return 1 / ((1 - poisson1) / (2 * shear1) + (1 - poisson2) / (2 * shear2));
+  }
+
+  HertzContact
+  hertz_of_axes(const double a, const double b, const double modulus, const HertzLoad &load)
+  {
+    const double long_axis = std::max(a, b), g = std::min(a, b) / long_axis;
+    const double ratio = load.force_given ? load.value / (2. / 3 * pi * a * b * modulus)
+                                          : load.value / (ellipse_factors(g).approach * long_axis);
+    return contact_of(g, long_axis, ratio, a >= b, modulus);
+  }
+
+  HertzContact
+  hertz_of_ratio(const double A, const double ratio, const double modulus, const HertzLoad &load)
+  {
+    const bool           long_x = ratio >= 1;
+    const double         g      = long_x ? 1 / ratio : ratio;
+    const EllipseFactors f      = ellipse_factors(g);
+    const double         c      = A / (long_x ? f.flat : f.steep); // p0 / E* over the long axis
+    const double         axis   = loaded_axis(g, c, modulus, load);
+    return contact_of(g, axis, c * axis, long_x, modulus);
+  }
+
+  HertzContact
+  hertz_of_curvatures(const double A, const double B, const double modulus, const HertzLoad &load)
+  {
+    // the ratio of the axes has that of the curvatures; bisection of its logarithm
+    const double wanted = std::min(A, B) / std::max(A, B);
+    double       low = std::log(1e-6), high = 0;
+    for (int k = 0; k < 60; ++k)
+      {
+        const double         middle              = 0.5 * (low + high);
+        const EllipseFactors f                   = ellipse_factors(std::exp(middle));
+        (f.flat / f.steep < wanted ? low : high) = middle;
+      }
+    const double g = std::exp(0.5 * (low + high));
+    return hertz_of_ratio(A, A <= B ? 1 / g : g, modulus, load);
+  }
+} // namespace wheelrail

@@ -1,0 +1,277 @@
+// label: fast
+
+// Cases of basic contact (module 3) of CONTACT: solved, against the rows that CONTACT prints; grids,
+// distances and slip in closed form; Hertz.
+
+#include "contact_inputs.h"
+#include "reference_table.h"
+
+#include <wheelrail/contactfiles/case_checks.h>
+#include <wheelrail/contactfiles/case_problem.h>
+#include <wheelrail/contactfiles/inp_file.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace wheelrail;
+using test::basic;
+using test::check;
+using test::check_near;
+using test::check_relative;
+using test::check_text;
+using test::replaced;
+
+namespace
+{
+  ContactCase
+  first_case(const std::string &text)
+  {
+    return read_inp_text(text, "x.inp").front();
+  }
+
+  void
+  test_printed_rows()
+  {
+    const std::vector<ContactCase> cases =
+      read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp");
+    for (const auto &row : test::read_table("contact_basic_cases.csv"))
+      {
+        const ContactCase &one  = cases.at(std::stoul(row[0]) - 1);
+        const std::string  name = row[1] + ": ";
+        check(refusals(one).empty(), name + "all is taken");
+        const HalfspaceSolution s = solve_case(one).solution;
+        check(s.converged(), name + "converged");
+        // four digits are printed; small forces are compared to a tenth of the normal force
+        const auto printed =
+          [&](const std::size_t column, const double value, const double least, const char *what) {
+            if (column < row.size() && !row[column].empty())
+              {
+                const double number = std::stod(row[column]);
+                check_near(value, number, 1e-3 * std::max(std::abs(number), least), name + what);
+              }
+          };
+        const double force = 0.1 * std::stod(row[2]);
+        printed(2, s.fn, 0, "FN");
+        printed(3, s.fx, force, "FX");
+        printed(4, s.fy, force, "FY");
+        printed(5, 1e3 * s.spin_moment, force, "MZ");
+        printed(6, 1e3 * s.approach, 0, "approach");
+        printed(7, 1e-6 * s.peak_pressure, 0, "peak pressure");
+        printed(8, s.xi, 0, "longitudinal creepage");
+        printed(9, s.eta, 1e-4, "lateral creepage");
+        const auto count = [&](const HalfspaceSolution::State state) {
+          return std::to_string(std::count(s.state.begin(), s.state.end(), state));
+        };
+        check_text(std::to_string(s.contact_elements) + " " + count(HalfspaceSolution::adhesion) + " " +
+                     count(HalfspaceSolution::slip),
+                   row[10] + " " + row[11] + " " + row[12],
+                   name + "elements in contact, adhesion, slip");
+      }
+  }
+
+  /// Undeformed distance of an element of `basic` with the lines of IBASE replaced [mm].
+  double
+  distance(const std::string &lines, const int i, const int j)
+  {
+    const std::string text = replaced(
+      basic, "   9    1                       IBASE, IPLAN\n   1 2 3  heights\n   4 5\n\n   6 7 8\n", lines);
+    const CaseProblem    task = case_problem(first_case(replaced(text, "180.d", "0")));
+    const HalfspaceGrid &grid = task.problem.grid;
+    return 1e3 * task.problem.undeformed_distance[std::size_t(i + grid.mx * j)];
+  }
+
+  void
+  test_distances()
+  {
+    // element (1, 1) of basic lies at x = -4.1 + 1.5 x 0.2 = -3.8 mm, y = -4.2 + 1.5 x 0.3 = -3.75 mm
+    const double x = -3.8, y = -3.75;
+    check_near(distance(" 1 1\n 1 2 3 4 5 6\n", 1, 1),
+               x * x + 2 * x * y + 3 * y * y + 4 * x + 5 * y + 6,
+               1e-9,
+               "IBASE = 1");
+    check_near(distance(" 2 1\n 3 1 200 -4 0.5\n 1 2 4\n", 1, 1),
+               1.5 + (x - 1) * (x - 1) / 400,
+               1e-9,
+               "IBASE = 2, between its points");
+    check_near(distance(" 2 1\n 3 1 200 -3.5 0.5\n 1 2 4\n", 1, 1),
+               0.5 + (x - 1) * (x - 1) / 400,
+               1e-9,
+               "IBASE = 2, before them");
+    check_near(distance(" 2 1\n 3 1 200 -5 0.5\n 1 2 4\n", 1, 1),
+               5 + (x - 1) * (x - 1) / 400,
+               1e-9,
+               "IBASE = 2, behind them");
+    check_near(distance(" 3 1\n 0.1 2 3 0.2 5 6 700 800\n", 1, 1),
+               0.1 * std::sin(2 * (x - 3)) - 0.2 * std::sin(5 * (x - 6)) + x * x / 700 + y * y / 800,
+               1e-9,
+               "IBASE = 3");
+    check_near(distance(" 9 1\n 1 2 3 4 5 6\n", 1, 1), 5, 1e-9, "IBASE = 9");
+    check_near(distance(" 1 2\n 0 0 0 0 0 7\n 1 0 0 0 0 -14.5\n", 1, 1), 7, 1e-9, "IPLAN = 2, inside");
+    check(distance(" 1 2\n 0 0 0 0 0 7\n 1 0 0 0 0 -14.4\n", 1, 1) > 100, "IPLAN = 2, outside");
+    check_near(distance(" 1 3\n 0 0 0 0 0 7\n 0 1 0 1 -4 -3 -4 -3\n", 1, 1),
+               7,
+               1e-9,
+               "IPLAN = 3, inside the second rectangle");
+    check(distance(" 1 3\n 0 0 0 0 0 7\n 0 1 0 1 -4 -3 -3.7 -3\n", 1, 1) > 100, "IPLAN = 3, outside");
+  }
+
+  void
+  test_grids()
+  {
+    const std::string line =
+      "    1                           IPOTCN\n   3    2    % mx, my\n  -4.1 -4.2  % xl, yl\n   0.2  0.3   "
+      "dx, dy\n";
+    for (const char *const same : {" 2\n 3 2 -4.1 -4.2 -3.5 -3.6\n",
+                                   " 3\n 3 2 -4 -4.05 0.2 0.3\n",
+                                   " 4\n 3 2 -4 -4.05 -3.6 -3.75\n",
+                                   " 1\n 3 2 -4.1 -4.2 0.2 0.3\n"})
+      {
+        const HalfspaceGrid grid =
+          case_problem(first_case(replaced(replaced(basic, line, same), "180.d", "0"))).problem.grid;
+        check(std::abs(grid.x0 + 4e-3) < 1e-12 && std::abs(grid.y0 + 4.05e-3) < 1e-12 &&
+                std::abs(grid.dx - 0.2e-3) < 1e-12 && std::abs(grid.dy - 0.3e-3) < 1e-12,
+              std::string("the grid of IPOTCN =") + std::string(same).substr(0, 2));
+      }
+  }
+
+  /// Half a turn about the normal: what rolls to -x solves as what rolls to +x.
+  void
+  test_turned()
+  {
+    const std::string rows =
+      "   9    1                       IBASE, IPLAN\n   1 2 3  heights\n   4 5\n\n   6 7 8\n";
+    std::string text = replaced(basic, rows, " 1 1\n 0.0005 0.0001 0.0008 0 0 0\n");
+    text             = replaced(text,
+                    "   3    2    % mx, my\n  -4.1 -4.2  % xl, yl\n   0.2  0.3   dx, dy\n",
+                    " 41 27 -4.1 -4.05 0.2 0.3\n");
+    text             = replaced(text, "   470.5, -0.00304, 0, 1e-4 ", "  4700. -0.0003 0.0002 1e-4 0.4 -0.7");
+    const HalfspaceSolution back = solve_case(first_case(text)).solution;
+    text                         = replaced(
+      replaced(text, "180.d", "0"), " -0.0003 0.0002 1e-4 0.4 -0.7", " 0.0003 -0.0002 1e-4 -0.4 0.7");
+    const HalfspaceSolution forward = solve_case(first_case(text)).solution;
+    check(back.converged() && forward.converged() && forward.fx < -1, "both directions converge");
+    check_relative(back.fx, -forward.fx, 1e-5, "longitudinal force, half a turn");
+    check_relative(back.fy, -forward.fy, 1e-5, "lateral force, half a turn");
+    check_relative(back.spin_moment, forward.spin_moment, 1e-5, "spin moment, half a turn");
+    const std::size_t e = 41 * 12 + 18;
+    check_relative(
+      back.traction_x[e], -forward.traction_x[41 * 27 - 1 - e], 1e-3, "traction of an element, half a turn");
+  }
+
+  void
+  test_extra_slip()
+  {
+    std::string text =
+      replaced(basic, "   470.5, -0.00304, 0, 1e-4 ", "   470.5, -0.00304, 0, 1e-4 0.4 -0.7");
+    text = replaced(text, "180.d", "0");
+    // at element (1, 1), x = -3.8, y = -3.75 mm, and a sixth of a step of 0.2 mm ahead
+    const auto slip = [&](const char extra, const std::string &lines) {
+      const std::string      digits = std::string("  02202") + extra + " ";
+      const HalfspaceProblem p =
+        case_problem(
+          first_case(replaced(replaced(text, "  022020 ", digits), "   6 7 8\n", "   6 7 8\n" + lines)))
+          .problem;
+      return std::vector<double>{p.xi - p.phi * p.grid.y(1) + p.rigid_slip_x[4],
+                                 p.eta + p.phi * (p.grid.x(1) + p.spin_offset * p.grid.dx) +
+                                   p.rigid_slip_y[4]};
+    };
+    const double x = -0.00304 - 1e-4 * (-3.75 + 0.7), y = 1e-4 * (-3.8 - 0.4 + 0.2 / 6);
+    const auto   expect =
+      [&](const std::vector<double> &found, const double wx, const double wy, const std::string &name) {
+        check_near(found[0], wx, 1e-12, name + ", w_x");
+        check_near(found[1], wy, 1e-12, name + ", w_y");
+      };
+    expect(slip('0', ""), x, y, "spin about another place");
+    expect(slip('2', ""), x, 0, "E = 2");
+    expect(slip('3', ""), -0.00304, y, "E = 3");
+    expect(slip('9', " 1 2 3 4 5 6 7 8 9 10 11 12\n"), x + 9, y + 10, "E = 9");
+  }
+
+  /// Force given and approach given lead to each other; a force over friction with the approach given.
+  void
+  test_approach_and_force()
+  {
+    const std::vector<ContactCase> cases =
+      read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp");
+    ContactCase one        = cases.at(6); // unlike spheres
+    const auto  by_force   = solve_case(one).solution;
+    one.digits.normal      = 0;
+    one.kinematics.normal  = 1e3 * by_force.approach;
+    const auto by_approach = solve_case(one).solution;
+    check_relative(by_approach.fn, by_force.fn, 1e-4, "the normal force of its approach");
+    check_relative(by_approach.fx, by_force.fx, 1e-4, "the force over friction, the approach given");
+    check_relative(by_approach.xi, by_force.xi, 1e-3, "and its creepage");
+  }
+
+  void
+  test_hertz()
+  {
+    const double E = contact_modulus(80e9, 0.3, 80e9, 0.3);
+    check_relative(E, 80e9 / 0.7, 1e-12, "contact modulus of like bodies");
+    // a circle: p0^3 = 6 F E^2 / (pi^3 R^2), A = 1 / 2R
+    const HertzContact circle = hertz_of_curvatures(1 / 0.8, 1 / 0.8, E, {true, 1e5});
+    check_relative(circle.peak_pressure,
+                   std::cbrt(6 * 1e5 * E * E / (std::pow(std::acos(-1.), 3) * 0.16)),
+                   1e-6,
+                   "peak pressure of a circle");
+    check_relative(circle.approach, circle.a * circle.a / 0.4, 1e-6, "its approach a^2 / R");
+    for (const double ratio : {0.2, 0.9999, 1.7, 6.})
+      {
+        const HertzContact a    = hertz_of_axes(ratio * 3e-3, 3e-3, E, {true, 5e4});
+        const std::string  name = "an ellipse of a / b = " + std::to_string(ratio) + ": ";
+        check_relative(
+          hertz_of_curvatures(a.A, a.B, E, {false, a.approach}).force, 5e4, 1e-6, name + "force");
+        check_relative(
+          hertz_of_curvatures(a.A, a.B, E, {true, 5e4}).a, ratio * 3e-3, 1e-6, name + "axis along x");
+        check_relative(hertz_of_ratio(a.A, ratio, E, {true, 5e4}).b, 3e-3, 1e-6, name + "axis along y");
+        check_relative(hertz_of_axes(a.a, a.b, E, {false, a.approach}).B, a.B, 1e-9, name + "curvature");
+      }
+  }
+
+  void
+  test_refused_values()
+  {
+    const auto expect = [](const std::vector<std::pair<std::string, std::string>> &changes,
+                           const std::string                                      &expected) {
+      std::string text = basic, found;
+      for (const auto &[from, to] : changes)
+        text = replaced(text, from, to);
+      for (const std::string &sentence : refusals(first_case(text)))
+        found += sentence;
+      check_text(found, "x.inp:" + expected, expected.substr(0, 30));
+    };
+    expect(
+      {{"  022020 ", "  022420 "}, {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 100 0.02 50 0"}},
+      "10: TAU_C0 > 0 (an interfacial layer that yields) is not computed; taken are layers with TAU_C0 = 0");
+    expect(
+      {{"  022020 ", "  422020 "}, {"0.4013  0.4013 ", "0.2 0.1 500 0.05 900\n 0 1 %"}},
+      "8: F2 other than 0 (a second term of the friction law) is not computed; taken are laws with F2 = 0");
+    expect({{"180.d", "90.d "}},
+           "9: CHI other than 0 and 180d (rolling across x) is not computed; taken are 0 and 180d");
+    expect({{"  203100 ", "  203120 "}, {"-0.00304, 0,", "0.8 -0.7"}},
+           "7: a force FX, FY of FSTAT times FN or more (sliding as a whole) is not computed; taken are "
+           "smaller ones, and creepages of any size");
+    expect(
+      {{"0001341", "0201341"}, {"MAXGS , MAXIN , MAXNR", "\n 1 1 1 1 %"}, {"180.d   0.2 ", "180.d   0.8 "}},
+      "10: DQ > DX with G = 2 (steps of several elements) is not computed; taken are DQ = DX and other "
+      "solvers");
+  }
+} // namespace
+
+int
+main()
+{
+  test_printed_rows();
+  test_distances();
+  test_grids();
+  test_turned();
+  test_extra_slip();
+  test_approach_and_force();
+  test_hertz();
+  test_refused_values();
+  return test::report();
+}
