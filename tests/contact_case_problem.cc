@@ -9,6 +9,7 @@
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/case_problem.h>
 #include <wheelrail/contactfiles/inp_file.h>
+#include <wheelrail/contactfiles/solve_cases.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +39,14 @@ namespace
   {
     const std::vector<ContactCase> cases =
       read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp");
+    const std::vector<CaseResult> results = solve_cases(cases);
     for (const auto &row : test::read_table("contact_basic_cases.csv"))
       {
-        const ContactCase &one  = cases.at(std::stoul(row[0]) - 1);
-        const std::string  name = row[1] + ": ";
-        check(refusals(one).empty(), name + "all is taken");
-        const HalfspaceSolution s = solve_case(one).solution;
+        const std::size_t k    = std::stoul(row[0]) - 1;
+        const std::string name = row[1] + ": ";
+        if (!check(results.at(k).solved.has_value(), name + "all is taken"))
+          continue;
+        const HalfspaceSolution &s = results[k].solved->solution;
         check(s.converged(), name + "converged");
         // four digits are printed; small forces are compared to a tenth of the normal force
         const auto printed =
@@ -61,7 +64,7 @@ namespace
         printed(5, 1e3 * s.spin_moment, force, "MZ");
         printed(6, 1e3 * s.approach, 0, "approach");
         printed(7, 1e-6 * s.peak_pressure, 0, "peak pressure");
-        printed(8, s.xi, 0, "longitudinal creepage");
+        printed(8, (cases[k].digits.motion == 1 ? 1e3 : 1) * s.xi, 0, "longitudinal creepage");
         printed(9, s.eta, 1e-4, "lateral creepage");
         const auto count = [&](const HalfspaceSolution::State state) {
           return std::to_string(std::count(s.state.begin(), s.state.end(), state));
@@ -232,6 +235,36 @@ namespace
       }
   }
 
+  /// What P says of the state that a case goes on from; what follows a refused case.
+  void
+  test_past()
+  {
+    std::vector<ContactCase> cases =
+      read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp");
+    cases.erase(cases.begin(), cases.begin() + 10);
+    cases.resize(3);
+    cases[2].digits.past            = 3; // the instant of the second case again
+    std::vector<CaseResult> results = solve_cases(cases);
+    check_relative(
+      results[2].solved->solution.xi, results[1].solved->solution.xi, 1e-6, "P = 3: the same instant again");
+    cases[2].digits.past      = 1;
+    results                   = solve_cases(cases);
+    const double from_nothing = solve_case(cases[2]).solution.xi;
+    check_relative(
+      results[2].solved->solution.xi, from_nothing, 1e-6, "P = 1 of like materials: no tractions before");
+    cases[0].digits.bound = 1;
+    cases[1].digits.past  = 0;
+    results               = solve_cases(cases);
+    check(!results[0].solved && !results[1].solved, "what goes on from a refused case is refused");
+    check_text(results[1].refused.at(0),
+               cases[1].file + ":" + std::to_string(cases[1].line) +
+                 ": the case goes on from one before that is not computed; taken are cases with P = 2",
+               "and says so");
+    cases[1].digits.past  = 2;
+    cases[1].digits.after = 2;
+    check(!solve_cases(cases)[1].solved && solve_cases(cases)[1].refused.empty(), "R = 2: checked only");
+  }
+
   void
   test_refused_values()
   {
@@ -250,6 +283,11 @@ namespace
     expect(
       {{"  022020 ", "  422020 "}, {"0.4013  0.4013 ", "0.2 0.1 500 0.05 900\n 0 1 %"}},
       "8: F2 other than 0 (a second term of the friction law) is not computed; taken are laws with F2 = 0");
+    expect(
+      {{"  203100 ", "  202100 "},
+       {"  022020 ", "  422020 "},
+       {"0.4013  0.4013 ", "0.2 0.1 500 0 900\n 0.5 1 %"}},
+      "8: MEMDST > 0 (friction with a memory) with T = 2 is not computed; taken are T = 3 and MEMDST = 0");
     expect({{"180.d", "90.d "}},
            "9: CHI other than 0 and 180d (rolling across x) is not computed; taken are 0 and 180d");
     expect({{"  203100 ", "  203120 "}, {"-0.00304, 0,", "0.8 -0.7"}},
@@ -257,8 +295,7 @@ namespace
            "smaller ones, and creepages of any size");
     expect(
       {{"0001341", "0201341"}, {"MAXGS , MAXIN , MAXNR", "\n 1 1 1 1 %"}, {"180.d   0.2 ", "180.d   0.8 "}},
-      "10: DQ > DX with G = 2 (steps of several elements) is not computed; taken are DQ = DX and other "
-      "solvers");
+      "10: DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 without G = 2");
   }
 } // namespace
 
@@ -272,6 +309,7 @@ main()
   test_extra_slip();
   test_approach_and_force();
   test_hertz();
+  test_past();
   test_refused_values();
   return test::report();
 }

@@ -145,11 +145,17 @@ namespace wheelrail
         add(one.distance.line, "IPLAN = 4 (weighted patches)", "taken are 1 (all elements), 2 and 3");
       if (d.motion >= 2 && std::abs(std::sin(one.rolling.direction)) > 1e-3)
         add(one.rolling.line, "CHI other than 0 and 180d (rolling across x)", "taken are 0 and 180d");
-      // ConvexGS alone keeps DQ, and corrects what comes into contact within a step
-      if (d.motion == 3 && d.solver == 2 && kind > 0 && one.rolling.step > 1.001 * one.grid.corner()[2])
+      // steps of several elements, in steady rolling of ConvexGS alone: CONTACT corrects what comes into
+      // contact within a step
+      if ((d.motion == 2 || (d.motion == 3 && d.solver == 2)) && kind > 0 &&
+          one.rolling.step > 1.001 * one.grid.corner()[2])
         add(one.rolling.line,
-            "DQ > DX with G = 2 (steps of several elements)",
-            "taken are DQ = DX and other solvers");
+            "DQ > DX (steps of several elements)",
+            "taken are DQ = DX, and T = 3 without G = 2");
+      if ((d.motion == 1 || d.motion == 2) && d.law >= 2 && one.friction.memory_length > 0)
+        add(one.friction.line,
+            "MEMDST > 0 (friction with a memory) with T = " + std::to_string(d.motion),
+            "taken are T = 3 and MEMDST = 0");
       const ContactKinematics &k = one.kinematics;
       if (d.motion != 0 && d.forces >= 1 && std::hypot(k.x, d.forces == 2 ? k.y : 0) >= 1)
         add(k.line,

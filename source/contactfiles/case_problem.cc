@@ -137,9 +137,11 @@ namespace wheelrail
       const std::size_t        n    = std::size_t(problem.grid.size());
       if (k.spin_x == 0 && k.spin_y == 0 && kind == 0)
         return;
-      // rolling along -x the middle of the step lies on the other side
-      const double ahead = (std::cos(one.rolling.direction) < 0 ? -1 : 1) * problem.spin_offset *
-                           (problem.step > 0 ? problem.step : problem.grid.dx);
+      // rolling along -x the middle of the step lies on the other side; shifts have none
+      const bool   shift = one.digits.motion == 1;
+      const double ahead = shift ? 0
+                                 : (std::cos(one.rolling.direction) < 0 ? -1 : 1) * problem.spin_offset *
+                                     (problem.step > 0 ? problem.step : problem.grid.dx);
       problem.rigid_slip_x.assign(n, problem.phi * millimetre * k.spin_y);
       problem.rigid_slip_y.assign(n, -problem.phi * millimetre * k.spin_x);
       for (int j = 0; j < problem.grid.my; ++j)
@@ -154,12 +156,13 @@ namespace wheelrail
                 problem.phi * problem.grid.y(j) - problem.phi * millimetre * k.spin_y;
             if (kind == 9)
               {
-                problem.rigid_slip_x[e] += one.extra_slip.x[e];
-                problem.rigid_slip_y[e] += one.extra_slip.y[e];
+                problem.rigid_slip_x[e] += (shift ? millimetre : 1) * one.extra_slip.x[e];
+                problem.rigid_slip_y[e] += (shift ? millimetre : 1) * one.extra_slip.y[e];
               }
           }
     }
 
+    /// The problem seen from the other side of the rail: vectors in the plane change sign, the spin does not.
     void
     negate(std::vector<double> &values)
     {
@@ -167,51 +170,15 @@ namespace wheelrail
         value = -value;
     }
 
-    /// Half a turn of a grid about the normal.
     void
-    turn(HalfspaceGrid &grid)
+    turn_problem(HalfspaceProblem &problem)
     {
-      grid.x0 = -grid.x(grid.mx - 1);
-      grid.y0 = -grid.y(grid.my - 1);
-    }
-
-    /// The problem seen from the other side of the rail: vectors in the plane change sign, the spin does not.
-    void
-    turn(HalfspaceProblem &problem)
-    {
-      turn(problem.grid);
+      problem.grid = turned_grid(problem.grid);
       for (auto *field : {&problem.undeformed_distance, &problem.rigid_slip_x, &problem.rigid_slip_y})
         std::reverse(field->begin(), field->end());
       negate(problem.rigid_slip_x);
       negate(problem.rigid_slip_y);
       for (double *value : {&problem.xi, &problem.eta, &problem.fx, &problem.fy})
-        *value = -*value;
-    }
-
-    void
-    turn(HalfspaceSolution &solution)
-    {
-      turn(solution.grid);
-      for (auto *field : {&solution.pressure,
-                          &solution.traction_x,
-                          &solution.traction_y,
-                          &solution.displacement_n,
-                          &solution.displacement_x,
-                          &solution.displacement_y,
-                          &solution.gap,
-                          &solution.slip_x,
-                          &solution.slip_y,
-                          &solution.friction})
-        std::reverse(field->begin(), field->end());
-      std::reverse(solution.state.begin(), solution.state.end());
-      for (auto *field : {&solution.traction_x,
-                          &solution.traction_y,
-                          &solution.displacement_x,
-                          &solution.displacement_y,
-                          &solution.slip_x,
-                          &solution.slip_y})
-        negate(*field);
-      for (double *value : {&solution.fx, &solution.fy, &solution.xi, &solution.eta})
         *value = -*value;
     }
 
@@ -239,6 +206,15 @@ namespace wheelrail
   } // namespace
 
 
+  HalfspaceGrid
+  turned_grid(HalfspaceGrid grid)
+  {
+    const double last_x = grid.x(grid.mx - 1), last_y = grid.y(grid.my - 1);
+    grid.x0 = -last_x;
+    grid.y0 = -last_y;
+    return grid;
+  }
+
   CaseProblem
   case_problem(const ContactCase &one)
   {
@@ -260,22 +236,26 @@ namespace wheelrail
         return result;
       }
 
-    problem.friction      = friction_of(one);
-    problem.velocity      = millimetre * one.rolling.velocity;
+    problem.friction = friction_of(one);
+    const bool shift = d.motion == 1; // creepages and spin are distances and an angle, the velocity is 1 mm/s
+    problem.motion   = shift           ? HalfspaceMotion::shift
+                       : d.motion == 2 ? HalfspaceMotion::transient
+                                       : HalfspaceMotion::steady;
+    problem.velocity = shift ? 1 : millimetre * one.rolling.velocity;
     problem.memory_length = millimetre * one.friction.memory_length;
     if (one.friction.memory_speed > 0)
       problem.memory_least_speed = millimetre * one.friction.memory_speed;
     if (d.material == 4)
       problem.layer_compliance =
         millimetre / megapascal * one.material.constants[1] / one.material.constants[0];
-    if (d.solver == 2)
+    if ((d.motion == 3 && d.solver == 2) || (d.motion == 2 && d.material != 4))
       problem.step = millimetre * one.rolling.step;
     problem.spin_offset                               = one.rolling.middle;
-    problem.phi                                       = k.spin / millimetre;
+    problem.phi                                       = shift ? k.spin : k.spin / millimetre;
     problem.longitudinal_force_given                  = d.forces >= 1;
     problem.lateral_force_given                       = d.forces == 2;
-    (d.forces >= 1 ? result.relative_x : problem.xi)  = k.x;
-    (d.forces == 2 ? result.relative_y : problem.eta) = k.y;
+    (d.forces >= 1 ? result.relative_x : problem.xi)  = (shift && d.forces == 0 ? millimetre : 1) * k.x;
+    (d.forces == 2 ? result.relative_y : problem.eta) = (shift && d.forces < 2 ? millimetre : 1) * k.y;
     const double scale = problem.friction.at(0) * problem.normal_force; // 0 where the approach is given
     problem.fx         = scale * result.relative_x;
     problem.fy         = scale * result.relative_y;
@@ -283,47 +263,9 @@ namespace wheelrail
     // unlike materials: CONTACT passes once where MAXOUT = 1
     if (one.iteration.maxout == 1 && !problem.friction.depends_on_speed())
       problem.max_coupling_rounds = 1;
-    result.turned = std::cos(one.rolling.direction) < 0;
+    result.turned = !shift && std::cos(one.rolling.direction) < 0;
     if (result.turned)
-      turn(problem);
-    return result;
-  }
-
-
-  CaseSolution
-  solve_case(const ContactCase &one)
-  {
-    CaseProblem       task    = case_problem(one);
-    HalfspaceProblem &problem = task.problem;
-    CaseSolution      result;
-    if (!problem.force_given && problem.longitudinal_force_given)
-      {
-        HalfspaceProblem normal = problem;
-        normal.motion           = HalfspaceMotion::none;
-        double       force      = solve_rolling(normal).fn;
-        const double sign       = task.turned ? -1 : 1;
-        for (int round = 0; round < 30; ++round)
-          {
-            problem.fx      = sign * task.relative_x * problem.friction.at(0) * force;
-            problem.fy      = sign * task.relative_y * problem.friction.at(0) * force;
-            result.solution = solve_rolling(problem);
-            if (std::abs(result.solution.fn - force) <= 1e-6 * force)
-              break;
-            force = result.solution.fn;
-          }
-      }
-    else
-      result.solution = solve_rolling(problem);
-    if (problem.max_coupling_rounds == 1)
-      {
-        result.solution.coupling_converged = true;
-        if (result.solution.normal_converged && result.solution.tangential_converged &&
-            result.solution.within_friction)
-          result.solution.not_reached.clear();
-      }
-    if (task.turned)
-      turn(result.solution);
-    result.hertz = task.hertz;
+      turn_problem(problem);
     return result;
   }
 } // namespace wheelrail

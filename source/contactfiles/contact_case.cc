@@ -1,7 +1,17 @@
 #include <wheelrail/contactfiles/contact_case.h>
 
+#include <cmath>
+
 namespace wheelrail
 {
+  bool
+  ContactMaterial::alike() const
+  {
+    // K of Kalker (1990)
+    const double G = 2 / (1 / shear[0] + 1 / shear[1]);
+    return std::abs(G * ((1 - 2 * poisson[0]) / shear[0] - (1 - 2 * poisson[1]) / shear[1]) / 4) < 1e-4;
+  }
+
   std::array<double, 4>
   ContactGrid::corner() const
   {

@@ -53,7 +53,8 @@ namespace wheelrail
          "0 full solution; 1! with normal springs; 2! elliptic pressure; 3! parabolic pressure; 4! two half "
          "ellipses; 5! KPEC; 6! ANALYN"},
         {'B', 1, 1, "bound", &D::bound, "0 full solution; 1! with normal springs; 5! KPEC; 6! ANALYN"},
-        {'T', 1, 0, "motion", &D::motion, "0 no friction; 1! shift; 2! transient rolling; 3 steady rolling"},
+        {'T', 1, 3, "motion", &D::motion, "0 no friction; 1 shift; 2 transient rolling; 3 steady rolling"},
+        {'T', 1, 1, "motion", &D::motion, "0 no friction; 1! shift; 2! transient rolling; 3 steady rolling"},
         {'N', 1, 3, "normal problem", &D::normal, "0 approach given; 1 force given"},
         {'N', 1, 1, "normal problem", &D::normal, "0 height of the wheelset given; 1 force given"},
         {'F',

@@ -77,6 +77,9 @@ namespace wheelrail
       else
         read_grid_groups(words, one);
       read_points(words, one);
+      // as CONTACT does, for this case and those that keep it
+      if (one.digits.influence != 4 && one.digits.influence != 9 && one.material.alike())
+        one.iteration.maxout = 1;
       check_case(one, before);
     }
 

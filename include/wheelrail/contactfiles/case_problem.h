@@ -20,20 +20,12 @@ namespace wheelrail
   };
 
   /// The problem of a case of module 3 without refusals(), in SI units, with the signs of CONTACT, which are
-  /// those of HalfspaceProblem. Elements outside of a planform (IPLAN) lie far apart. The step is the element
-  /// length, as CONTACT sets it, but with ConvexGS (G = 2).
+  /// those of HalfspaceProblem. Elements outside of a planform (IPLAN) lie far apart. In steady rolling the
+  /// step is the element length, as CONTACT sets it, but with ConvexGS (G = 2).
   CaseProblem
   case_problem(const ContactCase &one);
 
-  /// A solved case, in the axes of its file.
-  struct CaseSolution
-  {
-    HalfspaceSolution           solution;
-    std::optional<HertzContact> hertz; ///< of IPOTCN < 0
-  };
-
-  /// Solves it. With the approach and relative forces given, the normal force is found first; for unlike
-  /// materials both are repeated until the force holds to 1e-6.
-  CaseSolution
-  solve_case(const ContactCase &one);
+  /// A grid after half a turn about the normal through (0, 0).
+  HalfspaceGrid
+  turned_grid(HalfspaceGrid grid);
 } // namespace wheelrail

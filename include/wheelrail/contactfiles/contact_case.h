@@ -77,6 +77,10 @@ namespace wheelrail
     std::vector<double>   heat;             ///< BKTEMP HEATCP LAMBDA DENS of bodies 1 and 2
     double                plastic_heat = 1; ///< BETAPL
     unsigned int          line = 0, heat_line = 0;
+
+    /// Whether pressure shifts the surfaces against each other by less than 1e-4 of what it presses them.
+    bool
+    alike() const;
   };
 
   /// Elements and patches of module 1.

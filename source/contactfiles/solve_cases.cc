@@ -1,0 +1,171 @@
+#include <wheelrail/base/text_rows.h>
+#include <wheelrail/contactfiles/case_checks.h>
+#include <wheelrail/contactfiles/solve_cases.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// Half a turn about the normal: vectors in the plane change sign, moments and spin do not.
+    void
+    turn_solution(HalfspaceSolution &solution)
+    {
+      solution.grid = turned_grid(solution.grid);
+      for (auto *field : {&solution.pressure,
+                          &solution.traction_x,
+                          &solution.traction_y,
+                          &solution.displacement_n,
+                          &solution.displacement_x,
+                          &solution.displacement_y,
+                          &solution.gap,
+                          &solution.slip_x,
+                          &solution.slip_y,
+                          &solution.friction})
+        std::reverse(field->begin(), field->end());
+      std::reverse(solution.state.begin(), solution.state.end());
+      for (auto *field : {&solution.traction_x,
+                          &solution.traction_y,
+                          &solution.displacement_x,
+                          &solution.displacement_y,
+                          &solution.slip_x,
+                          &solution.slip_y})
+        for (double &value : *field)
+          value = -value;
+      for (double *value : {&solution.fx, &solution.fy, &solution.xi, &solution.eta})
+        *value = -*value;
+    }
+
+    /// The state on another grid of equal elements, shifted by whole ones; nothing where it has no element.
+    HalfspaceSolution
+    on_grid(const HalfspaceSolution &state, const HalfspaceGrid &grid)
+    {
+      const int         right = int(std::lround((grid.x0 - state.grid.x0) / grid.dx));
+      const int         up    = int(std::lround((grid.y0 - state.grid.y0) / grid.dy));
+      HalfspaceSolution moved;
+      moved.grid = grid;
+      const std::array<std::pair<std::vector<double> *, const std::vector<double> *>, 3> fields{
+        {{&moved.pressure, &state.pressure},
+         {&moved.traction_x, &state.traction_x},
+         {&moved.traction_y, &state.traction_y}}};
+      for (const auto &[to, from] : fields)
+        {
+          to->assign(std::size_t(grid.size()), 0.);
+          for (int j = 0; j < grid.my; ++j)
+            for (int i = 0; i < grid.mx; ++i)
+              if (const int k = i + right, l = j + up;
+                  k >= 0 && k < state.grid.mx && l >= 0 && l < state.grid.my)
+                (*to)[std::size_t(i + grid.mx * j)] = (*from)[std::size_t(k + state.grid.mx * l)];
+        }
+      return moved;
+    }
+  } // namespace
+
+
+  CaseSolution
+  solve_case(const ContactCase &one, const HalfspaceSolution *previous)
+  {
+    CaseProblem       task    = case_problem(one);
+    HalfspaceProblem &problem = task.problem;
+    CaseSolution      result;
+    HalfspaceSolution before;
+    if (previous)
+      {
+        before = *previous;
+        if (task.turned)
+          turn_solution(before);
+        before           = on_grid(before, problem.grid);
+        problem.previous = &before;
+      }
+    if (!problem.force_given && problem.longitudinal_force_given)
+      {
+        HalfspaceProblem normal = problem;
+        normal.motion           = HalfspaceMotion::none;
+        double       force      = solve_rolling(normal).fn;
+        const double sign       = task.turned ? -1 : 1;
+        for (int round = 0; round < 30; ++round)
+          {
+            problem.fx      = sign * task.relative_x * problem.friction.at(0) * force;
+            problem.fy      = sign * task.relative_y * problem.friction.at(0) * force;
+            result.solution = solve_rolling(problem);
+            if (std::abs(result.solution.fn - force) <= 1e-6 * force)
+              break;
+            force = result.solution.fn;
+          }
+      }
+    else
+      result.solution = solve_rolling(problem);
+    if (problem.max_coupling_rounds == 1)
+      {
+        result.solution.coupling_converged = true;
+        if (result.solution.normal_converged && result.solution.tangential_converged &&
+            result.solution.within_friction)
+          result.solution.not_reached.clear();
+      }
+    if (task.turned)
+      turn_solution(result.solution);
+    result.hertz = task.hertz;
+    return result;
+  }
+
+
+  namespace
+  {
+    /// What later cases of a contact go on from.
+    struct CaseState
+    {
+      std::optional<HalfspaceSolution> before, last; ///< what the last case went on from, and its result
+      bool                             known = true; ///< no case is missing
+    };
+
+    /// The state from which a case goes on.
+    std::optional<HalfspaceSolution>
+    state_before(const CaseState &state, const int past)
+    {
+      if (past == 2)
+        return {};
+      if (past == 3)
+        return state.before;
+      std::optional<HalfspaceSolution> before = state.last;
+      if (before && past == 1)
+        for (auto *field : {&before->traction_x, &before->traction_y})
+          std::fill(field->begin(), field->end(), 0.);
+      return before;
+    }
+  } // namespace
+
+
+  std::vector<CaseResult>
+  solve_cases(const std::vector<ContactCase> &cases)
+  {
+    std::map<std::array<int, 3>, CaseState> states;
+    std::vector<CaseResult>                 results;
+    for (const ContactCase &one : cases)
+      {
+        CaseState &state = states[{{one.module, one.element, one.problem}}];
+        CaseResult result;
+        const bool goes_on = (one.digits.motion == 1 || one.digits.motion == 2) && one.digits.past != 2;
+        result.refused     = refusals(one);
+        if (goes_on && !state.known)
+          result.refused.push_back(
+            place(one.file, one.line) +
+            "the case goes on from one before that is not computed; taken are cases with P = 2");
+        if (result.refused.empty() && one.digits.after < 2)
+          {
+            std::optional<HalfspaceSolution> before = state_before(state, one.digits.past);
+            result.solved                           = solve_case(one, goes_on && before ? &*before : nullptr);
+            state                                   = {std::move(before), result.solved->solution, true};
+          }
+        else if (!result.refused.empty())
+          state.known = false;
+        results.push_back(std::move(result));
+      }
+    return results;
+  }
+} // namespace wheelrail
