@@ -260,9 +260,33 @@ namespace
                cases[1].file + ":" + std::to_string(cases[1].line) +
                  ": the case goes on from one before that is not computed; taken are cases with P = 2",
                "and says so");
+    cases[0].digits.bound = 0;
+    cases[1].rolling.step = 0.5; // two elements
+    check_text(
+      solve_cases(cases)[1].refused.at(0),
+      cases[1].file + ":" + std::to_string(cases[1].rolling.line) +
+        ": DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 without G = 2",
+      "steps of several elements are refused");
+    cases[1].rolling.step = 0.25;
     cases[1].digits.past  = 2;
     cases[1].digits.after = 2;
     check(!solve_cases(cases)[1].solved && solve_cases(cases)[1].refused.empty(), "R = 2: checked only");
+  }
+
+  void
+  test_pressure_given()
+  {
+    std::string text = replaced(basic, "  203100 ", "  233100 ");
+    text             = replaced(
+      text,
+      "    1                           IPOTCN\n   3    2    % mx, my\n  -4.1 -4.2  % xl, yl\n   0.2  0.3   "
+                  "dx, dy\n   9    1                       IBASE, IPLAN\n   1 2 3  heights\n   4 5\n\n   6 7 8\n",
+      " -3\n 61 61 4 2 1.05\n");
+    const CaseSolution s = solve_case(first_case(text));
+    check_relative(s.solution.fn, 470.5, 2e-3, "force of a parabolic pressure");
+    check_relative(
+      s.solution.peak_pressure, 2e6 * 470.5 / (std::acos(-1.) * 4 * 2), 1e-9, "its peak 2 FN / (pi a b)");
+    check_relative(s.solution.approach, s.hertz->approach, 1e-12, "approach of Hertz");
   }
 
   void
@@ -293,9 +317,6 @@ namespace
     expect({{"  203100 ", "  203120 "}, {"-0.00304, 0,", "0.8 -0.7"}},
            "7: a force FX, FY of FSTAT times FN or more (sliding as a whole) is not computed; taken are "
            "smaller ones, and creepages of any size");
-    expect(
-      {{"0001341", "0201341"}, {"MAXGS , MAXIN , MAXNR", "\n 1 1 1 1 %"}, {"180.d   0.2 ", "180.d   0.8 "}},
-      "10: DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 without G = 2");
   }
 } // namespace
 
@@ -310,6 +331,7 @@ main()
   test_approach_and_force();
   test_hertz();
   test_past();
+  test_pressure_given();
   test_refused_values();
   return test::report();
 }

@@ -146,9 +146,11 @@ namespace
              replaced(basic, "  203100 ", "  213100 "), "820d2  8.1E+04 ", "820d2  8.1E+04\n 0 % FLXZ"),
            "x.inp")[0]))
       found += sentence;
-    check_text(found,
-               "x.inp:3: B = 1 (bound: with normal springs) is not computed; taken are 0 (full solution)",
-               "a bound is refused");
+    check_text(
+      found,
+      "x.inp:3: B = 1 (bound: with normal springs) is not computed; taken are 0 (full solution), 2 (elliptic "
+      "pressure) or 3 (parabolic pressure)",
+      "a bound is refused");
     check(refusals(cases[2]).size() == 3,
           "so are damping, gap weights and a second term of the friction law");
     const ContactCase more =

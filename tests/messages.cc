@@ -274,10 +274,10 @@ namespace
       const RunFunction run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
       check_text(message_of([&]() { execute(arguments, run, std::cout); }), expected, "wheelrail" + line);
     };
-    check_line(
-      {"simulate"},
-      "\"simulate\" is no command; there are run, geometry, halfspace, receptance, material, vehicle, wear, "
-      "parameters, compare, report, study, version, test, build and help");
+    check_line({"simulate"},
+               "\"simulate\" is no command; there are run, geometry, halfspace, receptance, material, "
+               "contact, vehicle, wear, "
+               "parameters, compare, report, study, version, test, build and help");
     check_line({"compare", "nowhere"}, "nowhere: no such folder; compare needs the output folder of a run");
     check_line({"build"}, "build is a command of the launcher wheelrail beside the sources");
     check_line({"run", "a.prm", "--ranks", "2"},
@@ -285,12 +285,14 @@ namespace
                "started by mpirun -n with their number");
     check_line({"run"}, "run needs a parameter file, such as ./wheelrail run prm/rolling.prm");
     check_line({"study"}, "study needs a parameter file, such as ./wheelrail study prm/studies/friction.prm");
+    check_line({"contact"}, "contact needs an input file of the program CONTACT, NAME.inp");
     check_line({"material"},
                "material needs a parameter file, such as ./wheelrail material prm/rolling_plastic.prm --set "
                "\"Material test/Axial = 0.01, -0.01\"");
     check_line(
       {"geometri"},
-      "\"geometri\" is no command; there are run, geometry, halfspace, receptance, material, vehicle, wear, "
+      "\"geometri\" is no command; there are run, geometry, halfspace, receptance, material, contact, "
+      "vehicle, wear, "
       "parameters, compare, report, study, version, test, build and help, perhaps geometry is meant");
     check_line(
       {"run", "a.prm", "--overwrit"},

@@ -8,6 +8,7 @@
 #include <wheelrail/base/hints.h>
 #include <wheelrail/commands/command_scene.h>
 #include <wheelrail/commands/report_script.h>
+#include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/former_drive.h>
@@ -148,6 +149,16 @@ namespace wheelrail
       out << "warning: " << warning << "\n";
     print_notes(entries_without_effect(input, "material"), out);
     return run_material_command(input.scene, !options.count("no-pictures"), out);
+  }
+
+
+  int
+  act_contact(const po::variables_map &options, const RunFunction &, std::ostream &out)
+  {
+    if (file_of(options).empty())
+      throw InputError("contact needs an input file of the program CONTACT, NAME.inp");
+    return run_contact_command({file_of(options), options.count("case") ? options["case"].as<int>() : 0},
+                               out);
   }
 
 

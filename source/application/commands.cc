@@ -157,6 +157,13 @@ namespace wheelrail
          add_no_pictures_option(options);
        },
        act_material},
+      {"contact",
+       "FILE.inp",
+       "the cases of an input file of the program CONTACT, module 3 (basic contact)",
+       [](po::options_description &options) {
+         options.add_options()("case", po::value<int>(), "one case: its place in the file, from 1");
+       },
+       act_contact},
       {"vehicle",
        "FILE.prm ROWS.csv",
        "the contact in each row of a vehicle simulation: forces, creepages, T-gamma, worst rows",

@@ -145,13 +145,6 @@ namespace wheelrail
         add(one.distance.line, "IPLAN = 4 (weighted patches)", "taken are 1 (all elements), 2 and 3");
       if (d.motion >= 2 && std::abs(std::sin(one.rolling.direction)) > 1e-3)
         add(one.rolling.line, "CHI other than 0 and 180d (rolling across x)", "taken are 0 and 180d");
-      // steps of several elements, in steady rolling of ConvexGS alone: CONTACT corrects what comes into
-      // contact within a step
-      if ((d.motion == 2 || (d.motion == 3 && d.solver == 2)) && kind > 0 &&
-          one.rolling.step > 1.001 * one.grid.corner()[2])
-        add(one.rolling.line,
-            "DQ > DX (steps of several elements)",
-            "taken are DQ = DX, and T = 3 without G = 2");
       if ((d.motion == 1 || d.motion == 2) && d.law >= 2 && one.friction.memory_length > 0)
         add(one.friction.line,
             "MEMDST > 0 (friction with a memory) with T = " + std::to_string(d.motion),

@@ -182,6 +182,18 @@ namespace wheelrail
         *value = -*value;
     }
 
+    /// Hertz's ellipsoid, or a paraboloid of the same force (B = 2, 3).
+    void
+    give_pressure(const HertzContact &hertz, const bool elliptic, HalfspaceProblem &problem)
+    {
+      problem.force_given  = true;
+      problem.normal_force = hertz.force;
+      problem.pressure     = sampled_distance(problem.grid, [&](const double x, const double y) {
+        const double inside = 1 - x * x / (hertz.a * hertz.a) - y * y / (hertz.b * hertz.b);
+        return inside <= 0 ? 0 : hertz.peak_pressure * (elliptic ? std::sqrt(inside) : 4. / 3 * inside);
+      });
+    }
+
     std::optional<HertzContact>
     hertz_of(const ContactCase &one)
     {
@@ -228,8 +240,11 @@ namespace wheelrail
     for (const auto &[body, index] : {std::pair{&problem.body1, 0}, std::pair{&problem.body2, 1}})
       *body = {megapascal * one.material.shear[std::size_t(index)], one.material.poisson[std::size_t(index)]};
     problem.force_given = d.normal == 1;
-    (problem.force_given ? problem.normal_force : problem.approach) =
-      (problem.force_given ? 1 : millimetre) * k.normal;
+    if (d.bound == 2 || d.bound == 3)
+      give_pressure(*result.hertz, d.bound == 2, problem);
+    else
+      (problem.force_given ? problem.normal_force : problem.approach) =
+        (problem.force_given ? 1 : millimetre) * k.normal;
     if (d.motion == 0)
       {
         problem.motion = HalfspaceMotion::none;

@@ -50,7 +50,7 @@ namespace wheelrail
          3,
          "bound",
          &D::bound,
-         "0 full solution; 1! with normal springs; 2! elliptic pressure; 3! parabolic pressure; 4! two half "
+         "0 full solution; 1! with normal springs; 2 elliptic pressure; 3 parabolic pressure; 4! two half "
          "ellipses; 5! KPEC; 6! ANALYN"},
         {'B', 1, 1, "bound", &D::bound, "0 full solution; 1! with normal springs; 5! KPEC; 6! ANALYN"},
         {'T', 1, 3, "motion", &D::motion, "0 no friction; 1 shift; 2 transient rolling; 3 steady rolling"},

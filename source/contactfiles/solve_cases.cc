@@ -110,6 +110,8 @@ namespace wheelrail
       }
     if (task.turned)
       turn_solution(result.solution);
+    if (!problem.pressure.empty())
+      result.solution.approach = task.hertz->approach;
     result.hertz = task.hertz;
     return result;
   }
@@ -123,6 +125,14 @@ namespace wheelrail
       std::optional<HalfspaceSolution> before, last; ///< what the last case went on from, and its result
       bool                             known = true; ///< no case is missing
     };
+
+    /// Whether a step is longer than an element: CONTACT then corrects what comes into contact within it.
+    bool
+    takes_several_elements(const ContactCase &one)
+    {
+      const HalfspaceProblem problem = case_problem(one).problem;
+      return problem.step > 1.001 * problem.grid.dx;
+    }
 
     /// The state from which a case goes on.
     std::optional<HalfspaceSolution>
@@ -152,10 +162,18 @@ namespace wheelrail
         CaseResult result;
         const bool goes_on = (one.digits.motion == 1 || one.digits.motion == 2) && one.digits.past != 2;
         result.refused     = refusals(one);
+        if (one.module == 1)
+          result.refused = {place(one.file, one.line) +
+                            "module 1 (wheel and rail) is not computed; taken is module 3 (basic contact)"};
         if (goes_on && !state.known)
           result.refused.push_back(
             place(one.file, one.line) +
             "the case goes on from one before that is not computed; taken are cases with P = 2");
+        if (result.refused.empty() && takes_several_elements(one))
+          result.refused.push_back(
+            place(one.file, one.rolling.line) +
+            "DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 "
+            "without G = 2");
         if (result.refused.empty() && one.digits.after < 2)
           {
             std::optional<HalfspaceSolution> before = state_before(state, one.digits.past);

@@ -1,4 +1,5 @@
 #include <wheelrail/base/left_out.h>
+#include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/contactfiles/contact_input.h>
 #include <wheelrail/contactfiles/wheel_rail_input.h>
 
@@ -17,5 +18,12 @@ namespace wheelrail
   wheel_rail_input(const Scene &, const SceneGeometry &, double, const std::string &, const std::string &)
   {
     refuse_left_out("--contact-wheel-rail-input", Subject::contact_files);
+  }
+
+
+  int
+  run_contact_command(const ContactFileTask &, std::ostream &)
+  {
+    refuse_left_out("contact", Subject::contact_files);
   }
 } // namespace wheelrail

@@ -21,6 +21,9 @@ namespace wheelrail
   act_material(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int
+  act_contact(const po::variables_map &options, const RunFunction &run, std::ostream &out);
+
+  int
   act_parameters(const po::variables_map &options, const RunFunction &run, std::ostream &out);
 
   int

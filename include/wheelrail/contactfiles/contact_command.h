@@ -1,0 +1,29 @@
+#pragma once
+
+#include <wheelrail/contactfiles/solve_cases.h>
+#include <wheelrail/output/figure_table.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// What is asked of an input file of CONTACT.
+  struct ContactFileTask
+  {
+    std::string file;
+    int         only = 0; ///< the case of that place in the file, counted from 1; 0: all
+  };
+
+  /// One row a case that is solved, in SI units: its place in the file and its line, forces on body 1, moment
+  /// about the normal, approach, creepages or shifts, peaks and areas.
+  FigureTable
+  case_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results);
+
+  /// Reads the file, solves its cases, prints a row of each and what is refused, and writes case_table() into
+  /// output/NAME-contact/cases.csv and cases.h5. Returns 0, or 2 when a case was refused or not solved as it
+  /// should. Throws InputError for a faulty file, a case that is not there, and where all are refused.
+  int
+  run_contact_command(const ContactFileTask &task, std::ostream &out);
+} // namespace wheelrail

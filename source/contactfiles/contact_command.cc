@@ -1,0 +1,174 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/contactfiles/contact_command.h>
+#include <wheelrail/contactfiles/inp_file.h>
+#include <wheelrail/output/folder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <ostream>
+#include <utility>
+
+namespace wheelrail
+{
+  namespace
+  {
+    void
+    print_case(const std::size_t place, const ContactCase &one, const HalfspaceSolution &s, std::ostream &out)
+    {
+      const bool   shift = one.digits.motion == 1;
+      const double scale = shift ? 1e3 : 100; // shifts in mm, creepages in %
+      // what is nothing beside the force that presses prints as nothing, as the solver leaves it
+      const auto force = [&](const double value, const double unit) {
+        return std::abs(value) < 1e-6 * s.fn * unit ? 0. : value;
+      };
+      out << text("%6zu %12.5g %12.5g %12.5g %12.5g %11.5f %11.5g %11.5f %11.5f %10.4g %8.1f\n",
+                  place,
+                  s.fn,
+                  force(s.fx, 1),
+                  force(s.fy, 1),
+                  1e3 * force(s.spin_moment, std::sqrt(s.area)),
+                  1e3 * s.approach,
+                  1e-6 * s.peak_pressure,
+                  scale * s.xi,
+                  scale * s.eta,
+                  1e6 * s.area,
+                  s.area > 0 ? 100 * s.adhesion_area / s.area : 0.);
+    }
+
+    void
+    print_heading(std::ostream &out)
+    {
+      out << "Forces on body 1; creepages, or shifts in mm\n\n"
+          << text("%6s %12s %12s %12s %12s %11s %11s %11s %11s %10s %8s\n",
+                  "case",
+                  "FN",
+                  "FX",
+                  "FY",
+                  "MZ",
+                  "approach",
+                  "peak",
+                  "CKSI",
+                  "CETA",
+                  "area",
+                  "stick")
+          << text("%6s %12s %12s %12s %12s %11s %11s %11s %11s %10s %8s\n",
+                  "",
+                  "N",
+                  "N",
+                  "N",
+                  "N mm",
+                  "mm",
+                  "MPa",
+                  "%",
+                  "%",
+                  "mm2",
+                  "%");
+    }
+  } // namespace
+
+
+  FigureTable
+  case_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
+  {
+    FigureTable table;
+    for (const auto &[key, unit] : {std::pair{"case", "1"},
+                                    std::pair{"line", "1"},
+                                    std::pair{"normal_force_N", "N"},
+                                    std::pair{"longitudinal_force_N", "N"},
+                                    std::pair{"tangential_lateral_force_N", "N"},
+                                    std::pair{"spin_moment_Nm", "Nm"},
+                                    std::pair{"approach_m", "m"},
+                                    std::pair{"max_pressure_Pa", "Pa"},
+                                    std::pair{"max_shear_traction_Pa", "Pa"},
+                                    std::pair{"creepage", "1"},
+                                    std::pair{"lateral_creepage", "1"},
+                                    std::pair{"shift_m", "m"},
+                                    std::pair{"lateral_shift_m", "m"},
+                                    std::pair{"spin_per_m", "1/m"},
+                                    std::pair{"area_of_whole_elements_m2", "m2"},
+                                    std::pair{"stick_fraction", "1"},
+                                    std::pair{"converged", "1"}})
+      table.add(key, unit, {});
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      if (results[k].solved)
+        {
+          const HalfspaceSolution &s     = results[k].solved->solution;
+          const bool               shift = cases[k].digits.motion == 1;
+          const double             none  = Summary::none;
+          table.add_row({double(k + 1),
+                         double(cases[k].line),
+                         s.fn,
+                         s.fx,
+                         s.fy,
+                         s.spin_moment,
+                         s.approach,
+                         s.peak_pressure,
+                         s.peak_shear,
+                         shift ? none : s.xi,
+                         shift ? none : s.eta,
+                         shift ? s.xi : none,
+                         shift ? s.eta : none,
+                         shift ? none : s.phi,
+                         s.area,
+                         s.area > 0 ? s.adhesion_area / s.area : none,
+                         s.converged() ? 1. : 0.});
+        }
+    return table;
+  }
+
+
+  int
+  run_contact_command(const ContactFileTask &task, std::ostream &out)
+  {
+    std::vector<ContactCase> cases = read_inp_file(task.file);
+    if (task.only < 0 || task.only > int(cases.size()))
+      throw InputError("--case " + std::to_string(task.only) + ": " + task.file + " has cases 1 to " +
+                       std::to_string(cases.size()));
+    if (task.only > 0) // those before it may be what it goes on from
+      cases.resize(std::size_t(task.only));
+    std::vector<CaseResult> results = solve_cases(cases);
+    if (task.only > 0)
+      for (std::size_t k = 0; k + 1 < results.size(); ++k)
+        results[k] = {};
+
+    std::size_t refused = 0, poor = 0;
+    std::string why;
+    for (const CaseResult &result : results)
+      {
+        refused += result.refused.empty() ? 0 : 1;
+        for (const std::string &sentence : result.refused)
+          why += (why.empty() ? "" : "\n") + sentence;
+      }
+    if (std::none_of(results.begin(), results.end(), [](const CaseResult &r) { return bool(r.solved); }))
+      throw InputError(why.empty() ? task.file + " has no case to compute: R = 2 and 3 only check" : why);
+
+    const std::string  stem = std::filesystem::path(task.file).stem().string();
+    const ResultFolder held("output/" + stem, "-contact");
+    print_heading(out);
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      if (results[k].solved)
+        {
+          const HalfspaceSolution &s = results[k].solved->solution;
+          print_case(k + 1, cases[k], s, out);
+          if (s.touches_grid_edge && s.grid.mx > 1 && s.grid.my > 1) // line contacts always do
+            out << "warning: case " << k + 1 << ": the contact reaches the edge of the grid\n";
+          if (s.converged() && s.within_friction)
+            continue;
+          ++poor;
+          out << "warning: case " << k + 1 << ": " << s.not_reached << '\n';
+        }
+    for (const ContactCase &one : cases)
+      for (const std::string &note : one.notes)
+        out << "note: " << note << '\n';
+    if (!why.empty())
+      out << '\n' << refused << " of " << cases.size() << " cases are not computed:\n" << why << '\n';
+    const FigureTable table = case_table(cases, results);
+    table.write_csv((held.path() / "cases.csv").string());
+    table.write_hdf5((held.path() / "cases.h5").string());
+    out << "Table in " << (held.path() / "cases.csv").string() << std::endl;
+    return refused + poor == 0 ? 0 : 2;
+  }
+} // namespace wheelrail

@@ -1,0 +1,96 @@
+// label: fast
+
+// The command contact: rows of its cases, what it refuses, its table, exit codes and messages.
+
+#include "contact_inputs.h"
+
+#include <wheelrail/base/errors.h>
+#include <wheelrail/contactfiles/contact_command.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+
+using namespace wheelrail;
+using test::basic;
+using test::check;
+using test::check_text;
+using test::replaced;
+
+namespace
+{
+  /// Exit code of a call, and its screen or message.
+  std::pair<int, std::string>
+  call(const std::string &file, const int only = 0)
+  {
+    std::ostringstream out;
+    try
+      {
+        const int code = run_contact_command({file, only}, out);
+        return {code, out.str()};
+      }
+    catch (const InputError &error)
+      {
+        return {1, error.what()};
+      }
+  }
+
+  bool
+  holds(const std::string &text, const std::string &part)
+  {
+    return text.find(part) != std::string::npos;
+  }
+
+  std::string
+  file_text(const std::string &path)
+  {
+    std::ifstream      file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+} // namespace
+
+int
+main()
+{
+  std::filesystem::remove_all("output");
+  const std::string given = std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp";
+  const auto        all   = call(given);
+  check(all.first == 0 && holds(all.second, "\n    18 ") &&
+          holds(all.second, "Table in output/basic-contact/cases.csv"),
+        "all cases are solved");
+  const std::string table = file_text("output/basic-contact/cases.csv");
+  check(table.rfind("case,line,normal_force_N,longitudinal_force_N,tangential_lateral_force_N,", 0) == 0 &&
+          holds(table, "\n1,6,35780,6955.4") && holds(table, "\n18,"),
+        "the table has a row of each");
+  const auto third = call(given, 13);
+  check(third.first == 0 && holds(third.second, "\n    13 ") && !holds(third.second, "\n    12 "),
+        "one case alone");
+  check_text(
+    call(given, 19).second, "--case 19: " + given + " has cases 1 to 18", "a case that is not there");
+
+  std::filesystem::remove_all("output");
+  std::ofstream("some.inp") << replaced(basic, "0.4013  0.4013 ", "0.4013 0.4013 0.5 ");
+  const auto some = call("some.inp");
+  check(some.first == 2 && holds(some.second, "\n2 of 3 cases are not computed:\nsome.inp:") &&
+          holds(some.second, "note: some.inp:8: the numbers from 0.5 on are not read"),
+        "a file of which some cases are refused");
+  std::filesystem::remove_all("output");
+  test::make_profiles();
+  std::ofstream("none.inp") << test::wheel_rail;
+  const auto none = call("none.inp");
+  check(none.first == 1 &&
+          holds(none.second, "none.inp:3: module 1 (wheel and rail) is not computed; taken is module 3"),
+        "module 1 is refused");
+  std::string only_checked = replaced(basic, "0001341", "0001343");
+  only_checked.resize(only_checked.find("% Case 2"));
+  std::ofstream("checked.inp") << only_checked << " 0 MODULE\n";
+  check_text(call("checked.inp").second,
+             "checked.inp has no case to compute: R = 2 and 3 only check",
+             "cases that are only checked");
+  check(!std::filesystem::exists("output"), "bad input leaves no folder");
+  return test::report();
+}
