@@ -289,6 +289,22 @@ namespace
     check_relative(s.solution.approach, s.hertz->approach, 1e-12, "approach of Hertz");
   }
 
+  /// Rows of friction rolling to -x and to +x; a force over FN alone.
+  void
+  test_friction_of_rows()
+  {
+    ContactCase one = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp").at(18);
+    const HalfspaceSolution forward = solve_case(one).solution;
+    one.rolling.direction           = std::acos(-1.);
+    one.kinematics.x                = -one.kinematics.x;
+    std::reverse(one.friction.lines.begin(), one.friction.lines.end());
+    const HalfspaceSolution back = solve_case(one).solution;
+    check_relative(back.fx, -forward.fx, 1e-6, "friction of rows, half a turn");
+    one.digits.forces = 1;
+    one.kinematics.x  = 0.1;
+    check_relative(solve_case(one).solution.fx, 0.1 * 0.4705, 1e-6, "FX over FN where friction differs");
+  }
+
   void
   test_refused_values()
   {
@@ -332,6 +348,7 @@ main()
   test_hertz();
   test_past();
   test_pressure_given();
+  test_friction_of_rows();
   test_refused_values();
   return test::report();
 }

@@ -109,9 +109,9 @@ namespace wheelrail
     }
 
     FrictionLaw
-    friction_of(const ContactCase &one)
+    friction_of(const ContactCase &one, const ContactFrictionLine &line)
     {
-      const std::vector<double> &c = one.friction.lines.front().constants;
+      const std::vector<double> &c = line.constants;
       FrictionLaw                law;
       if (one.digits.law == 0)
         {
@@ -174,6 +174,7 @@ namespace wheelrail
     turn_problem(HalfspaceProblem &problem)
     {
       problem.grid = turned_grid(problem.grid);
+      std::reverse(problem.row_friction.begin(), problem.row_friction.end());
       for (auto *field : {&problem.undeformed_distance, &problem.rigid_slip_x, &problem.rigid_slip_y})
         std::reverse(field->begin(), field->end());
       negate(problem.rigid_slip_x);
@@ -251,7 +252,11 @@ namespace wheelrail
         return result;
       }
 
-    problem.friction = friction_of(one);
+    problem.friction = friction_of(one, one.friction.lines.front());
+    if (d.variation == 3)
+      for (const ContactFrictionLine &line : one.friction.lines)
+        problem.row_friction.push_back(friction_of(one, line));
+    result.friction  = d.variation == 3 ? 1 : problem.friction.at(0);
     const bool shift = d.motion == 1; // creepages and spin are distances and an angle, the velocity is 1 mm/s
     problem.motion   = shift           ? HalfspaceMotion::shift
                        : d.motion == 2 ? HalfspaceMotion::transient
@@ -271,12 +276,12 @@ namespace wheelrail
     problem.lateral_force_given                       = d.forces == 2;
     (d.forces >= 1 ? result.relative_x : problem.xi)  = (shift && d.forces == 0 ? millimetre : 1) * k.x;
     (d.forces == 2 ? result.relative_y : problem.eta) = (shift && d.forces < 2 ? millimetre : 1) * k.y;
-    const double scale = problem.friction.at(0) * problem.normal_force; // 0 where the approach is given
+    const double scale = result.friction * problem.normal_force; // 0 where the approach is given
     problem.fx         = scale * result.relative_x;
     problem.fy         = scale * result.relative_y;
     add_rigid_slip(one, problem);
     // unlike materials: CONTACT passes once where MAXOUT = 1
-    if (one.iteration.maxout == 1 && !problem.friction.depends_on_speed())
+    if (one.iteration.maxout == 1 && d.law == 0)
       problem.max_coupling_rounds = 1;
     result.turned = !shift && std::cos(one.rolling.direction) < 0;
     if (result.turned)

@@ -76,7 +76,7 @@ namespace wheelrail
          &D::subsurface,
          "0 none; 1! points of the case before; 2! the same, other output; 3! new points"},
 
-        {'V', 2, 3, "variation of friction", &D::variation, "0 none; 3! by rows of the grid"},
+        {'V', 2, 3, "variation of friction", &D::variation, "0 none; 3 by rows of the grid"},
         {'V',
          2,
          1,

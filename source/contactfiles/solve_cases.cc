@@ -91,8 +91,8 @@ namespace wheelrail
         const double sign       = task.turned ? -1 : 1;
         for (int round = 0; round < 30; ++round)
           {
-            problem.fx      = sign * task.relative_x * problem.friction.at(0) * force;
-            problem.fy      = sign * task.relative_y * problem.friction.at(0) * force;
+            problem.fx      = sign * task.relative_x * task.friction * force;
+            problem.fy      = sign * task.relative_y * task.friction * force;
             result.solution = solve_rolling(problem);
             if (std::abs(result.solution.fn - force) <= 1e-6 * force)
               break;

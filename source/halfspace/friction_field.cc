@@ -26,12 +26,12 @@ namespace wheelrail
         {
           const int    e = i + grid.mx * j;
           const double v = problem.velocity * std::hypot(slip[0][e], slip[1][e]);
-          friction[e]    = problem.friction.at(v);
+          friction[e]    = problem.friction_of_row(j).at(v);
           if (problem.memory_length == 0)
             continue;
           // particles run in at the leading edge with the coefficient at rest and go towards -x
           const bool   inside = i + 1 < grid.mx && pressure[e + 1] > 0;
-          const double before = inside ? friction[e + 1] : problem.friction.at(0);
+          const double before = inside ? friction[e + 1] : problem.friction_of_row(j).at(0);
           friction[e] += (before - friction[e]) *
                          std::exp(-std::max(v, problem.memory_least_speed) * time / problem.memory_length);
         }

@@ -1,7 +1,9 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/halfspace/problem.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 // Grids and undeformed distances h(x, y) at the centres of elements [m].
 
@@ -59,8 +61,13 @@ namespace wheelrail
     if (problem.pressure.empty() &&
         (problem.force_given ? !(problem.normal_force > 0) : !std::isfinite(problem.approach)))
       refuse("the normal force must be positive and the approach finite.");
+    if (!problem.row_friction.empty() && problem.row_friction.size() != std::size_t(g.my))
+      refuse("the rows of the grid and the friction laws of rows differ in number.");
+    const bool valid_rows = std::all_of(problem.row_friction.begin(),
+                                        problem.row_friction.end(),
+                                        [](const FrictionLaw &law) { return law.valid(); });
     if (problem.motion != HalfspaceMotion::none &&
-        (!problem.friction.valid() || !(problem.velocity > 0) || !(problem.step >= 0)))
+        (!problem.friction.valid() || !valid_rows || !(problem.velocity > 0) || !(problem.step >= 0)))
       refuse(
         "friction coefficients, their decay and the step must not be negative, velocity and half velocity "
         "must be positive.");

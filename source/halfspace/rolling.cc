@@ -31,8 +31,13 @@ namespace wheelrail
         , pressure_given_(!problem.pressure.empty())
         , coupled_(std::abs(kernels.constants().coupling) > 1e-12 * kernels.constants().normal)
         , friction_(problem.motion != HalfspaceMotion::none)
-        , velocity_dependent_(problem.friction.depends_on_speed())
       {
+        for (int j = 0; j < grid_.my; ++j)
+          {
+            const FrictionLaw &law = problem.friction_of_row(j);
+            velocity_dependent_    = velocity_dependent_ || law.depends_on_speed();
+            largest_friction_      = std::max(largest_friction_, law.largest());
+          }
         const bool shift = problem.motion == HalfspaceMotion::shift;
         solution_.grid   = grid_;
         // dq of the relative slip s = w + (u - u')/dq; a shift has no length, so that its slip is a distance
@@ -96,8 +101,9 @@ namespace wheelrail
       HalfspaceGrid           grid_;
       HalfspaceKernels       &kernels_;
       InfluenceProducts      &products_;
-      bool                    pressure_given_, coupled_, friction_, velocity_dependent_;
-      double                  offset_ = 0;
+      bool                    pressure_given_, coupled_, friction_, velocity_dependent_ = false;
+      double                  largest_friction_ = 0; ///< of all rows and speeds
+      double                  offset_           = 0;
       NormalContact           normal_;
       TangentialState         tangential_;
       std::vector<double>     mu_;
@@ -256,8 +262,7 @@ namespace wheelrail
       if (!velocity_dependent_ || tangential_.slip[0].empty())
         return change;
       // Half a step from the fourth round on: falling friction makes whole steps swing.
-      const double              weight  = solution_.coupling_rounds < 4 ? 1 : weight_;
-      const double              largest = problem_.friction.largest();
+      const double              weight = solution_.coupling_rounds < 4 ? 1 : weight_;
       const std::vector<double> wanted =
         friction_field(problem_, solution_.step, tangential_.slip, normal_.pressure);
       for (std::size_t e = 0; e < mu_.size(); ++e)
@@ -265,7 +270,7 @@ namespace wheelrail
           const double step = wanted[e] - mu_[e];
           mu_[e] += weight * step;
           if (normal_.pressure[e] > 0)
-            change = std::max(change, std::abs(step) / largest);
+            change = std::max(change, std::abs(step) / largest_friction_);
         }
       // smaller steps where half ones keep swinging
       if (solution_.coupling_rounds > 12 && change > 0.8 * last_change_)
@@ -278,7 +283,9 @@ namespace wheelrail
     Solver::run()
     {
       tangential_.creepage = {{problem_.xi, problem_.eta}};
-      mu_.assign(grid_.size(), problem_.friction.at(0));
+      mu_.resize(std::size_t(grid_.size()));
+      for (int e = 0; e < grid_.size(); ++e)
+        mu_[std::size_t(e)] = problem_.friction_of_row(e / grid_.mx).at(0);
       for (solution_.coupling_rounds = 1;; ++solution_.coupling_rounds)
         {
           const std::vector<double> old = normal_.pressure;

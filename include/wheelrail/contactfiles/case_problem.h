@@ -14,8 +14,9 @@ namespace wheelrail
     HalfspaceProblem problem;
     /// The case rolls along -x (CHI = 180d): the problem is the case turned by half a turn about the normal.
     bool turned = false;
-    /// FX, FY over FSTAT times the normal force, where that is to be found first (N = 0, F >= 1).
-    double                      relative_x = 0, relative_y = 0;
+    /// FX, FY over `friction` (FSTAT; 1 where friction differs from row to row) times the normal force, where
+    /// that is to be found first (N = 0, F >= 1).
+    double                      relative_x = 0, relative_y = 0, friction = 1;
     std::optional<HertzContact> hertz; ///< of IPOTCN < 0
   };
 

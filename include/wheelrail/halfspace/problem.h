@@ -3,6 +3,7 @@
 #include <wheelrail/material/friction.h>
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -99,7 +100,9 @@ namespace wheelrail
 
     HalfspaceMotion motion = HalfspaceMotion::steady;
     FrictionLaw     friction{0.5};
-    double          velocity = 1; ///< of rolling [m/s]; for a shift: distance unit per second; for the law
+    /// Of each row of the grid, where friction differs across; empty: the one above.
+    std::vector<FrictionLaw> row_friction;
+    double velocity = 1; ///< of rolling [m/s]; for a shift: distance unit per second; for the law
     /// Slip distance over which the coefficient comes to what the law has at the slip velocity v [m], in
     /// steady rolling: d mu / dt = -max(v, v_0) / memory_length (mu - mu(v)); what runs in has the
     /// coefficient at rest (Vollebregt and Schuttelaars 2012). 0: at once.
@@ -122,6 +125,13 @@ namespace wheelrail
     bool   longitudinal_force_given = false; ///< fx is given and xi is found
     bool   lateral_force_given      = false; ///< fy is given and eta is found (with fx only)
     double fx = 0, fy = 0;                   ///< on body 1 [N]
+
+    /// The law of row j.
+    const FrictionLaw &
+    friction_of_row(const int j) const
+    {
+      return row_friction.empty() ? friction : row_friction[std::size_t(j)];
+    }
 
     const HalfspaceSolution *previous =
       nullptr; ///< for shift and transient: the state before (same grid); none: 0
