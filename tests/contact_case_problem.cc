@@ -306,6 +306,43 @@ namespace
   }
 
   void
+  test_friction_laws()
+  {
+    const auto law = [](const char digit) {
+      const std::string text = replaced(basic, "  022020 ", std::string("  ") + digit + "22020 ");
+      return case_problem(first_case(replaced(text, "0.4013  0.4013 ", "0.2 0.1 500 0.05 900\n 0 1 %")))
+        .problem.friction;
+    };
+    for (const double v : {0., 0.3, 2.5}) // m/s; SH1 = 0.5, SH2 = 0.9
+      {
+        const std::string at = " at " + std::to_string(v) + " m/s";
+        check_near(law('2').at(v),
+                   0.2 + 0.1 * std::max(0., 1 - v) + 0.05 * std::max(0., 1 - v / 1.8),
+                   1e-12,
+                   "L = 2" + at);
+        check_near(
+          law('3').at(v), 0.2 + 0.1 / (1 + v / 0.5) + 0.05 / (1 + v * v / 0.81), 1e-12, "L = 3" + at);
+        check_near(law('4').at(v),
+                   0.2 + 0.1 * std::pow(2, -v / 0.5) + 0.05 * std::pow(2, -v / 0.9),
+                   1e-12,
+                   "L = 4" + at);
+      }
+    for (const char digit : {'2', '3', '4'})
+      {
+        const FrictionLaw one = law(digit);
+        check(one.valid() && one.depends_on_speed() && std::abs(one.largest() - 0.35) < 1e-12,
+              "the largest coefficient is that at rest");
+        check_near(
+          one.with_rest(0.7).at(0.4), 2 * one.at(0.4), 1e-12, "the same shape from another coefficient");
+        double steepest = 0;
+        for (double v = 0; v < 3; v += 1e-3)
+          steepest = std::max(steepest, (one.at(v) - one.at(v + 1e-6)) / 1e-6);
+        check(one.steepest_fall() >= 0.999 * steepest && one.steepest_fall() < 1.25 * steepest,
+              "steepest fall");
+      }
+  }
+
+  void
   test_refused_values()
   {
     const auto expect = [](const std::vector<std::pair<std::string, std::string>> &changes,
@@ -320,9 +357,6 @@ namespace
     expect(
       {{"  022020 ", "  022420 "}, {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 100 0.02 50 0"}},
       "10: TAU_C0 > 0 (an interfacial layer that yields) is not computed; taken are layers with TAU_C0 = 0");
-    expect(
-      {{"  022020 ", "  422020 "}, {"0.4013  0.4013 ", "0.2 0.1 500 0.05 900\n 0 1 %"}},
-      "8: F2 other than 0 (a second term of the friction law) is not computed; taken are laws with F2 = 0");
     expect(
       {{"  203100 ", "  202100 "},
        {"  022020 ", "  422020 "},
@@ -349,6 +383,7 @@ main()
   test_past();
   test_pressure_given();
   test_friction_of_rows();
+  test_friction_laws();
   test_refused_values();
   return test::report();
 }

@@ -207,6 +207,9 @@ namespace
   test_faults_of_values()
   {
     const std::vector<Fault> faults{
+      {basic,
+       {{"  022020 ", "  422020 "}, {"0.4013  0.4013 ", "0.2 0.1 0 0 0\n 0 1 %"}},
+       "8: SH1 or SH2, at which half of a term of the friction law is gone, is not positive"},
       {basic, {{"-4.1 -4.2", "MX   4.2"}}, "13: \"MX\" stands where XL should; a number is needed"},
       {basic, {{"   470.5,", "  -470.5,"}}, "7: FN is negative; a force that presses counts positive"},
       {basic,

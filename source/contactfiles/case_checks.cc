@@ -182,10 +182,6 @@ namespace wheelrail
     const ContactMaterial &material = one.material;
     if (one.digits.material == 4 && material.constants[2] > 0 && material.constants[2] < 1e10)
       add(material.line, "TAU_C0 > 0 (an interfacial layer that yields)", "taken are layers with TAU_C0 = 0");
-    if (one.digits.law == 3 || one.digits.law == 4)
-      for (const ContactFrictionLine &line : one.friction.lines)
-        if (line.constants[3] != 0)
-          add(line.line, "F2 other than 0 (a second term of the friction law)", "taken are laws with F2 = 0");
     if (one.module == 3)
       refuse_basic(one, add);
     return found;

@@ -118,13 +118,17 @@ namespace wheelrail
           law.at_rest = c[0];
           return law;
         }
-      law.kind     = one.digits.law == 3 ? FrictionKind::rational : FrictionKind::exponential;
+      law.kind     = one.digits.law == 2   ? FrictionKind::linear
+                     : one.digits.law == 3 ? FrictionKind::rational
+                                           : FrictionKind::exponential;
       law.at_speed = c[0];
-      law.at_rest  = c[0] + c[1];
-      if (one.digits.law == 3)
+      law.at_rest  = c[0] + c[1] + c[3];
+      if (c[1] != 0)
         law.half_velocity = millimetre * c[2];
-      else
-        law.decay = std::log(2) / (millimetre * c[2]);
+      law.decay       = std::log(2) / law.half_velocity;
+      law.second_drop = c[3];
+      if (c[3] != 0)
+        law.second_velocity = millimetre * c[4];
       return law;
     }
 

@@ -88,7 +88,7 @@ namespace wheelrail
          0,
          "friction law",
          &D::law,
-         "0 Coulomb; 1= as before; 2! linear in the slip velocity; 3 rational; 4 exponential; 6! by "
+         "0 Coulomb; 1= as before; 2 linear in the slip velocity; 3 rational; 4 exponential; 6! by "
          "temperature"},
         {'D', 2, 3, "potential contact", &D::grid, "0= as before; 1= as before; 2 new"},
         {'D',

@@ -48,6 +48,9 @@ namespace wheelrail
         const std::vector<double> &c = one.friction.lines.back().constants;
         if (d.law == 0 && std::abs(c[0] - c[1]) > 1e-3 * std::max(std::abs(c[0]), std::abs(c[1])))
           words.fail(group.line, "FSTAT and FKIN differ; Coulomb's law (L = 0) needs equal ones");
+        if (d.law >= 2 && d.law <= 4 && ((c[1] != 0 && c[2] <= 0) || (c[3] != 0 && c[4] <= 0)))
+          words.fail(group.line,
+                     "SH1 or SH2, at which half of a term of the friction law is gone, is not positive");
         if (led && k > 0 && one.friction.lines[k - 1].place >= group.values[0])
           words.fail(group.line, "the lines of the friction variation do not rise in their first value");
       }

@@ -15,13 +15,17 @@ namespace wheelrail
     // CONTACT
     // s = at_rest, d = at_speed, c = decay [s/m], v_h = half_velocity [m/s], where half of the fall is gone;
     // v >= 0 is the slip speed [m/s]
-    const double drop = at_rest - at_speed;
+    const double drop = at_rest - at_speed - second_drop, second = speed / second_velocity;
     switch (kind)
       {
         case FrictionKind::exponential:
-          return at_speed + drop * std::exp(-decay * speed);
+          return at_speed + drop * std::exp(-decay * speed) +
+                 (second_drop == 0 ? 0 : second_drop * std::exp2(-second));
         case FrictionKind::rational:
-          return at_speed + drop / (1 + speed / half_velocity);
+          return at_speed + drop / (1 + speed / half_velocity) + second_drop / (1 + second * second);
+        case FrictionKind::linear:
+          return at_speed + drop * std::max(0., 1 - speed / (2 * half_velocity)) +
+                 second_drop * std::max(0., 1 - second / 2);
         default:
           return at_rest;
       }
@@ -31,7 +35,11 @@ namespace wheelrail
   double
   FrictionLaw::largest() const
   {
-    return kind == FrictionKind::constant ? at_rest : std::max(at_rest, at_speed);
+    if (kind == FrictionKind::constant)
+      return at_rest;
+    if (second_drop == 0)
+      return std::max(at_rest, at_speed);
+    return at_speed + std::max(0., at_rest - at_speed - second_drop) + std::max(0., second_drop);
   }
 
 
@@ -49,7 +57,8 @@ namespace wheelrail
     FrictionLaw law = *this;
     if (at_rest > 0)
       // the same shape: mu(v) times a factor
-      law.at_speed *= coefficient / at_rest;
+      for (double *part : {&law.at_speed, &law.second_drop})
+        *part *= coefficient / at_rest;
     law.at_rest = coefficient;
     return law;
   }
@@ -59,32 +68,38 @@ namespace wheelrail
   FrictionLaw::valid() const
   {
     // friction that rises with speed, d > s, is accepted, too
-    return at_rest >= 0 && at_speed >= 0 && decay >= 0 && half_velocity > 0;
+    const double least =
+      at_speed + std::min(0., at_rest - at_speed - second_drop) + std::min(0., second_drop);
+    return at_rest >= 0 && at_speed >= 0 && decay >= 0 && half_velocity > 0 && second_velocity > 0 &&
+           (second_drop == 0 || least >= 0);
   }
 
 
   bool
   FrictionLaw::depends_on_speed() const
   {
-    return kind != FrictionKind::constant && at_speed != at_rest &&
-           (kind != FrictionKind::exponential || decay != 0);
+    return kind != FrictionKind::constant &&
+           (second_drop != 0 || (at_speed != at_rest && (kind != FrictionKind::exponential || decay != 0)));
   }
 
 
   double
   FrictionLaw::steepest_fall() const
   {
-    // -dmu/dv where it is largest, at rest
     // of the exponential law (s - d) c, of the rational one (s - d)/v_h [s/m]. Times the pressure it is
     // compared with the impedance rho c_s/2 of shear waves: beyond it friction is unstable
     // (doc/theory/contact.md, Friction).
-    const double drop = std::max(0., at_rest - at_speed);
+    // -dmu/dv where it is largest, at rest; of the second rational term 3 sqrt(3) / 8 at v_2 / sqrt(3)
+    const double drop   = std::max(0., at_rest - at_speed - second_drop);
+    const double second = std::max(0., second_drop) / second_velocity;
     switch (kind)
       {
         case FrictionKind::exponential:
-          return drop * decay;
+          return drop * decay + std::log(2.) * second;
         case FrictionKind::rational:
-          return drop / half_velocity;
+          return drop / half_velocity + 0.375 * std::sqrt(3.) * second;
+        case FrictionKind::linear:
+          return drop / (2 * half_velocity) + second / 2;
         default:
           return 0;
       }
@@ -94,6 +109,6 @@ namespace wheelrail
   bool
   FrictionLaw::frictionless() const
   {
-    return at_rest == 0 && (kind == FrictionKind::constant || at_speed == 0);
+    return at_rest == 0 && (kind == FrictionKind::constant || (at_speed == 0 && second_drop == 0));
   }
 } // namespace wheelrail
