@@ -84,7 +84,7 @@ namespace
       basic, "   9    1                       IBASE, IPLAN\n   1 2 3  heights\n   4 5\n\n   6 7 8\n", lines);
     const CaseProblem    task = case_problem(first_case(replaced(text, "180.d", "0")));
     const HalfspaceGrid &grid = task.problem.grid;
-    return 1e3 * task.problem.undeformed_distance[std::size_t(i + grid.mx * j)];
+    return 1e3 * task.problem.undeformed_distance[i + grid.mx * j];
   }
 
   void

@@ -104,7 +104,7 @@ namespace wheelrail
       for (int j = 0; j < grid.my; ++j)
         for (int i = 0; i < grid.mx; ++i)
           if (!within_planform(one.distance, grid.x(i) / millimetre, grid.y(j) / millimetre))
-            h[std::size_t(i + grid.mx * j)] = far_apart;
+            h[i + grid.mx * j] = far_apart;
       return h;
     }
 
@@ -151,7 +151,7 @@ namespace wheelrail
       for (int j = 0; j < problem.grid.my; ++j)
         for (int i = 0; i < problem.grid.mx; ++i)
           {
-            const auto e = std::size_t(i + problem.grid.mx * j);
+            const auto e = i + problem.grid.mx * j;
             if (kind == 2)
               problem.rigid_slip_y[e] -=
                 problem.phi * (problem.grid.x(i) + ahead) - problem.phi * millimetre * k.spin_x;

@@ -61,7 +61,7 @@ namespace wheelrail
             for (int i = 0; i < grid.mx; ++i)
               if (const int k = i + right, l = j + up;
                   k >= 0 && k < state.grid.mx && l >= 0 && l < state.grid.my)
-                (*to)[std::size_t(i + grid.mx * j)] = (*from)[std::size_t(k + state.grid.mx * l)];
+                (*to)[i + grid.mx * j] = (*from)[k + state.grid.mx * l];
         }
       return moved;
     }
