@@ -1,6 +1,7 @@
 #include <wheelrail/bodies/answering_bodies.h>
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/bodies/wheel_rail_contact.h>
+#include <wheelrail/model/scene_material.h>
 
 #include <cmath>
 
@@ -9,17 +10,6 @@
 
 namespace wheelrail
 {
-  namespace
-  {
-    double
-    bulk_modulus(const MaterialData &material)
-    {
-      // K = E/(3 (1 - 2 nu))
-      return material.youngs_modulus / (3 * (1 - 2 * material.poissons_ratio));
-    }
-  } // namespace
-
-
   void
   measure_against(const HalfspacePressure &halfspace,
                   const Scene             &scene,
@@ -29,7 +19,8 @@ namespace wheelrail
     measures.peak_difference = run.max_pressure / halfspace.peak - 1;
     // what the penalty layer gives way under the peak, p/eps with eps = f K/h (doc/theory/contact.md,
     // Pressure), over the approach; K is the mean of both bodies, as in make_law()
-    const double modulus = 0.5 * (bulk_modulus(scene.rail_material) + bulk_modulus(scene.wheel_material));
+    const double modulus = 0.5 * (elasticity(scene.rail_material).bulk_modulus() +
+                                  elasticity(scene.wheel_material).bulk_modulus());
     measures.penetration =
       run.max_pressure * scene.cell_size / (scene.penalty_scale * modulus) / halfspace.approach;
     measures.turn = halfspace.turn;

@@ -3,6 +3,7 @@
 #include <wheelrail/bodies/shift_effect.h>
 #include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/input/cross_checks.h>
+#include <wheelrail/wheel/coarse_halfspaces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,9 +20,8 @@ namespace wheelrail
   {
     // what the shift of half-spaces has to be changed by for the pressure of the true bodies, of S1002 on
     // 54E1 and 60E1 under 103 kN (doc/theory/bodies.md)
-    constexpr double give_way     = 0.2e-3 / 100e3; // [m/N]
-    Scene            coarse       = scene;
-    coarse.halfspace_element_size = std::max(0.8e-3, scene.halfspace_element_size);
+    constexpr double     give_way = 0.2e-3 / 100e3; // [m/N]
+    const Scene          coarse   = coarse_halfspaces(scene);
     const double         by       = give_way * normal_force;
     const SectionOffsets offsets  = scene_offsets(scene);
     double               peak[2]  = {0, 0};

@@ -11,7 +11,7 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double      degree       = 3.14159265358979323846 / 180;
+    constexpr double      degree       = M_PI / 180;
     constexpr std::size_t line_length  = 256; // what CONTACT reads of a line
     constexpr std::size_t group_words  = 20;
     constexpr std::size_t array_words  = 50;

@@ -8,8 +8,6 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double pi = 3.14159265358979323846;
-
     /// Factors of an ellipse of the ratio g of its short over its long axis (Johnson 1985, eq. 4.25
     /// and 4.26): half curvatures along the long and the short axis and approach, for p0 = E* and a long axis
     /// of 1.
@@ -23,7 +21,7 @@ namespace wheelrail
     {
       const double e2 = (1 - g) * (1 + g);
       if (e2 < 1e-7) // a circle; differences of the integrals would be lost in rounding
-        return {0.25 * pi, 0.25 * pi, 0.5 * pi};
+        return {0.25 * M_PI, 0.25 * M_PI, 0.5 * M_PI};
       const double e = std::sqrt(e2), K = std::comp_ellint_1(e), E = std::comp_ellint_2(e);
       return {g * (K - E) / e2, g * (E / (g * g) - K) / e2, g * K};
     }
@@ -44,7 +42,7 @@ namespace wheelrail
       contact.B             = pressure_ratio * f.steep / long_axis;
       contact.approach      = pressure_ratio * f.approach * long_axis;
       contact.peak_pressure = pressure_ratio * modulus;
-      contact.force         = 2. / 3 * pi * contact.a * contact.b * contact.peak_pressure;
+      contact.force         = 2. / 3 * M_PI * contact.a * contact.b * contact.peak_pressure;
       if (!long_x)
         {
           std::swap(contact.a, contact.b);
@@ -57,7 +55,7 @@ namespace wheelrail
     double
     loaded_axis(const double g, const double c, const double modulus, const HertzLoad &load)
     {
-      return load.force_given ? std::cbrt(load.value / (2. / 3 * pi * g * c * modulus))
+      return load.force_given ? std::cbrt(load.value / (2. / 3 * M_PI * g * c * modulus))
                               : std::sqrt(load.value / (ellipse_factors(g).approach * c));
     }
   } // namespace
@@ -73,7 +71,7 @@ namespace wheelrail
   hertz_of_axes(const double a, const double b, const double modulus, const HertzLoad &load)
   {
     const double long_axis = std::max(a, b), g = std::min(a, b) / long_axis;
-    const double ratio = load.force_given ? load.value / (2. / 3 * pi * a * b * modulus)
+    const double ratio = load.force_given ? load.value / (2. / 3 * M_PI * a * b * modulus)
                                           : load.value / (ellipse_factors(g).approach * long_axis);
     return contact_of(g, long_axis, ratio, a >= b, modulus);
   }

@@ -5,8 +5,8 @@
 #include <wheelrail/scene/one_wheel.h>
 #include <wheelrail/vehicle/pair_root.h>
 #include <wheelrail/vehicle/wheelset_contact.h>
+#include <wheelrail/wheel/coarse_halfspaces.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -142,16 +142,6 @@ namespace wheelrail
       return {near, yaw};
     }
 
-    /// For the search of a pose: half-spaces of larger elements, which are near enough to true bodies, too.
-    Scene
-    coarser(const Scene &scene)
-    {
-      Scene coarse                  = scene;
-      coarse.halfspace_element_size = std::max(0.8e-3, scene.halfspace_element_size);
-      coarse.halfspace_bodies       = ContactBodies::half_spaces;
-      return coarse;
-    }
-
     /// Tells the solutions of both wheels that they do not balance, and by how much, which says more than
     /// what else was not found in a pose that nothing holds.
     void
@@ -175,7 +165,7 @@ namespace wheelrail
           }
     }
 
-    /// `fine` and `coarse`: the wheelset with bodies and elements of its scene, and see coarser().
+    /// `fine` and `coarse`: the wheelset with bodies and elements of its scene, and see coarse_halfspaces().
     WheelsetSolution
     solve_balanced(const Scene &scene, const PosedWheelset &fine, const PosedWheelset &coarse)
     {
@@ -304,7 +294,9 @@ namespace wheelrail
                        "or change radius, cant or velocity");
     if (right.pose_balances)
       return solve_balanced(
-        right, wheelset, PosedWheelset(coarser(right), coarser(left), profiles, torque, threads));
+        right,
+        wheelset,
+        PosedWheelset(coarse_halfspaces(right), coarse_halfspaces(left), profiles, torque, threads));
     return wheelset.solve({right.lateral_shift, right.yaw});
   }
 

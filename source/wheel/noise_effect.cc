@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/wheel/coarse_halfspaces.h>
 #include <wheelrail/wheel/noise_effect.h>
 
 #include <algorithm>
@@ -14,11 +15,9 @@ namespace wheelrail
     constexpr double       none = 2e-3; // what the first draws of exact points stay below
     if (!geometry.files.rail && !geometry.files.wheel)
       return Measures::none;
-    Scene coarse                  = scene;
-    coarse.halfspace_bodies       = ContactBodies::half_spaces;
-    coarse.halfspace_element_size = std::max(0.8e-3, scene.halfspace_element_size);
-    const SectionOffsets offsets  = scene_offsets(scene);
-    const auto           peak     = [&](const SceneGeometry &with) {
+    const Scene          coarse  = coarse_halfspaces(scene);
+    const SectionOffsets offsets = scene_offsets(scene);
+    const auto           peak    = [&](const SceneGeometry &with) {
       return halfspace_pressure(coarse, with, normal_force, offsets).peak;
     };
     double       squares = 0, largest = 0;
