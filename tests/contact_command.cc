@@ -60,7 +60,7 @@ main()
   const std::string given = std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp";
   const auto        all   = call(given);
   check(all.first == 0 && holds(all.second, "\n    19 ") &&
-          holds(all.second, "Table in output/basic-contact/cases.csv"),
+          holds(all.second, "Tables in output/basic-contact"),
         "all cases are solved");
   const std::string table = file_text("output/basic-contact/cases.csv");
   check(table.rfind("case,line,normal_force_N,longitudinal_force_N,tangential_lateral_force_N,", 0) == 0 &&
@@ -83,8 +83,8 @@ main()
   std::ofstream("none.inp") << test::wheel_rail;
   const auto none = call("none.inp");
   check(none.first == 1 &&
-          holds(none.second, "none.inp:3: module 1 (wheel and rail) is not computed; taken is module 3"),
-        "module 1 is refused");
+          holds(none.second, "rail of 54.prr"),
+        "a profile that is none is refused");
   std::string only_checked = replaced(basic, "0001341", "0001343");
   only_checked.resize(only_checked.find("% Case 2"));
   std::ofstream("checked.inp") << only_checked << " 0 MODULE\n";

@@ -1,9 +1,11 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/text_rows.h>
 #include <wheelrail/contactfiles/case_checks.h>
+#include <wheelrail/profiles/slices_file.h>
 
 #include <array>
 #include <cmath>
+#include <filesystem>
 
 namespace wheelrail
 {
@@ -155,6 +157,30 @@ namespace wheelrail
             "a force FX, FY of FSTAT times FN or more (sliding as a whole)",
             "taken are smaller ones, and creepages of any size");
     }
+
+    /// Values of module 1.
+    template <typename Add>
+    void
+    refuse_profile(const ContactProfile &profile, const Add &add)
+    {
+      const std::string name = std::filesystem::path(profile.file).filename().string();
+      if (is_slices_file(profile.file))
+        add(profile.line, "the slices " + name, "taken are profiles of one section");
+      if (profile.smoothing != 0)
+        add(profile.line, "SMOOTH other than 0 (a smoothed profile)", "taken is SMOOTH = 0");
+    }
+
+    template <typename Add>
+    void
+    refuse_wheel_rail(const ContactCase &one, const Add &add)
+    {
+      refuse_profile(one.track.profile, add);
+      refuse_profile(one.wheelset.profile, add);
+      if (one.elements.missed_gap >= 0)
+        add(one.elements.line, "G_MISS >= 0 (near misses)", "taken is -1");
+      if (one.digits.motion != 0 && one.wheelset.velocity[0] < 0)
+        add(one.wheelset.velocity_line, "VS < 0 (a wheel that rolls backwards)", "taken is VS > 0");
+    }
   } // namespace
 
 
@@ -184,6 +210,8 @@ namespace wheelrail
       add(material.line, "TAU_C0 > 0 (an interfacial layer that yields)", "taken are layers with TAU_C0 = 0");
     if (one.module == 3)
       refuse_basic(one, add);
+    else
+      refuse_wheel_rail(one, add);
     return found;
   }
 } // namespace wheelrail

@@ -12,7 +12,7 @@ namespace wheelrail
 {
   namespace
   {
-    constexpr double millimetre = 1e-3, megapascal = 1e6;
+
 
     /// The grid, of an ellipse SCALE times as large.
     HalfspaceGrid
@@ -106,30 +106,6 @@ namespace wheelrail
           if (!within_planform(one.distance, grid.x(i) / millimetre, grid.y(j) / millimetre))
             h[i + grid.mx * j] = far_apart;
       return h;
-    }
-
-    FrictionLaw
-    friction_of(const ContactCase &one, const ContactFrictionLine &line)
-    {
-      const std::vector<double> &c = line.constants;
-      FrictionLaw                law;
-      if (one.digits.law == 0)
-        {
-          law.at_rest = c[0];
-          return law;
-        }
-      law.kind     = one.digits.law == 2   ? FrictionKind::linear
-                     : one.digits.law == 3 ? FrictionKind::rational
-                                           : FrictionKind::exponential;
-      law.at_speed = c[0];
-      law.at_rest  = c[0] + c[1] + c[3];
-      if (c[1] != 0)
-        law.half_velocity = millimetre * c[2];
-      law.decay       = std::log(2) / law.half_velocity;
-      law.second_drop = c[3];
-      if (c[3] != 0)
-        law.second_velocity = millimetre * c[4];
-      return law;
     }
 
     /// What of the rigid slip is no creepage or spin about the origin.
@@ -232,6 +208,48 @@ namespace wheelrail
     return grid;
   }
 
+  FrictionLaw
+  friction_of(const ContactCase &one, const ContactFrictionLine &line)
+  {
+    const std::vector<double> &c = line.constants;
+    FrictionLaw                law;
+    if (one.digits.law == 0)
+      {
+        law.at_rest = c[0];
+        return law;
+      }
+    law.kind     = one.digits.law == 2   ? FrictionKind::linear
+                   : one.digits.law == 3 ? FrictionKind::rational
+                                         : FrictionKind::exponential;
+    law.at_speed = c[0];
+    law.at_rest  = c[0] + c[1] + c[3];
+    if (c[1] != 0)
+      law.half_velocity = millimetre * c[2];
+    law.decay       = std::log(2) / law.half_velocity;
+    law.second_drop = c[3];
+    if (c[3] != 0)
+      law.second_velocity = millimetre * c[4];
+    return law;
+  }
+
+  void
+  set_bodies(const ContactCase &one, HalfspaceProblem &problem)
+  {
+    const ContactMaterial &material = one.material;
+    for (const auto &[body, index] : {std::pair{&problem.body1, 0}, std::pair{&problem.body2, 1}})
+      *body = {megapascal * material.shear[std::size_t(index)], material.poisson[std::size_t(index)]};
+    if (one.digits.motion == 0)
+      return;
+    problem.memory_length = millimetre * one.friction.memory_length;
+    if (one.friction.memory_speed > 0)
+      problem.memory_least_speed = millimetre * one.friction.memory_speed;
+    if (one.digits.material == 4)
+      problem.layer_compliance = millimetre / megapascal * material.constants[1] / material.constants[0];
+    // unlike materials: CONTACT passes once where MAXOUT = 1
+    if (one.iteration.maxout == 1 && one.digits.law == 0)
+      problem.max_coupling_rounds = 1;
+  }
+
   CaseProblem
   case_problem(const ContactCase &one)
   {
@@ -242,8 +260,7 @@ namespace wheelrail
     result.hertz                     = hertz_of(one);
     problem.grid                     = grid_of(one.grid, result.hertz);
     problem.undeformed_distance      = distances(one, problem.grid, result.hertz);
-    for (const auto &[body, index] : {std::pair{&problem.body1, 0}, std::pair{&problem.body2, 1}})
-      *body = {megapascal * one.material.shear[std::size_t(index)], one.material.poisson[std::size_t(index)]};
+    set_bodies(one, problem);
     problem.force_given = d.normal == 1;
     if (d.bound == 2 || d.bound == 3)
       give_pressure(*result.hertz, d.bound == 2, problem);
@@ -266,12 +283,6 @@ namespace wheelrail
                        : d.motion == 2 ? HalfspaceMotion::transient
                                        : HalfspaceMotion::steady;
     problem.velocity = shift ? 1 : millimetre * one.rolling.velocity;
-    problem.memory_length = millimetre * one.friction.memory_length;
-    if (one.friction.memory_speed > 0)
-      problem.memory_least_speed = millimetre * one.friction.memory_speed;
-    if (d.material == 4)
-      problem.layer_compliance =
-        millimetre / megapascal * one.material.constants[1] / one.material.constants[0];
     if ((d.motion == 3 && d.solver == 2) || (d.motion == 2 && d.material != 4))
       problem.step = millimetre * one.rolling.step;
     problem.spin_offset                               = one.rolling.middle;
@@ -284,9 +295,6 @@ namespace wheelrail
     problem.fx         = scale * result.relative_x;
     problem.fy         = scale * result.relative_y;
     add_rigid_slip(one, problem);
-    // unlike materials: CONTACT passes once where MAXOUT = 1
-    if (one.iteration.maxout == 1 && d.law == 0)
-      problem.max_coupling_rounds = 1;
     result.turned = !shift && std::cos(one.rolling.direction) < 0;
     if (result.turned)
       turn_problem(problem);

@@ -2,6 +2,7 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/contactfiles/inp_file.h>
+#include <wheelrail/contactfiles/wheel_rail_table.h>
 #include <wheelrail/output/folder.h>
 
 #include <algorithm>
@@ -120,55 +121,100 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// What is asked of the file: all its cases, or one and those before that it may go on from, which come
+    /// back without a result.
+    std::vector<CaseResult>
+    asked_results(const ContactFileTask &task, std::vector<ContactCase> &cases)
+    {
+      if (task.only < 0 || task.only > int(cases.size()))
+        throw InputError("--case " + std::to_string(task.only) + ": " + task.file + " has cases 1 to " +
+                         std::to_string(cases.size()));
+      if (task.only > 0)
+        cases.resize(std::size_t(task.only));
+      std::vector<CaseResult> results = solve_cases(cases);
+      if (task.only > 0)
+        for (std::size_t k = 0; k + 1 < results.size(); ++k)
+          results[k] = {};
+      return results;
+    }
+
+    /// Rows and warnings of the cases of a module; returns how many were not solved as they should.
+    std::size_t
+    print_results(const int                       module,
+                  const std::vector<ContactCase> &cases,
+                  const std::vector<CaseResult>  &results,
+                  std::ostream                   &out)
+    {
+      std::size_t poor = 0, printed = 0;
+      for (std::size_t k = 0; k < cases.size(); ++k)
+        if (cases[k].module == module && (results[k].solved || results[k].wheel_rail))
+          {
+            if (printed++ == 0)
+              module == 1 ? print_wheel_rail_heading(out) : print_heading(out);
+            std::string missed;
+            if (module == 1)
+              {
+                print_wheel_rail(k + 1, cases[k], *results[k].wheel_rail, out);
+                missed = results[k].wheel_rail->not_reached;
+              }
+            else
+              {
+                const HalfspaceSolution &s = results[k].solved->solution;
+                print_case(k + 1, cases[k], s, out);
+                if (s.touches_grid_edge && s.grid.mx > 1 && s.grid.my > 1) // line contacts always do
+                  out << "warning: case " << k + 1 << ": the contact reaches the edge of the grid\n";
+                missed = s.converged() && s.within_friction ? "" : s.not_reached;
+              }
+            if (missed.empty())
+              continue;
+            ++poor;
+            out << "warning: case " << k + 1 << ": " << missed << '\n';
+          }
+      return poor;
+    }
+
+    void
+    write_table(const FigureTable &table, const std::filesystem::path &folder, const std::string &name)
+    {
+      if (table.rows() == 0)
+        return;
+      table.write_csv((folder / (name + ".csv")).string());
+      table.write_hdf5((folder / (name + ".h5")).string());
+    }
+  } // namespace
+
+
   int
   run_contact_command(const ContactFileTask &task, std::ostream &out)
   {
-    std::vector<ContactCase> cases = read_inp_file(task.file);
-    if (task.only < 0 || task.only > int(cases.size()))
-      throw InputError("--case " + std::to_string(task.only) + ": " + task.file + " has cases 1 to " +
-                       std::to_string(cases.size()));
-    if (task.only > 0) // those before it may be what it goes on from
-      cases.resize(std::size_t(task.only));
-    std::vector<CaseResult> results = solve_cases(cases);
-    if (task.only > 0)
-      for (std::size_t k = 0; k + 1 < results.size(); ++k)
-        results[k] = {};
-
-    std::size_t refused = 0, poor = 0;
-    std::string why;
+    std::vector<ContactCase>      cases   = read_inp_file(task.file);
+    const std::vector<CaseResult> results = asked_results(task, cases);
+    std::size_t                   refused = 0;
+    std::string                   why;
     for (const CaseResult &result : results)
       {
         refused += result.refused.empty() ? 0 : 1;
         for (const std::string &sentence : result.refused)
           why += (why.empty() ? "" : "\n") + sentence;
       }
-    if (std::none_of(results.begin(), results.end(), [](const CaseResult &r) { return bool(r.solved); }))
+    if (std::none_of(
+          results.begin(), results.end(), [](const CaseResult &r) { return r.solved || r.wheel_rail; }))
       throw InputError(why.empty() ? task.file + " has no case to compute: R = 2 and 3 only check" : why);
 
     const std::string  stem = std::filesystem::path(task.file).stem().string();
     const ResultFolder held("output/" + stem, "-contact");
-    print_heading(out);
-    for (std::size_t k = 0; k < cases.size(); ++k)
-      if (results[k].solved)
-        {
-          const HalfspaceSolution &s = results[k].solved->solution;
-          print_case(k + 1, cases[k], s, out);
-          if (s.touches_grid_edge && s.grid.mx > 1 && s.grid.my > 1) // line contacts always do
-            out << "warning: case " << k + 1 << ": the contact reaches the edge of the grid\n";
-          if (s.converged() && s.within_friction)
-            continue;
-          ++poor;
-          out << "warning: case " << k + 1 << ": " << s.not_reached << '\n';
-        }
+    const std::size_t  poor = print_results(1, cases, results, out) + print_results(3, cases, results, out);
     for (const ContactCase &one : cases)
       for (const std::string &note : one.notes)
         out << "note: " << note << '\n';
     if (!why.empty())
       out << '\n' << refused << " of " << cases.size() << " cases are not computed:\n" << why << '\n';
-    const FigureTable table = case_table(cases, results);
-    table.write_csv((held.path() / "cases.csv").string());
-    table.write_hdf5((held.path() / "cases.h5").string());
-    out << "Table in " << (held.path() / "cases.csv").string() << std::endl;
+    write_table(case_table(cases, results), held.path(), "cases");
+    write_table(wheel_rail_table(cases, results), held.path(), "wheel_rail");
+    write_table(patch_table(cases, results), held.path(), "patches");
+    out << "Tables in " << held.path().string() << std::endl;
     return refused + poor == 0 ? 0 : 2;
   }
 } // namespace wheelrail

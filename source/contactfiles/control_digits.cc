@@ -54,7 +54,7 @@ namespace wheelrail
          "ellipses; 5! KPEC; 6! ANALYN"},
         {'B', 1, 1, "bound", &D::bound, "0 full solution; 1! with normal springs; 5! KPEC; 6! ANALYN"},
         {'T', 1, 3, "motion", &D::motion, "0 no friction; 1 shift; 2 transient rolling; 3 steady rolling"},
-        {'T', 1, 1, "motion", &D::motion, "0 no friction; 1! shift; 2! transient rolling; 3 steady rolling"},
+        {'T', 1, 1, "motion", &D::motion, "0 no friction; 1 shift; 2 transient rolling; 3 steady rolling"},
         {'N', 1, 3, "normal problem", &D::normal, "0 approach given; 1 force given"},
         {'N', 1, 1, "normal problem", &D::normal, "0 height of the wheelset given; 1 force given"},
         {'F',
@@ -82,7 +82,7 @@ namespace wheelrail
          1,
          "variation of friction",
          &D::variation,
-         "0 none; 1! by surface inclination; 2! along the track"},
+         "0 none; 1 by surface inclination; 2 along the track"},
         {'L',
          2,
          0,
@@ -132,7 +132,7 @@ namespace wheelrail
          "wheelset",
          &D::extra,
          "0= as before; 1 new position; 2 new position and velocity; 3 new dimensions, profile, position and "
-         "velocity; 4! new position, velocity and flexibility; 5! all new, with flexibility"},
+         "velocity; 4 new position, velocity and flexibility; 5 all new, with flexibility"},
         {'G', 4, 0, "gap weights", &D::gap_weights, "0 none; 1! with weights; 2! with weights"},
         {'M', 4, 0, "damping", &D::damping, "0 none; 1= as before; 2! new"},
 

@@ -1,3 +1,4 @@
+#include <wheelrail/base/errors.h>
 #include <wheelrail/base/text_rows.h>
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/solve_cases.h>
@@ -11,61 +12,57 @@
 
 namespace wheelrail
 {
-  namespace
+  void
+  turn_solution(HalfspaceSolution &solution)
   {
-    /// Half a turn about the normal: vectors in the plane change sign, moments and spin do not.
-    void
-    turn_solution(HalfspaceSolution &solution)
-    {
-      solution.grid = turned_grid(solution.grid);
-      for (auto *field : {&solution.pressure,
-                          &solution.traction_x,
-                          &solution.traction_y,
-                          &solution.displacement_n,
-                          &solution.displacement_x,
-                          &solution.displacement_y,
-                          &solution.gap,
-                          &solution.slip_x,
-                          &solution.slip_y,
-                          &solution.friction})
-        std::reverse(field->begin(), field->end());
-      std::reverse(solution.state.begin(), solution.state.end());
-      for (auto *field : {&solution.traction_x,
-                          &solution.traction_y,
-                          &solution.displacement_x,
-                          &solution.displacement_y,
-                          &solution.slip_x,
-                          &solution.slip_y})
-        for (double &value : *field)
-          value = -value;
-      for (double *value : {&solution.fx, &solution.fy, &solution.xi, &solution.eta})
-        *value = -*value;
-    }
+    solution.grid = turned_grid(solution.grid);
+    for (auto *field : {&solution.pressure,
+                        &solution.traction_x,
+                        &solution.traction_y,
+                        &solution.displacement_n,
+                        &solution.displacement_x,
+                        &solution.displacement_y,
+                        &solution.gap,
+                        &solution.slip_x,
+                        &solution.slip_y,
+                        &solution.friction})
+      std::reverse(field->begin(), field->end());
+    std::reverse(solution.state.begin(), solution.state.end());
+    for (auto *field : {&solution.traction_x,
+                        &solution.traction_y,
+                        &solution.displacement_x,
+                        &solution.displacement_y,
+                        &solution.slip_x,
+                        &solution.slip_y})
+      for (double &value : *field)
+        value = -value;
+    for (double *value : {&solution.fx, &solution.fy, &solution.xi, &solution.eta})
+      *value = -*value;
+  }
 
-    /// The state on another grid of equal elements, shifted by whole ones; nothing where it has no element.
-    HalfspaceSolution
-    on_grid(const HalfspaceSolution &state, const HalfspaceGrid &grid)
-    {
-      const int         right = int(std::lround((grid.x0 - state.grid.x0) / grid.dx));
-      const int         up    = int(std::lround((grid.y0 - state.grid.y0) / grid.dy));
-      HalfspaceSolution moved;
-      moved.grid = grid;
-      const std::array<std::pair<std::vector<double> *, const std::vector<double> *>, 3> fields{
-        {{&moved.pressure, &state.pressure},
-         {&moved.traction_x, &state.traction_x},
-         {&moved.traction_y, &state.traction_y}}};
-      for (const auto &[to, from] : fields)
-        {
-          to->assign(std::size_t(grid.size()), 0.);
-          for (int j = 0; j < grid.my; ++j)
-            for (int i = 0; i < grid.mx; ++i)
-              if (const int k = i + right, l = j + up;
-                  k >= 0 && k < state.grid.mx && l >= 0 && l < state.grid.my)
-                (*to)[i + grid.mx * j] = (*from)[k + state.grid.mx * l];
-        }
-      return moved;
-    }
-  } // namespace
+
+  HalfspaceSolution
+  on_grid(const HalfspaceSolution &state, const HalfspaceGrid &grid)
+  {
+    const int         right = int(std::lround((grid.x0 - state.grid.x0) / grid.dx));
+    const int         up    = int(std::lround((grid.y0 - state.grid.y0) / grid.dy));
+    HalfspaceSolution moved;
+    moved.grid = grid;
+    const std::array<std::pair<std::vector<double> *, const std::vector<double> *>, 3> fields{
+      {{&moved.pressure, &state.pressure},
+       {&moved.traction_x, &state.traction_x},
+       {&moved.traction_y, &state.traction_y}}};
+    for (const auto &[to, from] : fields)
+      {
+        to->assign(std::size_t(grid.size()), 0.);
+        for (int j = 0; !from->empty() && j < grid.my; ++j)
+          for (int i = 0; i < grid.mx; ++i)
+            if (const int k = i + right, l = j + up;
+                k >= 0 && k < state.grid.mx && l >= 0 && l < state.grid.my)
+              (*to)[i + grid.mx * j] = (*from)[k + state.grid.mx * l];
+      }
+    return moved;
+  }
 
 
   CaseSolution
@@ -123,30 +120,72 @@ namespace wheelrail
     struct CaseState
     {
       std::optional<HalfspaceSolution> before, last; ///< what the last case went on from, and its result
-      bool                             known = true; ///< no case is missing
+      std::optional<WheelRailCase>     before_wheel, last_wheel; ///< the same of module 1
+      bool                             known = true;             ///< no case is missing
     };
 
     /// Whether a step is longer than an element: CONTACT then corrects what comes into contact within it.
     bool
     takes_several_elements(const ContactCase &one)
     {
+      if (one.module == 1)
+        return (one.digits.motion == 2 || (one.digits.motion == 3 && one.digits.solver == 2)) &&
+               one.elements.relative_step > 1.001;
       const HalfspaceProblem problem = case_problem(one).problem;
       return problem.step > 1.001 * problem.grid.dx;
     }
 
-    /// The state from which a case goes on.
-    std::optional<HalfspaceSolution>
-    state_before(const CaseState &state, const int past)
+    void
+    forget_tractions(HalfspaceSolution &solution)
+    {
+      for (auto *field : {&solution.traction_x, &solution.traction_y})
+        std::fill(field->begin(), field->end(), 0.);
+    }
+
+    void
+    forget_tractions(WheelRailCase &solved)
+    {
+      for (WheelRailPatch &patch : solved.patches)
+        forget_tractions(patch.solution);
+    }
+
+    /// The state from which a case goes on: that before the last case, or its result.
+    template <typename State>
+    std::optional<State>
+    state_before(const std::optional<State> &before, const std::optional<State> &last, const int past)
     {
       if (past == 2)
         return {};
       if (past == 3)
-        return state.before;
-      std::optional<HalfspaceSolution> before = state.last;
-      if (before && past == 1)
-        for (auto *field : {&before->traction_x, &before->traction_y})
-          std::fill(field->begin(), field->end(), 0.);
-      return before;
+        return before;
+      std::optional<State> state = last;
+      if (state && past == 1)
+        forget_tractions(*state);
+      return state;
+    }
+
+    void
+    solve_on(const ContactCase &one, const bool goes_on, CaseState &state, CaseResult &result)
+    {
+      const int past = one.digits.past;
+      if (one.module == 3)
+        {
+          auto before   = state_before(state.before, state.last, past);
+          result.solved = solve_case(one, goes_on && before ? &*before : nullptr);
+          state.before  = std::move(before);
+          state.last    = result.solved->solution;
+          return;
+        }
+      auto          before = state_before(state.before_wheel, state.last_wheel, past);
+      WheelRailCase solved = solve_wheel_rail(one, goes_on && before ? &*before : nullptr);
+      if (!solved.refused.empty())
+        {
+          result.refused.push_back(place(one.file, one.line) + solved.refused);
+          return;
+        }
+      state.before_wheel = std::move(before);
+      state.last_wheel   = solved;
+      result.wheel_rail  = std::move(solved);
     }
   } // namespace
 
@@ -162,9 +201,6 @@ namespace wheelrail
         CaseResult result;
         const bool goes_on = (one.digits.motion == 1 || one.digits.motion == 2) && one.digits.past != 2;
         result.refused     = refusals(one);
-        if (one.module == 1)
-          result.refused = {place(one.file, one.line) +
-                            "module 1 (wheel and rail) is not computed; taken is module 3 (basic contact)"};
         if (goes_on && !state.known)
           result.refused.push_back(
             place(one.file, one.line) +
@@ -175,13 +211,15 @@ namespace wheelrail
             "DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 "
             "without G = 2");
         if (result.refused.empty() && one.digits.after < 2)
-          {
-            std::optional<HalfspaceSolution> before = state_before(state, one.digits.past);
-            result.solved                           = solve_case(one, goes_on && before ? &*before : nullptr);
-            state                                   = {std::move(before), result.solved->solution, true};
-          }
-        else if (!result.refused.empty())
-          state.known = false;
+          try
+            {
+              solve_on(one, goes_on, state, result);
+            }
+          catch (const InputError &error) // of a profile
+            {
+              result.refused.emplace_back(error.what());
+            }
+        state.known = (state.known || !goes_on) && result.refused.empty();
         results.push_back(std::move(result));
       }
     return results;

@@ -26,6 +26,14 @@ namespace wheelrail
   CaseProblem
   case_problem(const ContactCase &one);
 
+  /// The friction law of a line of constants.
+  FrictionLaw
+  friction_of(const ContactCase &one, const ContactFrictionLine &line);
+
+  /// Sets what the bodies are made of, the layer between them and the memory of friction.
+  void
+  set_bodies(const ContactCase &one, HalfspaceProblem &problem);
+
   /// A grid after half a turn about the normal through (0, 0).
   HalfspaceGrid
   turned_grid(HalfspaceGrid grid);

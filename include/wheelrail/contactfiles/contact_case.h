@@ -13,6 +13,9 @@ namespace wheelrail
   // Lengths in mm, forces in N, stresses in N/mm2, velocities in mm/s, angles in rad; signs of CONTACT.
   // `line` is that of the file where values were read, 0 where they never were.
 
+  /// Units of CONTACT's files in those of the program.
+  constexpr double millimetre = 1e-3, megapascal = 1e6;
+
   /// Numbers of the solvers: outer and inner loops, relative tolerance.
   struct ContactIteration
   {
@@ -96,10 +99,11 @@ namespace wheelrail
 
   struct ContactProfile
   {
-    std::string  file; ///< with its folder, as it can be opened
-    int          mirror_y = 0, mirror_z = 0, options = 0;
-    double       scale = 1, smoothing = 0;
-    int          smoothing_method = 0; ///< ISMOOTH
+    std::string                            file;   ///< with its folder, as it can be opened
+    std::vector<std::pair<double, double>> points; ///< of a caller, in place of the file: y, z [mm]
+    int                                    mirror_y = 0, mirror_z = 0, options = 0;
+    double                                 scale = 1, smoothing = 0;
+    int                                    smoothing_method = 0; ///< ISMOOTH
     double       zigzag = 2.6179938779914944, kink_high = 0.5235987755982988, kink_low = 0.10471975511965977;
     double       kink_width     = 2;
     int          error_handling = 0;

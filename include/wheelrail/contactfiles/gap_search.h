@@ -1,0 +1,49 @@
+#pragma once
+
+#include <wheelrail/contactfiles/contact_case.h>
+#include <wheelrail/contactfiles/section_line.h>
+#include <wheelrail/contactfiles/wheel_rail_pose.h>
+
+#include <vector>
+
+namespace wheelrail
+{
+  /// Where the wheel comes nearest to the rail at one y of the track: the vertical gap between the rail and
+  /// the contact locus of the wheel, its points whose normals lie across the track (Wang 1984), at the height
+  /// 0 of the wheelset.
+  struct GapPlace
+  {
+    double y = 0, gap = 0;
+    double x      = 0; ///< of the wheel's point, along the track
+    double rail_z = 0; ///< of the rail
+    double angle  = 0; ///< of the rail's surface against y
+    double line   = 0; ///< parameter on the rail's section
+  };
+
+  /// Those places from the track centre to the field side, a third of an element apart; none where rail and
+  /// wheel do not lie over each other.
+  std::vector<GapPlace>
+  gap_places(const WheelRailPose &pose, const SectionLine &rail, const SectionLine &wheel, double spacing);
+
+  /// A contact patch as the overlap of the undeformed surfaces places it, in the axes of the track.
+  struct PatchPlace
+  {
+    Vector3 reference{};           ///< on the rail: mean of the overlap, its square as weight
+    double  angle = 0;             ///< of the plane of contact against y
+    double  line  = 0;             ///< parameter of the reference on the rail's section
+    double  x_low = 0, x_high = 0; ///< of the overlap, in the track
+    double  s_low = 0, s_high = 0; ///< its ends on the rail's section, as lengths from the reference
+    double  y_low = 0, y_high = 0; ///< in the track
+    double  z_low = 0, z_high = 0; ///< of the rail there
+    double  weight   = 0;          ///< of the overlap
+    bool    weakened = false;      ///< of overlaps that D_COMB and D_SEP join, but not in full
+  };
+
+  /// The patches of a wheelset at a height, from the field side to the track centre: overlaps are joined,
+  /// separated and turned by the distances and the angle of the case.
+  std::vector<PatchPlace>
+  patch_places(const std::vector<GapPlace> &gaps,
+               const WheelRailPose         &pose,
+               const SectionLine           &rail,
+               const ContactElements       &elements);
+} // namespace wheelrail

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <wheelrail/contactfiles/contact_case.h>
+#include <wheelrail/geometry/plane.h>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace wheelrail
+{
+  /// A rail or wheel section of an input file of CONTACT, seen on the right-hand side: cubic pieces through
+  /// its points from the track centre to the field side, y to the field side, z down [m].
+  class SectionLine
+  {
+  public:
+    /// Points (y, z) in either order. Throws InputError for fewer than four.
+    explicit SectionLine(std::vector<Point2> points, const std::string &file = "");
+
+    /// A place on the line at the parameter t, 0 to end(), with the derivatives by t.
+    struct Place
+    {
+      double y = 0, z = 0, dy = 0, dz = 0;
+
+      double
+      angle() const; ///< of the tangent against y, positive where it falls [rad]
+    };
+    Place
+    at(double t) const;
+
+    double
+    end() const
+    {
+      return double(pieces_.size());
+    }
+
+    /// Length of the line from where y = 0, or else from its start, to t [m].
+    double
+    arc(double t) const;
+
+    /// Parameters from 0 to end(), close enough for straight lines between them.
+    const std::vector<double> &
+    samples() const
+    {
+      return samples_;
+    }
+
+  private:
+    struct Piece
+    {
+      std::array<double, 4> y, z;
+    };
+
+    double
+    length_within(std::size_t piece, double u) const;
+
+    std::vector<Piece>  pieces_;
+    std::vector<double> starts_; ///< lengths from the start to that of each piece [m]
+    std::vector<double> samples_;
+    double              zero_ = 0; ///< length from the start to y = 0 [m]
+  };
+
+  /// Reads the profile that a line of an input file names, mirrored and scaled as the line says. Throws
+  /// InputError for what cannot be read.
+  SectionLine
+  section_line(const ContactProfile &profile);
+} // namespace wheelrail

@@ -1,0 +1,183 @@
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/contactfiles/wheel_rail_table.h>
+
+#include <ostream>
+#include <utility>
+
+namespace wheelrail
+{
+  FigureTable
+  wheel_rail_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
+  {
+    FigureTable table;
+    for (const auto &[key, unit] : {std::pair{"case", "1"},
+                                    std::pair{"line", "1"},
+                                    std::pair{"wheelset_height_m", "m"},
+                                    std::pair{"pitch_rate_rad_per_s", "rad/s"},
+                                    std::pair{"force_x_track_N", "N"},
+                                    std::pair{"force_y_track_N", "N"},
+                                    std::pair{"force_z_track_N", "N"},
+                                    std::pair{"force_x_wheelset_N", "N"},
+                                    std::pair{"force_y_wheelset_N", "N"},
+                                    std::pair{"force_z_wheelset_N", "N"},
+                                    std::pair{"patches", "1"},
+                                    std::pair{"converged", "1"}})
+      table.add(key, unit, {});
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      if (results[k].wheel_rail)
+        {
+          const WheelRailCase &w = *results[k].wheel_rail;
+          table.add_row({double(k + 1),
+                         double(cases[k].line),
+                         w.height,
+                         w.pitch_rate,
+                         w.force_track[0],
+                         w.force_track[1],
+                         w.force_track[2],
+                         w.force_wheelset[0],
+                         w.force_wheelset[1],
+                         w.force_wheelset[2],
+                         double(w.patches.size()),
+                         w.not_reached.empty() ? 1. : 0.});
+        }
+    return table;
+  }
+
+
+  FigureTable
+  patch_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
+  {
+    FigureTable table;
+    for (const auto &[key, unit] : {std::pair{"case", "1"},
+                                    std::pair{"patch", "1"},
+                                    std::pair{"x_track_m", "m"},
+                                    std::pair{"y_track_m", "m"},
+                                    std::pair{"z_track_m", "m"},
+                                    std::pair{"contact_angle_rad", "rad"},
+                                    std::pair{"y_rail_m", "m"},
+                                    std::pair{"z_rail_m", "m"},
+                                    std::pair{"x_wheel_m", "m"},
+                                    std::pair{"y_wheel_m", "m"},
+                                    std::pair{"z_wheel_m", "m"},
+                                    std::pair{"reference_velocity_m_per_s", "m/s"},
+                                    std::pair{"creepage", "1"},
+                                    std::pair{"lateral_creepage", "1"},
+                                    std::pair{"spin_per_m", "1/m"},
+                                    std::pair{"shift_m", "m"},
+                                    std::pair{"lateral_shift_m", "m"},
+                                    std::pair{"turn_rad", "rad"},
+                                    std::pair{"normal_force_N", "N"},
+                                    std::pair{"longitudinal_force_N", "N"},
+                                    std::pair{"tangential_lateral_force_N", "N"},
+                                    std::pair{"spin_moment_Nm", "Nm"},
+                                    std::pair{"approach_m", "m"},
+                                    std::pair{"max_pressure_Pa", "Pa"},
+                                    std::pair{"max_shear_traction_Pa", "Pa"},
+                                    std::pair{"area_of_whole_elements_m2", "m2"},
+                                    std::pair{"stick_fraction", "1"}})
+      table.add(key, unit, {});
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      if (results[k].wheel_rail)
+        for (std::size_t n = 0; n < results[k].wheel_rail->patches.size(); ++n)
+          {
+            const WheelRailPatch    &p     = results[k].wheel_rail->patches[n];
+            const HalfspaceSolution &s     = p.solution;
+            const bool               shift = cases[k].digits.motion == 1;
+            const double             none  = Summary::none;
+            table.add_row({double(k + 1),
+                           double(n + 1),
+                           p.in_track[0],
+                           p.in_track[1],
+                           p.in_track[2],
+                           p.angle,
+                           p.on_rail[1],
+                           p.on_rail[2],
+                           p.on_wheel[0],
+                           p.on_wheel[1],
+                           p.on_wheel[2],
+                           shift ? none : p.velocity,
+                           shift ? none : p.creepage,
+                           shift ? none : p.lateral_creepage,
+                           shift ? none : p.spin,
+                           shift ? p.creepage : none,
+                           shift ? p.lateral_creepage : none,
+                           shift ? p.spin : none,
+                           s.fn,
+                           s.fx,
+                           s.fy,
+                           p.spin_moment,
+                           s.approach,
+                           s.peak_pressure,
+                           s.peak_shear,
+                           s.area,
+                           s.area > 0 ? s.adhesion_area / s.area : none});
+          }
+    return table;
+  }
+
+
+  void
+  print_wheel_rail_heading(std::ostream &out)
+  {
+    out << "Forces on the rail; y to the right, z down; creepages, or shifts in mm\n\n"
+        << text("%6s %9s %11s %9s %11s %11s %11s %11s %11s %9s %10s %8s %8s %8s\n",
+                "case",
+                "Z_WS",
+                "VPITCH",
+                "Y(TR)",
+                "angle",
+                "FN",
+                "FX",
+                "FS",
+                "MN",
+                "approach",
+                "peak",
+                "CKSI",
+                "CETA",
+                "area")
+        << text("%6s %9s %11s %9s %11s %11s %11s %11s %11s %9s %10s %8s %8s %8s\n",
+                "",
+                "mm",
+                "rad/s",
+                "mm",
+                "mrad",
+                "N",
+                "N",
+                "N",
+                "N mm",
+                "mm",
+                "MPa",
+                "%",
+                "%",
+                "mm2");
+  }
+
+
+  void
+  print_wheel_rail(const std::size_t    place,
+                   const ContactCase   &one,
+                   const WheelRailCase &solved,
+                   std::ostream        &out)
+  {
+    const double scale = one.digits.motion == 1 ? 1e3 : 100;
+    for (const WheelRailPatch &p : solved.patches)
+      out << text(
+        "%6zu %9.4f %11.7f %9.3f %11.3f %11.5g %11.5g %11.5g %11.5g %9.5f %10.5g %8.4f %8.4f %8.2f\n",
+        place,
+        1e3 * solved.height,
+        solved.pitch_rate,
+        1e3 * p.in_track[1],
+        1e3 * p.angle,
+        p.solution.fn,
+        p.solution.fx,
+        p.solution.fy,
+        1e3 * p.spin_moment,
+        1e3 * p.solution.approach,
+        1e-6 * p.solution.peak_pressure,
+        scale * p.creepage,
+        scale * p.lateral_creepage,
+        1e6 * p.solution.area);
+    if (solved.patches.empty())
+      out << text("%6zu %9.4f %11.7f  no contact\n", place, 1e3 * solved.height, solved.pitch_rate);
+  }
+} // namespace wheelrail
