@@ -45,8 +45,9 @@ def draw_profiles(axes, numbers, texts):
     (shift, roll), = numbers["shift"]
     (radius, angle), = numbers["radius"]
     (on_rail, on_wheel), = numbers["contact in sections"]
-    axes.set_title(f"Shift {shift:.2f} mm, roll {roll:.3f} mrad: contact at rail x {on_rail:.2f} mm, wheel x "
-                   f"{on_wheel:.2f} mm,\nangle {angle:.2f} degrees, rolling radius {radius:.3f} mm")
+    axes.set_title(f"Shift {shift:.2f} mm, roll {roll:.3f} mrad, contact angle {angle:.2f} degrees, rolling radius "
+                   f"{radius:.3f} mm\ncontact at x = {on_rail:.2f} mm of the rail, {on_wheel:.2f} mm of the wheel, "
+                   "positive to the field side", fontsize=10)
 
 
 def draw_distance(axes, numbers):
@@ -64,7 +65,7 @@ def draw_distance(axes, numbers):
     axes.grid(True)
     axes.set_xlabel("lateral place s along the common tangent in mm, from the contact point to the gauge side")
     axes.set_ylabel("undeformed distance in \N{MICRO SIGN}m")
-    axes.legend(loc="upper center")
+    axes.legend(loc="lower left")
 
 
 def main():
