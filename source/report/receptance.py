@@ -93,6 +93,9 @@ def results(peaks, summary):
     if "waves_mean_difference_dB" in summary:
         rows.append(f"<p>Mobility by waves of the section differs by {summary['waves_mean_difference_dB']:.1f} dB in the mean, by "
                     f"{summary['waves_largest_difference_dB']:.1f} dB at most ({summary['waves_largest_difference_at_Hz']:.0f} Hz).</p>")
+    if summary.get("cut_peak_dB"):
+        rows.append(f"<p>The peak at {summary['cut_peak_Hz']:.0f} Hz is cut by {summary['cut_peak_dB']:.1f} dB by the length of "
+                    f"record and rail: its height is that of the waves.</p>")
     if summary["fading_per_s"] > 0:
         rows.append(f"<p>{100 * summary['left_at_the_end']:.0f} % of the motion were left at the end of the record; it is "
                     f"faded, which makes peaks {summary['fading_per_s'] / np.pi:.0f} Hz broader.</p>")
