@@ -1,4 +1,5 @@
 // label: fast
+// needs: track
 
 // The entries of parameter files: every one, defaults, round trips.
 

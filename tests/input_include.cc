@@ -1,4 +1,5 @@
 // label: fast
+// needs: wear
 
 // Parameter files that include others: whose value is in force, from where paths count, what is kept of the
 // text, and what the program answers to faults, word by word.

@@ -1,4 +1,5 @@
 // label: fast
+// needs: contactfiles
 
 // What the program answers to irregularities that cannot be: entries against each other, cells, places of a
 // run, files of heights and slices, options of the command halfspace.

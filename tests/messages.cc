@@ -364,7 +364,11 @@ namespace
     if (!is_built(Subject::track))
       check_set("Track/Support = sleepers", left_out("--set: Track/Support = sleepers", Subject::track));
     if (!is_built(Subject::vehicle))
-      check_set("Wheelset/Wheels = both", left_out("--set: Wheelset/Wheels = both", Subject::vehicle));
+      check_set(
+        "Wheelset/Wheels = both",
+        left_out("--set: Wheelset/Wheels = both", Subject::vehicle) +
+          "\n--set: Wheelset/Wheels = both: a run has one wheel; run --wheelset rolls the modelled one "
+          "as it rolls on the wheelset, Wheels = one by itself");
   }
 } // namespace
 

@@ -6,6 +6,7 @@
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/scene_checks.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -109,6 +110,20 @@ namespace wheelrail
   {
     for (const std::string &note : notes)
       print_note(note, out);
+  }
+
+
+  WheelsetProfiles
+  profiles_with_notes(const Scene &scene, std::ostream &out)
+  {
+    WheelsetProfiles                profiles = read_wheelset_profiles(scene);
+    const std::vector<std::string> &right    = profiles.right.notes;
+    print_notes(right, out);
+    if (scene.both_wheels)
+      for (const std::string &note : profiles.left.notes)
+        if (std::find(right.begin(), right.end(), note) == right.end())
+          print_note(note, out);
+    return profiles;
   }
 
 

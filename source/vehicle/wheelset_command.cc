@@ -18,7 +18,6 @@
 #include <wheelrail/wheel/noise_effect.h>
 #include <wheelrail/wheel/wheel_load.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -127,20 +126,6 @@ namespace wheelrail
               << (*figure.remark ? std::string(", ") + figure.remark : "") << '\n';
     }
   } // namespace
-
-
-  WheelsetProfiles
-  profiles_with_notes(const Scene &scene, std::ostream &out)
-  {
-    WheelsetProfiles                profiles = read_wheelset_profiles(scene);
-    const std::vector<std::string> &right    = profiles.right.notes;
-    print_notes(right, out);
-    if (scene.both_wheels)
-      for (const std::string &note : profiles.left.notes)
-        if (std::find(right.begin(), right.end(), note) == right.end())
-          print_note(note, out);
-    return profiles;
-  }
 
 
   int

@@ -2,6 +2,7 @@
 
 #include <wheelrail/commands/scene_row.h>
 #include <wheelrail/input/parameters.h>
+#include <wheelrail/model/wheelset_profiles.h>
 #include <wheelrail/scene/scene.h>
 
 #include <boost/program_options.hpp>
@@ -19,7 +20,6 @@ namespace wheelrail
   namespace po = boost::program_options;
 
   struct RunOptions;
-  struct SceneGeometry;
 
   /// Runs a simulation; a parameter so that tests of the command line need none.
   using RunFunction = std::function<int(const Scene &, const SceneGeometry &, const RunOptions &)>;
@@ -60,6 +60,11 @@ namespace wheelrail
   /// Prints several of them, a line each.
   void
   print_notes(const std::vector<std::string> &notes, std::ostream &out);
+
+  /// The profiles of both sides; prints what was found in their files, and of a file that both sides have
+  /// once.
+  WheelsetProfiles
+  profiles_with_notes(const Scene &scene, std::ostream &out);
 
   /// The scene that a run computes of --row: straight on. Returns a note on a curve that is left out, or
   /// nothing.

@@ -8,11 +8,6 @@
 
 namespace wheelrail
 {
-  /// The profiles of both sides; prints what was found in their files, and of a file that both sides have
-  /// once.
-  WheelsetProfiles
-  profiles_with_notes(const Scene &scene, std::ostream &out);
-
   /// Solves both wheels of the wheelset of a scene (solve_wheelset()) by its bodies, prints their figures
   /// side by side and those of the axle, and writes summary.json, parameters.prm, wheelset.csv (the lines of
   /// its picture) and the folders right and left, each as halfspace writes that of one wheel, into

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/model/wheelset_profiles.h>
 #include <wheelrail/scene/curve_loads.h>
 #include <wheelrail/vehicle/axle_contact.h>
 
@@ -18,21 +18,6 @@ namespace wheelrail
     double       lateral_missed = 0; ///< of the forces along X: what is left over [N]
     double       yaw_missed     = 0; ///< of the moments about the vertical [N m]
   };
-
-  /// One wheel of the wheelset of a scene: that of its side, with profiles and friction of its own.
-  Scene
-  wheel_of_wheelset(const Scene &scene, bool left);
-
-  /// Profiles of both sides.
-  struct WheelsetProfiles
-  {
-    SceneProfiles right, left;
-  };
-
-  /// Reads those of a wheelset, or twice those of the wheel that is modelled. Throws InputError as
-  /// read_profiles().
-  WheelsetProfiles
-  read_wheelset_profiles(const Scene &scene);
 
   /// What presses a wheel and drives it: the pitch rate of its axle over the velocity [1/m]; where that is no
   /// number it turns by itself, as its scene drives it, or with a torque [N m], which gives the force along
