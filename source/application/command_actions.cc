@@ -157,8 +157,9 @@ namespace wheelrail
   {
     if (file_of(options).empty())
       throw InputError("contact needs an input file of the program CONTACT, NAME.inp");
-    return run_contact_command({file_of(options), options.count("case") ? options["case"].as<int>() : 0},
-                               out);
+    return run_contact_command(
+      {file_of(options), options.count("case") ? options["case"].as<int>() : 0, options.count("printed") > 0},
+      out);
   }
 
 

@@ -159,9 +159,10 @@ namespace wheelrail
        act_material},
       {"contact",
        "FILE.inp",
-       "the cases of an input file of the program CONTACT, module 3 (basic contact)",
+       "the cases of an input file of the program CONTACT: wheel and rail, basic contact",
        [](po::options_description &options) {
          options.add_options()("case", po::value<int>(), "one case: its place in the file, from 1");
+         options.add_options()("printed", "CONTACT's own result blocks, too: NAME.out in the results");
        },
        act_contact},
       {"vehicle",

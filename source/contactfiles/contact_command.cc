@@ -2,8 +2,13 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/contactfiles/inp_file.h>
+#include <wheelrail/contactfiles/printed_blocks.h>
 #include <wheelrail/contactfiles/wheel_rail_table.h>
 #include <wheelrail/output/folder.h>
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/output/summary.h>
+#include <wheelrail/wheel/halfspace_parts.h>
 
 #include <algorithm>
 #include <cmath>
@@ -175,6 +180,65 @@ namespace wheelrail
       return poor;
     }
 
+    /// Removes what an earlier call wrote: a case that is refused now has no fields.
+    void
+    remove_earlier(const std::filesystem::path &folder)
+    {
+      std::vector<std::filesystem::path> own;
+      for (const auto &entry : std::filesystem::directory_iterator(folder))
+        if (const std::string name = entry.path().filename().string();
+            name.rfind("case_", 0) == 0 || name.rfind("cases.", 0) == 0 ||
+            name.rfind("wheel_rail.", 0) == 0 || name.rfind("patches.", 0) == 0 || name == "summary.json" ||
+            entry.path().extension() == ".out")
+          own.push_back(entry.path());
+      for (const auto &path : own)
+        std::filesystem::remove(path);
+    }
+
+    /// The fields of a case, in the form and with the signs of a run's patch, a tick a patch.
+    void
+    write_fields(const CaseResult &result, const std::string &path)
+    {
+      if (!result.solved && (!result.wheel_rail || result.wheel_rail->patches.empty()))
+        return;
+      TickFile file(path, false, 0);
+      if (result.solved)
+        append_patch(file, halfspace_patch(result.solved->solution));
+      else
+        for (const WheelRailPatch &patch : result.wheel_rail->patches)
+          append_patch(file, halfspace_patch(patch.solution));
+    }
+
+    Summary
+    file_summary(const std::string &file, const std::vector<CaseResult> &results, const std::size_t poor)
+    {
+      Summary summary;
+      summary.title    = file;
+      summary.finished = true;
+      double solved = 0, refused = 0, peak = 0;
+      for (const CaseResult &result : results)
+        {
+          solved += result.solved || result.wheel_rail ? 1 : 0;
+          refused += result.refused.empty() ? 0 : 1;
+          if (result.solved)
+            peak = std::max(peak, result.solved->solution.peak_pressure);
+          if (result.wheel_rail)
+            for (const WheelRailPatch &patch : result.wheel_rail->patches)
+              peak = std::max(peak, patch.solution.peak_pressure);
+        }
+      summary.max_pressure = peak;
+      set_figure(summary, "cases", double(results.size()));
+      set_figure(summary, "cases_solved", solved);
+      set_figure(summary, "cases_refused", refused);
+      set_figure(summary, "cases_not_converged", double(poor));
+      if (poor > 0)
+        {
+          summary.verdict = "not trusted";
+          summary.doubts  = "Cases were not solved to their tolerance: see column converged of the tables.";
+        }
+      return summary;
+    }
+
     void
     write_table(const FigureTable &table, const std::filesystem::path &folder, const std::string &name)
     {
@@ -211,9 +275,15 @@ namespace wheelrail
         out << "note: " << note << '\n';
     if (!why.empty())
       out << '\n' << refused << " of " << cases.size() << " cases are not computed:\n" << why << '\n';
+    remove_earlier(held.path());
     write_table(case_table(cases, results), held.path(), "cases");
     write_table(wheel_rail_table(cases, results), held.path(), "wheel_rail");
     write_table(patch_table(cases, results), held.path(), "patches");
+    for (std::size_t k = 0; k < results.size(); ++k)
+      write_fields(results[k], (held.path() / ("case_" + std::to_string(k + 1) + ".h5")).string());
+    write_summary(file_summary(task.file, results, poor), (held.path() / "summary.json").string());
+    if (task.printed)
+      replace_file((held.path() / (stem + ".out")).string(), printed_blocks(cases, results));
     out << "Tables in " << held.path().string() << std::endl;
     return refused + poor == 0 ? 0 : 2;
   }

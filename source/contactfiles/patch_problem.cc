@@ -49,6 +49,18 @@ namespace wheelrail
       return heights;
     }
 
+    /// The length on a section at which it passes y; of an end where it does not.
+    double
+    anchor_on(const SectionLine &line, const double y)
+    {
+      double t = 0;
+      for (const double sample : line.samples())
+        if (line.at(sample).y < y)
+          t = sample;
+      const SectionLine::Place p = line.at(t);
+      return line.arc(t + (p.dy > 0 ? std::min(1., (y - p.y) / p.dy) : 0));
+    }
+
     /// Where lines along the normal of a plane meet a wheel.
     class WheelBelow
     {
@@ -87,7 +99,7 @@ namespace wheelrail
             hit.n += dn;
             if (!(hit.t > -1 && hit.t < line_.end() + 1))
               return {};
-            if (std::abs(dn) < 1e-11 && std::abs(dt) < 2)
+            if (std::abs(dn) < (k < 6 ? 1e-11 : 1e-9) && std::abs(dt) < 2) // corners may send it to and fro
               return hit.t >= 0 && hit.t <= line_.end() ? std::optional<Hit>(hit) : std::nullopt;
           }
         return {};
@@ -213,9 +225,10 @@ namespace wheelrail
     for (int j = 0; j < grid.my; ++j)
       rows.push_back(grid.y(j) - origin_y);
     const std::vector<double> heights = rail_heights(rail, to_plane, place.line, rows);
-    const WheelBelow          below(wheel, to_wheel, pose.wheel_radius);
-    std::vector<double>       distance(std::size_t(grid.size()), far_apart);
-    const auto                near = [](const double place, const int n) {
+    const SectionLine mesh = wheel.chords(anchor_on(wheel, to_wheel({-origin_x, -origin_y, 0})[1]), grid.dy);
+    const WheelBelow  below(mesh, to_wheel, pose.wheel_radius);
+    std::vector<double> distance(std::size_t(grid.size()), far_apart);
+    const auto          near = [](const double place, const int n) {
       return std::clamp(int(std::lround(place)), 0, n - 1);
     };
     const int  column = near((origin_x - grid.x0) / grid.dx, grid.mx);

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
+#include <utility>
 
 namespace wheelrail
 {
@@ -25,13 +27,32 @@ namespace wheelrail
       return c[1] + u * (2 * c[2] + u * 3 * c[3]);
     }
 
-    /// The coefficients of a piece, filled up with zeros.
-    std::array<double, 4>
-    cubic(const std::vector<double> &coefficients)
+    /// Second derivatives at the knots of the natural cubic spline through values: the tridiagonal system,
+    /// solved from the first to the last (de Boor 1978).
+    std::vector<double>
+    second_derivatives(const std::vector<double> &knots, const std::vector<double> &values)
     {
-      std::array<double, 4> c{};
-      std::copy_n(coefficients.begin(), std::min<std::size_t>(4, coefficients.size()), c.begin());
-      return c;
+      const std::size_t   n = knots.size();
+      std::vector<double> second(n, 0.), upper(n, 0.);
+      for (std::size_t i = 1; i + 1 < n; ++i)
+        {
+          const double left = knots[i] - knots[i - 1], right = knots[i + 1] - knots[i];
+          const double bend  = 6 * ((values[i + 1] - values[i]) / right - (values[i] - values[i - 1]) / left);
+          const double pivot = 2 * (left + right) - left * upper[i - 1];
+          upper[i]           = right / pivot;
+          second[i]          = (bend - left * second[i - 1]) / pivot;
+        }
+      for (std::size_t i = n - 1; i-- > 1;)
+        second[i] -= upper[i] * second[i + 1];
+      return second;
+    }
+
+    /// A piece of that spline as a cubic of u from 0 to 1.
+    std::array<double, 4>
+    cubic(const double length, const double a, const double b, const double second_a, const double second_b)
+    {
+      const double h = length * length / 6;
+      return {{a, b - a - h * (2 * second_a + second_b), 3 * h * second_a, h * (second_b - second_a)}};
     }
   } // namespace
 
@@ -55,10 +76,48 @@ namespace wheelrail
     if (points.size() < 4)
       throw InputError(file + ": " + std::to_string(points.size()) +
                        " points; a profile of an input file of CONTACT has four or more");
-    const std::vector<double> exact(points.size(), 0.);
-    for (const Segment &s : smoothing_spline(points, find_kinks(points, exact), exact))
-      pieces_.push_back({cubic(s.coefficients_x), cubic(s.coefficients)});
+    std::vector<double> knots{0}, y, z;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      {
+        y.push_back(points[k].x);
+        z.push_back(points[k].y);
+        if (k > 0)
+          knots.push_back(knots.back() + norm(points[k] - points[k - 1]));
+      }
+    // between kinks, where the tangent jumps
+    std::vector<std::size_t> ends = find_kinks(points, std::vector<double>(points.size(), 0.));
+    ends.push_back(points.size() - 1);
+    std::size_t first = 0;
+    for (const std::size_t last : ends)
+      {
+        if (last == first)
+          continue;
+        const auto part = [&](const std::vector<double> &all) {
+          return std::vector<double>(all.begin() + std::ptrdiff_t(first),
+                                     all.begin() + std::ptrdiff_t(last) + 1);
+        };
+        const std::vector<double> s = part(knots), dy = second_derivatives(s, part(y)),
+                                  dz = second_derivatives(s, part(z));
+        for (std::size_t k = first; k < last; ++k)
+          {
+            const double      length = knots[k + 1] - knots[k];
+            const std::size_t i      = k - first;
+            pieces_.push_back({cubic(length, y[k], y[k + 1], dy[i], dy[i + 1]),
+                               cubic(length, z[k], z[k + 1], dz[i], dz[i + 1])});
+          }
+        first = last;
+      }
 
+    measure();
+    const auto middle = std::find_if(points.begin(), points.end(), [](const Point2 &p) { return p.x >= 0; });
+    if (middle != points.end())
+      zero_ = starts_[std::size_t(middle - points.begin())];
+  }
+
+
+  void
+  SectionLine::measure()
+  {
     constexpr double spacing = 5e-5; // [m]
     starts_.push_back(0);
     for (std::size_t k = 0; k < pieces_.size(); ++k)
@@ -70,15 +129,41 @@ namespace wheelrail
           samples_.push_back(double(k) + double(i) / n);
       }
     samples_.push_back(end());
-    for (std::size_t i = 0; i + 1 < samples_.size(); ++i)
+  }
+
+
+  double
+  SectionLine::parameter(const double arc) const
+  {
+    const double along = arc + zero_;
+    if (along <= 0 || along >= starts_.back())
+      return along <= 0 ? 0 : end();
+    const auto        next = std::upper_bound(starts_.begin(), starts_.end(), along);
+    const std::size_t k    = std::size_t(next - starts_.begin()) - 1;
+    double            u    = (along - starts_[k]) / (starts_[k + 1] - starts_[k]);
+    for (int step = 0; step < 3; ++step)
+      u += (along - starts_[k] - length_within(k, u)) /
+           std::hypot(slope(pieces_[k].y, u), slope(pieces_[k].z, u));
+    return double(k) + std::clamp(u, 0., 1.);
+  }
+
+
+  SectionLine
+  SectionLine::chords(const double from, const double spacing) const
+  {
+    SectionLine  line;
+    const double first =
+      from - spacing * std::floor((from + zero_) / spacing); // the first within the section
+    const int n = int((starts_.back() - zero_ - first) / spacing);
+    Place     a = at(parameter(first));
+    for (int k = 1; k <= n; ++k)
       {
-        const double a = at(samples_[i]).y, b = at(samples_[i + 1]).y;
-        if (a <= 0 && b > 0)
-          {
-            zero_ = arc(samples_[i] + (samples_[i + 1] - samples_[i]) * (0 - a) / (b - a));
-            break;
-          }
+        const Place b = at(parameter(first + k * spacing));
+        line.pieces_.push_back({{{a.y, b.y - a.y, 0, 0}}, {{a.z, b.z - a.z, 0, 0}}});
+        a = b;
       }
+    line.measure();
+    return line;
   }
 
 

@@ -4,13 +4,14 @@
 #include <wheelrail/geometry/plane.h>
 
 #include <array>
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace wheelrail
 {
-  /// A rail or wheel section of an input file of CONTACT, seen on the right-hand side: cubic pieces through
-  /// its points from the track centre to the field side, y to the field side, z down [m].
+  /// A rail or wheel section of an input file of CONTACT, seen on the right-hand side: the natural cubic
+  /// spline over the chord length through its points, from kink to kink, from the track centre to the field
+  /// side, y to the field side, z down [m].
   class SectionLine
   {
   public:
@@ -34,9 +35,18 @@ namespace wheelrail
       return double(pieces_.size());
     }
 
-    /// Length of the line from where y = 0, or else from its start, to t [m].
+    /// Length of the line from its first point with y >= 0, or else from its start, to t [m].
     double
     arc(double t) const;
+
+    /// The parameter of a length, of the same zero; 0 or end() beyond the ends.
+    double
+    parameter(double arc) const;
+
+    /// The line as straight pieces between points `spacing` apart along it, one of them at the length `from`:
+    /// the mesh on which CONTACT takes the wheel's distance.
+    SectionLine
+    chords(double from, double spacing) const;
 
     /// Parameters from 0 to end(), close enough for straight lines between them.
     const std::vector<double> &
@@ -46,6 +56,12 @@ namespace wheelrail
     }
 
   private:
+    SectionLine() = default;
+
+    /// Sets lengths and samples of the pieces.
+    void
+    measure();
+
     struct Piece
     {
       std::array<double, 4> y, z;
@@ -57,7 +73,7 @@ namespace wheelrail
     std::vector<Piece>  pieces_;
     std::vector<double> starts_; ///< lengths from the start to that of each piece [m]
     std::vector<double> samples_;
-    double              zero_ = 0; ///< length from the start to y = 0 [m]
+    double              zero_ = 0; ///< length from the start to that point [m]
   };
 
   /// Reads the profile that a line of an input file names, mirrored and scaled as the line says. Throws

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <wheelrail/halfspace/problem.h>
+
+#include <string>
+
+namespace wheelrail
+{
+  /// What the printed blocks of a patch need beside its solution.
+  struct PrintedPatch
+  {
+    double friction  = 1; ///< FSTAT
+    double velocity  = 1; ///< VELOC [m/s]; 1 in shifts
+    double direction = 0; ///< CHI [rad]
+  };
+
+  /// A number as CONTACT prints it: four digits, with an exponent below 0.1 and from 10 000 on.
+  std::string
+  printed_number(double value);
+
+  /// Half the work of the tractions on the displacements [J].
+  double
+  elastic_energy(const HalfspaceSolution &solution);
+
+  /// Sum of traction times slip over the elements, negative [W]; in shifts the work [J].
+  double
+  friction_power(const HalfspaceSolution &solution, double velocity);
+
+  /// The form of the contact: a line a row of elements, the last one first; . outside, * adhesion, S slip.
+  std::string
+  contact_picture(const HalfspaceSolution &solution, bool rolls, double direction);
+
+  /// Distances, pressures, tractions and slips of the elements in contact, row by row, in CONTACT's units.
+  std::string
+  element_table(const HalfspaceSolution &solution, int motion, const PrintedPatch &patch);
+} // namespace wheelrail

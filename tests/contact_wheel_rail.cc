@@ -1,0 +1,141 @@
+// label: fast
+
+// Cases of wheel and rail (module 1) of CONTACT: solved, against the rows that CONTACT prints; a left-hand
+// wheel is the mirror image; a force given finds the pitch rate that gives it; printed blocks.
+
+#include "contact_inputs.h"
+#include "reference_table.h"
+
+#include <wheelrail/contactfiles/inp_file.h>
+#include <wheelrail/contactfiles/printed_blocks.h>
+#include <wheelrail/contactfiles/solve_cases.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_near;
+using test::check_relative;
+
+namespace
+{
+  /// A circle of radius 100 mm and a straight line, as points 0.1 mm and 1 mm apart.
+  void
+  make_profiles()
+  {
+    std::ofstream rail("round.prr"), wheel("flat.prw");
+    for (std::ofstream *file : {&rail, &wheel})
+      *file << "header.begin\n version = 1\n type = " << (file == &wheel) << "\nheader.end\nspline.begin\n"
+            << " units.len.f = 1000.\n point.begin\n";
+    char line[64];
+    for (int k = -600; k <= 600; ++k)
+      {
+        std::snprintf(line, sizeof line, "%.6f %.6f\n", 0.1 * k, 100 - std::sqrt(1e4 - 0.01 * k * k));
+        rail << line;
+      }
+    for (int k = 50; k >= -50; --k)
+      wheel << k << " 0\n";
+    rail << " point.end\nspline.end\n";
+    wheel << " point.end\nspline.end\n";
+  }
+
+  void
+  compare_printed(const std::vector<CaseResult> &results)
+  {
+    for (const auto &row : test::read_table("contact_wheel_rail.csv"))
+      {
+        const std::size_t k    = std::stoul(row[0]) - 1;
+        const std::string name = row[1] + ": ";
+        if (!check(results.at(k).wheel_rail && results[k].wheel_rail->patches.size() == 1,
+                   name + "one patch"))
+          continue;
+        const WheelRailCase     &w = *results[k].wheel_rail;
+        const WheelRailPatch    &p = w.patches.front();
+        const HalfspaceSolution &s = p.solution;
+        check(w.not_reached.empty(), name + "converged");
+        std::size_t column = 2;
+        // at least four digits are printed
+        const auto printed = [&](const double value, const double least) {
+          if (!row[column].empty())
+            check_near(value,
+                       std::stod(row[column]),
+                       7e-4 * std::max(std::abs(std::stod(row[column])), least),
+                       name + std::to_string(column));
+          ++column;
+        };
+        const double length = results[k].wheel_rail->along > 0 || k > 0 ? 1e3 : 1; // shifts in mm
+        printed(1e3 * w.height, 1);
+        for (const double force :
+             {w.force_track[0], w.force_track[1], w.force_track[2], w.force_wheelset[0], w.force_wheelset[1]})
+          printed(force, 24);
+        for (const double place : {p.in_track[0], p.in_track[1], p.in_track[2]})
+          printed(1e3 * place, 1);
+        printed(p.angle, 0.1);
+        for (const double place : {p.on_wheel[0], p.on_wheel[1], p.on_wheel[2]})
+          printed(1e3 * place, 1);
+        printed(length * p.creepage, 1e-4);
+        printed(length * p.lateral_creepage, 1e-4);
+        printed((length > 1 ? 1 : 1e-3) * p.spin, 1e-4);
+        for (const double force : {s.fn, s.fx, s.fy})
+          printed(force, 24);
+        printed(1e3 * s.spin_moment, 100);
+        printed(1e3 * s.approach, 0);
+        printed(1e-6 * s.peak_pressure, 0);
+        printed(s.contact_elements, 1500); // one element
+        printed(s.adhesion_area / s.grid.element_area(), 1500);
+      }
+  }
+
+  void
+  compare_sides(const WheelRailCase &right, const WheelRailCase &left)
+  {
+    const WheelRailPatch &r = right.patches.at(0), &l = left.patches.at(0);
+    check_relative(left.height, right.height, 1e-6, "left: height");
+    check_relative(l.solution.fn, r.solution.fn, 1e-6, "left: force");
+    check_relative(l.solution.fy, -r.solution.fy, 1e-4, "left: lateral force turned");
+    check_relative(l.angle, -r.angle, 1e-9, "left: angle turned");
+    check_relative(l.in_track[1], -r.in_track[1], 1e-9, "left: place on the other side");
+    check_relative(l.spin_moment, -r.spin_moment, 1e-3, "left: moment turned");
+    check_relative(left.force_wheelset[1], -right.force_wheelset[1], 1e-4, "left: force on the wheelset");
+    const int  mx = r.solution.grid.mx, my = r.solution.grid.my;
+    const auto e = std::size_t(mx / 2 + mx * (my / 3)), f = std::size_t(mx / 2 + mx * (my - 1 - my / 3));
+    check_relative(l.solution.pressure[f], r.solution.pressure[e], 1e-4, "left: rows in a mirror");
+  }
+} // namespace
+
+int
+main()
+{
+  make_profiles();
+  std::filesystem::copy_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/ball.inp",
+                             "ball.inp",
+                             std::filesystem::copy_options::overwrite_existing);
+  const std::vector<ContactCase> cases   = read_inp_file("ball.inp");
+  const std::vector<CaseResult>  results = solve_cases(cases);
+  for (const CaseResult &result : results)
+    if (!check(result.wheel_rail && result.wheel_rail->patches.size() == 1, "a case is solved"))
+      return test::report();
+  compare_printed(results);
+  compare_sides(*results[0].wheel_rail, *results[3].wheel_rail);
+  check_relative(results[4].wheel_rail->pitch_rate, -0.996, 1e-4, "the pitch rate of a force");
+  check_near(results[4].wheel_rail->force_wheelset[0], -37.82, 0.01, "the force given");
+  // at 5 degrees in the axes of the wheel's section it has no angle
+  check_near(results[5].wheel_rail->patches[0].friction, 0.4, 1e-3, "friction by angle");
+
+  const std::string printed = printed_blocks(cases, results);
+  for (const char *part : {"\n WHEEL-RAIL CONTACT, LEFT WHEEL,  1 CONTACT PATCH\n",
+                           " ----- DATA FOR CONTACT PATCH  1 (PREV  1) -----\n",
+                           "     XCP(TR)     YCP(TR)     ZCP(TR)    DELTCP(TR)   YCP(R)      ZCP(R)\n"
+                           "       -0.0697      8.7104      0.3801      0.0872      8.7104      0.3801\n",
+                           "         240.0      -37.65      -23.54       73.24   1.624E-02  -2.679E-02\n",
+                           "     SPINXO      SPINYO\n        0.1303       8.721\n"})
+    check(printed.find(part) != std::string::npos, std::string("printed: ") + part);
+  return test::report();
+}
