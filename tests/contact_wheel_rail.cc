@@ -63,7 +63,7 @@ namespace
         std::size_t column = 2;
         // at least four digits are printed
         const auto printed = [&](const double value, const double least) {
-          if (!row[column].empty())
+          if (column < row.size() && !row[column].empty())
             check_near(value,
                        std::stod(row[column]),
                        7e-4 * std::max(std::abs(std::stod(row[column])), least),
