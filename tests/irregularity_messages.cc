@@ -268,9 +268,9 @@ namespace
         text += std::to_string(10 * k) + " '" + file + "'\n";
       return text;
     };
-    write("a.slcs", slices("flat.txt", "20\n2 0 0\n1\n"));
+    write("a.slcs", slices("flat.txt", "4\n2 0 0\n1\n") + "0 0 9\n10 0 9\n20 0 9\n30 0 9\n");
     says(made("a.slcs"),
-         "NFEAT = 2; a rail in parts (a crossing) is not read, only one surface without features");
+         "slices with features (a rail in parts) are no irregularity; give them as Profiles/Rail");
     write("b.slcs", slices("flat.txt", "3\n0 0 0\n1\n"));
     says(made("b.slcs"), "NSLC = 3; 4 to 10000 slices are accepted");
     write("c.slcs", slices("flat.txt", "4\n0 0 0\n3\n"));

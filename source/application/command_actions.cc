@@ -3,6 +3,7 @@
 #include <wheelrail/application/geometry_command.h>
 #include <wheelrail/application/geometry_picture.h>
 #include <wheelrail/application/material_command.h>
+#include <wheelrail/application/sections_command.h>
 #include <wheelrail/application/study_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/hints.h>
@@ -120,6 +121,8 @@ namespace wheelrail
     const SceneInput input = input_of(options);
     const Scene     &scene = input.scene;
     print_notes(entries_without_effect(input, "geometry"), out);
+    if (options.count("places"))
+      return print_touching_places(scene, options["places"].as<std::string>(), out);
     const bool unlike =
       scene.both_wheels && (scene.left_wheel_profile != "as right" || scene.left_rail_profile != "as right");
     const WheelsetProfiles sides =

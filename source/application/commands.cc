@@ -88,6 +88,9 @@ namespace wheelrail
          options.add_options()("shifts",
                                po::value<std::string>(),
                                "lateral shifts in mm: first:last:step, or values with commas");
+         options.add_options()("places",
+                               po::value<std::string>(),
+                               "contact points along rails by slices instead: \"0:600:10 mm\"");
          options.add_options()("profiles",
                                "draw both profiles in track position and the undeformed distance into "
                                "FILE_profiles.png here");
@@ -115,7 +118,8 @@ namespace wheelrail
          options.add_options()("places",
                                po::value<std::string>(),
                                "the wheel at rest at places along irregular surfaces (subsections "
-                               "Irregularity) instead: \"0:100:5 mm\"");
+                               "Irregularity), or rolling at places along rails by slices, instead: "
+                               "\"0:100:5 mm\"");
          options.add_options()(
            "pitch", po::value<std::string>(), "the same at angles of the wheel: \"-7:0:1 deg\"");
          options.add_options()("contact-input",

@@ -1,6 +1,7 @@
 #include <wheelrail/application/command_actions.h>
 #include <wheelrail/application/halfspace_command.h>
 #include <wheelrail/application/places_command.h>
+#include <wheelrail/application/sections_command.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/left_out.h>
 #include <wheelrail/commands/command_scene.h>
@@ -9,6 +10,7 @@
 #include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/vehicle/creep_curve_command.h>
 #include <wheelrail/vehicle/wheelset_command.h>
 #include <wheelrail/wheel/given_distance.h>
@@ -103,6 +105,14 @@ namespace wheelrail
     const Findings found = contact_checks(input.scene);
     require_none(found.errors, input);
     print_notes(entries_without_effect(input, "halfspace"), out);
+    if (is_slices_file(input.scene.rail_profile))
+      {
+        if (file("places").empty() || input.scene.both_wheels)
+          throw InputError("Profiles/Rail = " + input.scene.rail_profile +
+                           ": of slices along the track halfspace takes one wheel at places: give --places "
+                           "\"0:600:20 mm\"");
+        return run_sections_command(input.scene, file("places"), !options.count("no-pictures"), out);
+      }
     if (input.scene.both_wheels)
       return halfspaces_of_wheelset(options, input, found.warnings, out);
     leave_to_half_spaces(options, input.scene, out);

@@ -71,7 +71,12 @@ namespace wheelrail
       return [value](Scene &to) -> std::string & { return to.*value; };
     };
     add("Profiles/Wheel", scene.wheel_profile, "wheel", member(&Scene::wheel_profile), true);
-    add("Profiles/Rail", scene.rail_profile, "rail", member(&Scene::rail_profile), true);
+    // slices name further files beside them, so that a copy of theirs alone is of no use
+    add("Profiles/Rail",
+        scene.rail_profile,
+        "rail",
+        member(&Scene::rail_profile),
+        !is_slices_file(scene.rail_profile));
     add("Profiles/Wheel left",
         scene.left_wheel_profile,
         "wheel_left",
@@ -87,7 +92,6 @@ namespace wheelrail
         "distance",
         member(&Scene::halfspace_distance),
         false);
-    // slices name further files beside them, so that a copy of theirs alone is of no use
     for (int k = 0; k < most_irregularities; ++k)
       if (const IrregularityData &one = scene.irregularities[k]; one.in_file())
         add(

@@ -3,6 +3,7 @@
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/note_lines.h>
+#include <wheelrail/profiles/slices_file.h>
 
 #include <utility>
 
@@ -74,6 +75,10 @@ namespace wheelrail
     void
     read_rail(const Scene &scene, SceneProfiles &profiles)
     {
+      if (is_slices_file(scene.rail_profile))
+        throw InputError("Profiles/Rail: " + scene.rail_profile +
+                         ": slices along the track are for --places of geometry and halfspace alone; give a "
+                         "rail of one section");
       if (!is_file_name(scene.rail_profile))
         profiles.rail = rail_profile(scene.rail_profile);
       else
@@ -86,6 +91,15 @@ namespace wheelrail
           profiles.notes);
     }
   } // namespace
+
+
+  SceneProfiles
+  read_wheel_profile(const Scene &scene)
+  {
+    SceneProfiles profiles;
+    read_wheel(scene, profiles);
+    return profiles;
+  }
 
 
   SceneProfiles

@@ -165,6 +165,10 @@ namespace wheelrail
     constexpr double   spacing = 0.5e-3, reach = 5e-3, least = 10e-3, steepest = 4;
     const FrameProfile base(
       profile, Placement(), ContactFrame(), steepest); // its s is minus x of the section
+    if (!slices.slices.front().features.empty())
+      throw InputError(path +
+                       ": slices with features (a rail in parts) are no irregularity; give them as "
+                       "Profiles/Rail");
     std::vector<Heights> heights;
     HeightGrid           grid;
     double               low = -base.s_max(), high = -base.s_min(), longest = 0;

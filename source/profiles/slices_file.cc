@@ -129,6 +129,45 @@ namespace wheelrail
       return text.substr(begin + 1, end - begin - 1);
     }
 
+    /// Arc lengths of the features on each slice [m].
+    void
+    read_features(SlicesText                &text,
+                  const std::string         &path,
+                  const std::size_t          n,
+                  const std::vector<double> &scale,
+                  Slices                    &slices)
+    {
+      for (std::size_t k = 0; k < slices.slices.size(); ++k)
+        {
+          Slices::Slice &slice = slices.slices[k];
+          const auto     row   = text.numbers(
+            n + 1, "place and " + std::to_string(n) + " features of slice " + std::to_string(k + 1));
+          const auto fail = [&](const std::string &what) {
+            throw InputError(path + ": features of slice " + std::to_string(k + 1) + ": " + what);
+          };
+          if (std::abs((slices.wheel ? 1 : 1e-3) * scale[1] * (scale[0] + row[0]) - slice.along) > 1e-9)
+            fail("the place " + format_number(row[0]) + " is not that of the slice in the list above");
+          bool   begun = false, ended = false;
+          double last = 0;
+          for (std::size_t f = 1; f <= n; ++f)
+            {
+              const double s = row[f];
+              ended |= begun && s < 0;
+              if (s >= 0 && ended)
+                fail("feature " + std::to_string(f) +
+                     " follows absent ones (-1); only leading and trailing "
+                     "features may be absent");
+              if (s >= 0 && begun && !(s > last))
+                fail("feature " + std::to_string(f) + " does not lie behind the one before");
+              begun |= s >= 0;
+              last = s;
+              slice.features.push_back(s < 0 ? -1 : 1e-3 * s);
+            }
+          if (!begun)
+            fail("all are absent (-1); leave the slice out");
+        }
+    }
+
     void
     read_slices(SlicesText &text, const std::string &path, const ProfileUnit unit, Slices &slices)
     {
@@ -140,9 +179,6 @@ namespace wheelrail
       const std::string folder = std::filesystem::path(path).parent_path().string();
       if (!(count >= 4) || count > 10000)
         throw InputError(path + ": NSLC = " + format_number(count) + "; 4 to 10000 slices are accepted");
-      if (parts[0] > 1)
-        throw InputError(path + ": NFEAT = " + format_number(parts[0]) +
-                         "; a rail in parts (a crossing) is not read, only one surface without features");
       if (kind != 1 && kind != 2)
         throw InputError(path + ": " + (wheel ? "TH_INTPOL" : "U_INTPOL") + " = " + format_number(kind) +
                          "; 1 (interpolation) or 2 (smoothing) are accepted");
@@ -162,8 +198,13 @@ namespace wheelrail
             throw InputError(at + "the places of the slices do not ascend; order them along " +
                              (wheel ? "the angle" : "the track"));
           slices.slices.push_back(
-            {along, points_of_slice((std::filesystem::path(folder) / *name).string(), at, unit)});
+            {along, points_of_slice((std::filesystem::path(folder) / *name).string(), at, unit), {}});
         }
+      for (const int unused : {1, 2}) // numbers of parts with kinks and accelerations
+        if (parts[unused] > 0)
+          text.numbers(static_cast<std::size_t>(parts[unused]), "numbers of parts");
+      if (parts[0] > 1)
+        read_features(text, path, static_cast<std::size_t>(parts[0]), scale, slices);
     }
   } // namespace
 

@@ -38,6 +38,10 @@ namespace wheelrail
   SceneProfiles
   read_profiles(const Scene &scene);
 
+  /// The same of the wheel alone.
+  SceneProfiles
+  read_wheel_profile(const Scene &scene);
+
   /// Puts the profiles in touch at the scene's lateral shift, see touching_profiles(), and the irregularities
   /// of the scene on them. Throws InputError when they do not touch there, or a file cannot be read.
   SceneGeometry

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace wheelrail
+{
+  /// An interpolating cubic spline through four or more points, without an end condition: its third
+  /// derivative does not jump at the second and the last but one point ("not a knot", de Boor 1978).
+  class CubicSpline
+  {
+  public:
+    CubicSpline() = default;
+
+    /// Places ascend; as many values.
+    CubicSpline(std::vector<double> places, std::vector<double> values);
+
+    struct Value
+    {
+      double value = 0, slope = 0;
+    };
+    /// Beyond the ends the outermost cubics go on.
+    Value
+    at(double place) const;
+
+    const std::vector<double> &
+    places() const
+    {
+      return places_;
+    }
+
+  private:
+    std::vector<double> places_, values_, second_;
+  };
+
+  /// Value and slope of such a spline at a place as sums of the values at its places times these weights;
+  /// those of far places, below 1e-10, are left out.
+  struct SplineWeights
+  {
+    std::size_t         first = 0; ///< place of the first weight
+    std::vector<double> value, slope;
+  };
+  SplineWeights
+  spline_weights(const std::vector<double> &places, double place);
+} // namespace wheelrail

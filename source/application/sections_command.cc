@@ -1,0 +1,343 @@
+#include <wheelrail/application/sections_command.h>
+#include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/base/parallel.h>
+#include <wheelrail/base/progress.h>
+#include <wheelrail/base/quantity.h>
+#include <wheelrail/commands/command_scene.h>
+#include <wheelrail/commands/halfspace_results.h>
+#include <wheelrail/commands/report_script.h>
+#include <wheelrail/input/listing.h>
+#include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/output/figure_table.h>
+#include <wheelrail/output/folder.h>
+#include <wheelrail/output/replace_file.h>
+#include <wheelrail/sections/section_contacts.h>
+#include <wheelrail/wheel/halfspace_parts.h>
+#include <wheelrail/wheel/irregular_places.h>
+#include <wheelrail/wheel/wheel_load.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+namespace wheelrail
+{
+  namespace
+  {
+    constexpr double per_degree = M_PI / 180;
+
+    /// A wheel on rails by slices.
+    struct SceneSections
+    {
+      std::vector<SectionsSurface> rails;
+      WheelProfile                 wheel;
+      PosedWheel                   posed;
+      std::vector<double>          places; ///< along the path [m]
+    };
+
+    SectionsSurface
+    read_rail(const Scene &scene, const std::string &entry, const std::string &path, std::ostream &out)
+    {
+      if (!is_slices_file(path))
+        throw InputError("Profiles/" + entry + " = " + path +
+                         ": --places along a rail needs slices, a file that ends in .slcs");
+      try
+        {
+          Slices slices = read_slices_file(path, scene.rail_file.unit);
+          if (slices.wheel)
+            throw InputError(path + ": slices of a wheel; a rail has them in a file that ends in .slcs");
+          for (Slices::Slice &slice : slices.slices)
+            for (Point2 &p : slice.points)
+              p = {(scene.rail_file.mirror == ProfileMirror::yes ? -1 : 1) * p.x,
+                   (scene.rail_file.turn == ProfileMirror::yes ? -1 : 1) * p.y};
+          SectionsSurface rail(
+            slices, Placement{{}, -std::atan(scene.track.inclination)}, scene.rail_file.noise, path);
+          for (const SectionsSurface::Jump &jump : rail.jumps())
+            out << "warning: " << path << ": the arc length jumps from " << in_mm(jump.before) << " to "
+                << in_mm(jump.behind) << " between slices " << jump.slice << " and " << jump.slice + 1
+                << ": no surface lies between them\n";
+          return rail;
+        }
+      catch (const InputError &error)
+        {
+          throw InputError("Profiles/" + entry + ": " + error.what());
+        }
+    }
+
+    SceneSections
+    scene_sections(const Scene &scene, const std::string &option, std::ostream &out)
+    {
+      if (scene.irregular())
+        throw InputError("Profiles/Rail = " + scene.rail_profile +
+                         ": rails by slices have no irregularities: leave the subsections Irregularity out");
+      if (scene.roll == RollMode::from_contact)
+        throw InputError(
+          "Wheelset/Roll = from contact: the rail of the other wheel is not known beside rails by "
+          "slices; give an angle or none");
+      std::vector<SectionsSurface> rails{read_rail(scene, "Rail", scene.rail_profile, out)};
+      SceneProfiles                profiles = read_wheel_profile(scene);
+      print_notes(profiles.notes, out);
+      const PosedWheel posed(profiles.wheel, scene.track, wheelset_pose(scene));
+      SceneSections    sections{
+        std::move(rails), std::move(profiles.wheel), posed, parse_irregular_places(option, false).values};
+      for (const double place : sections.places)
+        {
+          if (std::none_of(
+                sections.rails.begin(), sections.rails.end(), [&](const auto &r) { return r.has(place); }))
+            throw InputError("--places \"" + option + "\": the wheel at " + in_mm(place) +
+                             " along the track does not stand on the slices, which reach from " +
+                             in_mm(sections.rails.front().begin()) + " to " +
+                             in_mm(sections.rails.back().end()));
+          for (const SectionsSurface &rail : sections.rails)
+            rail.refuse_jump(place);
+        }
+      return sections;
+    }
+
+    SectionRolling
+    rolling_of(const Scene &scene)
+    {
+      SectionRolling rolling;
+      rolling.problem = halfspace_problem(scene);
+      rolling.dx = rolling.dy = scene.halfspace_element_size;
+      rolling.turning =
+        scene.velocity / scene.track.nominal_radius * (1 + (scene.drive == Drive::rate ? scene.creepage : 0));
+      return rolling;
+    }
+
+    /// What is solved at a place.
+    struct PlaceResult
+    {
+      SectionContacts contacts;
+      std::string     fault;
+    };
+
+    std::string
+    fault_of(const SectionContacts &contacts)
+    {
+      if (!contacts.found)
+        return "how the patches share the load was not found";
+      for (const TouchingPlace &place : contacts.touching)
+        if (place.at_end && place.height > contacts.height)
+          return "the wheel touches the end or the edge of a rail, where half-spaces know no pressure";
+      for (const SectionPatch &patch : contacts.patches)
+        if (patch.solution.touches_grid_edge)
+          return "a contact reaches the edge of its grid";
+      return "";
+    }
+
+    void
+    print_results(const SceneSections &sections, const std::vector<PlaceResult> &results, std::ostream &out)
+    {
+      out << "Wheel on rails by slices; its drop counts from where the running circle is at the height 0 of "
+             "the "
+             "slices.\nOf each patch: rail, place on its section (positive to the field side), ahead of the "
+             "axle\n\n"
+          << text("%10s %10s %5s %9s %9s %9s %10s %10s %9s %9s\n",
+                  "place",
+                  "drop",
+                  "rail",
+                  "x",
+                  "ahead",
+                  "angle",
+                  "force",
+                  "peak",
+                  "area",
+                  "creepage")
+          << text("%10s %10s %5s %9s %9s %9s %10s %10s %9s %9s\n",
+                  "mm",
+                  "mm",
+                  "",
+                  "mm",
+                  "mm",
+                  "deg",
+                  "N",
+                  "MPa",
+                  "mm2",
+                  "%");
+      for (std::size_t k = 0; k < results.size(); ++k)
+        {
+          const SectionContacts &c     = results[k].contacts;
+          std::string            place = text("%10.3f %10.5f", 1e3 * sections.places[k], -1e3 * c.height);
+          for (const SectionPatch &p : c.patches)
+            {
+              out << place
+                  << text(" %5d %9.3f %9.3f %9.3f %10.1f %10.1f %9.3f %9.4f\n",
+                          static_cast<int>(p.rail) + 1,
+                          -1e3 * p.reference[0],
+                          1e3 * (sections.posed.ahead(p.reference)),
+                          p.angle / per_degree,
+                          p.normal_force(),
+                          1e-6 * p.solution.peak_pressure,
+                          1e6 * p.solution.contact_elements * p.problem.grid.element_area(),
+                          100 * p.solution.xi);
+              place = std::string(21, ' ');
+            }
+          if (!results[k].fault.empty())
+            out << text("%10.3f not trusted: ", 1e3 * sections.places[k]) << results[k].fault << "\n";
+        }
+    }
+
+    FigureTable
+    table_of(const SceneSections &sections, const std::vector<PlaceResult> &results)
+    {
+      FigureTable table;
+      for (const auto &[key, unit] :
+           std::vector<std::pair<std::string, std::string>>{{"place_m", "m"},
+                                                            {"wheel_drop_m", "m"},
+                                                            {"rail", "1"},
+                                                            {"lateral_m", "m"},
+                                                            {"height_m", "m"},
+                                                            {"ahead_m", "m"},
+                                                            {"angle_rad", "rad"},
+                                                            {"normal_force_N", "N"},
+                                                            {"force_along_N", "N"},
+                                                            {"force_lateral_N", "N"},
+                                                            {"force_vertical_N", "N"},
+                                                            {"max_pressure_Pa", "Pa"},
+                                                            {"area_m2", "m2"},
+                                                            {"approach_m", "m"},
+                                                            {"rolling_radius_m", "m"},
+                                                            {"creepage", "1"},
+                                                            {"lateral_creepage", "1"},
+                                                            {"trusted", "1"}})
+        table.add(key, unit, {});
+      for (std::size_t k = 0; k < results.size(); ++k)
+        for (const SectionPatch &p : results[k].contacts.patches)
+          {
+            const Vector3 force = p.force();
+            table.add_row({sections.places[k],
+                           -results[k].contacts.height,
+                           static_cast<double>(p.rail + 1),
+                           -p.reference[0],
+                           p.reference[1],
+                           sections.posed.ahead(p.reference),
+                           p.angle,
+                           p.normal_force(),
+                           force[2],
+                           force[0],
+                           -force[1],
+                           p.solution.peak_pressure,
+                           p.solution.contact_elements * p.problem.grid.element_area(),
+                           p.approach,
+                           p.radius,
+                           p.solution.xi,
+                           p.solution.eta,
+                           results[k].fault.empty() ? 1. : 0.});
+          }
+      return table;
+    }
+
+    /// The sections of all rails over the path, for pictures.
+    FigureTable
+    table_of_sections(const SceneSections &sections)
+    {
+      constexpr int wanted = 40;
+      FigureTable   table;
+      for (const char *key : {"rail", "place_m", "lateral_m", "height_m"})
+        table.add(key, std::string(key) == "rail" ? "1" : "m", {});
+      const auto [low, high] = std::minmax_element(sections.places.begin(), sections.places.end());
+      const double margin    = 20e-3;
+      for (std::size_t r = 0; r < sections.rails.size(); ++r)
+        for (int i = 0; i <= wanted; ++i)
+          {
+            const double        place  = *low - margin + (*high - *low + 2 * margin) * i / wanted;
+            const SectionColumn column = sections.rails[r].column(place);
+            for (const Point2 &p : column.points())
+              table.add_row({static_cast<double>(r + 1), place, -p.x, p.y});
+          }
+      return table;
+    }
+  } // namespace
+
+
+  int
+  print_touching_places(const Scene &scene, const std::string &places, std::ostream &out)
+  {
+    const SceneSections sections = scene_sections(scene, places, out);
+    out << "Rigid wheel on rails by slices: its drop at the first touch, counted from where the running "
+           "circle is at "
+           "the height 0\nof the slices, and all places that 1 mm more would close; x positive to the field "
+           "side, "
+           "slope along the track\n\n"
+        << text("%10s %11s %5s %9s %9s %9s %9s %9s %9s %10s\n",
+                "place",
+                "drop",
+                "rail",
+                "rail x",
+                "wheel x",
+                "ahead",
+                "gap",
+                "angle",
+                "slope",
+                "radius")
+        << text("%10s %11s %5s %9s %9s %9s %9s %9s %9s %10s\n",
+                "mm",
+                "mm",
+                "",
+                "mm",
+                "mm",
+                "mm",
+                "mm",
+                "deg",
+                "mrad",
+                "mm");
+    for (const double place : sections.places)
+      {
+        std::string begin;
+        for (const TouchingPlace &p : touching_places(sections.rails, sections.posed, place))
+          {
+            begin =
+              begin.empty() ? text("%10.3f %11.5f", 1e3 * place, -1e3 * p.height) : std::string(22, ' ');
+            out << begin
+                << text(" %5d %9.3f %9.3f %9.3f %9.5f %9.3f %9.2f %10.4f%s\n",
+                        static_cast<int>(p.rail) + 1,
+                        -1e3 * p.place[0],
+                        1e3 * p.wheel.x,
+                        1e3 * p.ahead,
+                        1e3 * p.gap,
+                        p.angle / per_degree,
+                        1e3 * p.slope,
+                        1e3 * p.wheel.radius,
+                        p.at_end ? "  at an edge" : "");
+          }
+      }
+    return 0;
+  }
+
+
+  int
+  run_sections_command(const Scene &scene, const std::string &places, const bool draws, std::ostream &out)
+  {
+    const SceneSections          sections = scene_sections(scene, places, out);
+    const ResultFolder           held(scene.folder, "-halfspace");
+    const std::filesystem::path &folder = held.path();
+    const double                 load   = static_wheel_load(scene, sections.wheel);
+    print_head(scene, load, out);
+    if (scene.drive == Drive::torque && scene.traction_coefficient != 0)
+      out << "note: a wheel on rails by slices turns at velocity over nominal radius; Wheelset/Traction "
+             "coefficient "
+             "has no effect\n";
+    TaskCount                count("places", sections.places.size(), 0, out);
+    const SectionRolling     rolling = rolling_of(scene);
+    std::vector<PlaceResult> results(sections.places.size());
+    parallel_for(results.size(), [&](const std::size_t k) {
+      results[k].contacts =
+        contacts_under_load(sections.rails, sections.posed, rolling, sections.places[k], load);
+      results[k].fault = fault_of(results[k].contacts);
+      count.one_more();
+    });
+    print_results(sections, results, out);
+    replace_file((folder / "parameters.prm").string(), print_parameters(scene));
+    table_of(sections, results).write_csv((folder / "places.csv").string());
+    table_of_sections(sections).write_csv((folder / "sections.csv").string());
+    out << "Table in " << (folder / "places.csv").string() << std::endl;
+    if (draws)
+      draw_results("section_places.py", folder.string());
+    return std::all_of(results.begin(), results.end(), [](const PlaceResult &r) { return r.fault.empty(); })
+             ? 0
+             : 2;
+  }
+} // namespace wheelrail

@@ -1,0 +1,83 @@
+#include <wheelrail/sections/cubic_spline.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace wheelrail
+{
+  CubicSpline::CubicSpline(std::vector<double> places, std::vector<double> values)
+    : places_(std::move(places))
+    , values_(std::move(values))
+    , second_(places_.size(), 0.)
+  {
+    const std::size_t   n = places_.size(), last = n - 1;
+    std::vector<double> diagonal(n), upper(n);
+    const auto          h = [&](const std::size_t k) { return places_[k + 1] - places_[k]; };
+    const auto          d = [&](const std::size_t k) { return (values_[k + 1] - values_[k]) / h(k); };
+    for (std::size_t k = 1; k < last; ++k)
+      {
+        double lower = h(k - 1);
+        diagonal[k]  = 2 * (h(k - 1) + h(k));
+        upper[k]     = h(k);
+        second_[k]   = 6 * (d(k) - d(k - 1));
+        if (k == 1) // the first second derivative follows from the next two
+          {
+            diagonal[k] += h(0) * (h(0) + h(1)) / h(1);
+            upper[k] -= h(0) * h(0) / h(1);
+            lower = 0;
+          }
+        if (k + 1 == last)
+          {
+            diagonal[k] += h(k) * (h(k) + h(k - 1)) / h(k - 1);
+            lower -= h(k) * h(k) / h(k - 1);
+          }
+        if (k > 1)
+          {
+            const double f = lower / diagonal[k - 1];
+            diagonal[k] -= f * upper[k - 1];
+            second_[k] -= f * second_[k - 1];
+          }
+      }
+    second_[last] = 0;
+    for (std::size_t k = last - 1; k >= 1; --k)
+      second_[k] = (second_[k] - (k + 1 < last ? upper[k] * second_[k + 1] : 0)) / diagonal[k];
+    second_[0]     = ((h(0) + h(1)) * second_[1] - h(0) * second_[2]) / h(1);
+    const double a = h(last - 1), b = h(last - 2);
+    second_[last] = ((a + b) * second_[last - 1] - a * second_[last - 2]) / b;
+  }
+
+
+  CubicSpline::Value
+  CubicSpline::at(const double place) const
+  {
+    const auto        above = std::upper_bound(places_.begin() + 1, places_.end() - 1, place);
+    const std::size_t k     = above - places_.begin() - 1;
+    const double      h = places_[k + 1] - places_[k], b = (place - places_[k]) / h, a = 1 - b;
+    return {a * values_[k] + b * values_[k + 1] +
+              h * h / 6 * (a * (a * a - 1) * second_[k] + b * (b * b - 1) * second_[k + 1]),
+            (values_[k + 1] - values_[k]) / h +
+              h / 6 * ((1 - 3 * a * a) * second_[k] + (3 * b * b - 1) * second_[k + 1])};
+  }
+
+
+  SplineWeights
+  spline_weights(const std::vector<double> &places, const double place)
+  {
+    constexpr std::size_t reach = 18; // what a place adds falls by 0.27 from one to the next
+    const std::size_t     n     = places.size();
+    const std::size_t     k     = std::upper_bound(places.begin(), places.end(), place) - places.begin();
+    SplineWeights         weights;
+    weights.first           = k > reach ? k - reach : 0;
+    const std::size_t   end = std::min(n, k + reach);
+    std::vector<double> unit(n, 0.);
+    for (std::size_t i = weights.first; i < end; ++i)
+      {
+        unit[i]          = 1;
+        const auto value = CubicSpline(places, unit).at(place);
+        unit[i]          = 0;
+        weights.value.push_back(value.value);
+        weights.slope.push_back(value.slope);
+      }
+    return weights;
+  }
+} // namespace wheelrail

@@ -1,0 +1,185 @@
+// label: fast
+
+// What the program answers to faulty slices of a rail along the track, word by word.
+
+#include "messages.h"
+
+#include <wheelrail/application/command_line.h>
+#include <wheelrail/sections/touching_places.h>
+
+#include <fstream>
+#include <functional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using test::check;
+using test::check_text;
+using test::message_of;
+
+namespace
+{
+  /// A head of 40 mm with sides of 20 mm, `aside` to the field side and wider there by `wide` [mm].
+  void
+  write_section(const std::string &name, const double aside, const double wide = 0, const double mirror = 1)
+  {
+    std::ofstream out(name);
+    for (int k = 0; k <= 20; ++k)
+      out << mirror * (aside - 20 - 0.01 * (20 - k)) << ' ' << 20 - k << '\n';
+    for (int k = 1; k <= 40; ++k)
+      out << mirror * (aside - 20 + (40 + wide) * k / 40) << " 0\n";
+    for (int k = 1; k <= 20; ++k)
+      out << mirror * (aside + 20 + wide + 0.01 * k) << ' ' << k << '\n';
+  }
+
+  std::string
+  slices(const std::vector<std::string> &sections,
+         const std::string              &counts,
+         const std::string              &features = "")
+  {
+    std::string text = "0 1 U_OFFSET U_SCALE\n" + std::to_string(sections.size()) + " NSLC\n" + counts +
+                       " NFEAT NKINK NACCEL\n1 U_INTPOL\n";
+    for (std::size_t k = 0; k < sections.size(); ++k)
+      text += std::to_string(20 * k) + " '" + sections[k] + "'\n";
+    return text + features;
+  }
+
+  void
+  write(const std::string &name, const std::string &text)
+  {
+    std::ofstream(name) << text;
+  }
+
+  /// What the command geometry answers.
+  std::string
+  geometry(const std::vector<std::string> &sets, const std::string &places, std::string *printed = nullptr)
+  {
+    std::vector<std::string> words{"geometry"};
+    if (!places.empty())
+      words.insert(words.end(), {"--places", places});
+    for (const std::string &set : sets)
+      words.insert(words.end(), {"--set", set});
+    const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
+    std::ostringstream out;
+    const std::string  message = message_of([&]() { execute(words, run, out); });
+    if (printed != nullptr)
+      *printed = out.str();
+    return message;
+  }
+
+  void
+  answers(const std::string &text, const std::string &expected)
+  {
+    write("faulty.slcs", text);
+    check_text(geometry({"Profiles/Rail = faulty.slcs"}, "10 mm"),
+               "Profiles/Rail: faulty.slcs" + std::string(expected[0] == ':' ? "" : ": ") + expected,
+               expected);
+  }
+
+  void
+  test_features(const std::vector<std::string> &even)
+  {
+    const std::string three = "3 0 0", good = "0 0 40 999\n20 0 40 999\n40 0 40 999\n";
+    answers(slices(even, three, good + "61 0 40 999\n80 0 40 999\n"),
+            ": features of slice 4: the place 61 is not that of the slice in the list above");
+    answers(
+      slices(even, three, good + "60 0 -1 999\n80 0 40 999\n"),
+      ": features of slice 4: feature 3 follows absent ones (-1); only leading and trailing features may be "
+      "absent");
+    answers(slices(even, three, good + "60 0 40 40\n80 0 40 999\n"),
+            ": features of slice 4: feature 3 does not lie behind the one before");
+    answers(slices(even, three, good + "60 -1 -1 -1\n80 0 40 999\n"),
+            ": features of slice 4: all are absent (-1); leave the slice out");
+    answers(slices(even, three, good + "60 0 90 999\n80 0 40 999\n"),
+            "slice 4: feature 2 at 90 mm lies behind the end of the slice, 80.002 mm long; only the last "
+            "feature may");
+    answers(slices(even, three, good + "60 0 40 -1\n80 0 40 -1\n"),
+            "a part that begins at slice 1 ends after 3; it needs at least 4 slices in a row");
+    answers(slices(even, three, good), "ends before place and 3 features of slice 4");
+  }
+
+  void
+  test_commands()
+  {
+    const std::string rail = "Profiles/Rail = good.slcs";
+    check_text(
+      geometry({rail}, ""),
+      "Profiles/Rail: good.slcs: slices along the track are for --places of geometry and halfspace alone; "
+      "give a rail of one section",
+      "slices without --places");
+    check_text(geometry({}, "10 mm"),
+               "Profiles/Rail = 54E1: --places along a rail needs slices, a file that ends in .slcs",
+               "a plain rail with --places");
+    check_text(geometry({"Profiles/Rail = wheel.slcw"}, "10 mm"),
+               "Profiles/Rail: wheel.slcw: slices of a wheel; a rail has them in a file that ends in .slcs",
+               "slices of a wheel");
+    check_text(
+      geometry({rail, "Irregularity 1/Kind = dent"}, "10 mm"),
+      "Profiles/Rail = good.slcs: rails by slices have no irregularities: leave the subsections Irregularity "
+      "out",
+      "irregularities");
+    check_text(geometry({rail, "Wheelset/Roll = from contact"}, "10 mm"),
+               "Wheelset/Roll = from contact: the rail of the other wheel is not known beside rails by "
+               "slices; give an "
+               "angle or none",
+               "roll from contact");
+    check_text(
+      geometry({rail}, "90 mm"),
+      "--places \"90 mm\": the wheel at 90 mm along the track does not stand on the slices, which reach from "
+      "0 mm to 80 mm",
+      "a place beyond the slices");
+    check_text(geometry({"Profiles/Rail = aside.slcs"}, "40 mm"),
+               "wheel and rails by slices do not lie over each other: at this place and lateral shift no "
+               "part of a rail "
+               "is below the running surface of the wheel",
+               "a rail beside the wheel");
+    const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
+    std::ostringstream out;
+    check_text(message_of([&]() {
+                 execute({"halfspace", "slices.prm"}, run, out);
+               }),
+               "slices.prm:2: Profiles/Rail = good.slcs: of slices along the track halfspace takes one wheel "
+               "at places: "
+               "give --places "
+               "\"0:600:20 mm\"",
+               "halfspace without --places");
+    std::string printed;
+    check_text(geometry({"Profiles/Rail = jump.slcs"}, "90 mm", &printed), "no message", "away from a jump");
+    const std::string warning =
+      "warning: jump.slcs: the arc length jumps from 80.002 mm to 120.002 mm between slices 2 "
+      "and 3: no surface lies between them\n";
+    check(printed.find(warning) != std::string::npos, warning);
+    check_text(
+      geometry({"Profiles/Rail = jump.slcs"}, "30 mm"),
+      "jump.slcs: the place 30 mm lies between slices 2 and 3, where the arc length jumps from 80.002 mm to "
+      "120.002 mm; features have to tell which part begins there",
+      "at a jump");
+  }
+} // namespace
+
+
+int
+main()
+{
+  write_section("even.txt", 5);
+  write_section("mirrored.txt", 5, 0, -1);
+  write_section("wide.txt", 5, 40);
+  write_section("aside.txt", 300);
+  const std::vector<std::string> even(5, "even.txt");
+  write("good.slcs", slices(even, "0 0 0"));
+  write("wheel.slcw", slices(even, "0 0 0"));
+  write("aside.slcs", slices(std::vector<std::string>(5, "aside.txt"), "0 0 0"));
+  write("jump.slcs",
+        slices({"even.txt", "even.txt", "wide.txt", "wide.txt", "wide.txt", "wide.txt"}, "0 0 0"));
+  write("slices.prm", "subsection Profiles\n  set Rail = good.slcs\nend\n");
+  answers(slices({"even.txt", "even.txt", "mirrored.txt", "even.txt"}, "0 0 0"),
+          "slice 3 lies mirrored to the slice before; y of all slices points to the field side");
+  std::string approximating = slices(even, "0 0 0");
+  approximating.replace(approximating.find("1 U_INTPOL"), 1, "2");
+  answers(approximating, "U_INTPOL = 2; of a rail only 1 (interpolation along the track) is read");
+  test_features(even);
+  test_commands();
+  return test::report();
+}
