@@ -27,11 +27,12 @@ def numbers(line):
 
 
 def names(line):
-    return re.findall(r"(?:FX|FY|FS)/(?:FSTAT/)?FN|FN/G|(?:CREEP|SHIFT) [XY]|FRIC\.\w+|ELAST\.EN\.|[\w/()]+", line)
+    return re.findall(r"(?:FX|FY|FS)/(?:FSTAT/)?FN|FN/G|(?:CREEP|SHIFT) [XY]|FRIC\.\w+|ELAST\.EN\.|[\w/()]+",
+                      line)
 
 
 HEADS = {"FN": ("FN ", "BAR_FN"), "FN/G": ("FN/G", "TILDE_FN"), "FX(TR)": ("FX(TR)",), "XCP(TR)": ("XCP(TR)",),
-         "CHI": ("CHI ", "DT "), "NPOT": ("NPOT",), "S_WS": ("S_WS", "X_WS"), "VX_WS": ("VX_WS", "RPITCH", "VPITCH_R")}
+         "CHI": ("CHI ", "DT "), "NPOT": ("NPOT",), "SPINXO": ("SPINXO",), "S_WS": ("S_WS", "X_WS"), "VX_WS": ("VX_WS", "RPITCH", "VPITCH_R")}
 
 
 def cases_of(path):
@@ -55,8 +56,7 @@ def cases_of(path):
         text = line.strip() + " "
         for head, starts in HEADS.items():
             if text.startswith(starts) and not re.search(r"\d\.\d|PRESCRIBED|=", text):
-                pairs = dict(zip(names(line.replace("BAR_FN", "FN").replace("BAR_FX", "FX").replace("BAR_FS", "FS")),
-                                 numbers(lines[k + 1])))
+                pairs = dict(zip(names(line.replace("BAR_", "")), numbers(lines[k + 1])))
                 if head in ("FX(TR)", "S_WS", "VX_WS"):
                     case["head"].update(pairs)
                     continue
@@ -143,8 +143,8 @@ def run(program, path):
     """What the program prints for a file, and its processor seconds."""
     with tempfile.TemporaryDirectory() as folder:
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        call = subprocess.run([os.path.abspath(program), "contact", os.path.abspath(path), "--printed"], cwd=folder,
-                              capture_output=True, text=True, check=False)
+        call = subprocess.run([os.path.abspath(program), "contact", os.path.abspath(path), "--printed"],
+                              cwd=folder, capture_output=True, text=True, check=False)
         seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
         stem = os.path.splitext(os.path.basename(path))[0]
         printed = os.path.join(folder, "output", stem + "-contact", stem + ".out")
@@ -161,7 +161,8 @@ def main():
     parser.add_argument("--csv", help="write the table there, too")
     options = parser.parse_args()
     rows = []
-    print(f"{'file':34} {'needs':24} {'cases':>6} {'taken':>6} {'refused':>8} {'beyond':>7} {'worst':>7} {'of':12} {'case':>5} {'s':>7}")
+    print(f"{'file':34} {'needs':24} {'cases':>6} {'taken':>6} {'refused':>8} {'beyond':>7} {'worst':>7} {'of':12} "
+          f"{'case':>5} {'s':>7}")
     for folder, _, files in sorted(os.walk(options.folder)):
         for name in sorted(files):
             reference = os.path.join(folder, os.path.splitext(name)[0] + ".ref_out")
@@ -172,7 +173,8 @@ def main():
             taken, beyond, worst = 0, 0, (0.0, "", 0)
             if len(theirs) != len(ours): # results of some cases only
                 named = {case["name"]: case for case in theirs}
-                theirs = [named.get(case["name"], {"patches": [], "head": {}, "digits": {}}) for case in ours] or theirs
+                none = {"patches": [], "head": {}, "digits": {}}
+                theirs = [named.get(case["name"], none) for case in ours] or theirs
             for k, (a, b) in enumerate(zip(ours, theirs)):
                 if not a["patches"] and not a["head"]:
                     continue
@@ -183,7 +185,7 @@ def main():
                 far = {key: value for key, value in found.items() if value > 1}
                 beyond += bool(far)
                 if far and options.cases:
-                    print(f"    case {k + 1}: " + ", ".join(f"{key} {value:.2f}" for key, value in sorted(far.items(), key=lambda x: -x[1])))
+                    print(f"    case {k + 1}: " + ", ".join(f"{key} {far[key]:.2f}" for key in sorted(far, key=far.get)))
                 for key, value in found.items():
                     if value > worst[0]:
                         worst = (value, key, k + 1)
@@ -192,12 +194,15 @@ def main():
             row = [os.path.relpath(os.path.join(folder, name), options.folder), features(theirs), len(theirs), taken,
                    len(theirs) - taken, beyond, round(worst[0], 3), worst[1], worst[2], round(seconds, 2)]
             rows.append(row)
-            print(f"{row[0][-34:]:34} {row[1][:24]:24} {row[2]:6} {row[3]:6} {row[4]:8} {row[5]:7} {row[6]:7} {row[7]:12} {row[8]:5} {row[9]:7}", flush=True)
-    print(f"{'all':59} {sum(r[2] for r in rows):6} {sum(r[3] for r in rows):6} {sum(r[4] for r in rows):8} {sum(r[5] for r in rows):7}")
+            print(f"{row[0][-34:]:34} {row[1][:24]:24} {row[2]:6} {row[3]:6} {row[4]:8} {row[5]:7} {row[6]:7} {row[7]:12} "
+                  f"{row[8]:5} {row[9]:7}", flush=True)
+    sums = [sum(row[k] for row in rows) for k in range(2, 6)]
+    print(f"{'all':59} {sums[0]:6} {sums[1]:6} {sums[2]:8} {sums[3]:7}")
     if options.csv:
         with open(options.csv, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
-            writer.writerow(["file", "needs", "cases", "taken", "refused", "beyond", "worst_over_limit", "of", "case", "seconds"])
+            writer.writerow(["file", "needs", "cases", "taken", "refused", "beyond", "worst_over_limit", "of", "case",
+                             "seconds"])
             writer.writerows(rows)
     return 0
 

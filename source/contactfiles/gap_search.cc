@@ -135,7 +135,7 @@ namespace wheelrail
       both.x_high     = std::max(outer.x_high, inner.x_high);
       both.y_low      = inner.y_low;
       both.z_low      = inner.z_low;
-      both.weakened   = outer.weakened || inner.weakened;
+      both.divisions.insert(both.divisions.begin(), inner.divisions.begin(), inner.divisions.end());
       return both;
     }
 
@@ -269,8 +269,13 @@ namespace wheelrail
             ++k;
             continue;
           }
-        patches[k] = joined(patches[k], patches[k + 1]);
-        patches[k].weakened |= apart > 1e-3 * elements.d_comb;
+        PatchPlace both = joined(patches[k], patches[k + 1]);
+        if (apart > 1e-3 * elements.d_comb)
+          both.divisions.insert(
+            both.divisions.begin() + std::ptrdiff_t(patches[k + 1].divisions.size()),
+            {0.5 * (patches[k].y_low + patches[k + 1].y_high),
+             std::pow((elements.d_sep - 1e3 * apart) / (elements.d_sep - elements.d_comb), 0.8)});
+        patches[k] = both;
         patches.erase(patches.begin() + std::ptrdiff_t(k) + 1);
       }
     turn_planes(patches, elements);

@@ -112,6 +112,20 @@ namespace wheelrail
       grid.my = int(std::lround((last_y - grid.y0) / grid.dy)) + 1;
     }
 
+    /// Elements of the problem beyond its patch, which the state before reached, do not touch.
+    void
+    keep_within(const HalfspaceGrid &patch, HalfspaceProblem &problem)
+    {
+      const HalfspaceGrid &grid = problem.grid;
+      for (int j = 0; j < grid.my; ++j)
+        for (int i = 0; i < grid.mx; ++i)
+          {
+            const double x = (grid.x(i) - patch.x0) / grid.dx, y = (grid.y(j) - patch.y0) / grid.dy;
+            if (x < -0.5 || y < -0.5 || x > patch.mx - 0.5 || y > patch.my - 0.5)
+              problem.undeformed_distance[std::size_t(i + grid.mx * j)] = 1;
+          }
+    }
+
     /// Heights and pitch rates of one case, and what they give.
     class CaseSolver
     {
@@ -176,13 +190,9 @@ namespace wheelrail
         kernels_.resize(std::max(kernels_.size(), places.size()));
         for (std::size_t k = 0; k < places.size(); ++k)
           {
-            result.patches.push_back(patch(places[k], rolls && one_.digits.motion != 0, k));
+            result.patches.push_back(patch(places, rolls && one_.digits.motion != 0, k));
             add(result.force_track, 1, result.patches.back().force_track);
             add(result.force_wheelset, 1, result.patches.back().force_wheelset);
-            if (places[k].weakened)
-              result.refused =
-                "overlaps between D_COMB and D_SEP apart (joined in part) are not computed; "
-                "taken are D_COMB = D_SEP, and overlaps farther apart or nearer";
             if (result.patches.back().backwards)
               result.refused =
                 "a wheel that rolls backwards is not computed; taken are those that roll forward";
@@ -192,17 +202,20 @@ namespace wheelrail
       }
 
       WheelRailPatch
-      patch(const PatchPlace &place, const bool rolls, const std::size_t number)
+      patch(const std::vector<PatchPlace> &places, const bool rolls, const std::size_t number)
       {
-        WheelRailPatch patch;
+        const PatchPlace &place = places[number];
+        WheelRailPatch    patch;
         set_place(place, patch);
         HalfspaceProblem problem;
         set_bodies(one_, problem);
         problem.grid = patch_grid(one_, place, patch.origin_x, patch.origin_y);
         const HalfspaceSolution earlier =
-          rolls && transient_ ? earlier_state(patch, problem.grid) : HalfspaceSolution();
+          rolls && transient_ ? earlier_state(places, number, patch, problem.grid) : HalfspaceSolution();
+        const HalfspaceGrid own = patch_grid(one_, place, patch.origin_x, patch.origin_y);
         problem.undeformed_distance =
           patch_distance(pose_, rail_, wheel_, place, problem.grid, patch.origin_x, patch.origin_y);
+        keep_within(own, problem);
         const double nearest =
           *std::min_element(problem.undeformed_distance.begin(), problem.undeformed_distance.end());
         for (double &h : problem.undeformed_distance)
@@ -227,7 +240,11 @@ namespace wheelrail
                 guess = &moved;
               }
           }
-        patch.solution = solve_rolling(problem, kernels_[number], guess);
+        std::vector<RowDivision> divisions = place.divisions;
+        for (RowDivision &d : divisions)
+          d.place = (d.place - place.reference[1]) / std::cos(place.angle) + patch.origin_y;
+        patch.solution = divisions.empty() ? solve_rolling(problem, kernels_[number], guess)
+                                           : solve_weakened(problem, divisions, kernels_[number], guess);
         if (problem.max_coupling_rounds == 1 && patch.solution.normal_converged &&
             (!rolls || patch.solution.tangential_converged))
           {
@@ -286,16 +303,27 @@ namespace wheelrail
         patch.step = shift_ ? 1 : problem.step > 0 ? problem.step : problem.grid.dx;
       }
 
-      /// The state that patches of the case before leave under this one; its grid is enlarged over it.
+      /// The state that patches of the case before leave under this one; its grid is enlarged over it. Where
+      /// an earlier patch has split, the last of its parts sees what lies on its own grid alone, as in
+      /// CONTACT.
       HalfspaceSolution
-      earlier_state(WheelRailPatch &patch, HalfspaceGrid &grid) const
+      earlier_state(const std::vector<PatchPlace> &places,
+                    const std::size_t              number,
+                    WheelRailPatch                &patch,
+                    HalfspaceGrid                 &grid) const
       {
         std::vector<HalfspaceSolution> states;
         for (std::size_t k = 0; k < before_.patches.size(); ++k)
           {
-            const WheelRailPatch &old = before_.patches[k];
-            if (!(patch.y_low <= old.y_high && patch.y_high >= old.y_low))
+            const WheelRailPatch &old     = before_.patches[k];
+            const auto            goes_on = [&](const PatchPlace &place) {
+              return place.y_low <= old.y_high && place.y_high >= old.y_low;
+            };
+            if (!goes_on(places[number]))
               continue;
+            const auto here = places.begin() + std::ptrdiff_t(number);
+            const bool last_of_it =
+              std::any_of(places.begin(), here, goes_on) && std::none_of(here + 1, places.end(), goes_on);
             patch.earlier.push_back(int(k) + 1);
             HalfspaceSolution state = old.solution;
             if (old.origin_x == 0 && old.origin_y == 0) // of steady rolling: to the fixed grid
@@ -304,7 +332,8 @@ namespace wheelrail
                 state.grid.x0 += std::round(x / grid.dx) * grid.dx;
                 state.grid.y0 += std::round(old.arc / grid.dy) * grid.dy;
               }
-            cover(grid, contact_of(state));
+            if (!last_of_it)
+              cover(grid, contact_of(state));
             states.push_back(std::move(state));
           }
         HalfspaceSolution sum;

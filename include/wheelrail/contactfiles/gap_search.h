@@ -2,6 +2,7 @@
 
 #include <wheelrail/contactfiles/contact_case.h>
 #include <wheelrail/contactfiles/section_line.h>
+#include <wheelrail/contactfiles/weakened_rows.h>
 #include <wheelrail/contactfiles/wheel_rail_pose.h>
 
 #include <vector>
@@ -28,15 +29,15 @@ namespace wheelrail
   /// A contact patch as the overlap of the undeformed surfaces places it, in the axes of the track.
   struct PatchPlace
   {
-    Vector3 reference{};           ///< on the rail: mean of the overlap, its square as weight
-    double  angle = 0;             ///< of the plane of contact against y
-    double  line  = 0;             ///< parameter of the reference on the rail's section
-    double  x_low = 0, x_high = 0; ///< of the overlap, in the track
-    double  s_low = 0, s_high = 0; ///< its ends on the rail's section, as lengths from the reference
-    double  y_low = 0, y_high = 0; ///< in the track
-    double  z_low = 0, z_high = 0; ///< of the rail there
-    double  weight   = 0;          ///< of the overlap
-    bool    weakened = false;      ///< of overlaps that D_COMB and D_SEP join, but not in full
+    Vector3 reference{};                ///< on the rail: mean of the overlap, its square as weight
+    double  angle = 0;                  ///< of the plane of contact against y
+    double  line  = 0;                  ///< parameter of the reference on the rail's section
+    double  x_low = 0, x_high = 0;      ///< of the overlap, in the track
+    double  s_low = 0, s_high = 0;      ///< its ends on the rail's section, as lengths from the reference
+    double  y_low = 0, y_high = 0;      ///< in the track
+    double  z_low = 0, z_high = 0;      ///< of the rail there
+    double  weight = 0;                 ///< of the overlap
+    std::vector<RowDivision> divisions; ///< between overlaps that are joined in part, at y of the track
   };
 
   /// The patches of a wheelset at a height, from the field side to the track centre: overlaps are joined,
