@@ -32,7 +32,8 @@ def names(line):
 
 
 HEADS = {"FN": ("FN ", "BAR_FN"), "FN/G": ("FN/G", "TILDE_FN"), "FX(TR)": ("FX(TR)",), "XCP(TR)": ("XCP(TR)",),
-         "CHI": ("CHI ", "DT "), "NPOT": ("NPOT",), "SPINXO": ("SPINXO",), "S_WS": ("S_WS", "X_WS"), "VX_WS": ("VX_WS", "RPITCH", "VPITCH_R")}
+         "CHI": ("CHI ", "DT "), "NPOT": ("NPOT",), "SPINXO": ("SPINXO",), "S_WS": ("S_WS", "X_WS"),
+         "VX_WS": ("VX_WS", "RPITCH", "VPITCH_R")}
 
 
 def cases_of(path):
@@ -185,7 +186,7 @@ def main():
                 far = {key: value for key, value in found.items() if value > 1}
                 beyond += bool(far)
                 if far and options.cases:
-                    print(f"    case {k + 1}: " + ", ".join(f"{key} {far[key]:.2f}" for key in sorted(far, key=far.get)))
+                    print(f"    case {k + 1}: " + ", ".join(f"{key} {value:.2f}" for key, value in far.items()))
                 for key, value in found.items():
                     if value > worst[0]:
                         worst = (value, key, k + 1)
@@ -194,8 +195,8 @@ def main():
             row = [os.path.relpath(os.path.join(folder, name), options.folder), features(theirs), len(theirs), taken,
                    len(theirs) - taken, beyond, round(worst[0], 3), worst[1], worst[2], round(seconds, 2)]
             rows.append(row)
-            print(f"{row[0][-34:]:34} {row[1][:24]:24} {row[2]:6} {row[3]:6} {row[4]:8} {row[5]:7} {row[6]:7} {row[7]:12} "
-                  f"{row[8]:5} {row[9]:7}", flush=True)
+            print(f"{row[0][-34:]:34} {row[1][:24]:24} {row[2]:6} {row[3]:6} {row[4]:8} {row[5]:7} {row[6]:7} "
+                  f"{row[7]:12} {row[8]:5} {row[9]:7}", flush=True)
     sums = [sum(row[k] for row in rows) for k in range(2, 6)]
     print(f"{'all':59} {sums[0]:6} {sums[1]:6} {sums[2]:8} {sums[3]:7}")
     if options.csv:
