@@ -7,7 +7,7 @@ Input N of a family is drawn from seed N. Families:
   halfspaces  profiles, cones, shift, yaw, load, elastic constants, friction and traction, solved by `halfspace` with
               half-spaces and with true bodies, and every third by `wear`: half-spaces that either trusts lie within
               5.2 % of the peak of the true bodies
-  noise       the same with measured noise in a worn profile: a verdict trusted lies within 5 % of the true bodies with
+  noise       the same with noise in the points of profiles: a verdict trusted lies within 5 % of the true bodies with
               the profile before the noise
   heights     a dent as a table of heights in another form (separators, decimal commas, units, order of rows and
               columns, unequal spacing): the same pressure and drop as by the entries Kind = dent within 1 %
@@ -113,7 +113,7 @@ def noise(program, seed):
     while True:
         chosen = {"Wheelset/Traction coefficient": "0", **contact_entries(draw), "Output/Folder": scene[:-4]}
         sides = draw.choice([("Wheel",), ("Rail",), ("Wheel", "Rail")])
-        for side, name in (("Wheel", "worn_S1002.prw"), ("Rail", "worn_54E1.ban")):
+        for side, name in (("Wheel", "manchester_S1002.txt"), ("Rail", "manchester_UIC60.txt")):
             if side in sides:
                 chosen[f"Profiles/{side}"] = noisy(name, draw.choice(NOISES))
         bodies = draw.choice(["half-spaces", "real"])

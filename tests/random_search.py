@@ -54,13 +54,13 @@ def log_uniform(draw, low, high):
 
 
 def noisy(name, sigma):
-    """A worn profile with normal noise of `sigma` [mm] in its heights, written into the present folder."""
+    """A profile of a file with normal noise of `sigma` [mm] in its heights, written into the present folder."""
     path = os.path.abspath(f"noise_{1000 * sigma:g}_um_{name}")
     if not os.path.exists(path):
         draw = random.Random(path[-30:])
         with open(os.path.join(TESTS, "profiles", name)) as whole, open(path, "w") as file:
-            file.write("\n".join(re.sub(r"^\s*([-\d.]+)\s+([-\d.]+)\s*$",
-                                        lambda m: f"{m[1]} {float(m[2]) + draw.gauss(0, sigma):.4f}", line)
+            file.write("\n".join(re.sub(r"^(\s*-?\d+\.\d+\s+)(-?\d+\.\d+)",
+                                        lambda m: f"{m[1]}{float(m[2]) + draw.gauss(0, sigma):.4f}", line)
                                  for line in whole.read().splitlines()) + "\n")
     return path
 
