@@ -1,8 +1,11 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/line_ends.h>
 #include <wheelrail/base/shown_text.h>
+#include <wheelrail/base/split_list.h>
+#include <wheelrail/input/entries.h>
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>
+#include <wheelrail/profiles/profile_file.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -158,7 +161,10 @@ namespace wheelrail
              place.order});
           return;
         }
-      assignment.value       = boost::trim_copy(rest.substr(equal + 1));
+      const std::string value = boost::trim_copy(rest.substr(equal + 1));
+      assignment.value        = found_files(assignment, value, file.name);
+      if (std::string &line = lines_.back(); assignment.value != value)
+        line.replace(line.find(value, line.find('=')), value.size(), assignment.value);
       const std::string path = assignment.path();
       const auto        here = file.own.find(path);
       if (here != file.own.end())
@@ -300,6 +306,28 @@ namespace wheelrail
       return std::move(input_);
     }
   } // namespace
+
+
+  std::string
+  found_files(const Assignment &of, const std::string &value, const std::string &file)
+  {
+    namespace fs              = std::filesystem;
+    const Entry *const entry  = find_entry(of.section, of.name);
+    const fs::path     folder = fs::path(file).parent_path();
+    if (!entry || !entry->names_files || folder.empty())
+      return value;
+    std::error_code ignored;
+    std::string     found;
+    bool            any = false;
+    for (const std::string &name : split_list(value, ','))
+      {
+        const bool beside =
+          is_file_name(name) && !fs::exists(name, ignored) && fs::exists(folder / name, ignored);
+        any = any || beside;
+        found += (found.empty() ? "" : ", ") + (beside ? (folder / name).lexically_normal().string() : name);
+      }
+    return any ? found : value;
+  }
 
 
   FlatInput

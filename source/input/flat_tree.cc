@@ -79,6 +79,7 @@ namespace wheelrail
             input.problems.push_back({name + ": " + shown_text(one.path()) + " = " + shown_text(one.value) +
                                         ": a value is one line without #",
                                       place.order});
+          one.value = found_files(one, one.value, name);
           if (!names.insert(entry).second)
             one.before = name;
           input.text += (section.empty() ? "set " : "  set ") + one.name + " = " + one.value + "\n";

@@ -1,12 +1,10 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
-#include <wheelrail/base/split_list.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/flat_input.h>
 #include <wheelrail/input/input_file.h>
 #include <wheelrail/input/parameter_handler.h>
 #include <wheelrail/input/parameters.h>
-#include <wheelrail/profiles/profile_file.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -65,55 +63,6 @@ namespace wheelrail
       return sentence.substr(0, std::min(sentence.find(" = "), sentence.find(": ")));
     }
 
-    /// Writes another value where the text sets the entry: where the name and an equals sign precede it.
-    void
-    replace_value(const Assignment &assignment, const std::string &value, std::string &text)
-    {
-      for (std::size_t at = 0; (at = text.find(assignment.value, at)) != std::string::npos; ++at)
-        {
-          std::size_t end = text.find_last_not_of(' ', at - 1);
-          if (at == 0 || end == std::string::npos || text[end] != '=' || end == 0)
-            continue;
-          end = text.find_last_not_of(' ', end - 1) + 1;
-          if (end < assignment.name.size() ||
-              text.compare(end - assignment.name.size(), assignment.name.size(), assignment.name) != 0)
-            continue;
-          text.replace(at, assignment.value.size(), value);
-          return;
-        }
-    }
-
-    /// Names of files count from the folder where the command is given; those that are not there, from the
-    /// folder of the file that names them. The text takes the names that were found.
-    void
-    find_files(std::vector<Assignment> &assignments, std::string &text)
-    {
-      namespace fs = std::filesystem;
-      std::error_code ignored;
-      for (Assignment &assignment : assignments)
-        if (const Entry *const entry = find_entry(assignment.section, assignment.name);
-            entry && entry->names_files && assignment.place.order != Place::last_line)
-          {
-            const std::string &place  = assignment.place.text;
-            const fs::path     folder = fs::path(place.substr(0, place.rfind(':'))).parent_path();
-            std::string        found;
-            bool               any = false;
-            for (const std::string &name : split_list(assignment.value, ','))
-              {
-                const bool beside = !folder.empty() && is_file_name(name) && !fs::exists(name, ignored) &&
-                                    fs::exists(folder / name, ignored);
-                any = any || beside;
-                found +=
-                  (found.empty() ? "" : ", ") + (beside ? (folder / name).lexically_normal().string() : name);
-              }
-            if (!any)
-              continue;
-            if (assignment.replaced_at.empty())
-              replace_value(assignment, found, text);
-            assignment.value = found;
-          }
-    }
-
     std::vector<Assignment>
     parse_sets(const std::vector<std::string> &sets, std::vector<Problem> &problems)
     {
@@ -155,7 +104,6 @@ namespace wheelrail
         check(assignment, problems);
     require_no_problems(std::move(problems), name);
 
-    find_files(all, input.text);
     SceneInput result{{}, name, input.text, {}};
     const auto is_replaced = [](const Assignment &one) { return !one.replaced_at.empty(); };
     all.erase(std::remove_if(all.begin(), all.end(), is_replaced), all.end());

@@ -12,10 +12,10 @@ namespace wheelrail
   {
     std::string section; ///< empty outside all subsections
     std::string name;
-    std::string value; ///< without comment and outer blanks
+    std::string value; ///< without comment and outer blanks; of files, the names found (found_files())
     Place       place;
     std::string before;      ///< where the same file sets the entry already; empty if it does not
-    std::string replaced_at; ///< where a file that goes before sets it; empty if this one is in force
+    std::string replaced_at; ///< where a file that overrides it sets it; empty if this one is in force
 
     /// "Section/Name".
     std::string
@@ -45,14 +45,13 @@ namespace wheelrail
   };
 
   /// Reads the lines `set Name = value`, `subsection Name`, `end`, `include FILE`, blank lines and `#`
-  /// comments; a line that ends with a backslash goes on in the next one. Keywords may be written in capital
-  /// letters; line ends of LF, CRLF or CR and a UTF-8 byte order mark are accepted.
+  /// comments; a line that ends with a backslash continues in the next one. Keywords may be written in
+  /// capital letters; line ends of LF, CRLF or CR and a UTF-8 byte order mark are accepted.
   ///
   /// `name` is the file name for messages; the path of an included file counts from the folder of the file
-  /// that includes it. What a file sets itself goes before what it includes, in whatever order they stand;
-  /// of two included files the later one goes before. The output folder of an included scene is not taken
-  /// over. Never throws for a fault in the text or for a file
-  /// that cannot be read: all faults are in `problems`.
+  /// that includes it. A file overrides what it includes, in whatever order the lines stand; of
+  /// two included files the later one overrides. The output folder of an included scene is not taken over.
+  /// Never throws for a fault in the text or for a file that cannot be read: all faults are in `problems`.
   FlatInput
   flatten_input(const std::string &text, const std::string &name);
 
@@ -60,6 +59,11 @@ namespace wheelrail
   /// ({"Run": {"Rolling distance": "30 mm"}}); places have no lines. The text is that of a parameter file.
   FlatInput
   flatten_tree(const std::string &text, const std::string &name, bool is_xml);
+
+  /// The value of an entry with the files it names: they are looked for where the command is given, then
+  /// beside `file`, which sets it. Values of other entries stay.
+  std::string
+  found_files(const Assignment &of, const std::string &value, const std::string &file);
 
   /// Reads "Section/Name = value" of the command line option --set. Throws InputError for another form.
   Assignment
