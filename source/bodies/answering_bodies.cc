@@ -46,6 +46,17 @@ namespace wheelrail
   }
 
 
+  std::optional<HalfspaceSolution>
+  solve_true_bodies(Scene scene, const SceneGeometry &geometry, const WheelRailLoad &load)
+  {
+    scene.halfspace_bodies             = ContactBodies::real;
+    const HalfspaceSolution of_contact = solve_wheel_rail(scene, geometry, load, {}).solution;
+    if (!of_contact.converged() || of_contact.touches_grid_edge)
+      return {};
+    return of_contact;
+  }
+
+
   void
   add_halfspaces(const Scene         &scene,
                  const SceneGeometry &geometry,

@@ -1,9 +1,9 @@
 #include <wheelrail/bodies/answering_bodies.h>
 #include <wheelrail/bodies/run_reference.h>
-#include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/model/scene_material.h>
 
 #include <cmath>
+#include <optional>
 
 // A run against half-spaces and true bodies under its own load (doc/theory/accuracy.md): relative
 // differences, run over reference, less 1.
@@ -17,7 +17,7 @@ namespace wheelrail
                   Measures                &measures)
   {
     measures.peak_difference = run.max_pressure / halfspace.peak - 1;
-    // what the penalty layer gives way under the peak, p/eps with eps = f K/h (doc/theory/contact.md,
+    // the penetration of the penalty layer under the peak, p/eps with eps = f K/h (doc/theory/contact.md,
     // Pressure), over the approach; K is the mean of both bodies, as in make_law()
     const double modulus = 0.5 * (elasticity(scene.rail_material).bulk_modulus() +
                                   elasticity(scene.wheel_material).bulk_modulus());
@@ -42,21 +42,19 @@ namespace wheelrail
                          const Summary       &run,
                          Measures            &measures)
   {
-    Scene bodies            = scene;
-    bodies.halfspace_bodies = ContactBodies::real;
     WheelRailLoad load;
     load.force     = run.vertical_force;
     load.vertical  = true;
     load.rate_held = true;
     load.creepage  = run.creepage;
     fault_of([&]() {
-      const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
-      if (!real.solution.converged())
+      const std::optional<HalfspaceSolution> real = solve_true_bodies(scene, geometry, load);
+      if (!real)
         return;
       // run over true bodies, less 1, at the run's own creepage and load
-      measures.bodies_difference = run.max_pressure / real.solution.peak_pressure - 1;
+      measures.bodies_difference = run.max_pressure / real->peak_pressure - 1;
       // the rail is body 1: its fx is minus the force on the wheel
-      measures.force_difference = (run.longitudinal_force + real.solution.fx) / run.vertical_force;
+      measures.force_difference = (run.longitudinal_force + real->fx) / run.vertical_force;
     });
   }
 

@@ -23,7 +23,7 @@ namespace wheelrail
     using Triangulation = dealii::Triangulation<2>;
 
     /// Makes the blocks and tells where the corners of each as deal.II orders them lie in the block: deal.II
-    /// wants opposite edges to run the same way.
+    /// wants opposite edges to run in the same sense.
     std::vector<std::array<Point2, 4>>
     make_blocks(const Section &section, Triangulation &triangulation)
     {
@@ -98,6 +98,24 @@ namespace wheelrail
       return place;
     }
 
+
+    /// Hanging nodes with their masters: the weights are the values of the coarse edge's quadratic there.
+    std::vector<SectionMesh::Hanging>
+    hanging_nodes(const dealii::AffineConstraints<double> &constraints)
+    {
+      std::vector<SectionMesh::Hanging> hanging;
+      for (const auto &line : constraints.get_lines())
+        {
+          hanging.emplace_back();
+          hanging.back().node = line.index;
+          for (const auto &[master, weight] : line.entries)
+            {
+              hanging.back().masters.push_back(master);
+              hanging.back().weights.push_back(weight);
+            }
+        }
+      return hanging;
+    }
 
     /// Orders edges end to end; the running surface goes towards the track centre with the material on its
     /// right.
@@ -178,17 +196,7 @@ namespace wheelrail
                 is_held[nodes[node]] = 1;
           }
       }
-    for (const auto &line : constraints.get_lines())
-      {
-        mesh.hanging.emplace_back();
-        mesh.hanging.back().node = line.index;
-        for (const auto &[master, weight] : line.entries)
-          {
-            mesh.hanging.back().masters.push_back(master);
-            // value of the coarse edge's quadratic at the hanging node
-            mesh.hanging.back().weights.push_back(weight);
-          }
-      }
+    mesh.hanging = hanging_nodes(constraints);
     for (unsigned int node = 0; node < is_held.size(); ++node)
       if (is_held[node])
         mesh.held.push_back(node);

@@ -20,11 +20,11 @@ namespace wheelrail
   {
     // what the shift of half-spaces has to be changed by for the pressure of the true bodies, of S1002 on
     // 54E1 and 60E1 under 103 kN (doc/theory/bodies.md)
-    constexpr double     give_way = 0.2e-3 / 100e3; // [m/N]
-    const Scene          coarse   = coarse_halfspaces(scene);
-    const double         by       = give_way * normal_force;
-    const SectionOffsets offsets  = scene_offsets(scene);
-    double               peak[2]  = {0, 0};
+    constexpr double     compliance = 0.2e-3 / 100e3; // [m/N]
+    const Scene          coarse     = coarse_halfspaces(scene);
+    const double         by         = compliance * normal_force;
+    const SectionOffsets offsets    = scene_offsets(scene);
+    double               peak[2]    = {0, 0};
     for (const int side : {0, 1})
       {
         SectionOffsets moved = offsets;
@@ -53,10 +53,9 @@ namespace wheelrail
   {
     if (scene.halfspace_bodies == ContactBodies::real)
       return;
-    Scene bodies            = scene;
-    bodies.halfspace_bodies = ContactBodies::real;
-    bodies.halfspace_spin   = HalfspaceSpin::local_radius;
     const std::string fault = fault_of([&]() {
+      Scene bodies          = scene;
+      bodies.halfspace_spin = HalfspaceSpin::local_radius;
       if (const std::vector<std::string> refused = refused_by_bodies(bodies); !refused.empty())
         throw InputError(refused.front());
       WheelRailLoad load;
@@ -66,11 +65,10 @@ namespace wheelrail
         return patch.reference ? patch.reference->driving : -patch.solution.fx;
       });
       load.slides       = !result.solution.within_friction;
-      const WheelRailSolution real = solve_wheel_rail(bodies, geometry, load, {});
-      if (real.solution.converged() && !real.solution.touches_grid_edge)
+      if (const auto real = solve_true_bodies(bodies, geometry, load))
         // peak of half-spaces over that of the true bodies, less 1 (doc/theory/bodies.md, Where half-spaces
         // hold)
-        result.bodies_effect = halfspace_pressure(result).peak / real.solution.peak_pressure - 1;
+        result.bodies_effect = halfspace_pressure(result).peak / real->peak_pressure - 1;
     });
     if (!std::isfinite(result.bodies_effect))
       {

@@ -6,10 +6,9 @@
 
 // Normal problem of two half-spaces: e = h - approach + A p >= 0, p >= 0, e p = 0 (doc/theory/halfspace.md,
 // Equations), which is the minimum of p'A p/2 + p'(h - approach) over p >= 0.
-// Conjugate gradients of Polonsky and Keer (1999), because they ask for products A p alone, one FFT each way;
-// active sets by elimination (NORM of Kalker 1990) solve dense equations.
-// Checked: Hertz's ellipses, peak and approach within 0.07 % of the closed form (doc/theory/halfspace.md,
-// Verification).
+// Conjugate gradients of Polonsky and Keer (1999), because they ask for products A p alone, one FFT and its
+// inverse; active sets by elimination (NORM of Kalker 1990) solve dense equations. Checked: Hertz's ellipses,
+// peak and approach within 0.07 % of the closed form (doc/theory/halfspace.md, Verification).
 
 namespace wheelrail
 {
@@ -39,6 +38,15 @@ namespace wheelrail
       return sum;
     }
 
+    /// Scales pressures to a force [N].
+    void
+    scale_to(const double force, const double element_area, std::vector<double> &p)
+    {
+      const double factor = force / (total(p) * element_area);
+      for (double &v : p)
+        v *= factor;
+    }
+
     /// A first pressure: the overlap at an approach which gives a patch of plausible size.
     void
     first_pressure(const HalfspaceGrid       &grid,
@@ -53,8 +61,7 @@ namespace wheelrail
         {
           std::vector<double> sorted(distance);
           std::nth_element(sorted.begin(), sorted.begin() + n / 4, sorted.end());
-          // the approach at which a quarter of the grid overlaps
-          level = sorted[n / 4]; // a quarter of the grid in contact: a start like any other
+          level = sorted[n / 4]; // the approach at which a quarter of the grid overlaps
         }
       contact.pressure.assign(n, 0.);
       for (std::size_t k = 0; k < n; ++k)
@@ -76,10 +83,8 @@ namespace wheelrail
     {
       const std::vector<double> &p = contact.pressure, &u = contact.displacement;
       for (std::size_t k = 0; k < e.size(); ++k)
-        // e = h + u_n - approach, h the undeformed distance; with a given force the approach is the mean over
-        // the contact, which is the multiplier of sum(p) dx dy = F
         e[k] = u[k] + distance[k];
-      if (force_given)
+      if (force_given) // the multiplier of sum(p) dx dy = F
         contact.approach = contact_mean(e, p);
       double norm = 0, worst = 0;
       for (std::size_t k = 0; k < e.size(); ++k)
@@ -93,6 +98,26 @@ namespace wheelrail
         }
       contact.residual = worst;
       return norm;
+    }
+
+    /// Step 4 of solve_normal(): p - alpha t, cut at 0. An overlapping element comes back with the pressure
+    /// -alpha e; the result says whether one did.
+    bool
+    step_along(const std::vector<double> &t,
+               const std::vector<double> &e,
+               const double               alpha,
+               std::vector<double>       &p)
+    {
+      bool grows = false;
+      for (std::size_t k = 0; k < p.size(); ++k)
+        if (p[k] > 0)
+          p[k] = std::max(0., p[k] - alpha * t[k]);
+        else if (e[k] < 0)
+          {
+            p[k]  = -alpha * e[k];
+            grows = true;
+          }
+      return grows;
     }
   } // namespace
 
@@ -112,12 +137,8 @@ namespace wheelrail
     std::vector<double> &p = contact.pressure, &u = contact.displacement;
     std::vector<double>  e(n), t(n, 0.), r(n);
     if (force_given)
-      {
-        const double factor = force / (total(p) * grid.element_area());
-        for (double &v : p)
-          v *= factor;
-      }
-    // residuals count relative to the depth of interpenetration, approach less the lowest distance: the zero
+      scale_to(force, grid.element_area(), p);
+    // residuals are relative to the depth of interpenetration, approach less the lowest distance: the zero
     // of the approach is that of the distances, which is anywhere
     const double lowest   = *std::min_element(distance.begin(), distance.end());
     double       old_norm = 1, beta = 0;
@@ -135,9 +156,9 @@ namespace wheelrail
         if (contact.converged || contact.iterations == max_iterations)
           return;
 
+        // 2. direction t = e + beta (G/G before) t within the contact; beta = 0 restarts it when the contact
+        // has grown
         for (std::size_t k = 0; k < n; ++k)
-          // 2. direction t = e + beta (G/G before) t within the contact; beta = 0 restarts it when the
-          // contact has grown
           t[k] = p[k] > 0 ? e[k] + beta * norm / old_norm * t[k] : 0;
         old_norm = norm > 0 ? norm : 1;
         product(t, r);
@@ -149,25 +170,11 @@ namespace wheelrail
             et += e[k] * t[k];
             rt += (r[k] - mean) * t[k];
           }
-        // the step along t; overlapping elements come back, and the directions begin anew
-        // 4. p - alpha t, cut at 0; an overlapping element comes back with the pressure -alpha e
-        const double alpha = rt > 0 ? et / rt : 0;
-        beta               = 1;
-        for (std::size_t k = 0; k < n; ++k)
-          if (p[k] > 0)
-            p[k] = std::max(0., p[k] - alpha * t[k]);
-          else if (e[k] < 0)
-            {
-              p[k] = -alpha * e[k];
-              beta = 0;
-            }
+        // 4. the step
+        beta = step_along(t, e, rt > 0 ? et / rt : 0, p) ? 0 : 1;
+        // 5. the given force, exactly
         if (force_given)
-          {
-            // 5. the force asked for, exactly
-            const double factor = force / (total(p) * grid.element_area());
-            for (double &v : p)
-              v *= factor;
-          }
+          scale_to(force, grid.element_area(), p);
       }
   }
 } // namespace wheelrail

@@ -18,6 +18,11 @@ namespace wheelrail
   std::string
   solve_with_bodies(Scene &scene, const std::function<void()> &solve);
 
+  /// The contact of the true bodies of a scene under a load; nothing where their solution is not exact.
+  /// Throws as solve_wheel_rail().
+  std::optional<HalfspaceSolution>
+  solve_true_bodies(Scene scene, const SceneGeometry &geometry, const WheelRailLoad &load);
+
   /// Solves half-spaces under the load of true bodies and adds their figures to those of the bodies:
   /// "halfspace_max_pressure_Pa" and so on, and "relative_difference_max_pressure", of the bodies against
   /// half-spaces, as in the summary of a run. Nothing where half-spaces do not touch.
