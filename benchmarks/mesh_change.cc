@@ -5,18 +5,15 @@
 //
 // With mpirun on several ranks, too.
 
-#include <deal.II/base/mpi.h>
-
-#include <wheelrail/base/errors.h>
-#include <wheelrail/input/parameters.h>
 #include <wheelrail/mesh/coarse_levels.h>
 #include <wheelrail/model/model.h>
+
+#include "scene_main.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -75,20 +72,5 @@ namespace
 int
 main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (argc < 2)
-    {
-      std::cerr << "usage: benchmark_mesh_change FILE.prm [\"Section/Entry = value\" ...]\n";
-      return 1;
-    }
-  try
-    {
-      run(read_scene(argv[1], std::vector<std::string>(argv + 2, argv + argc)).scene, MPI_COMM_WORLD);
-    }
-  catch (const InputError &error)
-    {
-      std::cerr << error.what() << "\n";
-      return 1;
-    }
-  return 0;
+  return benchmark_scene(argc, argv, run);
 }

@@ -5,20 +5,15 @@
 // With mpirun on several ranks, too. CPU time is the mean of the ranks; a busy machine changes it less than
 // the wall time.
 
-#include <deal.II/base/mpi.h>
-
-#include <wheelrail/base/errors.h>
-#include <wheelrail/input/parameters.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/run/run_start.h>
 
+#include "scene_main.h"
 
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <iostream>
 #include <string>
-#include <vector>
 
 using namespace wheelrail;
 
@@ -75,25 +70,5 @@ namespace
 int
 main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  if (argc < 2)
-    {
-      std::cerr << "usage: benchmark_static_start FILE.prm [\"Section/Entry = value\" ...]\n";
-      return 1;
-    }
-  try
-    {
-      run(read_scene(argv[1], std::vector<std::string>(argv + 2, argv + argc)).scene, MPI_COMM_WORLD);
-    }
-  catch (const InputError &error)
-    {
-      std::cerr << error.what() << "\n";
-      return 1;
-    }
-  catch (const RunError &error)
-    {
-      std::cerr << error.what() << "\n";
-      return 2;
-    }
-  return 0;
+  return benchmark_scene(argc, argv, run);
 }

@@ -75,23 +75,23 @@ with h5py.File("run/slices.h5") as slices:
     hardened = YIELD + YOUNG * TANGENT / (YOUNG - TANGENT) * strain
     check(np.all(mises <= hardened),
           f"residual von Mises stress, {1e-6 * peak:.0f} MPa at most, nowhere beyond the hardened yield stress")
-    # misfit strains of more than twice the yield strain would be far beyond the yield stress if nothing gave way
-    check(strain.max() > 2 * YIELD / YOUNG and peak > 0.25 * YIELD,
+    # misfit strains of more than twice the yield strain would be far beyond the yield stress if nothing yielded
+    check(strain.max() > 2 * YIELD / YOUNG and peak > 0.5 * YIELD,
           f"plastic strain up to {1e3 * strain.max():.2f} thousandths leaves stress of the order of the yield stress")
     deep = depth > 13e-3
     check(np.all(strain[:, deep] == 0), "no plastic strain 13 mm below the surface")
     for name in ("stress_xx", "stress_zz"):
         check(np.all(along[name][:][:, 0] < 0), f"{name}: compression at the surface")
     surface = {name: across[name][:][:, 0] for name in ("stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz")}
-    # cells of 4 mm at the 2 % a millimetre of tests/runs
-    limit = 0.08 * max(np.abs(surface[name]).max() for name in ("stress_xx", "stress_zz"))
+    largest = max(np.abs(surface[name]).max() for name in ("stress_xx", "stress_zz"))
     for name in ("stress_yy", "stress_xy", "stress_yz"):
         mean = surface[name].mean()
-        check(abs(mean) < limit, f"{name}: {1e-6 * mean:.1f} MPa, mean across the free surface, limit {1e-6 * limit:.1f}")
-    # the wheel's own stress at these places (Boussinesq, Cerruti) is 3 to 10 MPa
+        # 1 % for each mm of the cells
+        check(abs(mean) < 0.04 * largest, f"{name}: {100 * mean / largest:.1f} % of the largest, mean across the free surface")
+    # the wheel's own stress at these places (Boussinesq, Cerruti) is 3 to 10 MPa: 1 to 5 % of the largest
     steady = mises[-3:, depth <= 4e-3]  # farther down nodes hang between two cell sizes
     spread = np.abs(steady - steady.mean(axis=0)).max() / peak
-    check(spread < 0.05, f"the last three stations differ by {100 * spread:.1f} % of the largest stress")
+    check(spread < 0.03, f"the last three stations differ by {100 * spread:.1f} % of the largest stress")
     lateral, aside = across["position"][:], across["residual_von_mises_stress"][:]
     flowed = lateral[np.nanmax(across["plastic_strain"][:], axis=1) > 0]
     cell = lateral[1] - lateral[0]
@@ -114,9 +114,9 @@ with h5py.File("run/slices.h5") as slices:
               f"the unloaded rail reaches to {1e3 * reach[-1]:.1f} mm behind the axle")
         for name in ("stress_xx", "stress_yy", "stress_zz"):
             change = np.abs(unloaded[name][:][:far] - along[name][:])[:, depth <= 13e-3].max()
-            check(1e5 < change < 20e6, f"{name}: the wheel's own was {1e-6 * change:.1f} MPa")
+            check(0.005 < change / largest < 0.07, f"{name}: the wheel's own was {100 * change / largest:.1f} % of the largest")
         top = np.abs(tick["BB_behind_rail"]["stress_yy"][:][:, 0].mean())
-        check(top < limit, f"no force across the free surface: {1e-6 * top:.2f} MPa")
+        check(top < 0.02 * largest, f"no force across the free surface: {100 * top / largest:.2f} % of the largest")
         summary = json.load(open("run/summary.json"))
         check(summary["max_residual_von_mises_Pa"] > 0.8 * unloaded["residual_von_mises_stress"][:][:, 1:].max(),
               f"summary.json: {1e-6 * summary['max_residual_von_mises_Pa']:.0f} MPa")

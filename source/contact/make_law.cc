@@ -59,14 +59,4 @@ namespace wheelrail
         law.filter[body] = filter_of(bodies[body]);
     return law;
   }
-
-
-  void
-  add_surface_mass(const Surface &surface, const double added_mass, double *mass)
-  {
-    for (std::size_t k = 0; k < surface.reference.size(); ++k)
-      if (surface.local[k] >= 0)
-        // m A [kg], A the tributary area of a node
-        mass[surface.local[k]] = added_mass * surface.area[k];
-  }
 } // namespace wheelrail

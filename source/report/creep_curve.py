@@ -18,7 +18,9 @@ import columns
 import style
 
 
-def draw(table, beside, path):
+def make_figure(table, folder):
+    path = os.path.join(folder, "beside.csv")
+    beside = columns.read(path) if os.path.exists(path) else {}
     given = next(iter(table))
     spin = given.endswith("spin_per_m")
     x = table[given] * (1 if spin else 100)
@@ -45,26 +47,8 @@ def draw(table, beside, path):
         axes.legend(lines, [line.get_label() for line in lines], loc="best")
     else:
         axes.legend(loc="best")
-    figure.tight_layout()
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    figure.savefig(path)
-
-
-def main(arguments):
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 1
-    path = os.path.join(arguments[0], "pictures", "creep_curve.png")
-    try:
-        beside = os.path.join(arguments[0], "beside.csv")
-        draw(columns.read(os.path.join(arguments[0], "creep_curve.csv")),
-             columns.read(beside) if os.path.exists(beside) else {}, path)
-    except OSError as error:
-        print(error, file=sys.stderr)
-        return 1
-    print(f"Picture in {path}")
-    return 0
+    return figure
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(columns.draw(sys.argv[1:], __doc__, "creep_curve", make_figure))

@@ -6,7 +6,6 @@ Usage: places.py FOLDER
 FOLDER holds places.csv of the command halfspace --places or --pitch; the picture is FOLDER/pictures/places.png.
 """
 
-import os
 import sys
 
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
@@ -18,7 +17,7 @@ import columns
 import style
 
 
-def draw(table, path):
+def make_figure(table, _):
     turned = np.ptp(table["place_m"]) == 0
     x = np.degrees(table["pitch_rad"]) if turned else 1e3 * table["place_m"]
     figure, (upper, lower) = plt.subplots(2, 1, figsize=(7.6, 6.4), sharex=True)
@@ -41,24 +40,8 @@ def draw(table, path):
         axes.grid(True)
     if np.any(table["separate_patches"] > 1):
         upper.set_title("dotted: several separate patches", fontsize=9)
-    figure.tight_layout()
-    os.makedirs(os.path.dirname(path), exist_ok=True)
-    figure.savefig(path)
-
-
-def main(arguments):
-    if len(arguments) != 1:
-        print(__doc__, file=sys.stderr)
-        return 1
-    path = os.path.join(arguments[0], "pictures", "places.png")
-    try:
-        draw(columns.read(os.path.join(arguments[0], "places.csv")), path)
-    except OSError as error:
-        print(error, file=sys.stderr)
-        return 1
-    print(f"Picture in {path}")
-    return 0
+    return figure
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(columns.draw(sys.argv[1:], __doc__, "places", make_figure))

@@ -222,11 +222,15 @@ namespace scenes
                     whole_surface(wheel, setup.symmetry, mirrored(rail, setup.symmetry).sources.size()));
     for (const Surface *surface : {&rail, &wheel})
       {
-        if (setup.added_mass)
-          add_surface_mass(*surface, contact.law().added_mass, scene.solid.added_mass.data());
         const WholeSurface whole = mirrored(*surface, setup.symmetry);
         sources_.insert(sources_.end(), whole.sources.begin(), whole.sources.end());
         rigid_.insert(rigid_.end(), whole.surface.reference.begin(), whole.surface.reference.end());
+      }
+    if (setup.added_mass)
+      {
+        for (BoundaryFace &face : scene.solid.mesh.faces)
+          face.strip = face.mark == Boundary::running;
+        add_band_mass(scene.solid, contact.law().added_mass);
       }
     displacement_.assign(4 * sources_.size(), 0);
     velocity_ = velocity_before_ = force_ = displacement_;

@@ -35,9 +35,4 @@ namespace wheelrail
   /// doc/theory/contact.md. `step` is the stable step of the elements [s]. Filters as surface_filter() says.
   ContactLaw
   make_contact_law(const PerBody<ContactBody> &bodies, const ContactChoice &choice, double step);
-
-  /// Puts the added mass [kg/m2] on the nodes of a surface that this rank holds; mass [kg] has one
-  /// number a node.
-  void
-  add_surface_mass(const Surface &surface, double added_mass, double *mass);
 } // namespace wheelrail
