@@ -142,7 +142,7 @@ namespace
                nothing + ": no such file; rows x, y, distance in mm are needed",
                "no file");
     check_file("0 0 1\n1 0\n", ":2: a row of 2 values, the first line names 3 columns");
-    check_file("0 0 one\n", ":1: \"one\" of distance is not a number; units stand in the first line");
+    check_file("0 0 one\n", ":1: \"one\" of distance is not a number; units belong in the first line");
     check_file("0 0 1\n1 0 1\n0 1 1\n1 1 1\n", ": 2 values of x; a grid of at least 4 x 4 points is needed");
     std::string whole;
     for (int k = 0; k < 16; ++k)

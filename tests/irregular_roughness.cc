@@ -135,7 +135,7 @@ namespace
   {
     refused({}, "no band");
     refused({{0.035, 0}}, "35 mm is the middle of no one-third-octave band; the nearest is 31.62 mm");
-    refused({{0.0315, 0}, {0.0316, 1}}, "the band of 31.6 mm stands there twice");
+    refused({{0.0315, 0}, {0.0316, 1}}, "the band of 31.6 mm is given twice");
     refused(
       {{0.5, 0}},
       "the band of 501.19 mm has no line of the spectrum, since these lie 1/length apart: take a Length of ");
@@ -152,7 +152,7 @@ namespace
          "bad.csv:1: no column level; roughness is a row for each one-third-octave band under the names "
          "wavelength_mm, level_dB");
     file("wavelength_mm,level_dB\n10,loud\n",
-         "bad.csv:2: \"loud\" of level is not a number; units stand in the first line");
+         "bad.csv:2: \"loud\" of level is not a number; units belong in the first line");
     file("wavelength_mm,level_dB\n-10,3\n",
          "bad.csv:2: wavelength = -10 is out of range; a length above 0, up to 1 km, is accepted");
     file("wavelength_mm,level_dB\n10,300\n",

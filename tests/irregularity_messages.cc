@@ -193,7 +193,7 @@ namespace
          "line), "
          "height_um");
     write("word.csv", "along_mm,height_um\n0,0\n1,nan\n");
-    says(read("word.csv"), "word.csv:3: \"nan\" of height is not a number; units stand in the first line");
+    says(read("word.csv"), "word.csv:3: \"nan\" of height is not a number; units belong in the first line");
     says(read("gone.csv"), "gone.csv");
     write("high.csv", "along_mm,height_um\n0,0\n1,2e6\n2,0\n3,0\n");
     says(read("high.csv"), "high.csv:3: height = 2e6 is out of range; -5 mm to 5 mm is accepted");
@@ -347,7 +347,7 @@ namespace
         {"halfspace", "scene.prm", "--places", "0, 1 mm", "--set", "Half-space/Undeformed distance = hertz"}),
       "Half-space/Undeformed distance = hertz: --places needs wheel and rail; set it to profiles");
     holds(command({"halfspace", "dent.prm", "--places", "0, 1 mm", "--bodies", "real"}),
-          "Half-space/Bodies = real: --places stands the wheel on irregular half-spaces; write half-spaces "
+          "Half-space/Bodies = real: --places puts the wheel on irregular half-spaces; write half-spaces "
           "there");
     holds(
       command({"halfspace", "scene.prm", "--creep-curve", "spin 0, 1 1/m", "--bodies", "real"}),

@@ -162,7 +162,7 @@ namespace
                "material_path_test.csv:2: a row of 1 values, the first line names 2 columns",
                "a short row");
     check_text(fault(with_file("E_xx\n1 %\n")),
-               "material_path_test.csv:2: \"1 %\" of E_xx is not a number; units stand in the first line",
+               "material_path_test.csv:2: \"1 %\" of E_xx is not a number; units belong in the first line",
                "no number");
     check_text(fault(with_file("E_xx\n")),
                "material_path_test.csv: no rows; such a table has a first line with names and units, and "

@@ -318,7 +318,7 @@ namespace
                "prm/rolling.prm");
     check_line({"report"}, "report needs the output folder of a run, such as output/rolling");
     check_line({"run", "a.prm", "--overwrite", "--resume"},
-               "--overwrite starts anew and --resume goes on: give one of them");
+               "--overwrite starts anew and --resume continues: give one of them");
     check_line({"report", "nowhere"}, "nowhere: no such folder; report needs the output folder of a run");
     check_line(
       {"geometry", "--shifts", "1:2"},

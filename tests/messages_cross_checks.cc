@@ -243,10 +243,10 @@ namespace
     const Findings none = check_scene(Scene(), {2, 2, 16e9, 12e9}).found;
     check(none.errors.empty() && none.warnings.empty(), "the defaults raise no question");
     check_warning({"Contact/Friction coefficient = 0.2", "Wheelset/Traction coefficient = 0.25"},
-                  "Wheelset/Traction coefficient = 0.25: friction carries at most Contact/Friction "
+                  "Wheelset/Traction coefficient = 0.25: friction transmits at most Contact/Friction "
                   "coefficient = 0.2, so the whole patch slides and the wheel spins up while it rolls");
     check_warning({"Wheelset/Traction coefficient = -0.5"},
-                  "Wheelset/Traction coefficient = -0.5: friction carries at most Contact/Friction "
+                  "Wheelset/Traction coefficient = -0.5: friction transmits at most Contact/Friction "
                   "coefficient = 0.5, so the whole patch slides and the wheel locks while it rolls");
     check_warning({"Contact/Friction law = exponential",
                    "Contact/Friction coefficient = 0",

@@ -168,7 +168,7 @@ namespace
                   "r.txt:2: XYPoints=\"3\", but the file holds 1 point; it may be cut off, export it again");
     check_profile(
       "header.begin\nheader.end\n",
-      "r.txt: a SIMPACK profile without \"point.begin\"; its points stand between point.begin and point.end");
+      "r.txt: a SIMPACK profile without \"point.begin\"; its points are between point.begin and point.end");
     check_profile("header.begin\nheader.end\npoint.begin\n1 2\n",
                   "r.txt:3: point.begin without \"point.end\"; the file may be cut off");
     check_profile(

@@ -42,7 +42,7 @@ main()
              "Track/Sleeper spacing = 700 mm: without effect, since Track/Support = clamped foot",
              "sleepers below it");
   check_text(warning({"Track/Support = continuous pads", "Track/Sleeper mass = 200 kg"}),
-             "Track/Sleeper mass = 200 kg: without effect, since Track/Support = continuous pads stands on "
+             "Track/Sleeper mass = 200 kg: without effect, since Track/Support = continuous pads rests on "
              "rigid ground",
              "sleepers below continuous pads");
   check_text(

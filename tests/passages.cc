@@ -147,8 +147,7 @@ namespace
       {
         check_text(error.what(),
                    "Output/Folder = passages_parts: the folder holds passages of an earlier run; --resume "
-                   "goes on with "
-                   "them, --overwrite starts anew",
+                   "continues them, --overwrite starts anew",
                    "begun passages are protected");
       }
     check(run(parts, true) == 0, "gone on to the end");

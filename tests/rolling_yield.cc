@@ -31,7 +31,7 @@ namespace
     Model          model   = make_model(scene, make_geometry(scene), MPI_COMM_WORLD);
     Log            log;
     const RunStart start = start_from_rest(scene, model, {}, log);
-    Axle           axle(model.axle, start.lift, start.rate, MPI_COMM_WORLD);
+    Axle           axle(model.axle, start.hub_displacement, start.rate, MPI_COMM_WORLD);
     Rolling        rolling(
       model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), MPI_COMM_WORLD);
     const unsigned long steps = std::lround(scene.rolling_distance / scene.velocity / model.time_step);

@@ -30,7 +30,7 @@ namespace
     Model          model = make_model(scene, make_geometry(scene), communicator);
     Log            log;
     const RunStart start = start_from_rest(scene, model, {}, log);
-    Axle           axle(model.axle, start.lift, start.rate, communicator);
+    Axle           axle(model.axle, start.hub_displacement, start.rate, communicator);
     Rolling rolling(model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), communicator);
     constexpr int steps = 100;
     Figures       figures;

@@ -83,7 +83,7 @@ namespace
     {
       Log            log;
       const RunStart start = start_from_rest(scene, model, {}, log);
-      set_out(start.lift, start.rate);
+      set_out(start.hub_displacement, start.rate);
     }
   };
 

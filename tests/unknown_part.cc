@@ -238,7 +238,7 @@ main(int argc, char **argv)
   check(track.foot->place() < 0,
         "the static start stands on the mass, which gives way: " + std::to_string(1e6 * track.foot->place()) +
           " um");
-  track.set_out(start.lift, start.rate);
+  track.set_out(start.hub_displacement, start.rate);
 
   Rolling   &rolling = *track.rolling;
   double     low = 1e300, high = -1e300, worst = 0;

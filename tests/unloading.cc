@@ -53,7 +53,7 @@ namespace
     Model         &model = rolled.model;
     Log            log;
     const RunStart start = start_from_rest(scene, model, {}, log);
-    rolled.axle          = std::make_unique<Axle>(model.axle, start.lift, start.rate, MPI_COMM_WORLD);
+    rolled.axle = std::make_unique<Axle>(model.axle, start.hub_displacement, start.rate, MPI_COMM_WORLD);
     Rolling rolling(
       model.solid, *model.contact, model.parts, *rolled.axle, time_scheme(scene, model), MPI_COMM_WORLD);
     const long steps = std::lround(distance / scene.velocity / model.time_step);

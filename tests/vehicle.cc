@@ -264,7 +264,7 @@ namespace
     test::check_text(
       test::message_of([&]() { VehicleRows("rows.kept", "another", motion); }),
       "\"rows.kept\": rows of another scene, or of another version of the program, from a call that "
-      "was interrupted. Set the entries back to go on with them, choose another Output/Folder, or give "
+      "was interrupted. Set the entries back to continue with them, choose another Output/Folder, or give "
       "--overwrite to start anew.",
       "rows of another scene");
 

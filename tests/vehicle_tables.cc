@@ -52,11 +52,11 @@ namespace
     refused("time [s],yaw [mrad]\n0,\n",
             ":2: no value of yaw; rows cannot have gaps: fill it or leave the column out");
     refused("time [s],yaw [mrad]\n0,1 mrad\n",
-            ":2: \"1 mrad\" of yaw is not a number; units stand in the first line");
+            ":2: \"1 mrad\" of yaw is not a number; units belong in the first line");
     refused("time [s],yaw [rad]\n0,5\n",
             ":2: yaw = 5 is out of range; -50 mrad to 50 mrad is accepted, in the unit of the first line");
     refused("time [s]\n0\n2\n1\n", ":4: time = 1 is less than in the row before; sort the rows");
-    refused("time [s]\n0\n2\n2\n", ":4: time = 2 stands in the row before, too; leave one of them out");
+    refused("time [s]\n0\n2\n2\n", ":4: time = 2 is in the row before, too; leave one of them out");
     refused("yaw [mrad]\n1\n",
             ": neither time nor distance; one of them must be a column, such as \"time [s]\"");
     refused("time [s],torque [N m],creepage [%]\n0,1,1\n",
@@ -100,7 +100,7 @@ namespace
     test::check_text(left.notes.at(0),
                      more.path() +
                        ": columns that are not used: \"Y_11 [N]\", \"y_ws\", \"acceleration [m/s2]\"; a "
-                       "table of names tells what they are called here (--columns)",
+                       "table of names says what they are called here (--columns)",
                      "and named");
     refused(
       "time [s];acceleration [m/s2]\n0;1\n",
@@ -172,7 +172,7 @@ namespace
       "one name");
     std::ofstream("names.csv") << "y_ws;yaw\ny_ws;roll\n";
     test::check_text(test::message_of([&]() { read_vehicle_file(more.path(), "names.csv"); }),
-                     "names.csv:2: \"y_ws\" stands in a line before, too; leave one of them out",
+                     "names.csv:2: \"y_ws\" is in a line before, too; leave one of them out",
                      "a name twice");
     std::filesystem::remove("names.csv");
   }

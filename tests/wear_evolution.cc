@@ -233,7 +233,7 @@ namespace
     check(same, "stopped and gone on to the same bits");
     std::ofstream("wear_state.json") << "{";
     test::check_text(test::message_of([]() { read_wear_state("wear_state.json"); }),
-                     "\"wear_state.json\": damaged, so that nobody can go on from it. Choose another "
+                     "\"wear_state.json\": damaged, so that it cannot be resumed. Choose another "
                      "Output/Folder, or give --overwrite to start anew.",
                      "half a file");
   }

@@ -116,13 +116,13 @@ namespace
       test::message_of([&]() { wear("0.1 Mt", folder); }),
       folder +
         "-wear: holds states of another scene, up to 0.2 Mt: Wear/Gross load = 0.1 Mt, saved with "
-        "0.2 Mt; set it back to go on with them, choose another Output/Folder, or give --overwrite to "
+        "0.2 Mt; set it back to continue with them, choose another Output/Folder, or give --overwrite to "
         "start anew",
       "a shorter plan");
     const std::vector<std::string> before = rows_of(folder);
     MPI_Barrier(MPI_COMM_WORLD);
     check(wear("0.3 Mt", folder) == 0, "a longer plan goes on");
-    check((rank == 0) == (out.str().find("going on from step ") != std::string::npos), "and says so");
+    check((rank == 0) == (out.str().find("resuming from step ") != std::string::npos), "and says so");
     check(wear("0.3 Mt", folder + "_at_once") == 0, "one at once");
     MPI_Barrier(MPI_COMM_WORLD);
     const std::vector<std::string> after = rows_of(folder), at_once = rows_of(folder + "_at_once");

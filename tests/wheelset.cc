@@ -247,11 +247,10 @@ namespace
     wheelset.axle.lateral = -70e3;
     const Summary lifted  = wheelset_summary(scene, wheelset, &wheel, nullptr);
     check_text(lifted.verdict, "with care", "one of them is lifted");
-    check_text(
-      lifted.doubts,
-      "The left-hand wheel is lifted: the curve asks for more than both wheels hold, and the vehicle "
-      "begins to tip over.",
-      "and which");
+    check_text(lifted.doubts,
+               "The left-hand wheel is lifted: the curve demands more than both wheels hold, and the vehicle "
+               "begins to tip over.",
+               "and which");
     // (10 kN + P/3) of Prud'homme (1967)
     check_text(lifted.note,
                "The sum of the lateral forces, 70.0 kN, is above the limit after Prud'homme, 63.3 kN: the "

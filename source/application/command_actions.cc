@@ -88,7 +88,7 @@ namespace wheelrail
     run_options.overwrite = options.count("overwrite") > 0;
     run_options.resume    = options.count("resume") > 0;
     if (run_options.overwrite && run_options.resume)
-      throw InputError("--overwrite starts anew and --resume goes on: give one of them");
+      throw InputError("--overwrite starts anew and --resume continues: give one of them");
     SceneInput input = one_scene_of(options);
     input.scene.both_wheels |= options.count("wheelset") > 0;
     std::vector<std::string> notes    = entries_without_effect(input, "run");

@@ -29,11 +29,12 @@ namespace wheelrail
     void
     add_bodies_option(po::options_description &options, const std::string &otherwise)
     {
-      options.add_options()("bodies",
-                            po::value<std::string>(),
-                            ("half-spaces, or real: this wheel and this rail as elastic bodies (default: " +
-                             otherwise + "); as Half-space/Bodies")
-                              .c_str());
+      options.add_options()(
+        "bodies",
+        po::value<std::string>(),
+        ("half-spaces, or real: the true bodies, this wheel and this rail, elastic (default: " + otherwise +
+         "); as Half-space/Bodies")
+          .c_str());
     }
 
     void
@@ -72,7 +73,7 @@ namespace wheelrail
                                "processes; default: the physical cores that are free, as many as the scene "
                                "can use");
          options.add_options()("overwrite", "replace the run in the output folder, finished or saved");
-         options.add_options()("resume", "go on from the last checkpoint in the output folder");
+         options.add_options()("resume", "resume from the last saved state in the output folder");
          options.add_options()("validate", "check the file without running");
          options.add_options()(
            "wheelset",
@@ -98,8 +99,7 @@ namespace wheelrail
        act_geometry},
       {"halfspace",
        "FILE.prm",
-       "contact of the scene by this wheel and this rail as elastic bodies, or as two half-spaces: patch, "
-       "tractions, creepage in seconds",
+       "contact of the scene in seconds, by its true bodies or by half-spaces: patch, tractions, creepage",
        [](po::options_description &options) {
          add_set_option(options);
          add_row_option(options);
@@ -219,8 +219,7 @@ namespace wheelrail
        act_parameters},
       {"compare",
        "FOLDER",
-       "a finished run against two half-spaces under its load and in its position, and against its own "
-       "bodies",
+       "a finished run against half-spaces under its load and in its position, and against its true bodies",
        [](po::options_description &options) {
          add_set_option(options);
          add_bodies_option(options, "real");
@@ -250,7 +249,7 @@ namespace wheelrail
          options.add_options()(
            "profile", po::value<std::string>(), "Snakemake profile of a cluster: slurm, or one of your own");
          options.add_options()("no-pictures", "only tables; the same command without it draws the page");
-         options.add_options()("dry-run", "only tell which cases are there and which would be computed");
+         options.add_options()("dry-run", "only list the cases and which of them would be computed");
          options.add_options()("plan", "print the cases as JSON");
        },
        act_study},

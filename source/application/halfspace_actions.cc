@@ -52,7 +52,7 @@ namespace wheelrail
       std::string why;
       for (const std::string option : {"places", "pitch"})
         if (options.count(option))
-          why = "--" + option + " stands the wheel on irregular half-spaces";
+          why = "--" + option + " puts the wheel on irregular half-spaces";
       if (curve.rfind("spin", 0) == 0)
         why =
           "--creep-curve \"spin ...\" gives the whole contact one spin, which bodies of their own shape do "

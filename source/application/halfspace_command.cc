@@ -166,7 +166,7 @@ namespace wheelrail
     write_halfspace_folder(scene, result, results, folder.string());
     if (!given)
       write_sections(*geometry, scene.track, (folder / "sections.json").string());
-    out << "Results in " << folder.string() << ", all figures in its summary.json" << std::endl;
+    out << "Results in " << folder.string() << ", all results in its summary.json" << std::endl;
     if (draws)
       draw_results("halfspace.py", folder.string());
     return figures.finished ? 0 : 2;

@@ -31,7 +31,7 @@ namespace wheelrail
     {
       char line[200];
       out << "Wheel at rest " << (places.pitch ? "at pitch angles" : "at places along the track")
-          << "; its drop counts from where it stands on the smooth rail\n\n";
+          << "; its drop is measured from its height on the smooth rail\n\n";
       std::snprintf(line,
                     sizeof line,
                     "%10s %12s %11s %8s %8s %8s %10s %10s %10s\n",

@@ -32,7 +32,7 @@ namespace wheelrail
   {
     struct sigaction action = {};
     action.sa_handler       = note_request;
-    action.sa_flags         = SA_RESTART; // a write under way is finished, not broken off
+    action.sa_flags         = SA_RESTART; // a write in progress is finished, not broken off
     sigemptyset(&action.sa_mask);
     for (const int signal : {SIGINT, SIGTERM, SIGUSR1})
       sigaction(signal, &action, nullptr);

@@ -232,7 +232,7 @@ namespace wheelrail
       const std::string there = "; there are " + join_choices(shown, "and") + example;
       const std::string renaming =
         *options_.renaming
-          ? std::string("; a table of names tells what they are called here (") + options_.renaming + ")"
+          ? std::string("; a table of names says what they are called here (") + options_.renaming + ")"
           : "";
       for (std::size_t k = 0; k < heads_.size(); ++k)
         {
@@ -274,7 +274,7 @@ namespace wheelrail
       const auto number = number_in(cell);
       if (!number)
         fail("\"" + shown_text(cell, 40) + "\" of " + name +
-             " is not a number; units stand in the first line");
+             " is not a number; units belong in the first line");
       const double value = column.factor * *number;
       if ((value != 0 && std::abs(value) < column.of->least_amount) ||
           value < column.of->least * (column.of->least < 0 ? 1 + 1e-12 : 1 - 1e-12) ||
@@ -299,7 +299,7 @@ namespace wheelrail
           auto              &rows  = table_.columns[k];
           if (of.of->grows && !rows.empty() && !(value > rows.back()))
             fail(std::string(of.of->name) + " = " + shown_text(cell, 40) +
-                 (value == rows.back() ? " stands in the row before, too; leave one of them out"
+                 (value == rows.back() ? " is in the row before, too; leave one of them out"
                                        : " is less than in the row before; sort the rows"));
           rows.push_back(value);
         }
@@ -379,7 +379,7 @@ namespace wheelrail
                            perhaps(name, here) + "; there are " + join_choices(here, "and"));
         if (!names.emplace(cells[0], cells[1]).second)
           throw InputError(place(path, line.number) + "\"" + shown_text(cells[0], 40) +
-                           "\" stands in a line before, too; leave one of them out");
+                           "\" is in a line before, too; leave one of them out");
       }
     return names;
   }

@@ -21,7 +21,7 @@ namespace wheelrail
   namespace
   {
     /// The remainder of a table at a wave, between rows: cubic in log k. Below the first wavenumber of a rail
-    /// it stays: on its foot the rail gives way there as under a load without end.
+    /// it stays: on its foot the rail deflects there as under a load without end.
     std::vector<double>
     remainder_at(const BodyTable &table, const ContactRows &rows, const double wave)
     {

@@ -19,7 +19,7 @@ namespace wheelrail
     // below the first the remainder of a rail stays as it is there, above the last nothing is left of it
     // [1/m]
     constexpr double lowest_wavenumber = 0.25, highest_wavenumber = 1500;
-    // a rail gives way as a beam on its foot below some 10/m, which more of them have to show
+    // a rail deflects as a beam on its foot below some 10/m, which more of them have to show
     constexpr unsigned int n_wavenumbers = 12, n_of_rail = 24, n_harmonics = 13;
 
     std::vector<double>

@@ -21,7 +21,7 @@ namespace wheelrail
       for (std::size_t k = 0; k < n; k += 3)
         for (int c = 0; c < 3; ++c)
           // u + w/2 (u_before - 2 u + u_after) = (I - w/2 D'D) u: a wave loses w (1 - cos k h), w (k h)^2/2
-          // for long ones; on the way in and out w (k h)^2, the excess of the lattice
+          // for long ones; applied twice w (k h)^2, the excess of the lattice
           values[k + c] += 0.5 * weight[c] * (before[k + c] - 2 * values[k + c] + after[k + c]);
     }
 

@@ -120,7 +120,7 @@ namespace wheelrail
       {
         SurfaceState  &state = states[body];
         const Vector3 &X     = surfaces_[body].reference[k];
-        // x = X + u; the velocity goes two ways, through the normal and through the shear filter
+        // x = X + u; the velocity is filtered twice, through the normal and through the shear filter
         state.x[k] = {X[0] + in[0], X[1] + in[1], X[2] + in[2]};
         state.v[k] = state.slip[k] = {in[3], in[4], in[5]};
         if (body == Body::rail)

@@ -43,11 +43,11 @@ namespace wheelrail
       return points;
     }
 
-    /// Least way from p along the unit vector n to the points, below `deepest`; 0 where there is none.
+    /// Least distance from p along the unit vector n to the points, below `deepest`; 0 where there is none.
     double
-    way_to(const std::vector<Point2> &points, const Point2 &p, const Point2 &n)
+    distance_to(const std::vector<Point2> &points, const Point2 &p, const Point2 &n)
     {
-      double way = deepest;
+      double distance = deepest;
       for (std::size_t k = 1; k < points.size(); ++k)
         {
           const Point2 side = points[k] - points[k - 1], from = points[k - 1] - p;
@@ -56,9 +56,9 @@ namespace wheelrail
             continue;
           const double along = cross(from, side) / turn, share = cross(from, n) / turn;
           if (share >= 0 && share <= 1 && along >= 0)
-            way = std::min(way, along);
+            distance = std::min(distance, along);
         }
-      return way < deepest ? way : 0;
+      return distance < deepest ? distance : 0;
     }
   } // namespace
 
@@ -71,8 +71,8 @@ namespace wheelrail
     double       beyond = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k + 1 < target.size(); ++k)
       {
-        const Point2 way = target[k + 1] - target[k - 1];
-        if (std::abs(way.y) > std::tan(steepest) * std::abs(way.x))
+        const Point2 chord = target[k + 1] - target[k - 1];
+        if (std::abs(chord.y) > std::tan(steepest) * std::abs(chord.x))
           continue;
         if (const auto height = height_at(shape.points, target[k].x, out))
           beyond = std::max(beyond, out * (target[k].y - *height));
@@ -85,7 +85,7 @@ namespace wheelrail
     work.sections.assign(cells.size(), 0);
     for (std::size_t k = 0; k < cells.size(); ++k)
       {
-        const double depth = way_to(moved, shape.points[k], into_steel(shape, k));
+        const double depth = distance_to(moved, shape.points[k], into_steel(shape, k));
         work.sections[k]   = depth * cells[k];
         work.depth         = std::max(work.depth, depth);
       }

@@ -41,7 +41,7 @@ namespace wheelrail
   double
   arc_next_to(const std::vector<Point2> &points, const std::vector<double> &arc, const Point2 &p)
   {
-    double least = std::numeric_limits<double>::infinity(), way = 0;
+    double least = std::numeric_limits<double>::infinity(), nearest = 0;
     for (std::size_t k = 1; k < points.size(); ++k)
       {
         const Point2 step  = points[k] - points[k - 1];
@@ -49,11 +49,11 @@ namespace wheelrail
         const double apart = norm(p - points[k - 1] - share * step);
         if (apart < least)
           {
-            least = apart;
-            way   = arc[k - 1] + share * (arc[k] - arc[k - 1]);
+            least   = apart;
+            nearest = arc[k - 1] + share * (arc[k] - arc[k - 1]);
           }
       }
-    return way;
+    return nearest;
   }
 
 
@@ -121,9 +121,9 @@ namespace wheelrail
   into_steel(const WornShape &shape, const std::size_t point)
   {
     const auto  &points = shape.points;
-    const Point2 way    = points[std::min(point + 1, points.size() - 1)] - points[point > 0 ? point - 1 : 0];
-    const double side   = (shape.steel_on_left ? 1 : -1) / norm(way);
-    return {-side * way.y, side * way.x};
+    const Point2 chord  = points[std::min(point + 1, points.size() - 1)] - points[point > 0 ? point - 1 : 0];
+    const double side   = (shape.steel_on_left ? 1 : -1) / norm(chord);
+    return {-side * chord.y, side * chord.x};
   }
 
 

@@ -54,7 +54,7 @@ namespace wheelrail
           // level L = 10 lg(mean square/(1 um)^2): mean square = r0^2 10^(L/10) of one-third-octave bands (EN
           // 15610)
           if (!power.insert({n, reference * reference * std::pow(10., band.level / 10)}).second)
-            throw InputError("the band of " + in_mm(band.wavelength) + " stands there twice");
+            throw InputError("the band of " + in_mm(band.wavelength) + " is given twice");
         }
       if (power.empty())
         throw InputError("no band");

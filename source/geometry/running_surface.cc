@@ -177,8 +177,8 @@ namespace wheelrail
       height_at(*irregular_, CarriedBy::mesh, 2 * M_PI * radius_, across, origin_ + p.along);
     if (h.height == 0)
       return X;
-    const double secant = std::sqrt(1 + smooth.slope * smooth.slope), way = outwards * share * h.height;
-    const Point2 to = frame_.to_track({p.s - way * smooth.slope / secant, p.n + way / secant});
+    const double secant = std::sqrt(1 + smooth.slope * smooth.slope), rise = outwards * share * h.height;
+    const Point2 to = frame_.to_track({p.s - rise * smooth.slope / secant, p.n + rise / secant});
     if (body_ == Body::rail)
       return {to.x, to.y, X[2]};
     const Point2 section = pose_.section.to_section(to);

@@ -145,10 +145,10 @@ namespace wheelrail
   AxleLine::surface_point(const Point2 &place, const double tangent) const
   {
     const Point2 inwards = {-std::sin(tangent), std::cos(tangent)}, axis = {direction[0], direction[1]},
-                 way = middle - place;
+                 between = middle - place;
     // place + distance * inwards = middle + share * axis
-    const double distance = cross(way, axis) / cross(inwards, axis),
-                 share    = cross(way, inwards) / cross(inwards, axis);
+    const double distance = cross(between, axis) / cross(inwards, axis),
+                 share    = cross(between, inwards) / cross(inwards, axis);
     const double sine     = dot(inwards, axis);
     const double along = share * direction[2], level = std::hypot(direction[0], direction[2]);
     return {along,

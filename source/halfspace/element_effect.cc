@@ -80,7 +80,7 @@ namespace wheelrail
     const HalfspaceSolution &fine     = problem.added ? alone : solution;
     const double             friction = bare.friction.at(0) * fine.fn;
     ElementEffect            effect;
-    // how elements lie to the edge of the contact scatters: the worse one of two ways
+    // how elements lie to the edge of the contact scatters: the worse one of two grids
     for (const int before : {0, 1})
       {
         const HalfspaceSolution coarse = solve_rolling(on_doubled_elements(bare, before));

@@ -145,7 +145,7 @@ namespace wheelrail
       ahead,
       primitives,
       [&](const int i, const int j, const auto &ff, const auto &fn, const auto &nf, const auto &nn) {
-        // the layer gives way under its own element alone, also when the point lies `ahead` within it
+        // the layer yields under its own element alone, also when the point lies `ahead` within it
         const bool itself = j == 0 && std::abs(i * grid.dx + ahead) < grid.dx / 2;
         const auto c      = between(constants, ff, fn, nf, nn, itself);
         for (std::size_t k = 0; k < pairs.size(); ++k)

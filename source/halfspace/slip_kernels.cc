@@ -26,8 +26,8 @@ namespace wheelrail
                                 yy = products.kernel(here[2]);
     for (std::vector<double> *inverse : {&k.inverse_xx, &k.inverse_xy, &k.inverse_yy})
       inverse->resize(xx.size());
-    // kernel() holds the factor 1 / size that belongs to the way back: it must stand in the inverse, too.
-    // (1/N A)^-1 = N A^-1; what is wanted is A^-1/N: the factor 1/N^2
+    // kernel() holds the factor 1 / size that belongs to the inverse transform: it must stand in the inverse,
+    // too. (1/N A)^-1 = N A^-1; what is wanted is A^-1/N: the factor 1/N^2
     const double scale = 1. / std::pow(double(products.padded_size()), 2);
     for (std::size_t m = 0; m < xx.size(); ++m)
       {

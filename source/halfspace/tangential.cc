@@ -58,8 +58,8 @@ namespace wheelrail
         }
     }
 
-    /// The slow way that does not fail: proximal points. Each solves the task with slip + c (t - t before) in
-    /// place of the slip, which for a large c takes one step; c falls while that goes well.
+    /// The slow method that does not fail: proximal points. Each solves the task with slip + c (t - t before)
+    /// in place of the slip, which for a large c takes one step; c falls while that goes well.
     bool
     proximal_points(FrictionSystem       &system,
                     const TangentialTask &task,

@@ -181,7 +181,7 @@ namespace wheelrail
       if (scene.drive == Drive::torque && std::abs(scene.traction_coefficient) >= scene.friction.at(0) &&
           scene.traction_coefficient != 0)
         warnings.push_back(entry_text(scene, "Wheelset", "Traction coefficient") +
-                           ": friction carries at most " +
+                           ": friction transmits at most " +
                            entry_text(scene, "Contact", "Friction coefficient") +
                            ", so the whole patch slides and the wheel " +
                            (scene.traction_coefficient > 0 ? "spins up" : "locks") + " while it rolls");

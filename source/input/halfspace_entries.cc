@@ -104,7 +104,7 @@ namespace wheelrail
       field(&S::halfspace_bodies),
       "real: this wheel, held at its bore, on this rail, held at its foot, as elastic bodies; half-spaces: "
       "Kalker's theory, as the program CONTACT has it; auto: real, but half-spaces in wear and where real "
-      "bodies do not take the scene, which is said. For halfspace, vehicle, wear, run --wheelset and "
+      "bodies do not take the scene, with a note. For halfspace, vehicle, wear, run --wheelset and "
       "studies.");
     list.choice<HalfspaceSpin>(
       "Spin",

@@ -48,14 +48,15 @@ namespace wheelrail
                 "Solution cells reach this far beyond the expected patch.");
     list.number({"Planned load", "kN", "1 kN", "1000 kN"},
                 field(&S::planned_load),
-                "Wheel load for whose patch the solution cells are laid; auto: that of the scene. For runs "
+                "Wheel load for whose patch the solution cells are placed; auto: that of the scene. For runs "
                 "of several loads over one rail: the largest.",
                 {{"auto", 0}});
-    list.numbers({"Planned strip", "mm", "-60 mm", "60 mm"},
-                 2,
-                 field(&S::planned_strip),
-                 "Two places on the rail's section, positive to the field side, between which solution cells "
-                 "are laid; none: around the patch of the scene. For wheels at several places of one rail.");
+    list.numbers(
+      {"Planned strip", "mm", "-60 mm", "60 mm"},
+      2,
+      field(&S::planned_strip),
+      "Two places on the rail's section, positive to the field side, between which solution cells "
+      "are placed; none: around the patch of the scene. For wheels at several places of one rail.");
     list.number({"Prepared distance", "mm", "> 0 mm", "10 m"},
                 field(&S::prepared_distance),
                 "With Window = fixed: the mesh is made for rolling that far, so that a run can be resumed "

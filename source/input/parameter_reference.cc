@@ -94,8 +94,7 @@ namespace wheelrail
          "This page is printed by `./wheelrail parameters --markdown` from the program's own table; to renew "
          "it:\n\n"
          "    ./wheelrail parameters --markdown > doc/manual/parameters.md\n\n"
-         "How a file is written: [input.md](input.md); what helps where one is faulty: "
-         "[messages.md](messages.md).\n";
+         "How a file is written, and what is said of a faulty one: [input.md](input.md).\n";
     write_entries("", out);
     for (const std::string &section : section_names())
       write_entries(section, out);

@@ -111,7 +111,7 @@ namespace wheelrail
                       wheel_file,
                       field(&Scene::wheel_profile),
                       "Wheel profile (S1002: EN 13715; cone: straight tread with the flange of S1002); a "
-                      "relative path of a file counts from where the command is given.");
+                      "relative path of a file starts where the command is given.");
     add_left(list, "Wheel", standard_wheels(), wheel_file, field(&Scene::left_wheel_profile));
     add_file_options(list,
                      "Wheel",

@@ -23,7 +23,7 @@ namespace wheelrail
       list.number({"Longest distance", "mm", "> 0 mm", "10 m"},
                   field(&S::longest_distance),
                   "How far a run rolls that should end when it is steady and does not become so. The mesh is "
-                  "laid for it, and outputs lie at equal parts of it.");
+                  "made for it, and outputs lie at equal parts of it.");
       list.number({"Standard error", "", "0.0001", "0.1"},
                   field(&S::standard_error),
                   "Standard error that every result may have for a run until steady to end, over a scale of "

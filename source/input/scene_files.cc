@@ -141,7 +141,7 @@ namespace wheelrail
 
     /// A file that is not there, or is empty, has none.
     std::string
-    digest_or_nothing(const std::string &contents)
+    digest_if_any(const std::string &contents)
     {
       return contents.empty() ? "" : digest(contents);
     }
@@ -163,7 +163,7 @@ namespace wheelrail
           // in the order of the entries, each file behind the one that names it
           for (const SceneFile &file : files)
             if (file.entry == path)
-              text += digest_or_nothing(contents_of(file)) + "\n";
+              text += digest_if_any(contents_of(file)) + "\n";
         }
       return text;
     }

@@ -84,7 +84,7 @@ namespace wheelrail
                                about(1e3 * sinks) + " mm, where a usual track sinks by 1 mm or 2");
     if (support.kind == RailSupport::continuous_pads && support.sleeper_mass != SupportData().sleeper_mass)
       found.warnings.push_back(entry_text(scene, "Track", "Sleeper mass") + ": without effect, since " +
-                               entry_text(scene, "Track", "Support") + " stands on rigid ground");
+                               entry_text(scene, "Track", "Support") + " rests on rigid ground");
     if (const double length = enough_rail(scene); scene.rail_length < length)
       found.warnings.push_back(
         entry_text(scene, "Track", "Rail length") +

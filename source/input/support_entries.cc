@@ -42,7 +42,7 @@ namespace wheelrail
       list.choice<PadLoss>("Pad damping",
                            {{"damper", PadLoss::damper}, {"constant", PadLoss::constant}},
                            field(&S::support, &SupportData::pad_damping),
-                           "How the loss factor goes with frequency; damper: in proportion, by one damper "
+                           "How the loss factor depends on frequency; damper: in proportion, by one damper "
                            "that is matched at Pad damping frequency; constant: the same from 100 to 2000 "
                            "Hz, by three Maxwell branches, which make the pad stiffer with frequency.");
       add_frequency(list,
@@ -87,7 +87,7 @@ namespace wheelrail
        {"continuous pads", RailSupport::continuous_pads},
        {"sleepers", RailSupport::sleepers}},
       field(&S::support, &SupportData::kind),
-      "What the rail stands on; clamped foot: foot and ends of the rail do not move; continuous pads: the "
+      "What supports the rail; clamped foot: foot and ends of the rail do not move; continuous pads: the "
       "pads of all sleepers spread evenly along the rail, on rigid ground; sleepers: a pad on each sleeper. "
       "On pads the ends of the rail are free.");
     list.number({"Sleeper spacing", "mm", "100 mm", "5 m"},

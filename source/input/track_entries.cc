@@ -63,7 +63,7 @@ namespace wheelrail
     list.number({"Track shift factor", "", "0.1", "2"},
                 field(&S::prudhomme_factor),
                 "k of Prud'homme's limit k (10 kN + P/3) of the sum of the lateral forces of an axle with "
-                "the load P; 1 for track that lies well, 0.85 for others.");
+                "the load P; 1 for track in good condition, 0.85 for others.");
     return list.entries;
   }
 } // namespace wheelrail

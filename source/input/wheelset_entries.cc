@@ -135,7 +135,7 @@ namespace wheelrail
                         field(&S::left_wheel),
                         "The modelled wheel, on the right-hand or the left-hand rail; lateral shift, roll, "
                         "yaw and lateral creepage are those of the wheelset, with the signs for its "
-                        "right-hand wheel; results count to the track centre of the modelled wheel.");
+                        "right-hand wheel; results are positive to the track centre of the modelled wheel.");
       add_axle(list);
       list.number({"Lateral shift", "mm", "-12 mm", "12 mm"},
                   field(&S::lateral_shift),

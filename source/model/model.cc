@@ -92,7 +92,7 @@ namespace wheelrail
     }
 
     /// Where a column of the wheel's blocks lies along: they are counted against its arc coordinate, from the
-    /// contact of the start on. The other way round it is the same.
+    /// contact of the start on. In reverse it is the same.
     int
     wheel_column(const int column)
     {
@@ -133,7 +133,7 @@ namespace wheelrail
       add_band_mass(model.solid, model.contact->law().added_mass);
     }
 
-    /// How much thinner, relatively, nodes that irregularities move make the cells anywhere on the way:
+    /// How much thinner, relatively, nodes that irregularities move make the cells anywhere on the path:
     /// heights are blended over a depth, slopes shear cells.
     double
     thinnest_cells(const RunningSurfaces &surfaces)
@@ -275,7 +275,7 @@ namespace wheelrail
       return make_sweep_plan(planned_strip.profiles, wheel, sizes);
     }
 
-    /// The way over which a run until steady is brought to the balance of its torque, one and a half lengths
+    /// The path over which a run until steady is brought to the balance of its torque, one and a half lengths
     /// of the patch (see run_in()) [m]; 0 where there is none to come to: at a given rate, with more torque
     /// than friction carries, and of starts that are to settle by themselves.
     double

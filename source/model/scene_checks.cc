@@ -117,7 +117,7 @@ namespace wheelrail
     /// What would let blocks fit into the sections: smaller ones, or the shift nearest to the wanted one at
     /// which they do, to 0.1 mm.
     std::string
-    way_to_fit(const Scene &scene, const SceneGeometry &geometry)
+    what_fits(const Scene &scene, const SceneGeometry &geometry)
     {
       for (Scene finer = scene;
            finer.coarse_cell_size > 1.5 * scene.cell_size && finer.coarse_cell_size > 4e-3;)
@@ -165,7 +165,7 @@ namespace wheelrail
           found.errors.push_back(entry_text(scene, "Mesh", "Coarse cell size") +
                                  ": rail and wheel cannot be divided into cells at " +
                                  entry_text(scene, "Wheelset", "Lateral shift") + ": " + error.what() +
-                                 way_to_fit(scene, geometry));
+                                 what_fits(scene, geometry));
         }
     }
 

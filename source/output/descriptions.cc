@@ -22,7 +22,7 @@ namespace wheelrail
       {"state", "0 open, 1 stick, 2 slip"},
       {"area", "tributary area of the node in the contact plane"},
       {"position",
-       "along Z from the axle, positive ahead, or s: the attribute position_is of the group tells"},
+       "along Z from the axle, positive ahead, or s: as the attribute position_is of the group says"},
       {"depth", "below the surface along the contact normal, into the body"},
       {"von_mises_stress", "von Mises' equivalent of the stress"},
       {"residual_von_mises_stress", "von Mises' equivalent of the stress behind the wheel"},

@@ -53,7 +53,7 @@ namespace wheelrail
       return 0;
     }
     /// Brings the new name to the disk, so that files of a later call never get there before this one. The
-    /// file is complete either way, so a file system that cannot do it is no fault.
+    /// file is complete in any case, so a file system that cannot do it is no fault.
     void
     sync_folder_of(const std::string &path)
     {

@@ -184,16 +184,16 @@ namespace wheelrail
                        ". Set Profiles/Wheel unit or Profiles/Rail unit");
     }
 
-    /// Direction of the outline at point i against its order (`way` = -1) or along it (+1), taken over 2 mm
+    /// Direction of the outline at point i against its order (`sense` = -1) or along it (+1), taken over 2 mm
     /// or more; nothing beyond the ends.
     std::optional<Point2>
-    direction_from(const Points &points, const std::size_t i, const int way)
+    direction_from(const Points &points, const std::size_t i, const int sense)
     {
       std::size_t k = i;
-      while ((way > 0 ? k + 1 < points.size() : k > 0) &&
+      while ((sense > 0 ? k + 1 < points.size() : k > 0) &&
              norm(points[k].position - points[i].position) < 2e-3)
-        k += way;
-      const Point2 d = way * (points[k].position - points[i].position);
+        k += sense;
+      const Point2 d = sense * (points[k].position - points[i].position);
       if (k == i)
         return {};
       return (1 / norm(d)) * d;

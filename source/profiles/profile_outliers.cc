@@ -40,27 +40,27 @@ namespace wheelrail
     };
 
     /// Of the neighbour `from`, with `across` on the other side of the point and the points in direction
-    /// `way`: the next one that is half of `width` away, so that short steps beside long ones do not hide a
+    /// `step`: the next one that is half of `width` away, so that short steps beside long ones do not hide a
     /// kink, or the one behind it, since the next one may be an outlier itself.
     Beyond
     beyond(const std::vector<Point2> &points,
            const std::size_t          from,
            const Point2              &across,
-           const int                  way,
+           const int                  step,
            const double               width)
     {
       const auto exists = [&](const std::size_t i) { return i < points.size(); }; // 0 - 1 does not
-      if (!exists(from + way))
+      if (!exists(from + step))
         return {};
       const Point2 p  = points[from];
       const auto   of = [&](const Point2 &q) {
         const double off = against_chord(p, across, q).y, sides = norm(p - across) * norm(q - p);
-        return Beyond{std::abs(off), sides > 0 ? -way * 2 * off / sides : 0};
+        return Beyond{std::abs(off), sides > 0 ? -step * 2 * off / sides : 0};
       };
-      std::size_t k = from + way;
-      while (exists(k + way) && norm(points[k] - p) < 0.499 * width)
-        k += way;
-      const Beyond next = of(points[k]), far = exists(k + way) ? of(points[k + way]) : next;
+      std::size_t k = from + step;
+      while (exists(k + step) && norm(points[k] - p) < 0.499 * width)
+        k += step;
+      const Beyond next = of(points[k]), far = exists(k + step) ? of(points[k + step]) : next;
       return far.off < next.off ? far : next;
     }
 

@@ -17,7 +17,7 @@ namespace wheelrail
     {
       const double low  = values.number("bound." + axis + ".min", 1),
                    high = values.number("bound." + axis + ".max", 0);
-      if (low > high) // the format's way to say: no bounds
+      if (low > high) // in this format: no bounds
         return;
       const std::size_t before = content.points.size();
       content.points.erase(std::remove_if(content.points.begin(),
@@ -194,7 +194,7 @@ namespace wheelrail
       }
     if (begin == 0)
       throw InputError(file +
-                       ": a SIMPACK profile without \"point.begin\"; its points stand between "
+                       ": a SIMPACK profile without \"point.begin\"; its points are between "
                        "point.begin and point.end");
     if (inside)
       throw InputError(place(file, begin) + "point.begin without \"point.end\"; the file may be cut off");

@@ -118,11 +118,11 @@ namespace wheelrail
     const auto   ends = undamped(scene);
     const double room = std::min(farthest, std::max(ends[1] - places.along, places.along - ends[0]) - margin);
     // towards the longer side; waves are symmetric
-    const double way = ends[1] - places.along >= places.along - ends[0] ? 1 : -1;
+    const double sense = ends[1] - places.along >= places.along - ends[0] ? 1 : -1;
     for (double away = 0.1; away <= room; away += away < 1.15 ? 0.1 : 0.2)
       {
         HammerFace farther = face;
-        farther.middle[2] += way * away;
+        farther.middle[2] += sense * away;
         places.faces.push_back(farther);
         places.distance.push_back(away);
       }

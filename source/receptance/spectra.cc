@@ -114,11 +114,11 @@ namespace wheelrail
         Resonance peak{frequency[p], mobility[p], std::numeric_limits<double>::quiet_NaN()};
         if (std::max(lows[0], lows[1]) < half * mobility[p])
           {
-            const auto crossing = [&](std::size_t k, const int way) {
-              while (mobility[k + way] > half * mobility[p])
-                k += way;
-              const double part = (mobility[k] - half * mobility[p]) / (mobility[k] - mobility[k + way]);
-              return frequency[k] + part * (frequency[k + way] - frequency[k]);
+            const auto crossing = [&](std::size_t k, const int step) {
+              while (mobility[k + step] > half * mobility[p])
+                k += step;
+              const double part = (mobility[k] - half * mobility[p]) / (mobility[k] - mobility[k + step]);
+              return frequency[k] + part * (frequency[k + step] - frequency[k]);
             };
             peak.loss = (crossing(p, 1) - crossing(p, -1)) / frequency[p];
           }

@@ -1,4 +1,4 @@
-"""Pictures of runs over irregular surfaces: force, axle-box acceleration, rail velocity and stress over the way with the
+"""Pictures of runs over irregular surfaces: force, axle-box acceleration, rail velocity and stress over the path with the
 surfaces under the wheel, and spectra (Welch 1967, by matplotlib)."""
 
 import matplotlib.pyplot as plt
@@ -32,7 +32,7 @@ def groups(run):
             for title, label, columns in curves(run)}
 
 
-def draw_way(run):
+def draw_histories(run):
     """Vertical force, what the history has besides, and heights over the rolled distance."""
     x = 1e3 * run.history["rolled_distance"]
     rows = [("force [kN]", [("vertical_force", 1e-3, style.RED)])]
@@ -96,7 +96,7 @@ def draw_spectra(run):
     caption = "Spectra of force, axle-box acceleration and rail velocity"
     for label, frequency in resonances(run):
         if frequency < axes[0].get_xlim()[0]:
-            caption += f"; the {label} of {frequency:.0f} Hz is below what so short a way resolves"
+            caption += f"; the {label} of {frequency:.0f} Hz is below what so short a path resolves"
     return [(caption, style.save(run, figure, "spectra"))]
 
 
@@ -104,4 +104,4 @@ def draw_all(run):
     """A list of (caption, path); nothing of a run over smooth surfaces."""
     if not run.history or not surfaces(run) or len(run.history["time"]) < 32:
         return []
-    return draw_way(run) + draw_spectra(run)
+    return draw_histories(run) + draw_spectra(run)

@@ -131,13 +131,13 @@ def figures(table):
 
 
 def remarks(folder):
-    """What wear.json says besides: that the plan is not done, and what was found on the way; "" without that file."""
+    """What wear.json says besides: that the plan is not done, and what was found before; "" without that file."""
     path = os.path.join(folder, "wear.json")
     if not os.path.exists(path):
         return ""
     with open(path, encoding="utf-8") as file:
         state = json.load(file)
-    sentences = [] if state["finished"] else ["Not finished: the same command goes on from here."]
+    sentences = [] if state["finished"] else ["Not finished: the same command resumes here."]
     sentences += [state["note"], state.get("beside_bodies")]
     verdict = page.verdict_sentence({**state, "finished": True}) if "verdict" in state else ""
     return verdict + "".join(f"<p>{html.escape(sentence)}</p>" for sentence in sentences if sentence)

@@ -18,7 +18,7 @@ import os
 import sys
 
 
-def _way_to_h5py():
+def _h5py_hint():
     """What to do where this Python has no h5py: Debian's has it, another one or a virtual environment hides it."""
     if sys.prefix != sys.base_prefix:
         return (f"the virtual environment {sys.prefix} hides Debian's packages: leave it (deactivate) and start your script "
@@ -31,7 +31,7 @@ def _way_to_h5py():
 try:
     import h5py
 except ImportError as error:
-    sys.exit(f"{error}; {_way_to_h5py()}")
+    sys.exit(f"{error}; {_h5py_hint()}")
 import numpy as np
 
 #: how the program is called, for commands in messages; the launcher tells

@@ -108,7 +108,7 @@ namespace wheelrail
           stage_of(passage_folder(scene_.folder, 1), communicator_) != Stage::none)
         throw InputError(
           "Output/Folder = " + scene_.folder +
-          ": the folder holds passages of an earlier run; --resume goes on with them, --overwrite starts "
+          ": the folder holds passages of an earlier run; --resume continues them, --overwrite starts "
           "anew");
       on_root(communicator_, [&]() {
         for (const PassingWheel &wheel : wheels_)

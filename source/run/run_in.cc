@@ -23,7 +23,7 @@ namespace wheelrail
         .mean;
     }
 
-    /// Of the slope of the theory: patches of a wheel on a rail, which are no ellipses, give way more
+    /// Of the slope of the theory: patches of a wheel on a rail, which are no ellipses, deflect more
     /// (measured in the main scene).
     constexpr double of_theory = 0.75;
 

@@ -160,7 +160,7 @@ namespace wheelrail
           }
         catch (const RunError &)
           {
-            // a patch on its way to a place beyond the mesh may be stuck before it
+            // a patch that moves to a place beyond the mesh may be stuck before it
             failure         = std::current_exception();
             start.at_border = true;
           }

@@ -9,13 +9,13 @@ namespace wheelrail
 {
   RunState::RunState(const Scene &scene_of_run,
                      Model      &&built,
-                     const double lift,
+                     const double hub_displacement,
                      const double rate,
                      MPI_Comm     of_all)
     : scene(scene_of_run)
     , model(std::move(built))
     , communicator(of_all)
-    , axle(model.axle, lift, rate, communicator)
+    , axle(model.axle, hub_displacement, rate, communicator)
     , rolling(model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), communicator)
     , recorder(model)
   {
@@ -42,7 +42,8 @@ namespace wheelrail
   {
     const RunStart start =
       start_on_wide_mesh(scene, geometry, model, rail ? &*rail : nullptr, log, communicator);
-    return std::make_unique<RunState>(scene, std::move(model), start.lift, start.rate, communicator);
+    return std::make_unique<RunState>(
+      scene, std::move(model), start.hub_displacement, start.rate, communicator);
   }
 
 

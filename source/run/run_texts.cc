@@ -140,7 +140,7 @@ namespace wheelrail
     log.value("saved", text("the state at %.3f mm rolled (%.1f MB)", 1e3 * *saved, 1e-6 * bytes));
     const std::string obstacle = obstacle_of_stop(stop, *saved, scene);
     if (obstacle.empty())
-      log.value("to go on",
+      log.value("to resume",
                 own_call() + " run " + shell_word(folder + "/parameters.prm") + " --ranks " +
                   std::to_string(ranks) + " --resume");
     else

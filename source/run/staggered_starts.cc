@@ -40,11 +40,11 @@ namespace wheelrail
     const double length = 0.9 * expected_patch(scene, geometry).length; // that is some 10 % too long
     const double block  = sweep_plan(scene, geometry).block_length();
     const double step   = std::ceil(length / block) * block;
-    // to the place where passages are compared, one patch behind the end of the first wheel's way
-    const double way  = scene.path() - length - scene.start_offset;
+    // to the place where passages are compared, one patch behind the end of the first wheel's path
+    const double path = scene.path() - length - scene.start_offset;
     const double rail = 0.5 * (scene.rail_length - scene.mesh_distance()) - free_rail(scene, length);
     const auto   fits = [&](const unsigned int n, const double settle) {
-      return (n - 1) * step <= way - settle && scene.start_offset + (n - 1) * step <= rail;
+      return (n - 1) * step <= path - settle && scene.start_offset + (n - 1) * step <= rail;
     };
     unsigned int n = scene.staggered_starts;
     if (n == 0)

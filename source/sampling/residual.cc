@@ -25,8 +25,8 @@ namespace wheelrail
       return largest < 0 ? std::nan("") : largest;
     }
 
-    /// Change of the displacement along Z per way along the outward normal of the contact frame, at nodes
-    /// [1].
+    /// Change of the displacement along Z per distance along the outward normal of the contact frame, at
+    /// nodes [1].
     std::vector<double>
     outward_change(const Model &model)
     {

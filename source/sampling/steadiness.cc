@@ -129,7 +129,7 @@ namespace wheelrail
         return result.of_torque;
       }
 
-      /// The way over which wheel and rail creep sideways to their lateral force.
+      /// The path over which wheel and rail creep sideways to their lateral force.
       double
       lateral_length() const
       {

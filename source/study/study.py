@@ -81,11 +81,11 @@ def compute(study, options):
     line.end()
     if stop.is_set():
         study.wait_for_cases(60)
-        print("interrupted: the cases at work were saved; the same command goes on", file=sys.stderr)
+        print("interrupted: the cases at work were saved; the same command resumes", file=sys.stderr)
     return stop.is_set(), running
 
 
-def tell_failures(study, failures):
+def print_failures(study, failures):
     """One line for each case without figures; gives their number."""
     told = 0
     for case in study.cases:
@@ -112,7 +112,7 @@ def main(arguments):
             if todo:
                 interrupted, running = compute(study, options)
                 failures, fault = running.failures, running.fault()
-            failed = tell_failures(study, failures)
+            failed = print_failures(study, failures)
             if not interrupted and study.open_cases(failures):
                 print("error: " + (fault or "some cases were not computed"), file=sys.stderr)
             study_table.write(study, failures)

@@ -13,8 +13,9 @@ namespace wheelrail
 
 
   /// A wave with the group velocity v comes back with exp(-integral of c/v) of its amplitude, half of the
-  /// exponent on either way. Waves of bending have 2 km/s at most; a hundred and fiftieth of them may come
-  /// back: c_end L/3 = 2000 m/s x 5. More damping throws back slow waves, for which it then rises too fast.
+  /// exponent in both directions. Waves of bending have 2 km/s at most; a hundred and fiftieth of them may
+  /// come back: c_end L/3 = 2000 m/s x 5. More damping throws back slow waves, for which it then rises too
+  /// fast.
   double
   DampedEnds::highest_rate() const
   {

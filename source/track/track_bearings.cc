@@ -233,7 +233,7 @@ namespace wheelrail
   }
 
 
-  /// A sleeper gives way by give x (sum of the pads' forces). With give = L L^T (Cholesky) that is one term
+  /// A sleeper deflects by give x (sum of the pads' forces). With give = L L^T (Cholesky) that is one term
   /// for each column of L.
   std::vector<JoinedNodes>
   TrackSupport::joined() const

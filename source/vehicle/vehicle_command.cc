@@ -172,7 +172,7 @@ namespace wheelrail
         std::filesystem::remove(rows_file(folder));
       VehicleRows kept(rows_file(folder).string(), scene_digest(scene, WHEELRAIL_VERSION), motion);
       if (kept.count() > 0)
-        out << "going on behind " << kept.count() << " of " << motion.rows() << " rows" << std::endl;
+        out << "resuming after " << kept.count() << " of " << motion.rows() << " rows" << std::endl;
       TaskCount count("rows", motion.rows(), kept.count(), out);
       try
         {
@@ -184,7 +184,7 @@ namespace wheelrail
             throw;
           throw Interrupted(std::to_string(kept.count()) + " of " + std::to_string(motion.rows()) +
                             " rows are kept in " + folder.string() +
-                            ": the same command goes on with the others");
+                            ": the same command continues with the others");
         }
     }
 

@@ -51,7 +51,7 @@ namespace wheelrail
       throw InputError(
         "\"" + path_ + "\": rows of " +
         (head.is_null() ? "an unknown scene" : "another scene, or of another version of the program") +
-        ", from a call that was interrupted. Set the entries back to go on with them, choose "
+        ", from a call that was interrupted. Set the entries back to continue with them, choose "
         "another Output/Folder, or give --overwrite to start anew.");
     std::map<std::size_t, std::vector<double>> peaks; // of the wheels
     while (std::getline(lines, line))

@@ -73,7 +73,7 @@ namespace wheelrail
           {
             grade = std::min(grade, Grade::with_care);
             total.doubts += (total.doubts.empty() ? "" : " ") + ("The " + side) +
-                            "-hand wheel is lifted: the curve asks for more than both wheels hold, and the "
+                            "-hand wheel is lifted: the curve demands more than both wheels hold, and the "
                             "vehicle begins to tip over.";
             continue;
           }

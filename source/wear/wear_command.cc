@@ -151,7 +151,7 @@ namespace wheelrail
       throw InputError(
         folder.string() + ": holds states of another scene, up to " + reached(kept->state.steps.back()) +
         ": " + (other.empty() ? "a profile or the mix has changed, or the program" : other) +
-        "; set it back to go on with them, choose another Output/Folder, or give --overwrite to "
+        "; set it back to continue with them, choose another Output/Folder, or give --overwrite to "
         "start anew");
     }
 
@@ -217,7 +217,7 @@ namespace wheelrail
     print_kept(const std::optional<WearState> &kept, const fs::path &folder, std::ostream &out)
     {
       if (kept)
-        out << (kept->finished ? "everything is there: " : "going on from step ")
+        out << (kept->finished ? "everything is there: " : "resuming from step ")
             << (kept->finished ? folder.string() : std::to_string(kept->steps.size() - 1)) << '\n';
     }
 
@@ -277,7 +277,7 @@ namespace wheelrail
           if (known.steps.empty())
             throw;
           throw Interrupted("the states up to " + reached(known.steps.back()) + " are kept in " +
-                            folder.string() + ": the same command goes on from there");
+                            folder.string() + ": the same command resumes there");
         }
       print_judged_end(scene, state, torn, out);
       out << "Results in " << folder.string() << std::endl;

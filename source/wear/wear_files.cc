@@ -144,10 +144,9 @@ namespace wheelrail
       }
     catch (const Json::exception &)
       {
-        throw InputError(
-          "\"" + path +
-          "\": damaged, so that nobody can go on from it. Choose another Output/Folder, or give "
-          "--overwrite to start anew.");
+        throw InputError("\"" + path +
+                         "\": damaged, so that it cannot be resumed. Choose another Output/Folder, or give "
+                         "--overwrite to start anew.");
       }
   }
 

@@ -15,7 +15,7 @@ namespace wheelrail
 {
   namespace
   {
-    /// A shape with its ways, and what it loses.
+    /// A shape with its arc lengths, and what it loses.
     struct WearingSurface
     {
       WearingSurface(const WornShape     &of,

@@ -35,7 +35,7 @@ namespace wheelrail
     layer_depths(const HalfspaceGrid &grid)
     {
       // finer layers would cost time and show nothing: below the surface the stresses are smooth, and the
-      // deeper the smoother. What falls with the square of the depth is off by 0.2 % half way between layers
+      // deeper the smoother. What falls with the square of the depth is off by 0.2 % midway between layers
       constexpr double    growth = 0.05;
       const double        least  = std::max(0.2e-3, 0.5 * std::min(grid.dx, grid.dy));
       std::vector<double> depths{0};
@@ -44,7 +44,7 @@ namespace wheelrail
       return depths;
     }
 
-    /// A row of elements, along x at column `fixed` of y or the other way.
+    /// A row of elements, along x at column `fixed` of y or the reverse.
     struct CutRow
     {
       std::string name;

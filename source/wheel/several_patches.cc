@@ -12,7 +12,7 @@ namespace wheelrail
   namespace
   {
     /// Where the surfaces are farthest apart between the point of a region and another place of its frame, or
-    /// where the profiles end on the way there.
+    /// where the profiles end before.
     double
     border(const ContactSections &sections, const double other)
     {

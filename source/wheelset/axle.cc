@@ -7,10 +7,13 @@
 
 namespace wheelrail
 {
-  Axle::Axle(const AxleData &data, const double lift, const double pitch_rate, MPI_Comm communicator)
+  Axle::Axle(const AxleData &data,
+             const double    hub_displacement,
+             const double    pitch_rate,
+             MPI_Comm        communicator)
     : data_(data)
-    , height_(lift)
-    , lift_(lift)
+    , height_(hub_displacement)
+    , hub_displacement_(hub_displacement)
     , pitch_rate_(pitch_rate)
     , applied_torque_(data.torque)
     , communicator_(communicator)
@@ -131,7 +134,7 @@ namespace wheelrail
     // (m_a + m_b) y'' = F_y - (M + m_a) g - k s - c s', M y_M'' = k s + c s' (doc/theory/rolling.md, Axle):
     // vertical motion with suspension, preload and weight; the suspension is too slow to bring a change of
     // the load to the axle
-    const double stretch    = height_ - lift_ - sprung_height_;
+    const double stretch    = height_ - hub_displacement_ - sprung_height_;
     const double closing    = vertical_speed_ - sprung_speed_;
     const double suspension = data_.stiffness * stretch + data_.damping * closing;
     const double weight     = (data_.sprung_mass + data_.mass) * data_.gravity;
@@ -230,7 +233,7 @@ namespace wheelrail
   Axle::visit_state(A &axle, const Visit &visit)
   {
     visit("height", axle.height_);
-    visit("lift", axle.lift_);
+    visit("lift", axle.hub_displacement_);
     visit("vertical_speed", axle.vertical_speed_);
     visit("angle", axle.angle_);
     visit("pitch_rate", axle.pitch_rate_);
@@ -264,7 +267,7 @@ namespace wheelrail
   Axle::energy() const
   {
     AxleEnergy   energy  = work_;
-    const double stretch = height_ - lift_ - sprung_height_;
+    const double stretch = height_ - hub_displacement_ - sprung_height_;
     energy.kinetic       = 0.5 * total_mass_ * vertical_speed_ * vertical_speed_ +
                      0.5 * total_inertia_ * pitch_rate_ * pitch_rate_ +
                      0.5 * data_.sprung_mass * sprung_speed_ * sprung_speed_;

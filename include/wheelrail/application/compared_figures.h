@@ -10,7 +10,7 @@
 
 namespace wheelrail
 {
-  /// What a run is compared with: the head of its column, and what stands before the keys of its figures
+  /// What a run is compared with: the head of its column, and what precedes the keys of its figures
   /// and of the differences.
   struct ComparedWith
   {
@@ -34,7 +34,7 @@ namespace wheelrail
   Comparison
   compare_figures(Summary &run, const Summary &halfspace, const ComparedWith &reference, std::ostream &out);
 
-  /// null for what is not finite, which JSON does not know.
+  /// null for what is not finite, which JSON does not have.
   nlohmann::ordered_json
   json_number(double value);
 } // namespace wheelrail

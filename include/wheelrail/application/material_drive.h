@@ -41,12 +41,12 @@ namespace wheelrail
   struct MaterialAnswer
   {
     std::vector<MaterialCycle> cycles;
-    FigureTable                steps; ///< states on the way: stresses [MPa], energies [MJ/m3]
+    FigureTable                steps; ///< states in between: stresses [MPa], energies [MJ/m3]
   };
 
   /// Goes through the targets so many times, in so many even steps from one to the next; what is driven
-  /// another way than before starts from where it is. The table gets every step, or about `rows` from one to
-  /// the next (0: none). Throws RunError, which names the stress on the way, where the steel does not bear
+  /// by another quantity than before starts from where it is. The table gets every step, or about `rows` from
+  /// one to the next (0: none). Throws RunError, which names the stress then, where the steel does not bear
   /// it, or where a normal strain comes to -0.5, a length of zero.
   MaterialAnswer
   drive_material(const MaterialLaw              &law,
@@ -61,7 +61,7 @@ namespace wheelrail
   cycle_table(const std::vector<MaterialCycle> &cycles);
 
   /// Steps with which strains, stresses and ratcheting of the first cycles are within 0.1 % of those of
-  /// infinitely many, from 200 to 100000: errors of the law are of first order, so that twice the steps tell
+  /// infinitely many, from 200 to 100000: errors of the law are of first order, so that twice the steps show
   /// what is missing. Throws RunError as drive_material().
   unsigned int
   enough_material_steps(const MaterialLaw &law, const std::vector<PointTarget> &path, unsigned int cycles);

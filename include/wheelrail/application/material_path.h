@@ -7,7 +7,7 @@
 
 namespace wheelrail
 {
-  /// The targets that one cycle of a material test goes through, the last one its end. Reads the file of the
+  /// The targets of one cycle of a material test, the last one its end. Reads the file of the
   /// test, if there is one. Throws InputError when the test says nothing, when its lists do not fit each
   /// other, or when the file cannot be understood.
   std::vector<PointTarget>

@@ -19,7 +19,7 @@ namespace wheelrail
     std::string
     at(double share) const;
 
-    /// Whether it is time to tell it again: 5 s after it was told last, later where the work takes long.
+    /// Whether it is time to print it again: 5 s after it was printed last, later where the work takes long.
     bool
     due();
 
@@ -28,8 +28,8 @@ namespace wheelrail
     double                                first_, told_;
   };
 
-  /// Counts tasks that are done, from several threads, and tells it on a screen as Progress does: "120 of 308
-  /// rows, 39 % done, 12 s left".
+  /// Counts tasks that are done, from several threads, and prints it on a screen as Progress does: "120 of
+  /// 308 rows, 39 % done, 12 s left".
   class TaskCount
   {
   public:

@@ -35,7 +35,7 @@ namespace wheelrail
   ///
   /// Throws InputError for a bare number where a unit is needed, a unit where none belongs, an
   /// unknown unit, a unit of another dimension, and anything that is not a finite decimal number.
-  /// The text of the error tells what was found and what is accepted, without naming the entry.
+  /// The text of the error says what was found and what is accepted, without naming the entry.
   double
   parse_quantity(const std::string &text, Dimension dimension);
 
@@ -50,7 +50,7 @@ namespace wheelrail
   std::string
   format_number(double value);
 
-  /// A length [m] in millimetres, "1.25 mm", rounded to micrometres (1000 digits per mm) or as told.
+  /// A length [m] in millimetres, "1.25 mm", rounded to micrometres (1000 digits per mm) or as given.
   std::string
   in_mm(double length, double parts = 1000);
 

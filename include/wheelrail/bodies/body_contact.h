@@ -13,9 +13,9 @@
 namespace wheelrail
 {
   /// Steady rolling of this wheel on this rail, as elastic bodies: half-spaces unfolded along the rail's
-  /// profile, and what the bodies give way beyond them. Conformal: at each place across the rail pressure
+  /// profile, and what the bodies deflect beyond them. Conformal: at each place across the rail pressure
   /// acts along the rail's own normal there. Where head and rim turn and move to under the load follows, and
-  /// with it where the surfaces meet and which way pressure acts; nothing is fitted.
+  /// with it where the surfaces meet and in which direction pressure acts; nothing is fitted.
   class BodyContact
   {
   public:
@@ -46,14 +46,14 @@ namespace wheelrail
     /// A row of elements along the track.
     struct Row
     {
-      bool                   touches = false;             ///< both surfaces are there
-      Point2                 place;                       ///< on the rail, in the track plane [m]
-      double                 angle    = 0;                ///< of the rail's tangent against X, turned [rad]
-      double                 rail_arc = 0, wheel_arc = 0; ///< along the profiles [m]
-      double                 distance     = 0; ///< of the wheel along the rail's normal, moved aside [m]
-      double                 along_normal = 1; ///< that over one along the normal of the first contact point
-      double                 s            = 0; ///< of the wheel in the frame of that point [m]
-      ContactSections::Slice slice;            ///< of the wheel there
+      bool   touches = false;             ///< both surfaces are there
+      Point2 place;                       ///< on the rail, in the track plane [m]
+      double angle    = 0;                ///< of the rail's tangent against X, turned [rad]
+      double rail_arc = 0, wheel_arc = 0; ///< along the profiles [m]
+      double distance     = 0;      ///< of the wheel along the rail's normal, after the lateral motion [m]
+      double along_normal = 1;      ///< that over one along the normal of the first contact point
+      double s            = 0;      ///< of the wheel in the frame of that point [m]
+      ContactSections::Slice slice; ///< of the wheel there
     };
 
     /// How the bodies' own motion moves the surfaces of a row, beyond what half-spaces do.

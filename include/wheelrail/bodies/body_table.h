@@ -7,7 +7,7 @@
 
 namespace wheelrail
 {
-  /// What a body gives way beyond a half-space: the remainder of its compliance, at some wavenumbers, between
+  /// What a body deflects beyond a half-space: the remainder of its compliance, at some wavenumbers, between
   /// rows of its running surface. It is smooth where the compliance itself is singular, so that rows of 2 mm
   /// and two dozen of wavenumbers serve patches of any fineness.
   struct BodyTable

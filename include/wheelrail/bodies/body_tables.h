@@ -8,7 +8,7 @@
 
 namespace wheelrail
 {
-  /// How both bodies of a scene give way: the rail on its clamped foot, the wheel on its bore. They know
+  /// How both bodies of a scene deflect: the rail on its clamped foot, the wheel on its bore. They include
   /// neither load nor friction nor speed, nor where wheel and rail touch.
   struct BodyTables
   {

@@ -18,7 +18,7 @@ namespace wheelrail
   /// make_body_table(), kept in a folder under a name that follows from what the table depends on: nodes and
   /// cells of the section, rows on the profile, elastic constants, density, cells a row, code and compiler. A
   /// table that is there is read in place of making it, if the checksum of its bytes and of all it depends on
-  /// stands at its end; else it is made anew; one that cannot be written is not kept. Several calls at once
+  /// is at its end; else it is made anew; one that cannot be written is not kept. Several calls at once
   /// do not disturb each other. An empty folder: nothing is kept.
   BodyTable
   kept_body_table(const std::string &folder,

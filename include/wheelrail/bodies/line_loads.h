@@ -8,9 +8,9 @@ namespace wheelrail
   using LineResponse = std::array<double, 9>;
 
   /// The surface displacement of an elastic half-space at the distance s [m] from a line load of 1 N/m that
-  /// goes like exp(i k z): along the surface across the line (t), along the normal (n), and i w along the
-  /// line, as those of WaveStiffness [1/Pa]. Boussinesq (1885) and Cerruti (1882), transformed over z with
-  /// modified Bessel functions:
+  /// proportional to exp(i k z): along the surface across the line (t), along the normal (n), and i w along
+  /// the line, as those of WaveStiffness [1/Pa]. Boussinesq (1885) and Cerruti (1882), transformed over z
+  /// with modified Bessel functions:
   ///   tt ((1 - nu) K0 + nu k |s| K1)/(pi G), nn (1 - nu) K0/(pi G), ww (K0 - nu k |s| K1)/(pi G),
   ///   tw = -wt = nu k s K0/(pi G), tn = -nt = c sgn(s) e^(-k |s|), wn = nw = -c e^(-k |s|),
   ///   c = (1 - 2 nu)/(4 G) where n points out of the body, and -c where it points into it.

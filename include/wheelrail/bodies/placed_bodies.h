@@ -41,7 +41,7 @@ namespace wheelrail
                const HalfspaceGrid          &grid,
                double                        step);
 
-  /// What both give way beyond half-spaces, for the grid and the step that they were placed under.
+  /// What both deflect beyond half-spaces, for the grid and the step that they were placed under.
   std::shared_ptr<AddedInfluence>
   added_influence(const PlacedBodies &placed, const HalfspaceGrid &grid, double step);
 } // namespace wheelrail

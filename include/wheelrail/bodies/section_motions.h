@@ -32,7 +32,7 @@ namespace wheelrail
 
   /// The `count` slowest motions at a real wavenumber [1/m], by subspace iteration with (K(k) + shift M)^-1 M
   /// (Bathe 1971); `squares`: of their angular frequencies, ascending. Throws RunError where they cannot be
-  /// told apart.
+  /// distinguished.
   SectionColumns
   slow_motions(const WaveMatrices &of, double k, unsigned int count, std::vector<double> *squares = nullptr);
 

@@ -21,7 +21,7 @@ namespace wheelrail
   ///
   /// Waves in both directions are mirror images, so that k^2 is the eigenvalue: with u = (x, y, k w) the
   /// equations are linear in it. They are solved in a basis that holds the slowest motions of the section at
-  /// several wavenumbers and how it gives way to the forces.
+  /// several wavenumbers and how it deflects under the forces.
   class SectionWaves
   {
   public:
@@ -50,7 +50,7 @@ namespace wheelrail
 
     /// The displacement at force a, at the distance z >= 0 towards +Z from force b of 1 N, spread over a
     /// point of the body [m/N]: the sum of the residues. Forces along the body turn the sign of what is not
-    /// along when z is counted the other way; those of different kinds differ by a factor of i, which is in
+    /// along when z is counted backwards; those of different kinds differ by a factor of i, which is in
     /// it.
     std::complex<double>
     response(const std::vector<Wave> &waves, unsigned int a, unsigned int b, double z) const;

@@ -44,12 +44,12 @@ namespace wheelrail
   SceneInput
   input_of(const po::variables_map &options);
 
-  /// Half-space/Bodies = auto of a scene or an option that asks for what true bodies do not have becomes
+  /// Half-space/Bodies = auto of a scene or an option for what true bodies do not have becomes
   /// half-spaces, and why is printed. `option`: "--creep-curve: ...", or nothing.
   void
   settle_bodies(Scene &scene, const std::string &option, std::ostream &out);
 
-  /// What the user should know of the drive of a scene that does not say it; empty when it does.
+  /// The note on the drive of a scene that does not say it; empty when it does.
   std::string
   drive_note(const po::variables_map &options, const SceneInput &input);
 

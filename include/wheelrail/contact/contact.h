@@ -40,7 +40,7 @@ namespace wheelrail
     void
     gather(const double *displacement, const double *velocity);
 
-    /// Gap, pressure, shear and nodal forces of the gathered state; the friction history goes on by
+    /// Gap, pressure, shear and nodal forces of the gathered state; the friction history is updated over
     /// `time_step` [s]. A zero step leaves velocities out and holds the shear tractions (static); nodes() are
     /// known to all ranks then, else after gather_nodes(). Collective.
     ContactSums

@@ -65,7 +65,7 @@ namespace wheelrail
     Vector3 push, drag; ///< of the pressure, of the shear traction
   };
 
-  /// Pressure and shear traction of a node from its gap, normal and motion; its history goes on by
+  /// Pressure and shear traction of a node from its gap, normal and motion; its history is updated over
   /// `time_step` [s], 0: at rest, the spring keeps its traction. `area` [m2]. Adds to the sums.
   ContactForces
   apply_law(const ContactLaw    &law,

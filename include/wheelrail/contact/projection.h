@@ -23,7 +23,7 @@ namespace wheelrail
     std::array<double, 4>      weight;  ///< of the corners at the closest point
     Vector3                    normal;  ///< out of the rail
     double                     gap;     ///< along the normal, of the true profiles [m]
-    Vector3 tilt{}; ///< gradient of what stands out of the wheel: normal + tilt is the true normal
+    Vector3 tilt{}; ///< gradient of the height above the facet: normal + tilt is the true normal
   };
 
   /// Closest point of the rail's nodes on the facets of the wheel, and the gap between the true profiles

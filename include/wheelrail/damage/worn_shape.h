@@ -15,18 +15,18 @@ namespace wheelrail
     std::vector<double> depth;  ///< taken off so far, along the normals [m]
     std::vector<double> damage; ///< share of a life until a crack, summed (burstow_damage())
     std::vector<double> cracks; ///< the same from crack_growth() less what was taken off, never below 0
-    bool steel_on_left = true;  ///< of the way along the points: a rail; a wheel has it on the right
+    bool steel_on_left = true;  ///< of the path along the points: a rail; a wheel has it on the right
   };
 
   /// The part of a curve that lies above `lowest` [m], with points at most `spacing` apart [m].
   WornShape
   worn_shape(const Curve &curve, double lowest, double spacing, bool steel_on_left);
 
-  /// Way along the points from the first one [m].
+  /// Arc length along the points from the first one [m].
   std::vector<double>
   arc_of(const std::vector<Point2> &points);
 
-  /// The way at the place next to p [m].
+  /// The arc length at the place next to p [m].
   double
   arc_next_to(const std::vector<Point2> &points, const std::vector<double> &arc, const Point2 &p);
 
@@ -34,8 +34,8 @@ namespace wheelrail
   std::vector<double>
   cell_lengths(const std::vector<double> &arc);
 
-  /// Adds a section [m2] that is spread evenly between two ways to the cells of the points; what lies beyond
-  /// an end goes to the last cell there.
+  /// Adds a section [m2] that is spread evenly between two arcs to the cells of the points; what lies beyond
+  /// an end is added to the last cell there.
   void
   spread_section(const std::vector<double> &cells,
                  double                     from,

@@ -5,7 +5,7 @@
 namespace wheelrail
 {
   /// Internal forces of the elements of both bodies, with the linear bulk viscosity, and their energies.
-  /// `plastic_work` is all that goes into plastic flow, the noted `hardening_energy` the part of it that
+  /// `plastic_work` is all work of plastic flow, `hardening_energy` the part of it that
   /// hardening stores; the rest is heat.
   class ElementForces
   {

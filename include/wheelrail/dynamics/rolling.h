@@ -8,7 +8,7 @@
 namespace wheelrail
 {
   /// A wheel that rolls over a rail: the time loop with the parts of this scene. First come those that a
-  /// static start knows as well, such as supports and weights; then penalty contact presses and drags, and
+  /// static start has as well, such as supports and weights; then penalty contact presses and drags, and
   /// the axle carries and turns.
   class Rolling
   {

@@ -41,7 +41,7 @@ namespace wheelrail
     const Axle &axle_;
     MPI_Comm    communicator_;
     ContactSums sums_;
-    bool        tells_  = false; ///< this rank tells what all ranks know alike
+    bool        tells_  = false; ///< this rank adds what all ranks have alike
     EnergyTerm *stored_ = nullptr, *friction_ = nullptr, *damping_ = nullptr;
     EnergyTerm *gain_ = nullptr; ///< of the scheme
   };

@@ -24,7 +24,7 @@ namespace wheelrail
   ///
   /// Displacements are known at full steps, velocities at half steps; a start has both at the same instant.
   /// One step: shares of the forces (elements, then the parts), their sum over ranks, forces that all ranks
-  /// know alike (contact, loads), constraints (axle, supports, walls), energies, and then all free nodes.
+  /// have alike (contact, loads), constraints (axle, supports, walls), energies, and then all free nodes.
   class TimeLoop
   {
   public:

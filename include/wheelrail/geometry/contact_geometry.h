@@ -47,7 +47,7 @@ namespace wheelrail
     double       along           = 0; ///< Z of the point, ahead of the middle of the wheelset [m]
     double       ahead           = 0; ///< of the point, ahead of the axle, across the axle's direction [m]
     double       rolling_radius  = 0; ///< [m]
-    double       forward_radius  = 0; ///< way along the track for each angle that the wheel turns [m]
+    double       forward_radius  = 0; ///< path along the track for each angle that the wheel turns [m]
     double       other_radius    = 0; ///< rolling radius of the other wheel of the wheelset [m]
     double       rail_curvature  = 0; ///< lateral, at the point, positive convex [1/m]
     double       wheel_curvature = 0; ///< lateral, positive convex, negative concave [1/m]
@@ -71,7 +71,7 @@ namespace wheelrail
   ///
   /// The shift must also be possible for the other wheel, in both roll modes. Throws InputError
   /// when at this shift one of the wheels does not touch its rail with a common tangent (tread edge,
-  /// flange above the rail); the message tells which shifts are possible.
+  /// flange above the rail); the message says which shifts are possible.
   ContactGeometry
   find_contact(const RailProfile     &rail,
                const WheelProfile    &wheel,

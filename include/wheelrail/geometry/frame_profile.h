@@ -12,7 +12,7 @@ namespace wheelrail
   {
   public:
     /// Takes the connected part of `curve` around s = 0 whose slope against s stays below
-    /// `max_slope`; `s_min`, `s_max` tell its range. Where the curve passes s = 0 more than once,
+    /// `max_slope`; `s_min`, `s_max` are its range. Where the curve passes s = 0 more than once,
     /// the pass nearest to n = 0 counts. The curve must run towards +s there, as the heads and
     /// treads of profiles.h do. Throws InputError when it does not pass s = 0 with such a slope.
     FrameProfile(const Curve        &curve,

@@ -5,7 +5,7 @@
 
 namespace wheelrail
 {
-  /// Where a point lies on the head of a rail, as a gauge on the track tells it.
+  /// Where a point lies on the head of a rail, as a gauge on the track measures it.
   struct HeadPlace
   {
     double from_axis       = 0; ///< across the rail's own section, positive to the gauge side [m]

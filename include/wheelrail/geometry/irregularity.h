@@ -28,7 +28,7 @@ namespace wheelrail
     mesh    ///< the nodes of the mesh, which are moved
   };
 
-  /// A shape that stands on a running surface or lacks in it.
+  /// A shape above a running surface or missing from it.
   ///
   /// Places: `across` is x in the section of the body at the smooth surface, positive to the field side [m];
   /// `along` is the place along the track, Z of the start [m]. On a wheel it is the arc on the rolling circle
@@ -52,7 +52,7 @@ namespace wheelrail
   IrregularHeight
   height_at(const Irregularities &irregularities, double circumference, double across, double along);
 
-  /// The same of those alone that are carried by one way.
+  /// The same of those alone that are carried by `carried`.
   IrregularHeight
   height_at(const Irregularities &irregularities,
             CarriedBy             carried,

@@ -47,7 +47,7 @@ namespace wheelrail
     return std::sqrt(dot(a, a));
   }
 
-  /// Where a rail or wheel section stands in the track plane.
+  /// Place and angle of a rail or wheel section in the track plane.
   ///
   /// Section frames have x positive to the field side and y up; the track plane has X positive to
   /// the track centre and Y up. A section point is mirrored (x to -x), turned counter-clockwise by

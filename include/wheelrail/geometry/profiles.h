@@ -46,11 +46,11 @@ namespace wheelrail
   };
 
   /// Properties by Green's theorem over the exact segments (Gauss quadrature to round-off); the
-  /// outline may run either way. Throws InputError when the outline is not closed to 1e-6 m.
+  /// outline may run in either sense. Throws InputError when the outline is not closed to 1e-6 m.
   SectionProperties
   section_properties(const Curve &closed_outline);
 
-  /// Names that rail_profile() and wheel_profile() know.
+  /// Names that rail_profile() and wheel_profile() accept.
   std::vector<std::string>
   standard_rails();
   std::vector<std::string>

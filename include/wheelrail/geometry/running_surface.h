@@ -31,7 +31,7 @@ namespace wheelrail
   public:
     RunningSurface() = default;
 
-    /// A rail whose section stands at `section`.
+    /// A rail whose section is placed at `section`.
     RunningSurface(FrameProfile head, const ContactFrame &frame, const Placement &section);
 
     /// A wheel; arcs count on the circle of `radius` [m].
@@ -94,7 +94,7 @@ namespace wheelrail
     std::vector<double>
     kinks() const;
 
-    /// How far the surface stands out of a reference point X of a facet, along the outward normal of the
+    /// How far the surface protrudes beyond a reference point X of a facet, along the outward normal of the
     /// section [m]; positive over the chords of a convex profile.
     double
     offset(const Vector3 &X) const;

@@ -12,8 +12,8 @@ namespace wheelrail
   double
   half_length_bound(double approach, double rolling_radius);
 
-  /// The two running surfaces where they touch. A wheel with yaw is seen in two ways: from along the track,
-  /// where the rail meets its outline, and in its own section. Without yaw both are the same.
+  /// The two running surfaces where they touch. A wheel with yaw is seen from two sides: from along the
+  /// track, where the rail meets its outline, and in its own section. Without yaw both are the same.
   struct RunningSurfaces
   {
     ContactFrame   frame;
@@ -21,7 +21,7 @@ namespace wheelrail
     RunningSurface wheel;              ///< in the frame of its own section, see RunningSurface
     SectionHeights outline;            ///< n(s) in `frame` of the smooth wheel seen along the track [m]
     double         rolling_radius = 0; ///< at the first contact point [m]
-    double         forward_radius = 0; ///< way along the track for each angle that the wheel turns [m]
+    double         forward_radius = 0; ///< path along the track for each angle that the wheel turns [m]
 
     const WheelPose &
     pose() const
@@ -46,7 +46,7 @@ namespace wheelrail
     void
     tabulate(double s0, double s1);
 
-    /// Height in `frame` of the wheel, where it stands, over the place s, z of the rail [m]: an exact circle
+    /// Height in `frame` of the wheel, in its position, over the place s, z of the rail [m]: an exact circle
     /// along the track, and its irregularities.
     double
     wheel_height(double s, double z) const;

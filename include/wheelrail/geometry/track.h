@@ -22,7 +22,7 @@ namespace wheelrail
     given         ///< an angle
   };
 
-  /// Where a wheelset stands in its track.
+  /// Position and angles of a wheelset in its track.
   struct WheelsetPose
   {
     double   lateral_shift = 0; ///< along X, at the axle [m]
@@ -31,7 +31,7 @@ namespace wheelrail
     double   yaw = 0; ///< about +Y through the middle of the wheelset, from Z to X, after the roll [rad]
   };
 
-  /// Where the other wheel of a wheelset stands, seen as the modelled one: its mirror image.
+  /// Position of the other wheel of a wheelset, seen as the modelled one: its mirror image.
   WheelsetPose
   mirrored(const WheelsetPose &pose);
 

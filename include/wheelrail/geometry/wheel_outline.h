@@ -50,7 +50,7 @@ namespace wheelrail
     surface_point(const Point2 &place, double tangent) const;
   };
 
-  /// The axis of a wheelset whose wheel section stands at `wheel`, with this yaw [rad].
+  /// The axis of a wheelset whose wheel section is placed at `wheel`, with this yaw [rad].
   AxleLine
   axle_line(const Placement &wheel, const TrackDimensions &track, double yaw);
 } // namespace wheelrail

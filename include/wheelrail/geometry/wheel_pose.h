@@ -5,14 +5,14 @@
 
 namespace wheelrail
 {
-  /// Where a wheel stands in the track: the one place that says it. Its section, turned about its axle, makes
+  /// Position and angles of a wheel in the track. Its section, turned about its axle, makes
   /// the straight wheel, with the axle in the track plane Z = 0 and its lowest line below it; from there it
   /// is moved as a whole.
   struct WheelPose
   {
     Placement   section;            ///< wheel section to track plane
     double      nominal_radius = 0; ///< of the origin of the section [m]
-    RigidMotion motion;             ///< of the straight wheel to where it stands
+    RigidMotion motion;             ///< of the straight wheel to its position
 
     /// The place at x of the section, positive to the field side [m], and at a distance from the axle [m],
     /// turned forward by `angle` from the lowest line of the straight wheel [rad].

@@ -9,7 +9,7 @@
 
 namespace wheelrail
 {
-  /// What one body gives way beyond a half-space, as influences between a few rows of its surface that run
+  /// What one body deflects beyond a half-space, as influences between a few rows of its surface that run
   /// along x: smooth, so that rows of 2 mm serve elements of any size. Fixed axes (X, Y, Z) of the caller's
   /// choice.
   struct RowInfluence

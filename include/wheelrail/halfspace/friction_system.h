@@ -47,7 +47,7 @@ namespace wheelrail
     double
     force_error(const std::vector<double> &t) const;
 
-    /// From now on slip + c (t - before) stands for the slip, and creepages are held likewise; c = 0: no
+    /// From now on slip + c (t - before) replaces the slip, and creepages are held likewise; c = 0: no
     /// longer.
     void
     hold(double c, const std::vector<double> &before);

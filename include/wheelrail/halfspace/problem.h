@@ -82,7 +82,7 @@ namespace wheelrail
     /// to the solution with a given force, the zero of the approach lies where it is 0.
     std::vector<double> undeformed_distance;
     HalfspaceBody       body1, body2;
-    /// What the bodies give way beyond half-spaces, on this grid (added_influence.h); null: nothing. How
+    /// What the bodies deflect beyond half-spaces, on this grid (added_influence.h); null: nothing. How
     /// tractions move the surfaces along the normal through it is taken from the guess that solve_rolling()
     /// is given: the caller repeats until pressure and tractions have settled to each other.
     std::shared_ptr<const AddedInfluence> added;
@@ -95,7 +95,7 @@ namespace wheelrail
     double normal_force = 0;    ///< [N]
     double approach     = 0;    ///< [m]
     /// Pressure of every element [Pa], when it is known: the normal problem is then left out, with its
-    /// displacements, gap and approach. Empty: found from what stands above.
+    /// displacements, gap and approach. Empty: found from what is above.
     std::vector<double> pressure;
 
     HalfspaceMotion motion = HalfspaceMotion::steady;
@@ -175,8 +175,8 @@ namespace wheelrail
     /// slip of the elements tends to it from below, with the first power of their length: 15 % less on
     /// 33 elements over the patch. NaN but for steady rolling.
     double creepage_work = 0;
-    /// The same work from where it is done: the sum of the means of traction at both ends of a particle's way
-    /// over an element times its slip (friction_work()) [J/m]. It is that of the creepages, where no
+    /// The same work from where it is done: the sum of the means of traction at both ends of a particle's
+    /// path over an element times its slip (friction_work()) [J/m]. It is that of the creepages, where no
     /// displacement follows from a traction across it: not for unlike materials or true bodies, whose
     /// pressure takes part.
     double friction_work = 0;
@@ -204,7 +204,7 @@ namespace wheelrail
   /// (alternately, Panagiotopoulos 1975); with friction that depends on the slip velocity its coefficients,
   /// too. Given pressures are taken as they are; unlike materials then still shift under them. Throws
   /// InputError for impossible input (sizes, moduli); a force that friction does not carry and a
-  /// tolerance that was not reached are told in the solution, which then holds the best state found.
+  /// tolerance that was not reached are named in the solution, which then holds the best state found.
   HalfspaceSolution
   solve_rolling(const HalfspaceProblem &problem);
 

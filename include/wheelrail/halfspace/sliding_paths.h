@@ -6,7 +6,7 @@
 
 namespace wheelrail
 {
-  /// What a particle of the surface meets on its way over one element, from the centre upstream (x + dx) to
+  /// What a particle of the surface meets on its path over one element, from the centre upstream (x + dx) to
   /// the centre of the element: the means of pressure [Pa] and tractions on body 1 [Pa] of both, and the slip
   /// over the path [-]. Of all elements of the grid; zero where neither is in contact.
   struct SlidingPaths

@@ -14,7 +14,7 @@ namespace wheelrail
   struct TangentialTask
   {
     const SlipKernels    *kernels = nullptr;
-    const AddedInfluence *added   = nullptr; ///< what the bodies give way beyond half-spaces, or nothing
+    const AddedInfluence *added   = nullptr; ///< what the bodies deflect beyond half-spaces, or nothing
     HalfspaceGrid         grid;
     std::vector<double>   bound;      ///< mu p [Pa]; the contact is where it is positive
     VectorField           rigid_slip; ///< without the creepages below [-]

@@ -20,7 +20,7 @@ namespace wheelrail
   std::vector<std::string>
   section_names();
 
-  /// Whether there is such a subsection; the empty name stands for the place outside all.
+  /// Whether there is such a subsection; the empty name is the place outside all.
   bool
   section_exists(const std::string &section);
 

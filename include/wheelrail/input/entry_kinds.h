@@ -23,7 +23,7 @@ namespace wheelrail
     std::vector<std::string> choices;      ///< all texts that are accepted, when these are a few words
     std::string              default_text; ///< what `get` makes of a scene of defaults; entries() fills it in
 
-    /// Writes the value of a text into a scene. Throws InputError that tells what was found and
+    /// Writes the value of a text into a scene. Throws InputError that says what was found and
     /// what is accepted, without naming the entry.
     std::function<void(Scene &, const std::string &)> set;
 

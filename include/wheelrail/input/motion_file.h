@@ -75,7 +75,7 @@ namespace wheelrail
   read_motion_file(const std::string &path);
 
   /// Reads the results of a vehicle simulation in the same form. Columns that are not known are left out with
-  /// a note. `columns`: a file that tells what columns are called here (read_column_names()); empty: none.
+  /// a note. `columns`: a file that says what columns are called here (read_column_names()); empty: none.
   /// Throws InputError as read_motion_file().
   MotionFile
   read_vehicle_file(const std::string &path, const std::string &columns = "");

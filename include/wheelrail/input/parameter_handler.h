@@ -30,7 +30,7 @@ namespace wheelrail
   };
 
   /// Declares all entries with default, pattern and meaning. `scene` gets their defaults, and from then on
-  /// whatever the handler reads or is told; it must live as long as the handler does that.
+  /// whatever the handler reads or gets; it must live as long as the handler does that.
   void
   declare_entries(dealii::ParameterHandler &handler, Scene &scene);
 

@@ -24,7 +24,7 @@ namespace wheelrail
   /// All lines, names and values are checked. Throws InputError whose text has one line for each fault found,
   /// in the order of the lines, those of included files at the place of the include: "prm/x.prm:12:
   /// Wheelset/Velocity = 140: a bare number; a velocity with its unit is needed, such as 140 km/h". Every
-  /// entry is then right by itself; whether they fit together tell cross_checks() and check_scene().
+  /// entry is then right by itself; whether they fit together say cross_checks() and check_scene().
   SceneInput
   scene_from_text(const std::string &text, const std::string &name, const std::vector<std::string> &sets);
 

@@ -28,7 +28,7 @@ namespace wheelrail
   files_of(const Scene &scene);
 
   /// What the figures depend on of such a file: its bytes, or of a scene all its entries, so that includes
-  /// count and remarks do not. Empty where it cannot be read, which is told by whoever needs it.
+  /// count and remarks do not. Empty where it cannot be read, which the reader of it reports.
   std::string
   contents_of(const SceneFile &file);
 

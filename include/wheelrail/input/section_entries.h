@@ -16,7 +16,7 @@ namespace wheelrail
   std::vector<Entry>
   track_entries();
 
-  /// What the rail stands on, in the section Track.
+  /// What supports the rail, in the section Track.
   void
   add_support_entries(EntryList &list);
 

@@ -32,7 +32,7 @@ namespace wheelrail
   double
   expected_load(const Scene &scene);
 
-  /// Approach of Hertz's theory (1882), which goes like (F^2 / (R E*^2))^(1/3), scaled from steel, a
+  /// Approach of Hertz's theory (1882), proportional to (F^2 / (R E*^2))^(1/3), scaled from steel, a
   /// radius of 460 mm and 100 kN, which have about 0.1 mm [m].
   double
   expected_approach(const Scene &scene, double rolling_radius);

@@ -6,7 +6,7 @@
 
 namespace wheelrail
 {
-  /// Adds what stands against a run over the irregularities of a scene, whose profiles are in touch: cells
+  /// Adds what forbids a run over the irregularities of a scene, whose profiles are in touch: cells
   /// that cannot follow them, waves shorter than the patch, a start on them, places that the wheel never
   /// reaches.
   void

@@ -39,7 +39,7 @@ namespace wheelrail
   SweepPlan
   sweep_plan(const Scene &scene, const SceneGeometry &geometry);
 
-  /// Makes the mesh that the model's window asks for, and prepares the bodies and the contact on it, at rest:
+  /// Makes the mesh of the model's window, and prepares the bodies and the contact on it, at rest:
   /// masses, surfaces, added mass. The law of the contact stays that of the first mesh. Collective.
   void
   prepare_mesh(Model &model, MPI_Comm communicator);

@@ -7,7 +7,7 @@
 
 namespace wheelrail
 {
-  /// Where Mesh/Planned strip has the fine cells laid.
+  /// Where Mesh/Planned strip places the fine cells.
   struct PlannedStrip
   {
     /// Wheel and rail where they touch, but with the frame of the surfaces at the middle of the strip on the

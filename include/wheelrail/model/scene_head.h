@@ -7,7 +7,7 @@
 
 namespace wheelrail
 {
-  /// A line of what stands above the figures of a scene.
+  /// A line of the head above the results of a scene.
   struct HeadLine
   {
     std::string name; ///< "drive"

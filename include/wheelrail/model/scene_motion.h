@@ -11,7 +11,7 @@ namespace wheelrail
 {
   /// What the columns of Wheelset/Motion say over the path rolled since the start of the run, as smooth
   /// curves through the rows (SmoothCurve), so that velocities of the wheelset are continuous, and a load
-  /// that comes down to zero does not fall below. Rows over time stand at the way that the velocities cover,
+  /// that comes down to zero does not fall below. Rows over time count at the path that the velocities cover,
   /// with the mean of neighbouring rows between them.
   class SceneMotion
   {

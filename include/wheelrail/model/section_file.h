@@ -8,7 +8,7 @@
 
 namespace wheelrail
 {
-  /// Writes sections.json, with which pages tell where on the rail a result lies: rail head and
+  /// Writes sections.json, with which pages show where on the rail a result lies: rail head and
   /// wheel tread before they deform, as the contact of 2D-Geo puts them in the track plane (X to the track
   /// centre from the running circle, Y up from the top of the rail), the contact point with the angle of the
   /// axis s, the rail's own axis and the gauge face, all in m and rad. Throws RunError when it cannot be

@@ -15,7 +15,7 @@ namespace wheelrail
   {
   public:
     /// Throws InputError when another run holds `folder`, with process and machine; when the file was left by
-    /// another machine (whose locks a shared disk may not tell); when no file can be made there.
+    /// another machine (whose locks a shared disk may not show); when no file can be made there.
     explicit FolderLock(const std::string &folder);
 
     /// Lets go and removes the file.

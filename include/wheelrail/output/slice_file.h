@@ -38,7 +38,7 @@ namespace wheelrail
     /// a body that may flow, see SliceField; NaN outside of the body.
     std::vector<std::vector<double>> values;
     /// du_Z over the path along the outward normal of the contact frame, in slices of an unloaded body that
-    /// were asked for it: the plastic shear that goes forward at the surface [1].
+    /// were given for it: the plastic shear that goes forward at the surface [1].
     std::vector<double> forward_shear;
   };
 

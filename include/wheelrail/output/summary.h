@@ -57,7 +57,7 @@ namespace wheelrail
     std::string largest_swing_of; ///< label of the figure with the largest swing
     std::string largest_drift_of; ///< and of that with the largest drift
     /// "trusted", "with care" or "not trusted", see verdict/verdict.h; empty: not judged. What did not finish
-    /// is not trusted whatever stands here.
+    /// is not trusted whatever is here.
     std::string verdict;
     std::string
       doubts; ///< why the figures are to be taken with care or not trusted, sentences; empty: neither
@@ -72,7 +72,7 @@ namespace wheelrail
   double
   get_figure(const Summary &summary, const std::string &key);
 
-  /// The verdict that stands in the file, on screens and in tables: of what did not finish "not trusted"; of
+  /// The verdict in the file, on screens and in tables: of what did not finish "not trusted"; of
   /// a summary that names none "trusted" where it has no doubts, as those before there were three words.
   std::string
   verdict_of(const Summary &summary);

@@ -12,7 +12,7 @@ namespace wheelrail
   /// What the wheelset does besides rolling.
   struct WheelMotion
   {
-    double forward_radius   = 0; ///< R cos(yaw), way along the track for each angle that the wheel turns [m]
+    double forward_radius   = 0; ///< R cos(yaw), path along the track for each angle that the wheel turns [m]
     bool   one_spin         = false;        ///< one creepage and one spin in place of those of every row
     double spin             = std::nan(""); ///< the one [1/m]; NaN: that of the wheel
     double lateral_creepage = 0;            ///< velocity of the wheelset along X over V

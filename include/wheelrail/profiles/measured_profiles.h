@@ -24,11 +24,11 @@ namespace wheelrail
   /// running circle 70 mm from the flange back: moved there as `origin` says, and in height so that the
   /// running circle has y = 0. Automatic is: by the flange back where it was measured, otherwise by the
   /// flange tip, which lies 47 mm to 63 mm off the running circle or 14 mm to 22 mm off the back. A part that
-  /// was not measured is added: the tread goes on straight up to 5 mm before the face of a rim `rim_width`
+  /// was not measured is added: the tread continues straight up to 5 mm before the face of a rim `rim_width`
   /// wide [m], the flange, also one cut off before its tip, by an arc into the flange back. The face of the
   /// rim is left out.
   ///
-  /// What was done is added to `notes`. Throws InputError when neither flange back nor tip tells
+  /// What was done is added to `notes`. Throws InputError when neither flange back nor tip shows
   /// where the running circle is, `origin` puts the tip where none can be, the profile does not reach over
   /// the running circle, or its flange is cut so short that no flange follows.
   WheelProfile

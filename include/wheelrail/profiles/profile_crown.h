@@ -13,8 +13,8 @@ namespace wheelrail
   is_crown(const std::vector<FilePoint> &points, ProfileKind kind);
 
   /// The points of a crown [m] from the largest x to the smallest, x mirrored as asked, y turned over for the
-  /// reason `turned` (empty: not): a crown may be convex or concave, so that its shape does not tell. Adds a
-  /// sentence for everything changed, and for a concave crown; `outwards` is +1 where y points out of the
+  /// reason `turned` (empty: not): a crown may be convex or concave, so that its shape does not show it. Adds
+  /// a sentence for everything changed, and for a concave crown; `outwards` is +1 where y points out of the
   /// steel then, else -1.
   std::vector<FilePoint>
   oriented_crown(std::vector<FilePoint>    points,

@@ -14,7 +14,7 @@ namespace wheelrail
     wheel
   };
 
-  /// A point of a profile file with the line it stands in.
+  /// A point of a profile file with its line.
   struct FilePoint
   {
     Point2       position; ///< in the unit of the file, later in metres

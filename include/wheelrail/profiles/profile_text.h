@@ -23,7 +23,7 @@ namespace wheelrail
   std::vector<std::string>
   fields_of(const std::string &line);
 
-  /// What stands among the numbers of the points and is left out.
+  /// What is among the numbers of the points and is left out.
   struct LeftOut
   {
     std::size_t  switched_off = 0;               ///< lines that begin with a quotation mark
@@ -66,7 +66,7 @@ namespace wheelrail
     std::string                 file;
     std::map<std::string, Line> texts;
 
-    /// Keeps the line when it has the form, and tells whether it had.
+    /// Keeps the line when it has the form, and returns whether it had.
     bool
     take(const Line &line);
 
@@ -75,7 +75,7 @@ namespace wheelrail
     double
     number(const std::string &name, double otherwise) const;
 
-    /// Whether a value stands behind that name.
+    /// Whether a value follows that name.
     bool
     has(const std::string &name) const;
   };

@@ -10,7 +10,7 @@ namespace wheelrail
   /// standard deviation `noise` at each point [m] (at least 0.02 micrometres is assumed) and keeps curvature:
   /// x and y are cubic splines over the chord length whose third derivative is penalised, weakly where the
   /// curvature of the points changes and strongly where it does not (doc/theory/geometry.md). Neighbouring
-  /// pieces have equal curvature, except at the kinks, where the curve goes exactly through the
+  /// pieces have equal curvature, except at the kinks, where the curve passes exactly through the
   /// point with two tangents.
   ///
   /// `kinks` are indices of points, ascending. `draw`: not the smoothest curve but, the same for the same

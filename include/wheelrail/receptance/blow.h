@@ -41,7 +41,7 @@ namespace wheelrail
   };
 
   /// The blow on `faces[0]`, observed at all of them for `duration` [s], at steps of some 20 us; `report` is
-  /// told the share of it that is done. Collective.
+  /// called with the share that is done. Collective.
   BlowRecord
   strike(const Scene                       &scene,
          LoneBody                          &body,

@@ -22,7 +22,7 @@ namespace wheelrail
   std::optional<CutPeak>
   most_cut(const std::vector<Resonance> &peaks, const TrackWaves &waves, double fading);
 
-  /// What is to be told of it, after a record of `duration` [s] on a rail of `length` [m].
+  /// The note on it, after a record of `duration` [s] on a rail of `length` [m].
   std::string
   cut_note(const CutPeak &peak, double duration, double length);
 } // namespace wheelrail

@@ -41,7 +41,7 @@ namespace wheelrail
 
   /// How fast waves die along the track, of amplitudes at distances from the hammer, the first of which is 0
   /// [dB/m]: 4.343 over the sum of squares of the amplitudes over that of the first, times the stretch that
-  /// each stands for (EN 15461). Rails that end before the waves have died show too much: 4.343 over the
+  /// each represents (EN 15461). Rails that end before the waves have died show too much: 4.343 over the
   /// largest distance is the least.
   double
   decay_rate(const std::vector<double> &distance, const std::vector<double> &amplitude);

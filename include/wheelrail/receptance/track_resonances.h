@@ -12,7 +12,7 @@ namespace wheelrail
     double pinned_pinned;
     /// Wheel and rail swing against each other on the spring of their contact: where a height of the surfaces
     /// makes the largest force, 1/|a_rail + a_wheel + a_contact| with receptances a, between 200 Hz and 3
-    /// kHz (Thompson 2009, section 5.2). The rail half way between two sleepers, by the waves of its section;
+    /// kHz (Thompson 2009, section 5.2). The rail midway between two sleepers, by the waves of its section;
     /// the wheel as a rigid mass; the spring as Hertz has it under the wheel load.
     double contact;
   };

@@ -28,8 +28,8 @@ namespace wheelrail
   };
 
   /// The receptance of an endless rail on the track of a scene by the waves of its section (SectionWaves): a
-  /// second way that shares neither elements nor time steps with the run. Pads lie below the foot as those of
-  /// TrackSupport do; at sleepers the rail is free between some 30 of them around the hammer.
+  /// second method that shares neither elements nor time steps with the run. Pads lie below the foot as those
+  /// of TrackSupport do; at sleepers the rail is free between some 30 of them around the hammer.
   class TrackWaves
   {
   public:

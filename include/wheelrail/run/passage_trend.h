@@ -10,7 +10,7 @@ namespace wheelrail
   {
     double strain = 0; ///< of the largest accumulated plastic strain [1]
     double shear  = 0; ///< of the forward flow of the surface over the depth of the plastic band, NaN where
-                       ///< the path is too short to tell [1]
+                       ///< the path is too short [1]
   };
 
   /// Where passages lead to, in the terms of Johnson, Contact Mechanics, 1985, section 9.2.

@@ -17,7 +17,7 @@ namespace wheelrail
   Stop
   reason_to_stop(const RunParts &run);
 
-  /// What only the simulation knows of a run.
+  /// What only the simulation has of a run.
   struct RunTally
   {
     double        wall_time    = 0; ///< with the parts before a resume [s]

@@ -38,7 +38,7 @@ namespace wheelrail
     bool
     listen(unsigned long step) const;
 
-    /// The end that a test asks for.
+    /// The end that a test sets.
     bool
     break_off(unsigned long step) const;
 

@@ -13,9 +13,9 @@ namespace wheelrail
   /// What the axle starts with; the state of the bodies and of the contact is in the model.
   struct RunStart
   {
-    double lift      = 0;     ///< static vertical displacement of the axle [m]
-    double rate      = 0;     ///< pitch rate [rad/s]
-    bool   at_border = false; ///< the patch touches the border of the fine cells
+    double hub_displacement = 0;     ///< static, vertical [m]
+    double rate             = 0;     ///< pitch rate [rad/s]
+    bool   at_border        = false; ///< the patch touches the border of the fine cells
   };
 
   /// The warnings of check_scene() with what this machine has for each rank. Collective; throws InputError

@@ -18,9 +18,9 @@ namespace wheelrail
   /// other, so that it stays where it was made.
   struct RunState
   {
-    /// The axle `lift` [m] above its rigid place, turning with `rate` [rad/s]. The model is at rest in its
-    /// static start, or waits for a saved state. Collective.
-    RunState(const Scene &scene, Model &&model, double lift, double rate, MPI_Comm communicator);
+    /// The hub `hub_displacement` [m] above its rigid place, turning with `rate` [rad/s]. The model is at
+    /// rest in its static start, or waits for a saved state. Collective.
+    RunState(const Scene &scene, Model &&model, double hub_displacement, double rate, MPI_Comm communicator);
 
     RunState(const RunState &) = delete;
     RunState &

@@ -37,7 +37,7 @@ namespace wheelrail
   write_timing(Log &log, const RunParts &run, const Summary &summary, unsigned int mesh_changes);
 
   /// Writes what a run that stopped has saved, the state at `saved` [m] rolled of `bytes` on the disk (or no
-  /// state, null), and the command that goes on from it on as many ranks, with the scene of `folder`: its
+  /// state, null), and the command that resumes from it on as many ranks, with the scene of `folder`: its
   /// own, or that of all passages; where that would only stop again at the same place, what helps.
   void
   write_path_on(Log               &log,

@@ -11,7 +11,7 @@ namespace wheelrail
   struct RunOptions
   {
     bool          overwrite        = false; ///< replace a finished run in the output folder
-    bool          resume           = false; ///< go on from the last checkpoint in the output folder
+    bool          resume           = false; ///< resume from the last saved state in the output folder
     unsigned long stop_after_steps = 0;     ///< as if interrupted after this step, 0 never; for tests
     std::string   prm_text;        ///< the file and what it includes, then the --set options as comments
     std::string   note;            ///< for the head of the screen, or empty

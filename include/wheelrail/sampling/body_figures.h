@@ -7,7 +7,7 @@
 
 namespace wheelrail
 {
-  /// What plastic flow left behind, over all ranks; NaN where there is nothing to tell.
+  /// What plastic flow left behind, over all ranks; NaN where there is nothing.
   struct PlasticFigures
   {
     double          max_strain; ///< largest accumulated plastic strain of both bodies; NaN: both elastic [1]

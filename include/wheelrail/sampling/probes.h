@@ -8,7 +8,7 @@
 
 namespace wheelrail
 {
-  /// Places in a body at which its fields are asked for, and what a rank knows of them.
+  /// Places in a body at which its fields are wanted, and what a rank has of them.
   struct Probes
   {
     /// A cell of this rank that holds a point.

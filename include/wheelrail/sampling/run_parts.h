@@ -4,7 +4,7 @@
 
 namespace wheelrail
 {
-  /// The parts of a run under way.
+  /// The parts of a running computation.
   struct RunParts
   {
     const Scene    &scene;

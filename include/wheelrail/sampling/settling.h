@@ -58,7 +58,7 @@ namespace wheelrail
   /// Settling of a figure to its mean over a stretch of the distance. Slope and noise are judged apart. A
   /// trend counts once it is twice its own error. Noise are means over `window` about the trend: a figure is
   /// steady from where they stay within 1 % of `scale` of its mean, or within three standard deviations of
-  /// the noise where those are larger, since noise that goes on to the end belongs to the figure. A figure
+  /// the noise where those are larger, since noise that lasts to the end belongs to the figure. A figure
   /// whose noise, or whose trend over the stretch, exceeds 2 % of `scale` is never steady. `scale` > 0 is
   /// what the figure is judged by: its mean, or something larger where that is about zero.
   Settling

@@ -19,7 +19,7 @@ namespace wheelrail
   /// Standard error of the mean of means over cells that follow each other, in their unit. Neighbours are
   /// alike, so the scatter is taken between blocks of one cell, of two, three, ... as long as four blocks are
   /// left, and the largest counts, which grows with the blocks until these are as long as what makes
-  /// neighbours alike (Flyvbjerg and Petersen 1989). Few blocks know their own scatter badly: it is
+  /// neighbours alike (Flyvbjerg and Petersen 1989). The scatter of few blocks is uncertain: it is
   /// enlarged by Student's distribution, so that the true mean lies within two errors as often as within two
   /// of a normal distribution. Infinity for fewer than four cells.
   double

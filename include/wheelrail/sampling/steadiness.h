@@ -16,16 +16,16 @@ namespace wheelrail
   {
     double cell          = 1e-3;                                     ///< along the track
     double load          = std::numeric_limits<double>::quiet_NaN(); ///< static, on the rail; NaN: changes
-    double torque_force  = std::numeric_limits<double>::quiet_NaN(); ///< that the torque asks for; NaN: none
+    double torque_force  = std::numeric_limits<double>::quiet_NaN(); ///< that the torque demands; NaN: none
     double friction      = 0;                                        ///< coefficient at rest
     double shear_modulus = 81e9;                                     ///< of the steel
     double radius        = 0.46;                                     ///< of the wheel
-    double slowest = 0; ///< way in which the slowest mode of the wheel turns by 1 rad, see slow_length()
+    double slowest = 0; ///< path in which the slowest mode of the wheel turns by 1 rad, see slow_length()
     double standard_error = 1e-3; ///< that is wanted, over the scales
     double earliest       = 0;    ///< before this the means must not begin
   };
 
-  /// The way [m] that a wheel rolls while its slowest mode, of some 190 Hz, swings by one radian: the mean
+  /// The path [m] that a wheel rolls while its slowest mode, of some 190 Hz, swings by one radian: the mean
   /// over a stretch differs from that over whole swings by at most its slope times this length.
   double
   slow_length(double velocity);
@@ -39,7 +39,7 @@ namespace wheelrail
     double      noise    = 0;     ///< standard_error() of means over cells
     double      balance  = 0;     ///< what the balances of load and torque leave open
     double      trend    = 0;     ///< slope times the length over which it may go on
-    double      drift    = 0;     ///< the same of a slope that stands out of the noise, else 0
+    double      drift    = 0;     ///< the same of a slope larger than the noise, else 0
     bool        of_patch = false; ///< its rows are those of the patch
     bool        settles  = false; ///< is asked for in settled_after, too
 

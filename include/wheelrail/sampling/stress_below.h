@@ -16,7 +16,7 @@ namespace wheelrail
   };
 
   /// Of rail and wheel in AA, BB, AA_peak and BB_peak. Of finite elements the stress at the surface and in
-  /// the cell below it is that of a coarse slope, so that what lies deeper is told apart.
+  /// the cell below it is that of a coarse slope, so that what lies deeper is distinguished.
   StressBelow
   largest_stress_below(const std::vector<Slice> &slices, double from);
 

@@ -4,7 +4,7 @@
 
 namespace wheelrail
 {
-  /// What a curve asks of a wheelset that runs through it steadily.
+  /// What a curve demands of a wheelset that runs through it steadily.
   struct CurveLoads
   {
     double right = 0, left = 0; ///< vertical loads of the wheels [N]; 0: lifted

@@ -48,7 +48,7 @@ namespace wheelrail
     unsigned int  seed       = 1;         ///< of the phases of roughness
     std::string   file       = "none";
 
-    /// Whether it stands on the wheel.
+    /// Whether it lies on the wheel.
     bool
     on_wheel() const
     {
@@ -60,7 +60,7 @@ namespace wheelrail
               file.compare(file.size() - 5, 5, ".slcw") == 0);
     }
 
-    /// Whether its shape stands in its file.
+    /// Whether its shape is in its file.
     bool
     in_file() const
     {

@@ -7,7 +7,7 @@
 
 namespace wheelrail
 {
-  /// Values that a strain or a stress goes through in each cycle.
+  /// Values that a strain or a stress takes in each cycle.
   struct Stations
   {
     bool                of_stress = false; ///< stresses [Pa], else strains

@@ -4,7 +4,7 @@
 
 namespace wheelrail
 {
-  /// How a rail bends on what it stands on: an endless beam of a usual rail (5.5 MN m2) on a foundation
+  /// How a rail bends on its support: an endless beam of a usual rail (5.5 MN m2) on a foundation
   /// (Winkler 1867; Timoshenko 1926) of pads and ballast, or their average.
   struct RailBending
   {

@@ -2,7 +2,7 @@
 
 namespace wheelrail
 {
-  /// What the rail stands on.
+  /// What supports the rail.
   enum class RailSupport
   {
     clamped_foot,    ///< foot and ends do not move
@@ -10,7 +10,7 @@ namespace wheelrail
     sleepers         ///< pads on sleepers; free ends
   };
 
-  /// How the loss factor of a pad goes with frequency.
+  /// How the loss factor of a pad depends on frequency.
   enum class PadLoss
   {
     damper,  ///< in proportion: one damper, matched at one frequency

@@ -7,7 +7,7 @@
 
 namespace wheelrail
 {
-  /// The base of the rail's foot, as what carries it sees it. All ranks that hold a node know it alike.
+  /// The base of the rail's foot, as its support sees it. All ranks that hold a node have it alike.
   struct RailFoot
   {
     /// Unit vectors in the track frame: across, to the track centre; normal to the base, upwards; along.

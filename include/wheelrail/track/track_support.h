@@ -154,7 +154,7 @@ namespace wheelrail
     std::vector<Vector3>   place_, speed_,
       mean_speed_;                            ///< of the sleepers: at full, at half steps, around the last
     std::vector<std::array<double, 9>> give_; ///< inverse of what holds a sleeper, pads and ballast [m/N]
-    double      deflection_ = 0, pad_force_ = 0, pad_pull_ = 0; ///< as measures() tells them
+    double      deflection_ = 0, pad_force_ = 0, pad_pull_ = 0; ///< as measures() has them
     int         rank_   = 0;
     EnergyTerm *stored_ = nullptr, *dissipated_ = nullptr, *kinetic_ = nullptr, *ballast_ = nullptr,
                *ballast_dissipated_ = nullptr;

@@ -38,7 +38,7 @@ namespace wheelrail
     virtual double
     missed() const = 0;
 
-    /// As it rolled last; `within_friction` and `not_found` tell how the search for the rate ended.
+    /// As it rolled last; `within_friction` and `not_found` say how the search for the rate ended.
     virtual WheelRailSolution
     result(bool within_friction, const std::string &not_found) const = 0;
   };

@@ -38,7 +38,7 @@ namespace wheelrail
   /// of the scene, but for the creepage along the rail, which is given where the curve runs over it. `solve`
   /// is called from several threads at a time. `hold` holds the points of least and largest lateral force
   /// against the true bodies (hold_against_bodies()); the others have a `bodies_effect` on the line between.
-  /// `count` is told of each point.
+  /// `count` is called after each point.
   std::vector<WheelRailSolution>
   solve_creep_curve(
     const Scene                                                   &scene,

@@ -12,7 +12,7 @@
 namespace wheelrail
 {
   /// Rows of a vehicle simulation that are kept in a file as soon as they are solved, so that a call that was
-  /// interrupted, or killed, goes on with the others and has the same results in the end.
+  /// interrupted, or killed, continues with the others and has the same results in the end.
   class VehicleRows
   {
   public:

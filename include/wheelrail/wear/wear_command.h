@@ -8,7 +8,7 @@ namespace wheelrail
 {
   /// Carries out the command wear: wears the profiles of a scene (wear_on()) and writes into the folder of
   /// the scene, "-wear": wear.csv with a row a state, profiles/ with the profiles of each as tables that
-  /// scenes take, wear.json from which an interrupted call goes on, and, with pictures, the page wear.html. A
+  /// scenes take, wear.json from which an interrupted call resumes, and, with pictures, the page wear.html. A
   /// call for which everything is there draws the page alone; states of another scene are refused unless
   /// --overwrite. Collective where MPI has started several processes: they share the rows of the mix, the
   /// first one writes. Throws InputError, and RunError when a file cannot be written. Returns 0, or 2 where

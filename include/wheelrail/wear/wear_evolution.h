@@ -28,7 +28,7 @@ namespace wheelrail
     double         with_care = 0, not_trusted = 0;  ///< shares of passages, as those of MixWear
   };
 
-  /// Profiles on their way, from which it can go on.
+  /// Profiles after a part of the plan, from which it resumes.
   struct WearState
   {
     WornShape             new_rail, new_wheel; ///< as they began
@@ -52,8 +52,8 @@ namespace wheelrail
   std::string
   beside_bodies(const WearState &state);
 
-  /// Forgets what was found in the last state, so that wear_on() computes it again and goes on, be it to the
-  /// end of a longer plan.
+  /// Forgets what was found in the last state, so that wear_on() computes it again and continues, be it to
+  /// the end of a longer plan.
   void
   take_back_last(WearState &state);
 

@@ -8,7 +8,7 @@
 
 namespace wheelrail
 {
-  /// All of a state as text, from which wear_on() goes on to the same bits. `digest` says of which scene
+  /// All of a state as text, from which wear_on() resumes with the same bits. `digest` says of which scene
   /// (scene_digest()).
   std::string
   wear_state_as_text(const WearState &state, const std::string &digest);

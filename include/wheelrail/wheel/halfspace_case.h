@@ -69,7 +69,7 @@ namespace wheelrail
     double                   time         = 0; ///< computing time [s]
     int                      enlargements = 0; ///< of the grid, until the contact did not touch its edge
     std::array<BodyLoads, 2> body_loads;       ///< of true bodies: on the rail, on the wheel
-    /// Patches beside this one, in planes of their own. What stands above is of one patch each.
+    /// Patches beside this one, in planes of their own. What is above is of one patch each.
     std::vector<WheelRailSolution> others;
   };
 
@@ -80,7 +80,7 @@ namespace wheelrail
     double           width = 0, length = 0;  ///< extents of the patch across and along the rail [m]
     double           turn = 0;               ///< of the surfaces across the patch, edge to edge [rad]
     ContactReference reference;              ///< creepages and spin of the rigid bodies, without forces
-    double patches = 1; ///< in planes of their own; what stands above is that of the highest pressure
+    double           patches = 1; ///< in planes of their own; what is above is that of the highest pressure
   };
 
   /// The sum of a quantity over all patches of a solution.

@@ -44,7 +44,7 @@ namespace wheelrail
                         int                                       &enlargements,
                         std::shared_ptr<HalfspaceKernels>         &kernels);
 
-  /// What is to be told about the elements of a solution: that they were made smaller than those of the
+  /// The note on the elements of a solution: that they were made smaller than those of the
   /// scene, or are still too coarse; empty otherwise.
   std::string
   resolution_note(const Scene &scene, const HalfspaceSolution &solution);
@@ -63,7 +63,7 @@ namespace wheelrail
   PatchFields
   halfspace_patch(const HalfspaceSolution &solution);
 
-  /// T-gamma: the work of the creepages, or of friction on the ways of particles where the two are not the
+  /// T-gamma: the work of the creepages, or of friction on the paths of particles where the two are not the
   /// same, for unlike materials and true bodies [N].
   double
   wear_number(const HalfspaceProblem &problem, const HalfspaceSolution &solution);

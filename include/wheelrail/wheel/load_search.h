@@ -39,7 +39,7 @@ namespace wheelrail
   };
 
   /// Finds the creepage at which a force or torque that grows with it is reached: steps that grow until the
-  /// sign changes, then secants inside what is left. What is searched may move a little on the way.
+  /// sign changes, then secants inside what is left. What is searched may move a little meanwhile.
   class CreepageSearch
   {
   public:

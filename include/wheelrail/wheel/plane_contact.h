@@ -34,7 +34,7 @@ namespace wheelrail
     std::function<double(double, double)> added_distance;
 
     /// Solves the normal problem alone under a force normal to the plane [N] and sets `means`, on a grid that
-    /// is enlarged until the contact keeps off its edge. The first grid is laid for the expected approach
+    /// is enlarged until the contact keeps off its edge. The first grid is made for the expected approach
     /// times `room`.
     void
     press(double normal_force, double room = 1);
@@ -67,12 +67,12 @@ namespace wheelrail
     double
     turn_across(const PatchMeasures &measures) const;
 
-    /// All that is told of it; without its time.
+    /// All results of it but its time.
     WheelRailSolution
     result() const;
 
   private:
-    /// The grid that was laid for nearly the same approach is kept, and the solution on it is the first
+    /// The grid that was made for nearly the same approach is kept, and the solution on it is the first
     /// guess, while the contact keeps off its edge.
     void
     press_on_grid(double first_approach);
@@ -90,7 +90,7 @@ namespace wheelrail
 
     std::shared_ptr<HalfspaceKernels> kernels_;      ///< of the grid that there is
     std::vector<double>               own_distance_; ///< of the sections on it [m]
-    double                            laid_for_ = 0; ///< approach that it was laid for [m]
+    double                            laid_for_ = 0; ///< approach that it was made for [m]
 
     double expected_force_ = 0, expected_approach_ = 0; ///< of the scene [N], [m]
     double element_ = 0;                                ///< wanted size of the elements [m]

@@ -14,7 +14,7 @@ namespace wheelrail
     double                        radius_along = 0;          ///< relative radius in the rolling direction [m]
     double                        low = 0, high = 0;         ///< lateral ends of the narrower one [m]
     std::function<double(double)> across;                    ///< distance at a lateral place [m]
-    std::function<double(double)> middle;                    ///< height half way between both surfaces [m]
+    std::function<double(double)> middle;                    ///< height midway between both surfaces [m]
     std::vector<std::string>      notes;                     ///< what was done to crowns of files
     double                        lowest = 0, lowest_at = 0; ///< of `across`, and where [m]
     double                        radius_across = 0;         ///< there, about [m]

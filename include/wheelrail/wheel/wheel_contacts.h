@@ -8,7 +8,7 @@
 
 namespace wheelrail
 {
-  /// What is told where several patches are not brought into balance.
+  /// The sentence where several patches are not brought into balance.
   extern const std::string patches_not_found;
 
   /// The contacts of one wheel with its rail, each in its own plane, that share the wheel's position, its

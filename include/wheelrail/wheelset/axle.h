@@ -28,8 +28,8 @@ namespace wheelrail
     bool    rate_held        = false; ///< the pitch rate keeps its start value
     double  torque           = 0;     ///< drive torque about `axis`, positive driving [N m]
 
-    /// Length over which the torque goes smoothly from that of the static start to `torque` [m]; 0: at once.
-    /// A step lets hub and rim swing against each other.
+    /// Length over which the torque changes smoothly from that of the static start to `torque` [m]; 0: at
+    /// once. A step lets hub and rim swing against each other.
     double torque_ramp = 0;
 
     /// What leads the wheelset; none: all of the above stays as it is. `load` is what is on the rail with the
@@ -53,8 +53,8 @@ namespace wheelrail
   class Axle : public Part
   {
   public:
-    /// `lift` [m] is the axle's static vertical displacement, `pitch_rate` [rad/s] its start value.
-    Axle(const AxleData &data, double lift, double pitch_rate, MPI_Comm communicator);
+    /// `hub_displacement` [m] is that of the static start, vertical, `pitch_rate` [rad/s] its start value.
+    Axle(const AxleData &data, double hub_displacement, double pitch_rate, MPI_Comm communicator);
 
     /// Finds the bore nodes by the marks of the mesh, takes them from the loop, and adds their mass and
     /// inertia to the axle's. Collective.
@@ -83,11 +83,6 @@ namespace wheelrail
     pitch_rate() const
     {
       return pitch_rate_;
-    }
-    double
-    pitch_angle() const
-    {
-      return angle_;
     }
     double
     travelled() const
@@ -193,7 +188,7 @@ namespace wheelrail
       start_torque_ = torque;
     }
 
-    /// What one step leaves to the next, as numbers that all ranks know [SI]: height, lift, vertical_speed,
+    /// What one step leaves to the next, as numbers that all ranks have [SI]: height, lift, vertical_speed,
     /// angle, pitch_rate, travelled, sprung_height, sprung_speed, and the works damped, torque_work,
     /// hold_work, load_work. Positions are those of the full step, speeds and works of the half step.
     std::string
@@ -246,7 +241,7 @@ namespace wheelrail
     std::vector<unsigned int> bore_;
     std::vector<Vector3>      arm_; ///< reference position of the bore nodes from the centre [m]
     double                    total_mass_ = 0, total_inertia_ = 0; ///< with the bore nodes
-    double                    height_ = 0, lift_ = 0, vertical_speed_ = 0;
+    double                    height_ = 0, hub_displacement_ = 0, vertical_speed_ = 0;
     double                    angle_ = 0, pitch_rate_ = 0;
     double                    travelled_     = 0;
     double                    sprung_height_ = 0, sprung_speed_ = 0; ///< against the static position

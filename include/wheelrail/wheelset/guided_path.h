@@ -19,8 +19,9 @@ namespace wheelrail
     SmoothCurve contact_ahead; ///< of the axle, likewise
     SmoothCurve forward_radius;
 
-    /// How the wheelset stands at a place of its path against one that kept the pose of the start: the turn,
-    /// and the move of the wheel's centre in the track plane and along; its height is not led [m].
+    /// Position and angles of the wheelset at a place of its path, against one that kept the pose of the
+    /// start: the turn, and the move of the wheel's centre in the track plane and along; its height is not
+    /// led [m].
     RigidMotion
     lead(double rolled) const;
 
