@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -108,6 +109,36 @@ namespace
     const auto e = std::size_t(mx / 2 + mx * (my / 3)), f = std::size_t(mx / 2 + mx * (my - 1 - my / 3));
     check_relative(l.solution.pressure[f], r.solution.pressure[e], 1e-4, "left: rows in a mirror");
   }
+
+  /// The sentence on the first case of the file with something replaced.
+  std::string
+  refusal(const std::string &from, const std::string &to)
+  {
+    std::ifstream      file("ball.inp");
+    std::ostringstream text;
+    text << file.rdbuf();
+    auto cases = read_inp_text(test::replaced(text.str(), from, to), "x.inp");
+    cases.resize(1);
+    const auto refused = solve_cases(cases).front().refused;
+    return refused.empty() ? "" : refused.front();
+  }
+
+  void
+  test_refusals()
+  {
+    std::ofstream("three.prr") << "0 0\n1 0\n2 0\n";
+    test::check_text(refusal("round.prr", "three.prr"),
+                     "three.prr: 3 points; a profile of an input file of CONTACT has four or more",
+                     "too few points");
+    std::ofstream("half.prr") << "0 0\n10 1\n20 4\n30 9\n40 16\n";
+    std::filesystem::copy_file("half.prr", "round.prr", std::filesystem::copy_options::overwrite_existing);
+    test::check_text(refusal(" -1 0 0 0               GAUGHT", " 14 0 1435 0 GAUGHT"),
+                     "round.prr:1: the rail has no place beside its top at which a gauge could be measured",
+                     "a rail without a gauge side");
+    test::check_text(refusal(" 100 0 0 0 0 -0.996     VS", " -100 0 0 0 0 0.996 VS"),
+                     "x.inp:19: VS < 0 (a wheel that rolls backwards) is not computed; taken is VS > 0",
+                     "rolling backwards");
+  }
 } // namespace
 
 int
@@ -137,5 +168,6 @@ main()
                            "         240.0      -37.65      -23.54       73.24   1.624E-02  -2.679E-02\n",
                            "     SPINXO      SPINYO\n        0.1303       8.721\n"})
     check(printed.find(part) != std::string::npos, std::string("printed: ") + part);
+  test_refusals();
   return test::report();
 }

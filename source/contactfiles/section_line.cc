@@ -199,8 +199,32 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// Whether z of a file points up: by the habit of its format; in two columns by the ends of a head, which
+    /// lie below its middle, or the flange, which hangs down farther than anything rises.
+    bool
+    points_up(const FileContent &content, const bool wheel)
+    {
+      if (content.format != "two columns" || content.points.empty())
+        return !content.down;
+      const double first = content.points.front().position.y, last = content.points.back().position.y,
+                   middle = content.points[content.points.size() / 2].position.y;
+      if (!wheel)
+        return 0.5 * (first + last) < middle;
+      double low = middle, high = middle;
+      for (const FilePoint &p : content.points)
+        {
+          low  = std::min(low, p.position.y);
+          high = std::max(high, p.position.y);
+        }
+      return high - middle < middle - low;
+    }
+  } // namespace
+
+
   SectionLine
-  section_line(const ContactProfile &profile)
+  section_line(const ContactProfile &profile, const bool wheel)
   {
     std::vector<Point2> points;
     if (!profile.points.empty())
@@ -212,7 +236,7 @@ namespace wheelrail
       }
     const FileContent content = parse_profile_text(read_whole_file(profile.file), profile.file);
     const double      unit    = content.metres_per_unit > 0 ? content.metres_per_unit : millimetre;
-    const bool        turned  = profile.mirror_z == 1 || (profile.mirror_z == 0 && !content.down);
+    const bool        turned  = profile.mirror_z == 1 || (profile.mirror_z == 0 && points_up(content, wheel));
     for (const FilePoint &p : content.points)
       points.push_back({profile.scale * unit * (profile.mirror_y == 1 ? -1 : 1) * p.position.x,
                         profile.scale * unit * (turned ? -1 : 1) * p.position.y});

@@ -132,8 +132,8 @@ namespace wheelrail
     public:
       CaseSolver(const ContactCase &one, const WheelRailCase *before)
         : one_(one)
-        , rail_(section_line(one.track.profile))
-        , wheel_(section_line(one.wheelset.profile))
+        , rail_(section_line(one.track.profile, false))
+        , wheel_(section_line(one.wheelset.profile, true))
         , pose_(wheel_rail_pose(one, rail_))
         , gaps_(gap_places(pose_, rail_, wheel_, 0.3 * millimetre * one.elements.ds))
         , shift_(one.digits.motion == 1)

@@ -79,5 +79,5 @@ namespace wheelrail
   /// Reads the profile that a line of an input file names, mirrored and scaled as the line says. Throws
   /// InputError for what cannot be read.
   SectionLine
-  section_line(const ContactProfile &profile);
+  section_line(const ContactProfile &profile, bool wheel);
 } // namespace wheelrail
