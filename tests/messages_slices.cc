@@ -110,7 +110,7 @@ namespace
       "give a rail of one section",
       "slices without --places");
     check_text(geometry({}, "10 mm"),
-               "Profiles/Rail = 54E1: --places along a rail needs slices, a file that ends in .slcs",
+               "Profiles/Rail 54E1: --places along a rail needs slices, a file that ends in .slcs",
                "a plain rail with --places");
     check_text(geometry({"Profiles/Rail = wheel.slcw"}, "10 mm"),
                "Profiles/Rail: wheel.slcw: slices of a wheel; a rail has them in a file that ends in .slcs",
@@ -145,6 +145,11 @@ namespace
                "give --places "
                "\"0:600:20 mm\"",
                "halfspace without --places");
+    check_text(message_of([&]() {
+                 execute({"halfspace", "plain.prm", "--section-normal"}, run, out);
+               }),
+               "--second-rail and --section-normal are for slices (.slcs); Profiles/Rail is 54E1",
+               "a plain rail with --section-normal");
     std::string printed;
     check_text(geometry({"Profiles/Rail = jump.slcs"}, "90 mm", &printed), "no message", "away from a jump");
     const std::string warning =
@@ -173,6 +178,7 @@ main()
   write("aside.slcs", slices(std::vector<std::string>(5, "aside.txt"), "0 0 0"));
   write("jump.slcs",
         slices({"even.txt", "even.txt", "wide.txt", "wide.txt", "wide.txt", "wide.txt"}, "0 0 0"));
+  write("plain.prm", "set Title = plain\n");
   write("slices.prm", "subsection Profiles\n  set Rail = good.slcs\nend\n");
   answers(slices({"even.txt", "even.txt", "mirrored.txt", "even.txt"}, "0 0 0"),
           "slice 3 lies mirrored to the slice before; y of all slices points to the field side");

@@ -131,6 +131,27 @@ namespace
           "it touches both edges of the gap");
   }
 
+  /// A part of a rail exists from the first slice on that has it; what exists is the same rail.
+  void
+  part_that_begins()
+  {
+    std::ofstream out("parts.slcs");
+    out << "0 1 U_OFFSET U_SCALE\n8 NSLC\n3 1 1 NFEAT NKINK NACCEL\n1 U_INTPOL\n";
+    for (int k = 0; k < 8; ++k)
+      out << 10 * k << " 'head.txt'\n";
+    out << "1\n-1\n";
+    for (int k = 0; k < 8; ++k)
+      out << 10 * k << " 0 40 " << (k < 4 ? -1 : 999) << '\n';
+    out.close();
+    const SectionsSurface parts = surface_of("parts.slcs"), whole = surface_of("plain.slcs");
+    const SectionColumn   before = parts.column(39.9e-3), behind = parts.column(40e-3),
+                        plain = whole.column(40e-3);
+    check_near(1e3 * before.length(), 40, 0.01, "arc length of the part that all slices have [mm]");
+    check_near(1e3 * behind.length(), 1e3 * plain.length(), 0.01, "arc length of both parts [mm]");
+    const Point2 a = before.at(30e-3).position, b = behind.at(30e-3).position;
+    check_near(1e6 * norm(a - b), 0, 0.1, "the first part where the second begins [um]");
+  }
+
   /// The slices of an artificial part of nose_wing_sections.csv.
   void
   write_part(const std::string &part)
@@ -343,6 +364,7 @@ main()
 {
   plain_rail();
   gap_of_two_rails();
+  part_that_begins();
   contact_rows();
   slope_along();
   return test::report();

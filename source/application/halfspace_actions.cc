@@ -111,8 +111,15 @@ namespace wheelrail
           throw InputError("Profiles/Rail = " + input.scene.rail_profile +
                            ": of slices along the track halfspace takes one wheel at places: give --places "
                            "\"0:600:20 mm\"");
-        return run_sections_command(input.scene, file("places"), !options.count("no-pictures"), out);
+        return run_sections_command(
+          input.scene,
+          {file("places"), file("second-rail"), options.count("section-normal") > 0},
+          !options.count("no-pictures"),
+          out);
       }
+    if (options.count("second-rail") + options.count("section-normal") > 0)
+      throw InputError("--second-rail and --section-normal are for slices (.slcs); Profiles/Rail is " +
+                       input.scene.rail_profile);
     if (input.scene.both_wheels)
       return halfspaces_of_wheelset(options, input, found.warnings, out);
     leave_to_half_spaces(options, input.scene, out);

@@ -38,10 +38,14 @@ namespace wheelrail
     };
 
     SectionsSurface
-    read_rail(const Scene &scene, const std::string &entry, const std::string &path, std::ostream &out)
+    read_rail(const Scene       &scene,
+              const std::string &entry,
+              const std::string &path,
+              const bool         ends,
+              std::ostream      &out)
     {
       if (!is_slices_file(path))
-        throw InputError("Profiles/" + entry + " = " + path +
+        throw InputError(entry + " " + path +
                          ": --places along a rail needs slices, a file that ends in .slcs");
       try
         {
@@ -52,8 +56,12 @@ namespace wheelrail
             for (Point2 &p : slice.points)
               p = {(scene.rail_file.mirror == ProfileMirror::yes ? -1 : 1) * p.x,
                    (scene.rail_file.turn == ProfileMirror::yes ? -1 : 1) * p.y};
-          SectionsSurface rail(
-            slices, Placement{{}, -std::atan(scene.track.inclination)}, scene.rail_file.noise, path);
+          SectionsSurface rail(slices,
+                               Placement{{}, -std::atan(scene.track.inclination)},
+                               scene.rail_file.noise,
+                               path,
+                               0.5e-3,
+                               ends);
           for (const SectionsSurface::Jump &jump : rail.jumps())
             out << "warning: " << path << ": the arc length jumps from " << in_mm(jump.before) << " to "
                 << in_mm(jump.behind) << " between slices " << jump.slice << " and " << jump.slice + 1
@@ -62,12 +70,12 @@ namespace wheelrail
         }
       catch (const InputError &error)
         {
-          throw InputError("Profiles/" + entry + ": " + error.what());
+          throw InputError(entry + ": " + error.what());
         }
     }
 
     SceneSections
-    scene_sections(const Scene &scene, const std::string &option, std::ostream &out)
+    scene_sections(const Scene &scene, const SectionOptions &options, std::ostream &out)
     {
       if (scene.irregular())
         throw InputError("Profiles/Rail = " + scene.rail_profile +
@@ -76,17 +84,22 @@ namespace wheelrail
         throw InputError(
           "Wheelset/Roll = from contact: the rail of the other wheel is not known beside rails by "
           "slices; give an angle or none");
-      std::vector<SectionsSurface> rails{read_rail(scene, "Rail", scene.rail_profile, out)};
-      SceneProfiles                profiles = read_wheel_profile(scene);
+      const bool                   two = !options.second_rail.empty();
+      std::vector<SectionsSurface> rails{read_rail(scene, "Profiles/Rail", scene.rail_profile, two, out)};
+      if (two)
+        rails.push_back(read_rail(scene, "--second-rail", options.second_rail, two, out));
+      SceneProfiles profiles = read_wheel_profile(scene);
       print_notes(profiles.notes, out);
       const PosedWheel posed(profiles.wheel, scene.track, wheelset_pose(scene));
-      SceneSections    sections{
-        std::move(rails), std::move(profiles.wheel), posed, parse_irregular_places(option, false).values};
+      SceneSections    sections{std::move(rails),
+                             std::move(profiles.wheel),
+                             posed,
+                             parse_irregular_places(options.places, false).values};
       for (const double place : sections.places)
         {
           if (std::none_of(
                 sections.rails.begin(), sections.rails.end(), [&](const auto &r) { return r.has(place); }))
-            throw InputError("--places \"" + option + "\": the wheel at " + in_mm(place) +
+            throw InputError("--places \"" + options.places + "\": the wheel at " + in_mm(place) +
                              " along the track does not stand on the slices, which reach from " +
                              in_mm(sections.rails.front().begin()) + " to " +
                              in_mm(sections.rails.back().end()));
@@ -97,10 +110,11 @@ namespace wheelrail
     }
 
     SectionRolling
-    rolling_of(const Scene &scene)
+    rolling_of(const Scene &scene, const SectionOptions &options)
     {
       SectionRolling rolling;
-      rolling.problem = halfspace_problem(scene);
+      rolling.problem        = halfspace_problem(scene);
+      rolling.section_normal = options.section_normal;
       rolling.dx = rolling.dy = scene.halfspace_element_size;
       rolling.turning =
         scene.velocity / scene.track.nominal_radius * (1 + (scene.drive == Drive::rate ? scene.creepage : 0));
@@ -157,6 +171,8 @@ namespace wheelrail
                   "MPa",
                   "mm2",
                   "%");
+      constexpr int fewest = 8;
+      int           coarse = 0;
       for (std::size_t k = 0; k < results.size(); ++k)
         {
           const SectionContacts &c     = results[k].contacts;
@@ -174,10 +190,15 @@ namespace wheelrail
                           1e6 * p.solution.contact_elements * p.problem.grid.element_area(),
                           100 * p.solution.xi);
               place = std::string(21, ' ');
+              coarse += elements_across(p.solution) < fewest ? 1 : 0;
             }
           if (!results[k].fault.empty())
             out << text("%10.3f not trusted: ", 1e3 * sections.places[k]) << results[k].fault << "\n";
         }
+      if (coarse > 0)
+        out << "warning: fewer than " << fewest << " elements lie across " << coarse
+            << (coarse == 1 ? " patch" : " patches")
+            << ", whose peak pressure may be off by 5 % and more: take a smaller Half-space/Element size\n";
     }
 
     FigureTable
@@ -254,9 +275,9 @@ namespace wheelrail
 
 
   int
-  print_touching_places(const Scene &scene, const std::string &places, std::ostream &out)
+  print_touching_places(const Scene &scene, const SectionOptions &options, std::ostream &out)
   {
-    const SceneSections sections = scene_sections(scene, places, out);
+    const SceneSections sections = scene_sections(scene, options, out);
     out << "Rigid wheel on rails by slices: its drop at the first touch, counted from where the running "
            "circle is at "
            "the height 0\nof the slices, and all places that 1 mm more would close; x positive to the field "
@@ -309,9 +330,9 @@ namespace wheelrail
 
 
   int
-  run_sections_command(const Scene &scene, const std::string &places, const bool draws, std::ostream &out)
+  run_sections_command(const Scene &scene, const SectionOptions &options, const bool draws, std::ostream &out)
   {
-    const SceneSections          sections = scene_sections(scene, places, out);
+    const SceneSections          sections = scene_sections(scene, options, out);
     const ResultFolder           held(scene.folder, "-halfspace");
     const std::filesystem::path &folder = held.path();
     const double                 load   = static_wheel_load(scene, sections.wheel);
@@ -321,7 +342,7 @@ namespace wheelrail
              "coefficient "
              "has no effect\n";
     TaskCount                count("places", sections.places.size(), 0, out);
-    const SectionRolling     rolling = rolling_of(scene);
+    const SectionRolling     rolling = rolling_of(scene, options);
     std::vector<PlaceResult> results(sections.places.size());
     parallel_for(results.size(), [&](const std::size_t k) {
       results[k].contacts =

@@ -18,7 +18,7 @@ import numpy as np
 import columns
 import style
 
-COLOURS = (style.BLUE, style.RED)
+COLOURS = (style.BLUE, style.RED)  # of the rails
 
 
 def draw_surfaces(axes, table, sections):
@@ -26,13 +26,15 @@ def draw_surfaces(axes, table, sections):
     shown = sections["height_m"] > np.max(sections["height_m"]) - 0.03
     order = np.argsort(sections["height_m"][shown])
     picture = axes.scatter(1e3 * sections["place_m"][shown][order], 1e3 * sections["lateral_m"][shown][order],
-                           c=1e3 * sections["height_m"][shown][order], s=6, marker="s", cmap="Greys_r")
+                           c=1e3 * sections["height_m"][shown][order], s=110, marker="s", linewidths=0,
+                           vmin=1e3 * np.max(sections["height_m"]) - 12, cmap="cividis")
     axes.figure.colorbar(picture, ax=axes, label="height [mm]")
     for rail in np.unique(table["rail"]):
         on = table["rail"] == rail
         axes.scatter(1e3 * (table["place_m"] + table["ahead_m"])[on], 1e3 * table["lateral_m"][on],
                      s=4 + 40 * table["normal_force_N"][on] / np.max(table["normal_force_N"]),
-                     color=COLOURS[int(rail - 1) % 2], label=f"contact, rail {int(rail)}", zorder=3)
+                     color=COLOURS[int(rail - 1) % 2], edgecolors="white", linewidths=0.4, zorder=3,
+                     label=f"contact, rail {int(rail)}")
     axes.set_ylabel("to the field side [mm]")
     axes.legend(loc="best", fontsize=8)
 
@@ -50,7 +52,7 @@ def draw_sections(axes, sections):
 
 
 def draw(table, sections, path):
-    figure, axes = plt.subplots(4, 1, figsize=(8.2, 11.5), layout="constrained")
+    figure, axes = plt.subplots(4, 1, figsize=(8.2, 11.5), layout="constrained", height_ratios=(3, 3, 3, 2))
     draw_surfaces(axes[0], table, sections)
     for rail in np.unique(table["rail"]):
         on, colour = table["rail"] == rail, COLOURS[int(rail - 1) % 2]

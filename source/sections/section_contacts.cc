@@ -68,16 +68,6 @@ namespace wheelrail
             patch.roll();
       }
 
-      /// The vertical force that friction adds.
-      double
-      of_friction() const
-      {
-        double sum = -result.force()[1];
-        for (const SectionPatch &patch : result.patches)
-          sum -= patch.normal_force() * patch.normal[1];
-        return sum;
-      }
-
       /// Lowers the wheel in the planes that there are until the pressures carry a force, from `height` on.
       double
       lower(const double force, double height)
@@ -150,12 +140,13 @@ namespace wheelrail
                       const double                        at,
                       const double                        load)
   {
-    constexpr int    most   = 6;
+    constexpr int    most   = 12;
     constexpr double enough = 1e-4, far = 0.02; // of the load; of the approach that the planes are laid for
     Contacts         contacts(rails, wheel, rolling, at);
     const double     first = contacts.result.touching.front().height;
     // the approach of a patch of usual curvatures, for a first guess (Hertz 1882)
-    double height = first - 3e-5 * std::pow(load / 1e4, 2. / 3), laid = 0, friction = 0;
+    double height = first - 3e-5 * std::pow(load / 1e4, 2. / 3), laid = 0;
+    double of_pressures = load; // friction adds to their vertical force, or takes from it
     for (int round = 0; round < most; ++round)
       {
         if (round == 0 || std::abs(height - laid) > far * (first - laid))
@@ -163,14 +154,15 @@ namespace wheelrail
             contacts.lay(height);
             laid = height;
           }
-        height = contacts.lower(load - friction, height);
+        height = contacts.lower(of_pressures, height);
         if (std::abs(height - laid) > far * (first - laid))
           continue; // planes and grids first
         contacts.roll();
-        friction              = contacts.of_friction();
-        contacts.result.found = std::abs(-contacts.result.force()[1] - load) < enough * load;
-        if (contacts.result.found)
+        const double carried  = -contacts.result.force()[1];
+        contacts.result.found = std::abs(carried - load) < enough * load;
+        if (contacts.result.found || !(carried > 0))
           break;
+        of_pressures *= load / carried;
       }
     leave_out_empty(contacts.result);
     return contacts.result;

@@ -161,7 +161,9 @@ namespace wheelrail
         half_x = std::max(half_x, std::abs(dot(p.place - reference, along)));
         half_y = std::max(half_y, std::abs(dot(p.place - reference, across)));
       }
-    problem.grid = centred_grid(half_x + 2 * dx, half_y + 2 * dy, dx, dy);
+    constexpr double room =
+      1.15; // the contact of surfaces that do not curve evenly may be wider than their overlap
+    problem.grid = centred_grid(room * half_x + 2 * dx, room * half_y + 2 * dy, dx, dy);
   }
 
 
