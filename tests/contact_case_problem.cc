@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,12 +36,12 @@ namespace
   }
 
   void
-  test_printed_rows()
+  test_printed_rows(const std::string &file, const std::string &table)
   {
     const std::vector<ContactCase> cases =
-      read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/basic.inp");
+      read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/" + file);
     const std::vector<CaseResult> results = solve_cases(cases);
-    for (const auto &row : test::read_table("contact_basic_cases.csv"))
+    for (const auto &row : test::read_table(table))
       {
         const std::size_t k    = std::stoul(row[0]) - 1;
         const std::string name = row[1] + ": ";
@@ -74,6 +75,33 @@ namespace
                    row[10] + " " + row[11] + " " + row[12],
                    name + "elements in contact, adhesion, slip");
       }
+  }
+
+  /// Stresses that CONTACT prints for its case 4 of the testbank, MPa: of body 2 and of body 1.
+  void
+  test_points()
+  {
+    const auto cases  = read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/layers.inp");
+    const auto solved = solve_cases({cases.back()}).back().solved;
+    if (!check(solved && solved->points.size() == 1 && solved->points[0].size() == 4, "four points"))
+      return;
+    const PointStress &below = solved->points[0][2], &above = solved->points[0][3]; // x = 0.4
+    check_near(below.z, -1e-3, 1e-15, "z of body 2 is negative");
+    for (const auto &[value, printed, name] :
+         {std::tuple{below.stress.xx, 5.495e-3, "xx"},
+          std::tuple{below.stress.nn, -0.1922, "zz"},
+          std::tuple{below.stress.xn, 3.746e-2, "xz"},
+          std::tuple{below.mean(), -6.330e-2, "mean"},
+          std::tuple{above.stress.xx, -0.7574, "xx of body 1"},
+          std::tuple{above.stress.yy, -0.3660, "yy of body 1"},
+          std::tuple{above.stress.xn, -0.5741, "xz of body 1"},
+          std::tuple{above.stress.von_mises(), 1.133, "von Mises of body 1"},
+          std::tuple{above.principal[2], -1.457, "smallest principal of body 1"}})
+      check_near(1e-6 * value, printed, 1e-3 * std::max(0.1, std::abs(printed)), name);
+    check_near(above.principal[0] + above.principal[1] + above.principal[2],
+               3 * above.mean(),
+               1e-6 * std::abs(above.mean()),
+               "sum of the principal stresses");
   }
 
   /// Undeformed distance of an element of `basic` with the lines of IBASE replaced [mm].
@@ -355,9 +383,6 @@ namespace
       check_text(found, "x.inp:" + expected, expected.substr(0, 30));
     };
     expect(
-      {{"  022020 ", "  022420 "}, {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 100 0.02 50 0"}},
-      "10: TAU_C0 > 0 (an interfacial layer that yields) is not computed; taken are layers with TAU_C0 = 0");
-    expect(
       {{"  203100 ", "  202100 "},
        {"  022020 ", "  422020 "},
        {"0.4013  0.4013 ", "0.2 0.1 500 0 900\n 0.5 1 %"}},
@@ -373,7 +398,9 @@ namespace
 int
 main()
 {
-  test_printed_rows();
+  test_printed_rows("basic.inp", "contact_basic_cases.csv");
+  test_printed_rows("layers.inp", "contact_layer_cases.csv");
+  test_points();
   test_distances();
   test_grids();
   test_turned();

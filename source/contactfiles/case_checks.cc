@@ -143,6 +143,12 @@ namespace wheelrail
         add(one.grid.line,
             "IPOTCN = " + std::to_string(kind),
             "taken are -3 to -1 (ellipses) and 1 to 4 (grids)");
+      if (kind > 0 && (d.material == 2 || d.material == 3))
+        add(one.word_lines[1],
+            "M = " + std::to_string(d.material) + " (FASTSIM) on a contact that is no ellipse (IPOTCN > 0)",
+            "taken are IPOTCN = -3 to -1");
+      if ((d.material == 2 || d.material == 3) && d.motion != 3 && d.motion != 0)
+        add(one.word_lines[1], "M = 2, 3 (FASTSIM) without T = 3 (steady rolling)", "taken is T = 3");
       if (kind > 0 && one.distance.planform == 4)
         add(one.distance.line, "IPLAN = 4 (weighted patches)", "taken are 1 (all elements), 2 and 3");
       if (d.motion >= 2 && std::abs(std::sin(one.rolling.direction)) > 1e-3)
@@ -176,6 +182,16 @@ namespace wheelrail
     {
       refuse_profile(one.track.profile, add);
       refuse_profile(one.wheelset.profile, add);
+      const ControlDigits       &d = one.digits;
+      const std::vector<double> &c = one.material.constants;
+      if (d.material == 4 && d.motion < 3 && c[2] > 0 && c[2] < 1e10)
+        add(one.material.line,
+            "TAU_C0 > 0 (an interfacial layer that yields) with T = " + std::to_string(d.motion),
+            "taken are T = 3 and TAU_C0 = 0");
+      if (d.material == 2 || d.material == 3)
+        add(one.word_lines[1], "M = " + std::to_string(d.material) + " (FASTSIM)", "taken is module 3");
+      if (d.subsurface > 0)
+        add(one.points_line, "S > 0 (stresses below the surface)", "taken is module 3");
       if (one.elements.missed_gap >= 0)
         add(one.elements.line, "G_MISS >= 0 (near misses)", "taken is -1");
       if (one.digits.motion != 0 && one.wheelset.velocity[0] < 0)
@@ -205,9 +221,6 @@ namespace wheelrail
               entry->meaning + ")",
             "taken are " + accepted_digits(digit, {DigitValue::taken, DigitValue::kept}));
       }
-    const ContactMaterial &material = one.material;
-    if (one.digits.material == 4 && material.constants[2] > 0 && material.constants[2] < 1e10)
-      add(material.line, "TAU_C0 > 0 (an interfacial layer that yields)", "taken are layers with TAU_C0 = 0");
     if (one.module == 3)
       refuse_basic(one, add);
     else

@@ -1,4 +1,5 @@
 #include <wheelrail/contactfiles/case_problem.h>
+#include <wheelrail/halfspace/kalker_coefficients.h>
 
 #include <algorithm>
 #include <array>
@@ -196,6 +197,44 @@ namespace wheelrail
             return {};
         }
     }
+
+    /// The flexibilities of simplified theory that give the forces of small creepages (Kalker 1982); with
+    /// creepages given, where much slides, one weighted by them. Divided by the factor that makes the slope
+    /// fall with creepage (Spiryagin, Polach and Cole 2013).
+    SimplifiedTheory
+    simplified_theory(const ContactCase &one, const HertzContact &hertz)
+    {
+      const std::array<double, 2> &G1 = one.material.shear, &nu = one.material.poisson;
+      const double                 G       = 2 / (1 / G1[0] + 1 / G1[1]); // MPa, as all here; lengths in mm
+      const double                 poisson = G * (nu[0] / G1[0] + nu[1] / G1[1]) / 2;
+      const double                 a = hertz.a / millimetre, b = hertz.b / millimetre, c = std::sqrt(a * b);
+      const auto                   C      = kalker_coefficients(a / b, poisson);
+      const bool                   single = one.digits.material == 2;
+      const auto                  &m      = one.material.constants;
+      SimplifiedTheory             L{
+        8 * a / (3 * C.c11 * G), 8 * a / (3 * C.c22 * G), M_PI * a * a / (4 * c * C.c23 * G)};
+      if (single)
+        L = {m[0], m[0], m[0]};
+      const double limit = hertz.force * friction_of(one, one.friction.lines.front()).at(0);
+      const double x = one.kinematics.x, y = one.kinematics.y, spin = one.kinematics.spin * 3 * M_PI * a / 32;
+      const bool   given = one.digits.forces == 0;
+      if (given && !single && limit > 0 && (x != 0 || y != 0))
+        {
+          const double x0 = limit / (C.c11 * c * c * G), y0 = limit / (C.c22 * c * c * G);
+          const double weight = std::min(1., std::hypot(x, y) / std::hypot(x0, y0) / 3);
+          const double mean =
+            (x * x + y * y + spin * spin) / (x * x / L.along + y * y / L.across + spin * spin / L.spin);
+          for (double *value : {&L.along, &L.across, &L.spin})
+            *value += weight * (mean - *value);
+        }
+      const double *const k       = m.data() + (single ? 1 : 0); // K0 ALFA BETA
+      const double        slope   = given && limit > 0 ? std::hypot(C.c11 * x, C.c22 * y) : 0;
+      const double        epsilon = G * M_PI * a * b * k[0] * slope / (4 * limit);
+      const double        factor  = k[0] * (limit > 0 ? k[1] + (1 - k[1]) / (1 + k[2] * epsilon) : 1);
+      for (double *value : {&L.along, &L.across, &L.spin})
+        *value *= millimetre / megapascal / factor;
+      return L;
+    }
   } // namespace
 
 
@@ -244,7 +283,15 @@ namespace wheelrail
     if (one.friction.memory_speed > 0)
       problem.memory_least_speed = millimetre * one.friction.memory_speed;
     if (one.digits.material == 4)
-      problem.layer_compliance = millimetre / megapascal * material.constants[1] / material.constants[0];
+      {
+        const std::vector<double> &c = material.constants;
+        problem.layer_compliance     = millimetre / megapascal * c[1] / c[0];
+        if (c[2] > 0 && c[2] < 1e10)
+          {
+            problem.layer_yield     = megapascal * c[2];
+            problem.layer_hardening = megapascal / millimetre * c[3];
+          }
+      }
     // unlike materials: CONTACT passes once where MAXOUT = 1
     if (one.iteration.maxout == 1 && one.digits.law == 0)
       problem.max_coupling_rounds = 1;
@@ -285,6 +332,8 @@ namespace wheelrail
     problem.velocity = shift ? 1 : millimetre * one.rolling.velocity;
     if ((d.motion == 3 && d.solver == 2) || (d.motion == 2 && d.material != 4))
       problem.step = millimetre * one.rolling.step;
+    if (d.material == 2 || d.material == 3)
+      problem.simplified = simplified_theory(one, *result.hertz);
     problem.spin_offset                               = one.rolling.middle;
     problem.phi                                       = shift ? k.spin : k.spin / millimetre;
     problem.longitudinal_force_given                  = d.forces >= 1;

@@ -126,6 +126,50 @@ namespace wheelrail
   }
 
 
+  FigureTable
+  point_table(const std::vector<CaseResult> &results)
+  {
+    FigureTable table;
+    for (const char *const key : {"case", "block"})
+      table.add(key, "1", {});
+    for (const char *const key : {"x_m", "y_m", "z_m"})
+      table.add(key, "m", {});
+    for (const char *const key : {"mean_stress_Pa",
+                                  "von_mises_stress_Pa",
+                                  "tresca_stress_Pa",
+                                  "principal_1_Pa",
+                                  "principal_2_Pa",
+                                  "principal_3_Pa",
+                                  "stress_xx_Pa",
+                                  "stress_yy_Pa",
+                                  "stress_zz_Pa",
+                                  "stress_xy_Pa",
+                                  "stress_xz_Pa",
+                                  "stress_yz_Pa"})
+      table.add(key, "Pa", {});
+    for (std::size_t k = 0; k < results.size(); ++k)
+      for (std::size_t b = 0; results[k].solved && b < results[k].solved->points.size(); ++b)
+        for (const PointStress &p : results[k].solved->points[b])
+          table.add_row({double(k + 1),
+                         double(b + 1),
+                         p.x,
+                         p.y,
+                         p.z,
+                         p.mean(),
+                         p.stress.von_mises(),
+                         p.principal[0] - p.principal[2],
+                         p.principal[0],
+                         p.principal[1],
+                         p.principal[2],
+                         p.stress.xx,
+                         p.stress.yy,
+                         p.stress.nn,
+                         p.stress.xy,
+                         p.stress.xn,
+                         p.stress.yn});
+    return table;
+  }
+
   namespace
   {
     /// What is asked of the file: all its cases, or one and those before that it may go on from, which come
@@ -279,6 +323,7 @@ namespace wheelrail
     write_table(case_table(cases, results), held.path(), "cases");
     write_table(wheel_rail_table(cases, results), held.path(), "wheel_rail");
     write_table(patch_table(cases, results), held.path(), "patches");
+    write_table(point_table(results), held.path(), "points");
     for (std::size_t k = 0; k < results.size(); ++k)
       write_fields(results[k], (held.path() / ("case_" + std::to_string(k + 1) + ".h5")).string());
     write_summary(file_summary(task.file, results, poor), (held.path() / "summary.json").string());

@@ -74,7 +74,7 @@ namespace wheelrail
          0,
          "stresses below the surface",
          &D::subsurface,
-         "0 none; 1! points of the case before; 2! the same, other output; 3! new points"},
+         "0 none; 1 points of the case before; 2 the same, other output; 3 new points"},
 
         {'V', 2, 3, "variation of friction", &D::variation, "0 none; 3 by rows of the grid"},
         {'V',
@@ -111,7 +111,7 @@ namespace wheelrail
          0,
          "material",
          &D::material,
-         "0 elastic; 1! viscoelastic; 2! FASTSIM, one flexibility; 3! FASTSIM, three flexibilities; 4 "
+         "0 elastic; 1! viscoelastic; 2 FASTSIM, one flexibility; 3 FASTSIM, three flexibilities; 4 "
          "interfacial layer; 5! FaStrip"},
         {'Z', 2, 3, "undeformed distance", &D::geometry, "0= as before; 1= as before; 2 new"},
         {'Z',

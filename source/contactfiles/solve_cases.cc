@@ -25,7 +25,10 @@ namespace wheelrail
                         &solution.gap,
                         &solution.slip_x,
                         &solution.slip_y,
-                        &solution.friction})
+                        &solution.friction,
+                        &solution.yield_stress,
+                        &solution.plastic_x,
+                        &solution.plastic_y})
       std::reverse(field->begin(), field->end());
     std::reverse(solution.state.begin(), solution.state.end());
     for (auto *field : {&solution.traction_x,
@@ -33,7 +36,9 @@ namespace wheelrail
                         &solution.displacement_x,
                         &solution.displacement_y,
                         &solution.slip_x,
-                        &solution.slip_y})
+                        &solution.slip_y,
+                        &solution.plastic_x,
+                        &solution.plastic_y})
       for (double &value : *field)
         value = -value;
     for (double *value : {&solution.fx, &solution.fy, &solution.xi, &solution.eta})
@@ -48,10 +53,13 @@ namespace wheelrail
     const int         up    = int(std::lround((grid.y0 - state.grid.y0) / grid.dy));
     HalfspaceSolution moved;
     moved.grid = grid;
-    const std::array<std::pair<std::vector<double> *, const std::vector<double> *>, 3> fields{
+    const std::array<std::pair<std::vector<double> *, const std::vector<double> *>, 6> fields{
       {{&moved.pressure, &state.pressure},
        {&moved.traction_x, &state.traction_x},
-       {&moved.traction_y, &state.traction_y}}};
+       {&moved.traction_y, &state.traction_y},
+       {&moved.yield_stress, &state.yield_stress},
+       {&moved.plastic_x, &state.plastic_x},
+       {&moved.plastic_y, &state.plastic_y}}};
     for (const auto &[to, from] : fields)
       {
         to->assign(std::size_t(grid.size()), 0.);
@@ -66,38 +74,47 @@ namespace wheelrail
 
 
   CaseSolution
-  solve_case(const ContactCase &one, const HalfspaceSolution *previous)
+  solve_case(const ContactCase &one, const HalfspaceSolution *previous, CaseState &state)
   {
     CaseProblem       task    = case_problem(one);
     HalfspaceProblem &problem = task.problem;
     CaseSolution      result;
-    HalfspaceSolution before;
+    HalfspaceSolution before, guess;
+    const auto        in_axes = [&](const HalfspaceSolution &other) {
+      HalfspaceSolution turned = other;
+      if (task.turned)
+        turn_solution(turned);
+      return turned;
+    };
     if (previous)
       {
-        before = *previous;
-        if (task.turned)
-          turn_solution(before);
-        before           = on_grid(before, problem.grid);
+        before           = on_grid(in_axes(*previous), problem.grid);
         problem.previous = &before;
       }
+    const bool warm = state.warm && state.last;
+    if (warm)
+      guess = in_axes(*state.last);
+    const auto solve = [&](const HalfspaceProblem &asked) {
+      return solve_rolling(asked, state.kernels, warm ? &guess : nullptr);
+    };
     if (!problem.force_given && problem.longitudinal_force_given)
       {
         HalfspaceProblem normal = problem;
         normal.motion           = HalfspaceMotion::none;
-        double       force      = solve_rolling(normal).fn;
+        double       force      = solve(normal).fn;
         const double sign       = task.turned ? -1 : 1;
         for (int round = 0; round < 30; ++round)
           {
             problem.fx      = sign * task.relative_x * task.friction * force;
             problem.fy      = sign * task.relative_y * task.friction * force;
-            result.solution = solve_rolling(problem);
+            result.solution = solve(problem);
             if (std::abs(result.solution.fn - force) <= 1e-6 * force)
               break;
             force = result.solution.fn;
           }
       }
     else
-      result.solution = solve_rolling(problem);
+      result.solution = solve(problem);
     if (problem.max_coupling_rounds == 1)
       {
         result.solution.coupling_converged = true;
@@ -113,17 +130,16 @@ namespace wheelrail
     return result;
   }
 
+  CaseSolution
+  solve_case(const ContactCase &one, const HalfspaceSolution *previous)
+  {
+    CaseState state;
+    return solve_case(one, previous, state);
+  }
+
 
   namespace
   {
-    /// What later cases of a contact go on from.
-    struct CaseState
-    {
-      std::optional<HalfspaceSolution> before, last; ///< what the last case went on from, and its result
-      std::optional<WheelRailCase>     before_wheel, last_wheel; ///< the same of module 1
-      bool                             known = true;             ///< no case is missing
-    };
-
     /// Whether a step is longer than an element: CONTACT then corrects what comes into contact within it.
     bool
     takes_several_elements(const ContactCase &one)
@@ -171,9 +187,13 @@ namespace wheelrail
       if (one.module == 3)
         {
           auto before   = state_before(state.before, state.last, past);
-          result.solved = solve_case(one, goes_on && before ? &*before : nullptr);
+          result.solved = solve_case(one, goes_on && before ? &*before : nullptr, state);
           state.before  = std::move(before);
           state.last    = result.solved->solution;
+          for (const ContactPoints &points : one.points)
+            if (one.digits.subsurface > 0)
+              result.solved->points.push_back(
+                block_stresses(point_block(points, state.last->grid), one.material, *state.last));
           return;
         }
       auto          before = state_before(state.before_wheel, state.last_wheel, past);
@@ -190,38 +210,41 @@ namespace wheelrail
   } // namespace
 
 
+  CaseResult
+  solve_next_case(const ContactCase &one, CaseState &state)
+  {
+    CaseResult result;
+    const bool goes_on = (one.digits.motion == 1 || one.digits.motion == 2) && one.digits.past != 2;
+    result.refused     = refusals(one);
+    if (goes_on && !state.known)
+      result.refused.push_back(
+        place(one.file, one.line) +
+        "the case goes on from one before that is not computed; taken are cases with P = 2");
+    if (result.refused.empty() && takes_several_elements(one))
+      result.refused.push_back(
+        place(one.file, one.rolling.line) +
+        "DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 "
+        "without G = 2");
+    if (result.refused.empty() && one.digits.after < 2)
+      try
+        {
+          solve_on(one, goes_on, state, result);
+        }
+      catch (const InputError &error) // of a profile
+        {
+          result.refused.emplace_back(error.what());
+        }
+    state.known = (state.known || !goes_on) && result.refused.empty();
+    return result;
+  }
+
   std::vector<CaseResult>
   solve_cases(const std::vector<ContactCase> &cases)
   {
     std::map<std::array<int, 3>, CaseState> states;
     std::vector<CaseResult>                 results;
     for (const ContactCase &one : cases)
-      {
-        CaseState &state = states[{{one.module, one.element, one.problem}}];
-        CaseResult result;
-        const bool goes_on = (one.digits.motion == 1 || one.digits.motion == 2) && one.digits.past != 2;
-        result.refused     = refusals(one);
-        if (goes_on && !state.known)
-          result.refused.push_back(
-            place(one.file, one.line) +
-            "the case goes on from one before that is not computed; taken are cases with P = 2");
-        if (result.refused.empty() && takes_several_elements(one))
-          result.refused.push_back(
-            place(one.file, one.rolling.line) +
-            "DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 "
-            "without G = 2");
-        if (result.refused.empty() && one.digits.after < 2)
-          try
-            {
-              solve_on(one, goes_on, state, result);
-            }
-          catch (const InputError &error) // of a profile
-            {
-              result.refused.emplace_back(error.what());
-            }
-        state.known = (state.known || !goes_on) && result.refused.empty();
-        results.push_back(std::move(result));
-      }
+      results.push_back(solve_next_case(one, states[{{one.module, one.element, one.problem}}]));
     return results;
   }
 } // namespace wheelrail

@@ -37,10 +37,13 @@ namespace wheelrail
                           &s.gap,
                           &s.slip_x,
                           &s.slip_y,
-                          &s.friction})
+                          &s.friction,
+                          &s.yield_stress,
+                          &s.plastic_x,
+                          &s.plastic_y})
         turn_rows(*field);
       turn_rows(s.state);
-      for (auto *field : {&s.traction_y, &s.displacement_y, &s.slip_y})
+      for (auto *field : {&s.traction_y, &s.displacement_y, &s.slip_y, &s.plastic_y})
         for (double &value : *field)
           value = -value;
       for (double *value : {&s.fy,

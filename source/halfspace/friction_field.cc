@@ -9,6 +9,23 @@
 
 namespace wheelrail
 {
+  double
+  friction_of_particle(const HalfspaceProblem &problem,
+                       const int               j,
+                       const double            velocity,
+                       const double            ahead,
+                       const double            step)
+  {
+    const double law = problem.friction_of_row(j).at(velocity);
+    if (problem.memory_length == 0)
+      return law;
+    // d mu/dt = -max(v, v_0)/L (mu - mu(v)), v = V |s| the slip speed, L the memory length (Vollebregt and
+    // Schuttelaars 2012), solved exactly over the time of one element with mu(v) held: mu = mu(v) + (mu
+    // before - mu(v)) exp(-max(v, v_0) dt/L). Explicit steps would overshoot where v dt > L.
+    const double rate = std::max(velocity, problem.memory_least_speed) / problem.memory_length;
+    return law + (ahead - law) * std::exp(-rate * step / problem.velocity);
+  }
+
   std::vector<double>
   friction_field(const HalfspaceProblem    &problem,
                  const double               step,
@@ -17,23 +34,15 @@ namespace wheelrail
   {
     const HalfspaceGrid &grid = problem.grid;
     std::vector<double>  friction(grid.size());
-    // d mu/dt = -max(v, v_0)/L (mu - mu(v)), v = V |s| the slip speed, L the memory length (Vollebregt and
-    // Schuttelaars 2012), solved exactly over the time of one element with mu(v) held: mu = mu(v) + (mu
-    // before - mu(v)) exp(-max(v, v_0) dt/L). Explicit steps would overshoot where v dt > L.
-    const double time = step / problem.velocity;
     for (int j = 0; j < grid.my; ++j)
       for (int i = grid.mx - 1; i >= 0; --i) // the path of the particles
         {
-          const int    e = i + grid.mx * j;
-          const double v = problem.velocity * std::hypot(slip[0][e], slip[1][e]);
-          friction[e]    = problem.friction_of_row(j).at(v);
-          if (problem.memory_length == 0)
-            continue;
+          const int e = i + grid.mx * j;
           // particles run in at the leading edge with the coefficient at rest and go towards -x
           const bool   inside = i + 1 < grid.mx && pressure[e + 1] > 0;
-          const double before = inside ? friction[e + 1] : problem.friction_of_row(j).at(0);
-          friction[e] += (before - friction[e]) *
-                         std::exp(-std::max(v, problem.memory_least_speed) * time / problem.memory_length);
+          const double ahead  = inside ? friction[e + 1] : problem.friction_of_row(j).at(0);
+          friction[e]         = friction_of_particle(
+            problem, j, problem.velocity * std::hypot(slip[0][e], slip[1][e]), ahead, step);
         }
     return friction;
   }

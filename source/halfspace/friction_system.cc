@@ -10,6 +10,8 @@
 //   sticks, |q| <= g:   B dt = -s
 //   slips, along n:     b n . dt = -b n . (t - g n)
 //   slips, along tau:   tau . B dt + stiffness tau . dt = -b |q|/g tau . (t - g n)
+// A layer that yields has the bound g + h |s| in place of g, h = `rise_`, so that t + h s = g n in slip: rows
+// above with t + h s for t. In steady rolling g holds the rise of what yields ahead.
 //   force given:        sum(dt) = force/area - sum(t), with d(creepage) added to all B dt
 // B is A/dq of a shift, (A - A')/dq of steady rolling, which is not symmetric: hence GMRES.
 
@@ -85,6 +87,60 @@ namespace wheelrail
     return 0.1 * c_ * n_ / (b_ * b_);
   }
 
+  void
+  FrictionSystem::set_bounds(const std::vector<double> &t, const std::vector<double> &slip)
+  {
+    bound_.resize(n_);
+    rise_.assign(n_, 0.);
+    if (task_.yield.empty())
+      {
+        for (std::size_t e = 0; e < n_; ++e)
+          bound_[e] = task_.bound[elements[e]];
+        return;
+      }
+    brought_.resize(n_);
+    yielding_.assign(n_, none);
+    double raised = 0;
+    for (std::size_t e = n_; e-- > 0;)
+      {
+        const int    k     = elements[e];
+        const double limit = task_.bound[k], rise = task_.hardening, least_yield = task_.least_yield;
+        raised         = follows(e) ? raised : 0;
+        brought_[e]    = std::max(least_yield, task_.yield[k] + raised);
+        bound_[e]      = limit;
+        const double c = brought_[e];
+        if (c >= limit)
+          continue;
+        // on the way back from q the traction is (c + h b |q|)/(1 + h b)
+        const double q    = std::hypot(t[2 * e] - slip[2 * e] / b_, t[2 * e + 1] - slip[2 * e + 1] / b_);
+        const double back = q > c ? (c + rise * b_ * q) / (1 + rise * b_) : c;
+        yielding_[e]      = back > limit ? slides : back < least_yield ? least : yields;
+        if (yielding_[e] != slides)
+          bound_[e] = yielding_[e] == least ? least_yield : c;
+        if (yielding_[e] == yields)
+          rise_[e] = rise;
+        if (q > c)
+          raised = yielded(e, slip).first - task_.yield[k];
+      }
+  }
+
+  std::pair<double, double>
+  FrictionSystem::yielded(const std::size_t e, const std::vector<double> &slip) const
+  {
+    const double size = std::hypot(slip[2 * e], slip[2 * e + 1]), c = brought_[e];
+    switch (yielding_[e])
+      {
+        case yields:
+          return {std::max(task_.least_yield, c + rise_[e] * size), 1.};
+        case least:
+          return {task_.least_yield, 1.};
+        case slides:
+          return {bound_[e], size > 0 ? std::min(1., (bound_[e] - c) / (task_.hardening * size)) : 0.};
+        default:
+          return {c, 0.};
+      }
+  }
+
   double
   FrictionSystem::residual(const std::vector<double> &t, std::vector<double> &slip)
   {
@@ -97,26 +153,29 @@ namespace wheelrail
       // creepages behind the tractions in the vector of unknowns
       creepage[forces[f]] = t[2 * n_ + f];
     slip.resize(2 * n_);
-    double sum = 0, largest = 0;
     for (std::size_t e = 0; e < n_; ++e)
       {
         const int k = elements[e];
-        double    q[2];
         for (int d = 0; d < 2; ++d)
           {
             // s = w + creepage + B t (+ c (t - t before) of a proximal point)
             slip[2 * e + d] = task_.rigid_slip[d][k] + creepage[d] + image_[d][k];
             if (c_ > 0)
               slip[2 * e + d] += c_ * (t[2 * e + d] - before_[2 * e + d]);
-            // q = t - s/b; t = P(q) holds exactly where s = 0 and |t| <= g, or t = -g s/|s|, for any b > 0
-            q[d] = t[2 * e + d] - slip[2 * e + d] / b_;
           }
+      }
+    set_bounds(t, slip);
+    double sum = 0, largest = 0;
+    for (std::size_t e = 0; e < n_; ++e)
+      {
+        // q = t - s/b; t = P(q) holds exactly where s = 0 and |t| <= g, or t = -g s/|s|, for any b > 0
+        const double q[2] = {t[2 * e] - slip[2 * e] / b_, t[2 * e + 1] - slip[2 * e + 1] / b_};
         // P cuts q to the length g = mu p
-        const double size   = std::hypot(q[0], q[1]),
-                     factor = size > task_.bound[k] ? task_.bound[k] / size : 1;
-        largest             = std::max(largest, factor * size);
+        const double size = std::hypot(q[0], q[1]), g = bound_[e];
+        const double factor = size > g ? g / size : 1, rise = size > g ? rise_[e] : 0;
+        largest = std::max(largest, factor * size);
         for (int d = 0; d < 2; ++d)
-          sum += std::pow(t[2 * e + d] - factor * q[d], 2);
+          sum += std::pow(t[2 * e + d] + rise * slip[2 * e + d] - factor * q[d], 2);
       }
     return std::sqrt(sum / n_) / (largest > 0 ? largest : 1); // tractions that are no numbers stay so
   }
@@ -137,7 +196,7 @@ namespace wheelrail
     for (std::size_t e = 0; e < n_; ++e)
       {
         const double *te = &t[2 * e], *s = &slip[2 * e];
-        const double  g = task_.bound[elements[e]];
+        const double  g = bound_[e], h = rise_[e];
         // q = t - s/b; |q| <= g: the element sticks, and its rows are B dt = -s
         const double qx = te[0] - s[0] / b, qy = te[1] - s[1] / b, q = std::hypot(qx, qy);
         // Before the first step only elements at their bound slip: the slip of others says nothing yet.
@@ -147,7 +206,7 @@ namespace wheelrail
             rhs[2 * e + 1] = -s[1];
             continue;
           }
-        slipping[e] = 1;
+        slipping[e] = !yielding_.empty() && (yielding_[e] == yields || yielding_[e] == least) ? 2 : 1;
         // n = q/|q|, the direction of the traction against the slip; b (|q| - g)/g is |s|/g where t = g n
         nx_[e]        = qx / q;
         ny_[e]        = qy / q;
@@ -156,7 +215,7 @@ namespace wheelrail
         // f = t - g n. Along n: b n . dt = -b n . f. Across it, from t + dt = g (n + dn) with dn = (dq .
         // tau)/|q| tau and dq = dt - B dt/b: tau . B dt + b (|q| - g)/g tau . dt = -b |q|/g tau . f. The
         // factor b gives both rows the unit of a slip. tau = (-n_y, n_x).
-        const double fx = te[0] - g * nx_[e], fy = te[1] - g * ny_[e];
+        const double fx = te[0] + h * s[0] - g * nx_[e], fy = te[1] + h * s[1] - g * ny_[e];
         const double normal  = -b * (fx * nx_[e] + fy * ny_[e]);
         const double tangent = -b * q / g * (-fx * ny_[e] + fy * nx_[e]);
         rhs[2 * e]           = normal * nx_[e] - tangent * ny_[e];
@@ -188,10 +247,12 @@ namespace wheelrail
         for (std::size_t e = 0; e < n_; ++e)
           if (slipping[e])
             {
-              // along n the row holds no slip: the creepage is not in it
-              const double tangent = -unit[2 * e] * ny_[e] + unit[2 * e + 1] * nx_[e];
-              unit[2 * e]          = -tangent * ny_[e];
-              unit[2 * e + 1]      = tangent * nx_[e];
+              // along n the row holds no slip but that of a layer which hardens
+              const double normal = b_ * rise_[e] * (unit[2 * e] * nx_[e] + unit[2 * e + 1] * ny_[e]);
+              const double tangent =
+                (1 + rise_[e] * (b_ + stiffness_[e])) * (-unit[2 * e] * ny_[e] + unit[2 * e + 1] * nx_[e]);
+              unit[2 * e]     = normal * nx_[e] - tangent * ny_[e];
+              unit[2 * e + 1] = normal * ny_[e] + tangent * nx_[e];
             }
         inverse_block(unit.data(), z);
         response_.push_back(z);
@@ -209,21 +270,29 @@ namespace wheelrail
     for (std::size_t f = 0; f < forces.size(); ++f)
       creepage[forces[f]] = dt[2 * n_ + f];
     result.assign(dt.size(), 0.);
-    for (std::size_t e = 0; e < n_; ++e)
+    double raised = 0; // change of the yield stress that the material brings along
+    for (std::size_t e = n_; e-- > 0;)
       {
         const int k = elements[e];
         double    s[2];
+        raised = follows(e) ? raised : 0;
         for (int d = 0; d < 2; ++d)
           // change of slip, d s = B dt + d(creepage) + c dt
           s[d] = image_[d][k] + creepage[d] + c_ * dt[2 * e + d];
         if (slipping[e])
           {
             // the two rows of linearise(), turned back from (n, tau) to (x, y)
-            const double normal = b_ * (dt[2 * e] * nx_[e] + dt[2 * e + 1] * ny_[e]);
-            const double tangent =
-              -s[0] * ny_[e] + s[1] * nx_[e] + stiffness_[e] * (-dt[2 * e] * ny_[e] + dt[2 * e + 1] * nx_[e]);
-            s[0] = normal * nx_[e] - tangent * ny_[e];
-            s[1] = normal * ny_[e] + tangent * nx_[e];
+            const double rise = rise_[e], along = s[0] * nx_[e] + s[1] * ny_[e];
+            const double normal =
+              b_ * (dt[2 * e] * nx_[e] + dt[2 * e + 1] * ny_[e] + rise * along - (rise != 0 ? raised : 0));
+            const double tangent = (1 + rise * (b_ + stiffness_[e])) * (-s[0] * ny_[e] + s[1] * nx_[e]) +
+                                   stiffness_[e] * (-dt[2 * e] * ny_[e] + dt[2 * e + 1] * nx_[e]);
+            // |s| = -n . s; what has hardened up to friction's limit, or fallen to the least, stays there
+            raised = rise != 0                                    ? raised - rise * along
+                     : !yielding_.empty() && yielding_[e] == none ? raised
+                                                                  : 0;
+            s[0]   = normal * nx_[e] - tangent * ny_[e];
+            s[1]   = normal * ny_[e] + tangent * nx_[e];
           }
         result[2 * e]     = s[0];
         result[2 * e + 1] = s[1];
@@ -292,10 +361,11 @@ namespace wheelrail
       if (slipping[e])
         {
           // slipping elements by their diagonal: b along n, b + b (|q| - g)/g across it
-          const double normal  = (r[2 * e] * nx_[e] + r[2 * e + 1] * ny_[e]) / b_;
-          const double tangent = (-r[2 * e] * ny_[e] + r[2 * e + 1] * nx_[e]) / (b_ + stiffness_[e]);
-          result[2 * e]        = normal * nx_[e] - tangent * ny_[e];
-          result[2 * e + 1]    = normal * ny_[e] + tangent * nx_[e];
+          const double normal  = (r[2 * e] * nx_[e] + r[2 * e + 1] * ny_[e]) / (b_ * (1 + rise_[e] * b_));
+          const double tangent = (-r[2 * e] * ny_[e] + r[2 * e + 1] * nx_[e]) /
+                                 (b_ * (1 + rise_[e] * (b_ + stiffness_[e])) + stiffness_[e]);
+          result[2 * e]     = normal * nx_[e] - tangent * ny_[e];
+          result[2 * e + 1] = normal * ny_[e] + tangent * nx_[e];
         }
   }
 

@@ -52,9 +52,11 @@ namespace wheelrail
           const double p = s.pressure[e], tx = s.traction_x[e], ty = s.traction_y[e];
           if (p <= 0)
             continue;
-          const bool slips = !slipping.empty() && slipping[e];
-          s.state[e]       = slips ? HalfspaceSolution::slip : HalfspaceSolution::adhesion;
-          (slips ? s.slip_area : s.adhesion_area) += area;
+          const char slips = slipping.empty() ? 0 : slipping[e];
+          s.state[e]       = slips == 2   ? HalfspaceSolution::plastic
+                             : slips == 1 ? HalfspaceSolution::slip
+                                          : HalfspaceSolution::adhesion;
+          (slips == 2 ? s.plastic_area : slips == 1 ? s.slip_area : s.adhesion_area) += area;
           ++s.contact_elements;
           s.fn += p * area;
           s.fx += tx * area;
@@ -68,7 +70,7 @@ namespace wheelrail
           first_y         = std::min(first_y, j);
           last_y          = std::max(last_y, j);
         }
-    s.area = s.adhesion_area + s.slip_area;
+    s.area = s.adhesion_area + s.slip_area + s.plastic_area;
     if (s.contact_elements > 0)
       {
         // whole elements: by up to one element larger than the contact ellipse

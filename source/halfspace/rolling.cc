@@ -3,6 +3,7 @@
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/measures.h>
 #include <wheelrail/halfspace/normal.h>
+#include <wheelrail/halfspace/simplified.h>
 #include <wheelrail/halfspace/tangential.h>
 
 #include <algorithm>
@@ -29,13 +30,14 @@ namespace wheelrail
         , kernels_(kernels)
         , products_(kernels.products())
         , pressure_given_(!problem.pressure.empty())
-        , coupled_(std::abs(kernels.constants().coupling) > 1e-12 * kernels.constants().normal)
+        , coupled_(!problem.simplified &&
+                   std::abs(kernels.constants().coupling) > 1e-12 * kernels.constants().normal)
         , friction_(problem.motion != HalfspaceMotion::none)
       {
         for (int j = 0; j < grid_.my; ++j)
           {
             const FrictionLaw &law = problem.friction_of_row(j);
-            velocity_dependent_    = velocity_dependent_ || law.depends_on_speed();
+            velocity_dependent_    = velocity_dependent_ || (!problem.simplified && law.depends_on_speed());
             largest_friction_      = std::max(largest_friction_, law.largest());
           }
         const bool shift = problem.motion == HalfspaceMotion::shift;
@@ -94,6 +96,15 @@ namespace wheelrail
       update_friction();
       void
       displacements();
+      /// The yield stress of the layer where the step begins, per element.
+      std::vector<double>
+      brought_yield() const;
+      /// The element in which the material of element e was a step before; -1: beside the grid.
+      int
+      element_before(int e) const;
+      /// Yield stress and plastic shift of the layer after the step; slip without its plastic part.
+      void
+      layer_state();
       void
       tell();
 
@@ -179,8 +190,11 @@ namespace wheelrail
         problem_.motion == HalfspaceMotion::shift ? 0. : problem_.spin_offset * solution_.step;
       // w_x = xi - phi y, w_y = eta + phi (x + dq/6), without the creepages, which solve_tangential() adds;
       // CONTACT counts the spin dq/6 ahead of the element (`spin_offset`)
-      w[0] = sampled_distance(grid_, [&](double, double y) { return -problem_.phi * y; });
-      w[1] = sampled_distance(grid_, [&](double x, double) { return problem_.phi * (x + ahead); });
+      const auto  &L      = problem_.simplified; // spin counts by its own flexibility there
+      const double spin_x = problem_.phi * (L ? L->along / L->spin : 1),
+                   spin_y = problem_.phi * (L ? L->across / L->spin : 1);
+      w[0]                = sampled_distance(grid_, [&](double, double y) { return -spin_x * y; });
+      w[1]                = sampled_distance(grid_, [&](double x, double) { return spin_y * (x + ahead); });
       for (std::size_t e = 0; e < w[0].size(); ++e)
         {
           if (!problem_.rigid_slip_x.empty())
@@ -218,7 +232,8 @@ namespace wheelrail
     Solver::tangential_problem()
     {
       TangentialTask task;
-      task.kernels     = &kernels_.slip(solution_.step, problem_.motion == HalfspaceMotion::steady);
+      if (!problem_.simplified)
+        task.kernels = &kernels_.slip(solution_.step, problem_.motion == HalfspaceMotion::steady);
       task.added       = problem_.added.get();
       task.grid        = grid_;
       task.rigid_slip  = rigid_slip();
@@ -226,6 +241,10 @@ namespace wheelrail
       task.force       = {{problem_.fx, problem_.fy}};
       task.tolerance   = problem_.tangential_tolerance;
       task.max_steps   = problem_.max_newton_steps;
+      task.yield       = brought_yield();
+      task.hardening   = problem_.layer_hardening * solution_.step;
+      task.least_yield = 0.1 * problem_.layer_yield;
+      task.carried     = problem_.motion == HalfspaceMotion::steady;
       task.bound.resize(grid_.size());
       double limit = 0;
       for (std::size_t e = 0; e < task.bound.size(); ++e)
@@ -249,7 +268,10 @@ namespace wheelrail
           tangential_.converged = true;
           return carried;
         }
-      solve_tangential(products_, task, tangential_);
+      if (problem_.simplified)
+        solve_simplified(problem_, solution_.step, normal_.pressure, task, tangential_, mu_);
+      else
+        solve_tangential(products_, task, tangential_);
       solution_.newton_steps += tangential_.newton_steps;
       solution_.krylov_iterations += tangential_.krylov_iterations;
       return true;
@@ -312,12 +334,74 @@ namespace wheelrail
             break;
         }
       displacements();
+      layer_state();
       solution_.xi  = tangential_.creepage[0];
       solution_.eta = tangential_.creepage[1];
       solution_.phi = problem_.phi;
       measure(problem_, friction_ ? tangential_.slipping : std::vector<char>(), solution_);
       tell();
       return solution_;
+    }
+
+    int
+    Solver::element_before(const int e) const
+    {
+      if (problem_.motion == HalfspaceMotion::shift)
+        return e;
+      return e % grid_.mx + 1 < grid_.mx ? e + 1 : -1;
+    }
+
+    std::vector<double>
+    Solver::brought_yield() const
+    {
+      if (problem_.layer_yield == 0)
+        return {};
+      const std::size_t   n = grid_.size();
+      std::vector<double> yield(n, problem_.layer_yield);
+      const bool          goes_on = problem_.motion != HalfspaceMotion::steady && problem_.previous &&
+                           problem_.previous->yield_stress.size() == n;
+      for (std::size_t e = 0; goes_on && e < n; ++e)
+        if (const int k = element_before(int(e));
+            k >= 0 && problem_.previous->yield_stress[std::size_t(k)] > 0)
+          yield[e] = problem_.previous->yield_stress[std::size_t(k)];
+      return yield;
+    }
+
+    void
+    Solver::layer_state()
+    {
+      HalfspaceSolution &s = solution_;
+      const std::size_t  n = grid_.size();
+      if (problem_.layer_yield == 0 || tangential_.plastic.size() != n)
+        return;
+      const bool shift  = problem_.motion == HalfspaceMotion::shift,
+                 steady = problem_.motion == HalfspaceMotion::steady;
+      s.yield_stress    = tangential_.yield;
+      s.plastic_x.assign(n, 0.);
+      s.plastic_y.assign(n, 0.);
+      const bool                     goes_on = problem_.previous && problem_.previous->plastic_x.size() == n;
+      const HalfspaceSolution *const old     = steady ? &s : goes_on ? problem_.previous : nullptr;
+      for (std::size_t e = n; e-- > 0;)
+        {
+          const bool touches = s.pressure[e] > 0;
+          if (!touches && !shift)
+            {
+              s.yield_stress[e] = problem_.layer_yield;
+              continue;
+            }
+          // against the slip that it takes the place of
+          const int before = element_before(int(e));
+          if (old && before >= 0)
+            {
+              s.plastic_x[e] = old->plastic_x[std::size_t(before)];
+              s.plastic_y[e] = old->plastic_y[std::size_t(before)];
+            }
+          const double share = tangential_.plastic[e];
+          s.plastic_x[e] -= share * s.step * s.slip_x[e];
+          s.plastic_y[e] -= share * s.step * s.slip_y[e];
+          s.slip_x[e] *= 1 - share;
+          s.slip_y[e] *= 1 - share;
+        }
     }
 
     void
@@ -344,8 +428,13 @@ namespace wheelrail
       const std::vector<double> *t[3] = {&s.traction_x, &s.traction_y, &s.pressure};
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b)
-          if ((a < 2 && b < 2 && friction_) || (coupled_ && (a == 2) != (b == 2)))
+          if ((a < 2 && b < 2 && friction_ && !problem_.simplified) || (coupled_ && (a == 2) != (b == 2)))
             add_displacement(a, b, 0, *t[b], 1, *u[a]);
+      for (std::size_t e = 0; problem_.simplified && e < n; ++e)
+        {
+          s.displacement_x[e] = problem_.simplified->along * s.traction_x[e];
+          s.displacement_y[e] = problem_.simplified->across * s.traction_y[e];
+        }
       if (problem_.added)
         {
           // the normal displacement under the pressure has it already

@@ -191,6 +191,15 @@ namespace wheelrail
       system.linearise(t, slip, false, unused);
       system.project(t);
       state.slipping.assign(task.grid.size(), 0);
+      state.yield = task.yield;
+      state.plastic.assign(task.yield.size(), 0.);
+      if (!task.yield.empty())
+        for (std::size_t e = 0; e < n; ++e)
+          {
+            const auto [yield, share]         = system.yielded(e, slip);
+            state.yield[system.elements[e]]   = yield;
+            state.plastic[system.elements[e]] = system.slipping[e] ? share : 0.;
+          }
       for (int d = 0; d < 2; ++d)
         {
           state.traction[d].assign(task.grid.size(), 0.);

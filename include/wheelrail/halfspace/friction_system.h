@@ -3,6 +3,7 @@
 #include <wheelrail/halfspace/tangential.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -18,8 +19,12 @@ namespace wheelrail
 
     /// Grid indices of the contact elements, directions (0, 1) of unknown creepages.
     std::vector<int> elements, forces;
-    /// Of the last linearisation: does the element slip?
+    /// Of the last linearisation: does the element slip (1), or its layer yield (2)?
     std::vector<char> slipping;
+    /// The yield stress of the layer at the end of the step [Pa], and the plastic share of the slip, of an
+    /// element of the last residual.
+    std::pair<double, double>
+    yielded(std::size_t element, const std::vector<double> &slip) const;
 
     /// The rms error of the equations over the largest P, and the slip.
     double
@@ -60,6 +65,17 @@ namespace wheelrail
     /// The slip of the tractions in work_, to image_.
     void
     apply_slip();
+    /// The bound of each element at tractions and slip: friction's, or that of a layer which yields first.
+    void
+    set_bounds(const std::vector<double> &t, const std::vector<double> &slip);
+    /// Whether the material of an element was in the next one of its order a step before.
+    bool
+    follows(std::size_t element) const
+    {
+      const int k = elements[element];
+      return task_.carried && element + 1 < n_ && elements[element + 1] == k + 1 &&
+             (k + 1) % task_.grid.mx != 0;
+    }
     /// Force asked for less that of tractions t, over the element area [Pa].
     double
     missing_force(const std::vector<double> &t, std::size_t f) const;
@@ -76,18 +92,28 @@ namespace wheelrail
     void
     set_responses();
 
-    InfluenceProducts               &products_;
-    const TangentialTask            &task_;
-    const SlipKernels               &kernels_;
-    std::array<double, 2>            creepage_;
-    std::size_t                      n_       = 0;
-    double                           largest_ = 0;
-    double                           b_       = 0; ///< diagonal, c included [1/Pa]
-    double                           c_       = 0; ///< [1/Pa]
-    std::vector<double>              before_;
-    VectorField                      work_, image_;
-    InfluenceProducts::Spectrum      sx_, sy_;
-    std::vector<double>              nx_, ny_, stiffness_; ///< slip direction (of traction), |s| / bound
-    std::vector<std::vector<double>> response_;            ///< of the preconditioner to unit creepages
+    InfluenceProducts          &products_;
+    const TangentialTask       &task_;
+    const SlipKernels          &kernels_;
+    std::array<double, 2>       creepage_;
+    std::size_t                 n_       = 0;
+    double                      largest_ = 0;
+    double                      b_       = 0; ///< diagonal, c included [1/Pa]
+    double                      c_       = 0; ///< [1/Pa]
+    std::vector<double>         before_;
+    VectorField                 work_, image_;
+    InfluenceProducts::Spectrum sx_, sy_;
+    std::vector<double>         nx_, ny_, stiffness_; ///< slip direction (of traction), |s| / bound
+    /// |t| = bound + rise |s| in slip; the yield stress that the material brings along. All in Pa.
+    std::vector<double> bound_, rise_, brought_;
+    enum Yielding : char
+    {
+      none,   ///< friction's limit lies below the yield stress
+      yields, ///< from the yield stress on, with its rise
+      least,  ///< at the least yield stress
+      slides  ///< hardened up to friction's limit
+    };
+    std::vector<Yielding>            yielding_;
+    std::vector<std::vector<double>> response_; ///< of the preconditioner to unit creepages
   };
 } // namespace wheelrail

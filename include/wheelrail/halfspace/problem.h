@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,6 +76,14 @@ namespace wheelrail
   struct HalfspaceSolution;
   class AddedInfluence;
 
+  /// Simplified theory, FASTSIM (Kalker 1982): a point gives way under its own traction alone, by these
+  /// flexibilities for creepage along and across and for spin [m/Pa]. An approximation, of forces to some 10
+  /// %.
+  struct SimplifiedTheory
+  {
+    double along = 0, across = 0, spin = 0;
+  };
+
   struct HalfspaceProblem
   {
     HalfspaceGrid grid;
@@ -111,7 +120,13 @@ namespace wheelrail
     /// Thickness over shear modulus of an elastic layer between the bodies (roughness, sand, water, rust):
     /// its shear displacement is that times the traction [m/Pa]. It has no part in the normal problem.
     double layer_compliance = 0;
-    double step             = 0; ///< rolled distance of one step [m]; 0: the element length dx
+    /// Shear stress at which the layer yields [Pa] (0: never), and its rise with each metre of plastic shift
+    /// [Pa/m]; a fall ends at a tenth. Where the traction reaches it below friction's limit, the layer shears
+    /// along the traction and nothing slips (Hou, Kalousek and Magel 1997). Yield stress and plastic shift
+    /// stay with the material; fresh material rolls in.
+    double                          layer_yield = 0, layer_hardening = 0;
+    std::optional<SimplifiedTheory> simplified; ///< in place of the half-spaces' shear, in steady rolling
+    double                          step = 0;   ///< rolled distance of one step [m]; 0: the element length dx
 
     /// Rigid slip over rolling velocity: w_x = xi - phi y, w_y = eta + phi (x + spin_offset * step).
     /// With a force given, the creepage of that direction is the first guess.
@@ -151,17 +166,20 @@ namespace wheelrail
     {
       exterior = 0,
       adhesion = 1,
-      slip     = 2
+      slip     = 2,
+      plastic  = 3 ///< the layer yields
     };
 
-    HalfspaceGrid              grid;                                           ///< the grid really used
-    double                     step = 0;                                       ///< the step really used [m]
-    std::vector<double>        pressure;                                       ///< [Pa]
-    std::vector<double>        traction_x, traction_y;                         ///< on body 1 [Pa]
-    std::vector<double>        displacement_n, displacement_x, displacement_y; ///< body 1 minus body 2 [m]
-    std::vector<double>        gap;            ///< of the deformed surfaces [m]
-    std::vector<double>        slip_x, slip_y; ///< relative slip [-] in the contact, 0 outside (shift: [m])
-    std::vector<double>        friction;       ///< the coefficient in each element
+    HalfspaceGrid       grid;                                           ///< the grid really used
+    double              step = 0;                                       ///< the step really used [m]
+    std::vector<double> pressure;                                       ///< [Pa]
+    std::vector<double> traction_x, traction_y;                         ///< on body 1 [Pa]
+    std::vector<double> displacement_n, displacement_x, displacement_y; ///< body 1 minus body 2 [m]
+    std::vector<double> gap;                                            ///< of the deformed surfaces [m]
+    std::vector<double> slip_x, slip_y; ///< relative slip [-] in the contact, 0 outside (shift: [m])
+    std::vector<double> friction;       ///< the coefficient in each element
+    std::vector<double> yield_stress; ///< of a layer that yields, after the step [Pa]; 0: fresh; empty: none
+    std::vector<double> plastic_x, plastic_y; ///< its plastic shift, body 1 less body 2 [m]
     std::vector<unsigned char> state;
 
     double approach = 0;             ///< [m]
@@ -181,9 +199,9 @@ namespace wheelrail
     /// pressure takes part.
     double friction_work = 0;
 
-    double peak_pressure = 0, peak_shear = 0;          ///< [Pa]
-    double area = 0, adhesion_area = 0, slip_area = 0; ///< [m2], whole elements
-    double length_x = 0, width_y = 0;                  ///< extents of the contact, whole elements [m]
+    double peak_pressure = 0, peak_shear = 0;                            ///< [Pa]
+    double area = 0, adhesion_area = 0, slip_area = 0, plastic_area = 0; ///< [m2], whole elements
+    double length_x = 0, width_y = 0; ///< extents of the contact, whole elements [m]
     int    contact_elements = 0;
 
     int         normal_iterations = 0, newton_steps = 0, krylov_iterations = 0, coupling_rounds = 0;

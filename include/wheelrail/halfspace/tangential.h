@@ -22,14 +22,22 @@ namespace wheelrail
     std::array<double, 2> force{{0, 0}}; ///< [N]
     double                tolerance = 1e-5;
     int                   max_steps = 60;
+    /// Of a layer that yields: the yield stress that the material in each element has at the beginning of the
+    /// step (in steady rolling, where it runs in) [Pa]; empty: none. Its rise with plastic slip [Pa], its
+    /// least value [Pa], and whether what yields ahead hardens what follows (steady rolling).
+    std::vector<double> yield;
+    double              hardening = 0, least_yield = 0;
+    bool                carried = false;
   };
 
   struct TangentialState
   {
     VectorField           traction;         ///< in: first guess (empty: none)
     std::array<double, 2> creepage{{0, 0}}; ///< in: given values, or first guess where the force is given
-    VectorField           slip;
-    std::vector<char>     slipping; ///< per element of the grid
+    VectorField           slip;             ///< plastic slip of a layer included
+    std::vector<char>     slipping;         ///< per element of the grid; 2: the layer yields instead
+    std::vector<double>   yield;            ///< of the layer at the end of the step [Pa]
+    std::vector<double>   plastic;          ///< share of the slip that is plastic
     int                   newton_steps = 0, krylov_iterations = 0;
     double residual  = 0; ///< rms of t - P(t - s / B_II) over the largest P; P projects on |t| <= bound
     bool   converged = false;
