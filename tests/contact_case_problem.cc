@@ -6,6 +6,7 @@
 #include "contact_inputs.h"
 #include "reference_table.h"
 
+#include <wheelrail/base/errors.h>
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/case_problem.h>
 #include <wheelrail/contactfiles/inp_file.h>
@@ -98,6 +99,24 @@ namespace
           std::tuple{above.stress.von_mises(), 1.133, "von Mises of body 1"},
           std::tuple{above.principal[2], -1.457, "smallest principal of body 1"}})
       check_near(1e-6 * value, printed, 1e-3 * std::max(0.1, std::abs(printed)), name);
+    HalfspaceGrid grid;
+    grid.mx = grid.my = 3;
+    grid.dx = grid.dy        = 1;
+    const PointBlock centres = point_block({2, {1, 2, 3, 2, 1, 2, 2}, {}, {}, {0, 1}, 1}, grid);
+    check(centres.x == std::vector<double>{0, 2} && centres.y == std::vector<double>{1} &&
+            centres.z == std::vector<double>{0, 1e-3},
+          "ISUBS = 2: first, step and last index");
+    try
+      {
+        point_block({3, {1, 1, 4, 1, 1}, {}, {}, {0}, 1}, grid);
+        check(false, "an index outside of the grid");
+      }
+    catch (const InputError &error)
+      {
+        check_text(error.what(),
+                   "points below the surface: the index 4 lies outside of the grid, which has 1 to 3",
+                   "an index outside of the grid");
+      }
     check_near(above.principal[0] + above.principal[1] + above.principal[2],
                3 * above.mean(),
                1e-6 * std::abs(above.mean()),
@@ -387,6 +406,10 @@ namespace
        {"  022020 ", "  422020 "},
        {"0.4013  0.4013 ", "0.2 0.1 500 0 900\n 0.5 1 %"}},
       "8: MEMDST > 0 (friction with a memory) with T = 2 is not computed; taken are T = 3 and MEMDST = 0");
+    expect(
+      {{"  022020 ", "  022320 "}, {"820d2  8.1E+04  POISS 1,2,  GG 1,2", "82000 81000\n 1 1 1"}},
+      "4: M = 3 (FASTSIM) on a contact that is no ellipse (IPOTCN > 0) is not computed; taken are IPOTCN = "
+      "-3 to -1");
     expect({{"180.d", "90.d "}},
            "9: CHI other than 0 and 180d (rolling across x) is not computed; taken are 0 and 180d");
     expect({{"  203100 ", "  203120 "}, {"-0.00304, 0,", "0.8 -0.7"}},

@@ -151,6 +151,7 @@ namespace
   /// Faults of a caller or of the program, or of a file system, that no input can bring about: where
   /// they are, or what they say, and why they need no test.
   const std::map<std::string, std::string> internal = {
+    {"contactcalls/", "arguments of a caller's program; tests/contact_calls.py has sentences of them"},
     {"halfspace/", "arguments of the half-space solver, which the program makes itself"},
     {"output/hdf5", "sizes of fields, or a disk that fails while a file is written"},
     {"sampling/patch_measures.cc", "sizes of fields"},

@@ -190,8 +190,6 @@ namespace wheelrail
             "taken are T = 3 and TAU_C0 = 0");
       if (d.material == 2 || d.material == 3)
         add(one.word_lines[1], "M = " + std::to_string(d.material) + " (FASTSIM)", "taken is module 3");
-      if (d.subsurface > 0)
-        add(one.points_line, "S > 0 (stresses below the surface)", "taken is module 3");
       if (one.elements.missed_gap >= 0)
         add(one.elements.line, "G_MISS >= 0 (near misses)", "taken is -1");
       if (one.digits.motion != 0 && one.wheelset.velocity[0] < 0)

@@ -109,4 +109,14 @@ namespace wheelrail
       }
     return result;
   }
+
+  std::vector<std::vector<PointStress>>
+  case_stresses(const ContactCase &one, const HalfspaceSolution &solution)
+  {
+    std::vector<std::vector<PointStress>> blocks;
+    for (const ContactPoints &points : one.points)
+      if (one.digits.subsurface > 0)
+        blocks.push_back(block_stresses(point_block(points, solution.grid), one.material, solution));
+    return blocks;
+  }
 } // namespace wheelrail

@@ -130,7 +130,7 @@ namespace wheelrail
   point_table(const std::vector<CaseResult> &results)
   {
     FigureTable table;
-    for (const char *const key : {"case", "block"})
+    for (const char *const key : {"case", "patch", "block"})
       table.add(key, "1", {});
     for (const char *const key : {"x_m", "y_m", "z_m"})
       table.add(key, "m", {});
@@ -147,10 +147,13 @@ namespace wheelrail
                                   "stress_xz_Pa",
                                   "stress_yz_Pa"})
       table.add(key, "Pa", {});
-    for (std::size_t k = 0; k < results.size(); ++k)
-      for (std::size_t b = 0; results[k].solved && b < results[k].solved->points.size(); ++b)
-        for (const PointStress &p : results[k].solved->points[b])
-          table.add_row({double(k + 1),
+    const auto add = [&](const std::size_t                            number,
+                         const std::size_t                            patch,
+                         const std::vector<std::vector<PointStress>> &blocks) {
+      for (std::size_t b = 0; b < blocks.size(); ++b)
+        for (const PointStress &p : blocks[b])
+          table.add_row({double(number),
+                         double(patch),
                          double(b + 1),
                          p.x,
                          p.y,
@@ -167,6 +170,13 @@ namespace wheelrail
                          p.stress.xy,
                          p.stress.xn,
                          p.stress.yn});
+    };
+    for (std::size_t k = 0; k < results.size(); ++k)
+      if (results[k].solved)
+        add(k + 1, 1, results[k].solved->points);
+      else if (results[k].wheel_rail)
+        for (std::size_t patch = 0; patch < results[k].wheel_rail->patches.size(); ++patch)
+          add(k + 1, patch + 1, results[k].wheel_rail->patches[patch].points);
     return table;
   }
 

@@ -186,23 +186,23 @@ namespace wheelrail
       const int past = one.digits.past;
       if (one.module == 3)
         {
-          auto before   = state_before(state.before, state.last, past);
-          result.solved = solve_case(one, goes_on && before ? &*before : nullptr, state);
-          state.before  = std::move(before);
-          state.last    = result.solved->solution;
-          for (const ContactPoints &points : one.points)
-            if (one.digits.subsurface > 0)
-              result.solved->points.push_back(
-                block_stresses(point_block(points, state.last->grid), one.material, *state.last));
+          auto before           = state_before(state.before, state.last, past);
+          result.solved         = solve_case(one, goes_on && before ? &*before : nullptr, state);
+          state.before          = std::move(before);
+          state.last            = result.solved->solution;
+          result.solved->points = case_stresses(one, *state.last);
           return;
         }
-      auto          before = state_before(state.before_wheel, state.last_wheel, past);
-      WheelRailCase solved = solve_wheel_rail(one, goes_on && before ? &*before : nullptr);
+      auto before          = state_before(state.before_wheel, state.last_wheel, past);
+      state.start.guess    = state.warm && state.last_wheel ? &*state.last_wheel : nullptr;
+      WheelRailCase solved = solve_wheel_rail(one, goes_on && before ? &*before : nullptr, state.start);
       if (!solved.refused.empty())
         {
           result.refused.push_back(place(one.file, one.line) + solved.refused);
           return;
         }
+      for (WheelRailPatch &patch : solved.patches)
+        patch.points = case_stresses(one, patch.solution);
       state.before_wheel = std::move(before);
       state.last_wheel   = solved;
       result.wheel_rail  = std::move(solved);

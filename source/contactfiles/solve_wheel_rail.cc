@@ -133,7 +133,7 @@ namespace wheelrail
     class CaseSolver
     {
     public:
-      CaseSolver(const ContactCase &one, const WheelRailCase *before)
+      CaseSolver(const ContactCase &one, const WheelRailCase *before, WheelRailStart &start)
         : one_(one)
         , rail_(section_line(one.track.profile, false))
         , wheel_(section_line(one.wheelset.profile, true))
@@ -141,6 +141,8 @@ namespace wheelrail
         , gaps_(gap_places(pose_, rail_, wheel_, 0.3 * millimetre * one.elements.ds))
         , shift_(one.digits.motion == 1)
         , transient_(shift_ || one.digits.motion == 2)
+        , start_(start)
+        , kernels_(start.kernels)
       {
         touching_ = 1;
         for (const GapPlace &gap : gaps_)
@@ -171,6 +173,7 @@ namespace wheelrail
         result.touching = touching_;
         if (pose_.left)
           mirror(result);
+        start_.kernels = kernels_;
         return result;
       }
 
@@ -390,7 +393,16 @@ namespace wheelrail
       first_height()
       {
         const double E = contact_modulus_of_case(), F = wanted();
-        double       depth = std::pow(0.75 * F / (E * std::sqrt(0.3)), 2. / 3), low = 0, high = 1;
+        if (start_.guess && !start_.guess->patches.empty() && start_.guess->height > start_.guess->touching)
+          {
+            guess_ = *start_.guess;
+            if (pose_.left)
+              mirror(guess_);
+            const double as_deep = guess_.height - guess_.touching;
+            slope_               = 1.5 * F / as_deep;
+            return touching_ + as_deep;
+          }
+        double depth = std::pow(0.75 * F / (E * std::sqrt(0.3)), 2. / 3), low = 0, high = 1;
         for (int k = 0; k < 40; ++k)
           {
             WheelRailCase here = at(touching_ + depth, false);
@@ -508,16 +520,24 @@ namespace wheelrail
       bool                                           shift_, transient_;
       double                                         touching_ = 0, slope_ = 0;
       WheelRailCase                                  before_, guess_;
+      WheelRailStart                                &start_;
       std::vector<std::shared_ptr<HalfspaceKernels>> kernels_;
     };
   } // namespace
 
 
   WheelRailCase
-  solve_wheel_rail(const ContactCase &one, const WheelRailCase *before)
+  solve_wheel_rail(const ContactCase &one, const WheelRailCase *before, WheelRailStart &start)
   {
-    WheelRailCase result = CaseSolver(one, before).run();
+    WheelRailCase result = CaseSolver(one, before, start).run();
     result.along         = millimetre * one.wheelset.position[0];
     return result;
+  }
+
+  WheelRailCase
+  solve_wheel_rail(const ContactCase &one, const WheelRailCase *before)
+  {
+    WheelRailStart start;
+    return solve_wheel_rail(one, before, start);
   }
 } // namespace wheelrail

@@ -39,4 +39,8 @@ namespace wheelrail
   /// Stresses at all points of a block, x slowest, z fastest.
   std::vector<PointStress>
   block_stresses(const PointBlock &block, const ContactMaterial &material, const HalfspaceSolution &solution);
+
+  /// The same of each block of a case; nothing where it asks for none (S = 0).
+  std::vector<std::vector<PointStress>>
+  case_stresses(const ContactCase &one, const HalfspaceSolution &solution);
 } // namespace wheelrail

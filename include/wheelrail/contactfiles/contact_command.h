@@ -22,7 +22,7 @@ namespace wheelrail
   FigureTable
   case_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results);
 
-  /// One row a point below the surface, in SI units: case and block, place, stresses.
+  /// One row a point below the surface, in SI units: case, patch and block, place, stresses.
   FigureTable
   point_table(const std::vector<CaseResult> &results);
 

@@ -43,6 +43,7 @@ namespace wheelrail
     std::optional<WheelRailCase>      before_wheel, last_wheel; ///< the same of module 1
     bool                              known = true;             ///< no case is missing
     std::shared_ptr<HalfspaceKernels> kernels;                  ///< influence functions of the last case
+    WheelRailStart                    start;                    ///< the same of module 1
     bool                              warm = false;             ///< begin with the tractions of the last case
   };
 

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <wheelrail/contactfiles/case_points.h>
 #include <wheelrail/contactfiles/contact_case.h>
 #include <wheelrail/contactfiles/gap_search.h>
 #include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/contactfiles/wheel_rail_pose.h>
+#include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/problem.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,8 +34,9 @@ namespace wheelrail
     Vector3           moment_rail{};     ///< about the origin of the rail's section, axes of the track [N m]
     Vector3           moment_wheelset{}; ///< about that of the wheel's, axes of the wheelset [N m]
     double            arc = 0;           ///< of the reference, along the rail's section from y = 0 [m]
-    std::vector<int>  earlier;           ///< patches of the case before that it goes on from, from 1
-    double            y_low = 0, y_high = 0; ///< of the overlap, in the track [m]
+    std::vector<std::vector<PointStress>> points; ///< below the surface, of each block (S = 1 to 3)
+    std::vector<int> earlier;                     ///< patches of the case before that it goes on from, from 1
+    double           y_low = 0, y_high = 0;       ///< of the overlap, in the track [m]
   };
 
   /// The solution of a case of module 1.
@@ -48,9 +52,18 @@ namespace wheelrail
     std::string                 not_reached; ///< empty, or what was not reached, in words
   };
 
+  /// What a solution may begin with: a case like it, and the influence functions of its patches.
+  struct WheelRailStart
+  {
+    const WheelRailCase                           *guess = nullptr;
+    std::vector<std::shared_ptr<HalfspaceKernels>> kernels; ///< those of this solution afterwards
+  };
+
   /// Solves a case of module 1 without refusals(): finds height and pitch rate where forces are given (N = 1,
   /// F = 1). `before`: the case from which shifts and transient rolling go on, null: none; they go on from
   /// its tractions, with P = 1 from its pressures alone.
+  WheelRailCase
+  solve_wheel_rail(const ContactCase &one, const WheelRailCase *before, WheelRailStart &start);
   WheelRailCase
   solve_wheel_rail(const ContactCase &one, const WheelRailCase *before = nullptr);
 } // namespace wheelrail

@@ -1,0 +1,409 @@
+#include <wheelrail/base/errors.h>
+#include <wheelrail/contactcalls/call_table.h>
+#include <wheelrail/contactcalls/contact_calls.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+// What a contact came to, in the units and signs of the caller.
+
+using namespace wheelrail;
+
+namespace
+{
+  /// Factors from SI units to those of the caller.
+  struct FromSI
+  {
+    explicit FromSI(const CallUnits &units)
+      : length(1e3 / units.length)
+      , stress(1e-6 / units.stress)
+      , body(units.body)
+    {
+    }
+    double length, stress, body;
+  };
+
+  /// Hands over a solved contact.
+  template <typename Work>
+  void
+  with_result(const char *name, const int ire, const int icp, const Work &work)
+  {
+    with_problem({name, 0, true}, ire, icp, [&](CallElement &element, CallProblem &problem) {
+      work(call_result(problem, icp), problem, FromSI(element.units));
+    });
+  }
+
+  void
+  fill(const std::vector<double> &from, const int n, double *to)
+  {
+    for (int k = 0; k < n; ++k)
+      to[k] = std::size_t(k) < from.size() ? from[std::size_t(k)] : 0;
+  }
+
+  /// A field by its code (fld_... of CONTACT), one value per element, in SI units without the body's sign.
+  std::vector<double>
+  field(const int code, const CallResult &solved, const CallProblem &problem)
+  {
+    const HalfspaceSolution &s = solved.solution;
+    // 0 where no layer yields
+    const auto of_layer = [&](const std::vector<double> &values) {
+      return values.empty() ? std::vector<double>(std::size_t(s.grid.size()), 0.) : values;
+    };
+    switch (code)
+      {
+        case 1:
+          {
+            std::vector<double> h = s.gap; // e = h - approach + u_n
+            for (std::size_t e = 0; e < h.size(); ++e)
+              h[e] += s.approach - s.displacement_n[e];
+            if (problem.solved)
+              {
+                const CaseProblem task = case_problem(*problem.before);
+                h                      = task.problem.undeformed_distance;
+                if (task.turned)
+                  std::reverse(h.begin(), h.end());
+              }
+            return h;
+          }
+        case 2:
+          return s.friction;
+        case 3:
+          return s.traction_x;
+        case 4:
+          return s.traction_y;
+        case 5:
+          return s.pressure;
+        case 7:
+          return s.displacement_x;
+        case 8:
+          return s.displacement_y;
+        case 9:
+          return s.displacement_n;
+        case 15:
+          return s.slip_x;
+        case 16:
+          return s.slip_y;
+        case 11:
+          return of_layer(s.yield_stress);
+        case 12:
+          return of_layer(s.plastic_x);
+        case 13:
+          return of_layer(s.plastic_y);
+        default:
+          throw InputError("the field " + std::to_string(code) +
+                           " is not available; taken are 1 to 5, 7 to 9, 11 to 13, 15 and 16");
+      }
+  }
+
+  /// The factor to the units and the body of the caller.
+  double
+  field_unit(const int code, const FromSI &unit, const bool shift)
+  {
+    switch (code)
+      {
+        case 1:
+        case 7:
+        case 8:
+        case 9:
+        case 12:
+        case 13:
+          return unit.length;
+        case 3:
+        case 4:
+          return unit.stress * unit.body;
+        case 5:
+        case 11:
+          return unit.stress;
+        case 15:
+        case 16:
+          return unit.body * (shift ? unit.length : 1);
+        default:
+          return 1;
+      }
+  }
+
+  void
+  get_fields(const char                                  *name,
+             const int                                    ire,
+             const int                                    icp,
+             const int                                    n,
+             const std::vector<std::pair<int, double *>> &fields)
+  {
+    with_result(name, ire, icp, [&](const CallResult &s, const CallProblem &problem, const FromSI &unit) {
+      for (const auto &[code, values] : fields)
+        {
+          const std::vector<double> from   = field(code, s, problem);
+          const double              factor = field_unit(code, unit, problem.before->digits.motion == 1);
+          for (int k = 0; k < std::min(n, int(from.size())); ++k)
+            values[k] = factor * from[std::size_t(k)];
+        }
+    });
+  }
+} // namespace
+
+void
+cntc_getpenetration(const int *ire, const int *icp, double *approach)
+{
+  with_result(
+    "cntc_getpenetration", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
+      *approach = unit.length * s.solution.approach;
+    });
+}
+
+void
+cntc_getcreepages(const int *ire, const int *icp, double *vx, double *vy, double *phi)
+{
+  with_result("cntc_getcreepages",
+              *ire,
+              *icp,
+              [&](const CallResult &s, const CallProblem &problem, const FromSI &unit) {
+                const bool   shift  = problem.before->digits.motion == 1;
+                const double factor = unit.body * (shift ? unit.length : 1);
+                *vx                 = factor * (s.patch ? s.patch->creepage : s.solution.xi);
+                *vy                 = factor * (s.patch ? s.patch->lateral_creepage : s.solution.eta);
+                *phi = unit.body * (s.patch ? s.patch->spin : s.solution.phi) / (shift ? 1 : unit.length);
+              });
+}
+
+void
+cntc_getcontactforces(const int *ire, const int *icp, double *fn, double *fx, double *fy, double *mz)
+{
+  with_result(
+    "cntc_getcontactforces", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
+      *fn = s.solution.fn;
+      *fx = unit.body * s.solution.fx;
+      *fy = unit.body * s.solution.fy;
+      *mz = unit.body * unit.length * (s.patch ? s.patch->spin_moment : s.solution.spin_moment);
+    });
+}
+
+void
+cntc_getcontactpatchareas(const int *ire, const int *icp, double *contact, double *adhesion, double *slip)
+{
+  with_result("cntc_getcontactpatchareas",
+              *ire,
+              *icp,
+              [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
+                const double area = unit.length * unit.length;
+                *contact          = area * s.solution.area;
+                *adhesion         = area * s.solution.adhesion_area;
+                *slip             = area * s.solution.slip_area;
+              });
+}
+
+void
+cntc_getelementdivision(const int *ire, const int *icp, const int *n, int *states)
+{
+  with_result(
+    "cntc_getelementdivision", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &) {
+      for (int k = 0; k < std::min(*n, s.solution.grid.size()); ++k)
+        states[k] = s.solution.state[std::size_t(k)];
+    });
+}
+
+void
+cntc_getmaximumpressure(const int *ire, const int *icp, double *pressure)
+{
+  with_result(
+    "cntc_getmaximumpressure", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
+      *pressure = unit.stress * s.solution.peak_pressure;
+    });
+}
+
+void
+cntc_getmaximumtraction(const int *ire, const int *icp, double *traction)
+{
+  with_result(
+    "cntc_getmaximumtraction", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
+      *traction = unit.stress * s.solution.peak_shear;
+    });
+}
+
+void
+cntc_getmaximumtemperature(const int *ire, const int *icp, double *body1, double *body2)
+{
+  *body1 = *body2 = 0;
+  with_result(
+    "cntc_getmaximumtemperature", *ire, *icp, [](const CallResult &, const CallProblem &, const FromSI &) {
+      throw InputError("temperatures are not computed");
+    });
+}
+
+void
+cntc_getfielddata(const int *ire, const int *icp, const int *code, const int *n, double *values)
+{
+  get_fields("cntc_getfielddata", *ire, *icp, *n, {{*code, values}});
+}
+
+void
+cntc_gettractions(const int *ire, const int *icp, const int *n, double *pn, double *px, double *py)
+{
+  get_fields("cntc_gettractions", *ire, *icp, *n, {{5, pn}, {3, px}, {4, py}});
+}
+
+void
+cntc_getmicroslip(const int *ire, const int *icp, const int *n, double *sx, double *sy)
+{
+  get_fields("cntc_getmicroslip", *ire, *icp, *n, {{15, sx}, {16, sy}});
+}
+
+void
+cntc_getdisplacements(const int *ire, const int *icp, const int *n, double *un, double *ux, double *uy)
+{
+  get_fields("cntc_getdisplacements", *ire, *icp, *n, {{9, un}, {7, ux}, {8, uy}});
+}
+
+void
+cntc_getsensitivities(const int *ire, const int *icp, const int *n_out, const int *n_in, double *values)
+{
+  std::fill(values, values + std::max(0, *n_out) * std::max(0, *n_in), 0.);
+  with_result(
+    "cntc_getsensitivities", *ire, *icp, [](const CallResult &, const CallProblem &, const FromSI &) {
+      throw InputError("sensitivities are not computed; solve for changed creepages instead");
+    });
+}
+
+void
+cntc_gethertzcontact(const int *ire, const int *icp, const int *n, double *values)
+{
+  with_result("cntc_gethertzcontact",
+              *ire,
+              *icp,
+              [&](const CallResult &s, const CallProblem &problem, const FromSI &unit) {
+                if (!s.hertz)
+                  throw InputError("the contact is no ellipse of Hertz (IPOTCN -6 to -1)");
+                const HertzContact &h = *s.hertz;
+                const double        l = unit.length;
+                fill({h.A / l,
+                      h.B / l,
+                      h.a * l,
+                      h.b * l,
+                      2 * l / (h.A + h.B),
+                      l * std::sqrt(h.a * h.b),
+                      problem.before->grid.values.back(),
+                      h.b * l,
+                      h.b * l,
+                      h.a / h.b},
+                     *n,
+                     values);
+              });
+}
+
+void
+cntc_getnumelements(const int *ire, const int *icp, int *mx, int *my)
+{
+  *mx = *my = 0;
+  with_result(
+    "cntc_getnumelements", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &) {
+      *mx = s.solution.grid.mx;
+      *my = s.solution.grid.my;
+    });
+}
+
+void
+cntc_getgriddiscretization(const int *ire, const int *icp, double *dx, double *dy)
+{
+  with_result("cntc_getgriddiscretization",
+              *ire,
+              *icp,
+              [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
+                *dx = unit.length * s.solution.grid.dx;
+                *dy = unit.length * s.solution.grid.dy;
+              });
+}
+
+void
+cntc_getpotcontact(const int *ire, const int *icp, const int *n, double *values)
+{
+  with_result(
+    "cntc_getpotcontact", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
+      const HalfspaceGrid &g = s.solution.grid;
+      fill({double(g.mx),
+            double(g.my),
+            unit.length * g.x0,
+            unit.length * g.y0,
+            unit.length * g.dx,
+            unit.length * g.dy},
+           *n,
+           values);
+    });
+}
+
+void
+cntc_getreferencevelocity(const int *ire, const int *icp, double *velocity)
+{
+  with_problem(
+    {"cntc_getreferencevelocity", 0, true}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
+      *velocity = element.module == 3
+                    ? problem.one.rolling.velocity / element.units.length
+                    : call_result(problem, *icp).patch->velocity / (millimetre * element.units.length);
+    });
+}
+
+void
+cntc_getcalculationtime(const int *ire, const int *icp, double *cpu, double *wall)
+{
+  *cpu = *wall = 0;
+  with_problem({"cntc_getcalculationtime"}, *ire, *icp, [&](CallElement &, CallProblem &problem) {
+    *cpu  = problem.cpu_seconds;
+    *wall = problem.wall_seconds;
+  });
+}
+
+void
+cntc_resetcalculationtime(const int *ire, const int *icp)
+{
+  with_problem({"cntc_resetcalculationtime"}, *ire, *icp, [](CallElement &, CallProblem &problem) {
+    problem.cpu_seconds = problem.wall_seconds = 0;
+  });
+}
+
+void
+cntc_getparameters(const int *ire, const int *icp, const int *task, const int *n, double *values)
+{
+  with_problem({"cntc_getparameters"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
+    const ContactCase         &one   = problem.one;
+    const CallUnits           &u     = element.units;
+    const ContactMaterial     &m     = one.material;
+    const std::vector<double> &c     = m.constants;
+    const bool                 layer = m.constants_of == 4;
+    if (*task == 1)
+      fill({one.rolling.velocity / u.length,
+            one.rolling.direction,
+            one.rolling.step / u.length,
+            one.kinematics.spin_x / u.length,
+            one.kinematics.spin_y / u.length,
+            layer ? c[2] / u.stress : 0},
+           *n,
+           values);
+    else if (*task == 2)
+      {
+        const double G  = 2 / (1 / m.shear[0] + 1 / m.shear[1]);
+        const double nu = G * (m.poisson[0] / m.shear[0] + m.poisson[1] / m.shear[1]) / 2;
+        fill({m.shear[0] / u.stress, m.shear[1] / u.stress, G / u.stress, m.poisson[0], m.poisson[1], nu},
+             *n,
+             values);
+      }
+    else if (*task == 3)
+      {
+        std::vector<double> all{double(one.digits.law),
+                                double(one.friction.lines.size()),
+                                one.friction.memory_length / u.length,
+                                one.friction.memory_speed / u.length};
+        for (const ContactFrictionLine &line : one.friction.lines)
+          {
+            const std::vector<double> &v     = line.constants;
+            const bool                 falls = one.digits.law >= 2 && one.digits.law <= 4;
+            all.insert(all.end(), {line.place, falls ? v[0] + v[1] + v[3] : v[0], v[0]});
+          }
+        fill(all, *n, values);
+      }
+    else
+      {
+        fill({}, *n, values);
+        throw InputError("the task " + std::to_string(*task) + " is unknown; 1 to 3 are known");
+      }
+  });
+}
