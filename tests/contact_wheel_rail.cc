@@ -138,6 +138,10 @@ namespace
     test::check_text(refusal(" 100 0 0 0 0 -0.996     VS", " -100 0 0 0 0 0.996 VS"),
                      "x.inp:19: VS < 0 (a wheel that rolls backwards) is not computed; taken is VS > 0",
                      "rolling backwards");
+    test::check_text(
+      refusal(" -1 0 0 0               GAUGHT", " -1 0 0 0 1e-6 GAUGHT"),
+      "x.inp:13: CURV other than 0 (a curved track) is not computed; taken are straight tracks",
+      "a curve");
   }
 } // namespace
 

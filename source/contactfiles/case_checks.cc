@@ -190,6 +190,10 @@ namespace wheelrail
             "taken are T = 3 and TAU_C0 = 0");
       if (d.material == 2 || d.material == 3)
         add(one.word_lines[1], "M = " + std::to_string(d.material) + " (FASTSIM)", "taken is module 3");
+      if (one.track.curvature != 0)
+        add(one.track.line, "CURV other than 0 (a curved track)", "taken are straight tracks");
+      if (!one.wheelset.tape_place.empty())
+        add(one.wheelset.line, "YTAPE (NOMRADW at another place than z = 0)", "taken are files without it");
       if (one.elements.missed_gap >= 0)
         add(one.elements.line, "G_MISS >= 0 (near misses)", "taken is -1");
       if (one.digits.motion != 0 && one.wheelset.velocity[0] < 0)

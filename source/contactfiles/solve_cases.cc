@@ -222,7 +222,7 @@ namespace wheelrail
         "the case goes on from one before that is not computed; taken are cases with P = 2");
     if (result.refused.empty() && takes_several_elements(one))
       result.refused.push_back(
-        place(one.file, one.rolling.line) +
+        place(one.file, one.module == 1 ? one.elements.line : one.rolling.line) +
         "DQ > DX (steps of several elements) is not computed; taken are DQ = DX, and T = 3 "
         "without G = 2");
     if (result.refused.empty() && one.digits.after < 2)
