@@ -75,11 +75,21 @@ namespace wheelrail
     for_own_nodes([&](const int i, const int j) { touch(i, j, time_step, sums, touches); });
     if (n_ranks_ > 1)
       {
-        touches        = gather_all(touches, communicator_);
-        const auto all = gather_all(std::vector<ContactSums>{sums}, communicator_);
-        sums           = ContactSums();
-        for (const ContactSums &part : all)
-          sums += part;
+        struct Part
+        {
+          ContactSums sums;
+          int         touches;
+        };
+        // two calls: their sums with how many touches come, then those
+        std::vector<int> counts;
+        const auto       parts = gather_values(Part{sums, static_cast<int>(touches.size())}, communicator_);
+        sums                   = ContactSums();
+        for (const Part &part : parts)
+          {
+            sums += part.sums;
+            counts.push_back(part.touches);
+          }
+        touches = gather_all(touches, counts, communicator_);
         if (time_step == 0)
           gather_nodes();
       }
