@@ -1,6 +1,8 @@
 #include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/sparsity_tools.h>
@@ -55,13 +57,13 @@ namespace wheelrail
   struct IterativeCoarseSolver::Matrix
   {
     dealii::IndexSet                                           owned;
-    std::vector<std::array<double, 24 * 24>>                   elements;
+    dealii::AffineConstraints<double>                          held;
+    std::vector<dealii::FullMatrix<double>>                    elements;
     dealii::TrilinosWrappers::SparseMatrix                     matrix;
     std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG> preconditioner;
     std::vector<double>                                        modes;   ///< ML keeps a pointer to them
     SpringBlocks                                               springs; ///< that the preconditioner knows
     Vector                                                     in, out;
-    double                                                     typical = 1; ///< diagonal of held unknowns
   };
 
 
@@ -71,7 +73,6 @@ namespace wheelrail
                                                AlignedVector<double>             ground,
                                                MPI_Comm                          communicator)
     : mesh_(mesh)
-    , held_(held)
     , ground_(std::move(ground))
     , communicator_(communicator)
     , matrix_(std::make_unique<Matrix>())
@@ -89,9 +90,13 @@ namespace wheelrail
           for (int i = 0; i < 3; ++i)
             X[a][i] = mesh.reference[4 * mesh.cells[c][a] + i];
         const ElementBlocks &body = blocks[mesh.cell_body[c]];
-        m.elements.push_back(element_stiffness(element_geometry(X), body.elasticity(), body.form));
-        m.typical = std::max(m.typical, m.elements.back()[0]);
+        m.elements.emplace_back(
+          24, 24, element_stiffness(element_geometry(X), body.elasticity(), body.form).data());
       }
+    for (unsigned int n = 0; n < mesh.n_nodes(); ++n)
+      for (int i = 0; i < 3 && held[n]; ++i)
+        m.held.add_line(dof(n, i));
+    m.held.close();
     make_modes();
   }
 
@@ -120,6 +125,17 @@ namespace wheelrail
   }
 
 
+  std::vector<std::uint32_t>
+  IterativeCoarseSolver::unknowns(const std::array<unsigned int, 8> &cell) const
+  {
+    std::vector<std::uint32_t> all;
+    for (const unsigned int n : cell)
+      for (int i = 0; i < 3; ++i)
+        all.push_back(dof(n, i));
+    return all;
+  }
+
+
   void
   IterativeCoarseSolver::set_springs(const StaticSprings &springs)
   {
@@ -141,14 +157,7 @@ namespace wheelrail
     const Matrix                  &m = *matrix_;
     dealii::DynamicSparsityPattern pattern(m.owned.size(), m.owned.size());
     for (const auto &cell : mesh_.cells)
-      for (int a = 0; a < 8; ++a)
-        for (int b = 0; b < 8; ++b)
-          if (!held_[cell[a]] && !held_[cell[b]])
-            for (int i = 0; i < 3; ++i)
-              for (int j = 0; j < 3; ++j)
-                pattern.add(dof(cell[a], i), dof(cell[b], j));
-    for (const auto row : m.owned)
-      pattern.add(row, row);
+      m.held.add_entries_local_to_global(unknowns(cell), pattern, false);
     for (const auto &[pair, block] : m.springs)
       if (m.owned.is_element(3 * pair.first))
         for (int i = 0; i < 3; ++i)
@@ -167,28 +176,10 @@ namespace wheelrail
   {
     Matrix &m = *matrix_;
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
-      for (int a = 0; a < 8; ++a)
-        for (int b = 0; b < 8; ++b)
-          if (!held_[mesh_.cells[c][a]] && !held_[mesh_.cells[c][b]])
-            for (int i = 0; i < 3; ++i)
-              {
-                const dealii::types::global_dof_index columns[3] = {
-                  dof(mesh_.cells[c][b], 0), dof(mesh_.cells[c][b], 1), dof(mesh_.cells[c][b], 2)};
-                m.matrix.add(dof(mesh_.cells[c][a], i),
-                             3,
-                             columns,
-                             &m.elements[c][24 * (3 * a + i) + 3 * b],
-                             false,
-                             false);
-              }
-    for (unsigned int n = 0; n < mesh_.n_owned; ++n)
-      if (held_[n])
-        for (int i = 0; i < 3; ++i)
-          // held unknowns: a diagonal of the size of the others, so that they do not spoil the condition
-          m.matrix.add(dof(n, i), dof(n, i), m.typical);
-      else if (!ground_.empty())
-        for (int i = 0; i < 3; ++i)
-          m.matrix.add(dof(n, i), dof(n, i), ground_[4 * n + i]);
+      m.held.distribute_local_to_global(m.elements[c], unknowns(mesh_.cells[c]), m.matrix);
+    for (std::size_t k = 0; k < ground_.size() && k < 4 * mesh_.n_owned; ++k)
+      if (ground_[k] > 0)
+        m.matrix.add(dof(k / 4, k % 4), dof(k / 4, k % 4), ground_[k]);
     for (const auto &[pair, block] : m.springs)
       if (m.owned.is_element(3 * pair.first))
         for (int i = 0; i < 3; ++i)

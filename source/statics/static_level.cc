@@ -1,15 +1,12 @@
+#include <deal.II/lac/linear_operator.h>
+#include <deal.II/lac/solver_cg.h>
+
 #include <wheelrail/solid/elastic_scope.h>
 #include <wheelrail/statics/static_level.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-
-extern "C"
-{
-  void
-  dsterf_(const int *, double *, double *, int *);
-}
 
 // One level of the multigrid: K x from the kernel's own forces, and a smoother over the nodes' diagonal
 // blocks D with the springs in full, (D + B'C B)^-1 = D^-1 - D^-1 B' (C^-1 + B D^-1 B')^-1 B D^-1 (Sherman,
@@ -26,33 +23,13 @@ namespace wheelrail
     /// lost against the gradients themselves.
     constexpr double tiny = 1e-12;
 
-    using Symmetric = std::array<double, 6>; // xx, yy, zz, yz, xz, xy
-
-    /// Zero for a matrix of zeros.
-    Symmetric
-    inverse(const Symmetric &m)
-    {
-      // inverse of a symmetric 3 x 3 matrix by cofactors (Cramer)
-      const Symmetric cofactor    = {m[1] * m[2] - m[3] * m[3],
-                                     m[0] * m[2] - m[4] * m[4],
-                                     m[0] * m[1] - m[5] * m[5],
-                                     m[4] * m[5] - m[0] * m[3],
-                                     m[3] * m[5] - m[1] * m[4],
-                                     m[3] * m[4] - m[2] * m[5]};
-      const double    determinant = m[0] * cofactor[0] + m[5] * cofactor[5] + m[4] * cofactor[4];
-      Symmetric       result{};
-      if (determinant > 0)
-        for (int k = 0; k < 6; ++k)
-          result[k] = cofactor[k] / determinant;
-      return result;
-    }
+    using Symmetric = dealii::SymmetricTensor<2, 3>;
 
     Vector3
     times(const Symmetric &m, const double *x)
     {
-      return {m[0] * x[0] + m[5] * x[1] + m[4] * x[2],
-              m[5] * x[0] + m[1] * x[1] + m[3] * x[2],
-              m[4] * x[0] + m[3] * x[1] + m[2] * x[2]};
+      const dealii::Tensor<1, 3> y = m * dealii::Tensor<1, 3>({x[0], x[1], x[2]});
+      return {y[0], y[1], y[2]};
     }
 
     /// A node of a cell, or a parent of one that hangs, with its weight in the cell's vertex.
@@ -83,18 +60,6 @@ namespace wheelrail
               // both orders of two vertices come, so that the sum is symmetric
               second[0] += k(1, 2), second[1] += k(0, 2), second[2] += k(0, 1);
             }
-    }
-
-    /// Largest eigenvalue of a symmetric tridiagonal matrix; 0 of an empty one.
-    double
-    largest_eigenvalue_of(std::vector<double> diagonal, std::vector<double> beside)
-    {
-      if (diagonal.empty())
-        return 0;
-      const int n    = static_cast<int>(diagonal.size());
-      int       code = 0;
-      dsterf_(&n, diagonal.data(), beside.data(), &code); // they come in ascending order
-      return diagonal.back();
     }
   } // namespace
 
@@ -244,8 +209,11 @@ namespace wheelrail
     inverse_.resize(mesh_.n_nodes());
     for (std::size_t n = 0; n < mesh_.n_nodes(); ++n)
       {
-        const double *a = &sum_a[4 * n], *b = &sum_b[4 * n];
-        inverse_[n] = held_[n] ? Symmetric{} : inverse({a[0], a[1], a[2], b[0], b[1], b[2]});
+        const double   *a = &sum_a[4 * n], *b = &sum_b[4 * n];
+        const double    entries[6] = {a[0], a[1], a[2], b[2], b[1], b[0]};
+        const Symmetric block(entries);
+        // zeros at hanging nodes
+        inverse_[n] = !held_[n] && determinant(block) > 0 ? invert(block) : Symmetric();
       }
   }
 
@@ -340,34 +308,24 @@ namespace wheelrail
   void
   StaticLevel::find_largest_eigenvalue()
   {
-    constexpr int    steps  = 12;
     constexpr double margin = 1.1; // Lanczos comes from below
-    NodeVector       r = zero(), z = zero(), p = zero(), q = zero();
+    NodeVector       noise = zero(), solution = zero(), step = zero();
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       for (unsigned int i = 0; i < 3; ++i)
-        if (inverse_[n][i] > 0)
-          r.begin()[4 * n + i] = mesh_.noise(n, i);
-    std::vector<double> diagonal, beside;
-    double              product_before = 0, alpha_before = 0;
-    for (int k = 0; k < steps; ++k)
-      {
-        z = 0;
-        smoothing_step(r, 0, 1, q, z);
-        const double rz   = r * z;
-        const double beta = k == 0 ? 0 : rz / product_before;
-        p.sadd(beta, 1, z);
-        product(p, q);
-        // conjugate gradients on K x = r with D^-1: alpha_k = r z/(p K p), beta_k = r z/(r z before)
-        const double alpha = rz / (p * q);
-        r.add(-alpha, q);
-        // Lanczos' tridiagonal matrix from conjugate gradients: 1/alpha_k + beta_k/alpha_k-1 on the diagonal,
-        // sqrt(beta_k)/alpha_k-1 beside it
-        diagonal.push_back(1 / alpha + (k == 0 ? 0 : beta / alpha_before));
-        if (k > 0)
-          beside.push_back(std::sqrt(beta) / alpha_before);
-        product_before = rz;
-        alpha_before   = alpha;
-      }
-    largest_ = margin * largest_eigenvalue_of(diagonal, beside);
+        if (inverse_[n][i][i] > 0)
+          noise.begin()[4 * n + i] = mesh_.noise(n, i);
+    dealii::LinearOperator<NodeVector> matrix, inverse;
+    matrix.vmult  = [&](NodeVector &y, const NodeVector &x) { product(x, y); };
+    inverse.vmult = [&](NodeVector &z, const NodeVector &r) {
+      z = 0;
+      smoothing_step(r, 0, 1, step, z);
+    };
+    // its tridiagonal matrix has one row less than steps are made
+    dealii::IterationNumberControl            control(13, 0.);
+    dealii::PrimitiveVectorMemory<NodeVector> memory; // others keep their vectors
+    dealii::SolverCG<NodeVector>              lanczos(control, memory);
+    lanczos.connect_eigenvalues_slot(
+      [this](const std::vector<double> &all) { largest_ = margin * all.back(); });
+    lanczos.solve(matrix, solution, noise, inverse);
   }
 } // namespace wheelrail

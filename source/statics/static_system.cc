@@ -1,12 +1,14 @@
+#include <deal.II/base/index_set.h>
+#include <deal.II/lac/linear_operator.h>
+#include <deal.II/lac/solver_cg.h>
+
 #include <wheelrail/base/errors.h>
 #include <wheelrail/mesh/discretization.h>
 #include <wheelrail/solid/boundary_nodes.h>
 #include <wheelrail/statics/static_system.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
-#include <utility>
 
 // Linear equations of a Newton step: displacements against a rigid lift of the wheel, and that lift
 // (doc/theory/rolling.md, Static start, 2). Forces at the bore are 10^4 times those of the contact: the
@@ -51,7 +53,7 @@ namespace wheelrail
         held_,
         StaticGround{parts_.springs(), StaticSprings(parts_.joined(), mesh_, held_, communicator_)}))
     , rigid_(zero())
-    , response_{zero(), 1}
+    , response_(zero())
   {
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
       // r: a rigid vertical displacement of the wheel. Unknowns are u = x + lift r, and lift: so the bodies'
@@ -121,21 +123,18 @@ namespace wheelrail
   {
     // a rigid lift of the wheel moves all its nodes against the forces
     // right side of the lift: r' f + bore force
-    const Unknowns     load  = {forces, forces * rigid_ + bore};
-    Unknowns           x     = {zero(), 0};
-    const unsigned int steps = conjugate_gradients<true>(load, x, tolerance * std::sqrt(dot(load, load)));
-    step                     = {std::move(x.nodes), x.lift};
+    const Unknowns     load  = unknowns(forces, forces * rigid_ + bore);
+    Unknowns           x     = unknowns(zero(), 0);
+    const unsigned int steps = conjugate_gradients(
+      [this](Unknowns &y, const Unknowns &of) { set_lift(y, product(of.block(0), lift(of), y.block(0))); },
+      [this](Unknowns &z, const Unknowns &of) {
+        set_lift(z, precondition(of.block(0), lift(of), z.block(0)));
+      },
+      load,
+      tolerance * load.l2_norm(),
+      x);
+    step = {x.block(0), lift(x)};
     step.increment.add(step.lift, rigid_);
-    return steps;
-  }
-
-
-  unsigned int
-  StaticSystem::solve_held(const Vector &forces, const double tolerance, Vector &increment)
-  {
-    Unknowns           x     = {zero(), 0};
-    const unsigned int steps = conjugate_gradients<false>({forces, 0}, x, tolerance * forces.l2_norm());
-    increment                = std::move(x.nodes);
     return steps;
   }
 
@@ -143,38 +142,61 @@ namespace wheelrail
   StaticStep
   StaticSystem::precondition(const Vector &forces, const double bore)
   {
-    Unknowns z = {zero(), 0};
-    precondition({forces, forces * rigid_ + bore}, z);
-    StaticStep step = {std::move(z.nodes), z.lift};
+    StaticStep step = {zero(), 0};
+    step.lift       = precondition(forces, forces * rigid_ + bore, step.increment);
     step.increment.add(step.lift, rigid_);
     return step;
   }
 
 
-  double
-  StaticSystem::dot(const Unknowns &a, const Unknowns &b) const
+  StaticSystem::Unknowns
+  StaticSystem::unknowns(const Vector &nodes, const double lift) const
   {
-    return a.nodes * b.nodes + a.lift * b.lift;
+    dealii::IndexSet own(1);
+    if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
+      own.add_index(0);
+    Unknowns x(2);
+    x.block(0) = nodes;
+    x.block(1).reinit(own, communicator_);
+    x.collect_sizes();
+    set_lift(x, lift);
+    return x;
+  }
+
+
+  void
+  StaticSystem::set_lift(Unknowns &x, const double lift)
+  {
+    x.block(1) = lift;
+  }
+
+
+  double
+  StaticSystem::lift(const Unknowns &x) const
+  {
+    return dealii::Utilities::MPI::sum(x.block(1).locally_owned_size() > 0 ? x.block(1).local_element(0) : 0.,
+                                       communicator_);
   }
 
 
   /// A rigid lift of the whole wheel, its bore included, leaves no forces but those of the springs.
-  void
-  StaticSystem::product(const Unknowns &x, Unknowns &y)
+  double
+  StaticSystem::product(const Vector &x, const double lift, Vector &y)
   {
     StaticLevel &level = multigrid_->finest();
-    level.elastic_product(x.nodes, y.nodes);
-    add_stiffness_of_parts(x.nodes, y.nodes);
-    std::vector<double> force = level.springs().stretch(x.nodes.begin());
-    y.lift                    = 0;
+    level.elastic_product(x, y);
+    add_stiffness_of_parts(x, y);
+    std::vector<double> force = level.springs().stretch(x.begin());
+    double              along = 0;
     for (std::size_t k = 0; k < force.size(); ++k)
       {
         // C B (x + lift r): springs alone feel the rigid part
-        force[k] = level.springs().stiffness()[k] * (force[k] + x.lift * rigid_stretch_[k]);
+        force[k] = level.springs().stiffness()[k] * (force[k] + lift * rigid_stretch_[k]);
         // r' B' C B (x + lift r)
-        y.lift += rigid_stretch_[k] * force[k];
+        along += rigid_stretch_[k] * force[k];
       }
-    level.springs().add(force, y.nodes.begin());
+    level.springs().add(force, y.begin());
+    return along;
   }
 
 
@@ -193,61 +215,57 @@ namespace wheelrail
 
   /// One cycle with the bore held, plus the response to a lift, which the cycle cannot know: the share of it
   /// that balances the forces along it (a coarse space of one vector, added).
-  void
-  StaticSystem::precondition(const Unknowns &forces, Unknowns &z)
+  double
+  StaticSystem::precondition(const Vector &forces, const double along, Vector &z)
   {
     // M^-1 = V cycle with the bore held + w w'/(w' K w)
-    multigrid_->cycle(forces.nodes, z.nodes);
+    multigrid_->cycle(forces, z);
     // w (w' f)/(w' K w), w the response to a lift
-    const double share = dot(forces, response_) / approach_stiffness_;
-    z.nodes.add(share, response_.nodes);
-    z.lift = share;
+    const double share = (forces * response_ + along) / approach_stiffness_;
+    z.add(share, response_);
+    return share;
   }
 
 
-  /// Conjugate gradients in the flexible form (Polak and Ribiere), which bears a preconditioner that is not
-  /// quite linear, until the norm of the residual is below `enough`. Without lift the bore is held, and the
-  /// forces on it count for nothing.
-  template <bool with_lift>
+  /// In the flexible form, which bears a preconditioner that is not quite linear, until the norm of the
+  /// residual is below `enough`.
+  template <typename Values, typename Product, typename Preconditioner>
   unsigned int
-  StaticSystem::conjugate_gradients(Unknowns residual, Unknowns &x, const double enough)
+  StaticSystem::conjugate_gradients(const Product        &product,
+                                    const Preconditioner &preconditioner,
+                                    const Values         &load,
+                                    const double          enough,
+                                    Values               &x)
   {
-    constexpr unsigned int most_steps = 500;
-    Unknowns               z = {zero(), 0}, step = {zero(), 0}, image = {zero(), 0};
-    Unknowns               before         = {zero(), 0}; // residual
-    double                 product_before = 1;
-    for (unsigned int k = 0;; ++k)
+    dealii::SolverControl                 control(500, enough, false, false);
+    dealii::PrimitiveVectorMemory<Values> memory; // others keep their vectors
+    dealii::LinearOperator<Values>        matrix, inverse;
+    matrix.vmult  = product;
+    inverse.vmult = preconditioner;
+    try
       {
-        if (!with_lift)
-          residual.lift = 0;
-        const double norm = std::sqrt(dot(residual, residual));
-        if (norm <= enough)
-          return k;
-        if (k == most_steps || !std::isfinite(norm))
-          throw RunError("the static start did not converge: conjugate gradients stopped after " +
-                         std::to_string(k) +
-                         " steps; lower Contact/Penalty scale, or take smaller coarse cells");
-        if (with_lift)
-          precondition(residual, z);
-        else
-          multigrid_->cycle(residual.nodes, z.nodes);
-        const double along = dot(residual, z);
-        // beta = z_k . (r_k - r_k-1)/(z_k-1 . r_k-1): of a fixed symmetric preconditioner the second part is
-        // zero
-        const double share = k == 0 ? 0 : (along - dot(before, z)) / product_before;
-        step.nodes.sadd(share, 1, z.nodes);
-        step.lift = share * step.lift + z.lift;
-        product(step, image);
-        // alpha = r . z/(p . K p)
-        const double length = along / dot(step, image);
-        x.nodes.add(length, step.nodes);
-        x.lift += length * step.lift;
-        before = residual;
-        residual.nodes.add(-length, image.nodes);
-        residual.lift -= length * image.lift;
-        product_before = along;
-        ++cg_steps;
+        dealii::SolverFlexibleCG<Values>(control, memory).solve(matrix, x, load, inverse);
       }
+    catch (const dealii::SolverControl::NoConvergence &)
+      {
+      }
+    if (control.last_check() != dealii::SolverControl::success)
+      throw RunError("the static start did not converge: conjugate gradients stopped after " +
+                     std::to_string(control.last_step()) +
+                     " steps; lower Contact/Penalty scale, or take smaller coarse cells");
+    cg_steps += control.last_step();
+    return control.last_step();
+  }
+
+
+  unsigned int
+  StaticSystem::solve_held(const Vector &forces, const double tolerance, Vector &increment)
+  {
+    return conjugate_gradients([this](Vector &y, const Vector &of) { product(of, 0, y); },
+                               [this](Vector &z, const Vector &of) { multigrid_->cycle(of, z); },
+                               forces,
+                               tolerance * forces.l2_norm(),
+                               increment);
   }
 
 
@@ -258,18 +276,13 @@ namespace wheelrail
   StaticSystem::find_lift_response()
   {
     constexpr double tolerance = 0.01;
-    Unknowns         load = {zero(), 0}, image = {zero(), 0};
+    Vector           load = zero(), image = zero();
     // w = (x, 1) with K (x, 1) = 0 in all rows of nodes: K x = -K r
-    product({zero(), -1}, load);
-    const double enough = tolerance * load.nodes.l2_norm();
-    product(response_, image);
-    Unknowns residual = {zero(), 0};
-    // residual of -K r - K x for the last x: the search starts there
-    residual.nodes -= image.nodes;
-    conjugate_gradients<false>(std::move(residual), response_, enough);
-    product(response_, image);
+    product(zero(), -1, load);
+    solve_held(load, tolerance, response_);
+    const double along = product(response_, 1, image);
     // w' K w [N/m]: stiffness of the contact against a lift
-    approach_stiffness_ = dot(response_, image);
+    approach_stiffness_ = response_ * image + along;
   }
 
 

@@ -2,6 +2,7 @@
 
 #include <wheelrail/statics/coarse_solver.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -42,6 +43,8 @@ namespace wheelrail
     {
       return 3 * mesh_.global_node[node] + component;
     }
+    std::vector<std::uint32_t>
+    unknowns(const std::array<unsigned int, 8> &cell) const;
     void
     make_modes();
     dealii::DynamicSparsityPattern
@@ -53,11 +56,10 @@ namespace wheelrail
     void
     conjugate_gradients();
 
-    const LocalMesh           &mesh_;
-    std::vector<unsigned char> held_;
-    AlignedVector<double>      ground_;
-    MPI_Comm                   communicator_;
-    std::unique_ptr<Matrix>    matrix_;
-    unsigned int               failures_ = 0; ///< of incomplete factors as smoother, until Chebyshev's turn
+    const LocalMesh        &mesh_;
+    AlignedVector<double>   ground_;
+    MPI_Comm                communicator_;
+    std::unique_ptr<Matrix> matrix_;
+    unsigned int            failures_ = 0; ///< of incomplete factors as smoother, until Chebyshev's turn
   };
 } // namespace wheelrail

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <wheelrail/solid/exchange.h>
 #include <wheelrail/solid/solid.h>
 #include <wheelrail/statics/band_cholesky.h>
 #include <wheelrail/statics/static_ground.h>
 
-#include <array>
 #include <vector>
 
 namespace wheelrail
@@ -90,18 +91,18 @@ namespace wheelrail
     smoothing_step(const NodeVector &residual, double keep, double take, NodeVector &step, NodeVector &x)
       const;
 
-    const LocalMesh                   &mesh_;
-    PerBody<ElementBlocks>            &blocks_;
-    const std::vector<unsigned char>   held_;
-    const StaticGround                 ground_;
-    MPI_Comm                           communicator_;
-    NodeVector                         tiny_;    ///< the displacement that the kernel sees
-    NodeVector                         force_;   ///< the elements' forces in it, on free nodes
-    NodeVector                         step_;    ///< of the smoother
-    std::vector<std::array<double, 6>> inverse_; ///< of the diagonal blocks: xx, yy, zz, yz, xz, xy
-    double                             largest_ = 0;
-    StaticSprings                      springs_;
-    std::vector<Vector3>               images_;   ///< of the springs' parts: diagonal^-1 times the weight
-    BandCholesky<double>               coupling_; ///< 1/stiffness + B diagonal^-1 B^T
+    const LocalMesh                           &mesh_;
+    PerBody<ElementBlocks>                    &blocks_;
+    const std::vector<unsigned char>           held_;
+    const StaticGround                         ground_;
+    MPI_Comm                                   communicator_;
+    NodeVector                                 tiny_;    ///< the displacement that the kernel sees
+    NodeVector                                 force_;   ///< the elements' forces in it, on free nodes
+    NodeVector                                 step_;    ///< of the smoother
+    std::vector<dealii::SymmetricTensor<2, 3>> inverse_; ///< of the diagonal blocks, zero of held nodes
+    double                                     largest_ = 0;
+    StaticSprings                              springs_;
+    std::vector<Vector3> images_;   ///< of the springs' parts: diagonal^-1 times the weight
+    BandCholesky<double> coupling_; ///< 1/stiffness + B diagonal^-1 B^T
   };
 } // namespace wheelrail

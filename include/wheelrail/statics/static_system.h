@@ -1,5 +1,7 @@
 #pragma once
 
+#include <deal.II/lac/la_parallel_block_vector.h>
+
 #include <wheelrail/statics/static_multigrid.h>
 #include <wheelrail/statics/static_parts.h>
 
@@ -62,7 +64,8 @@ namespace wheelrail
     unsigned int
     solve(const Vector &forces, double bore, double tolerance, StaticStep &step);
 
-    /// The same with the bore held, for the displacements of the free nodes alone.
+    /// The same with the bore held, for the displacements of the free nodes alone; starts at those in
+    /// `increment`.
     unsigned int
     solve_held(const Vector &forces, double tolerance, Vector &increment);
 
@@ -83,22 +86,26 @@ namespace wheelrail
     }
 
   private:
-    /// A vector of unknowns: displacements against a rigid lift of the whole wheel, and that lift [m]; or the
-    /// forces that belong to them: nodal ones, and the vertical force on the whole wheel [N].
-    struct Unknowns
-    {
-      Vector nodes;
-      double lift = 0;
-    };
+    /// Displacements against a rigid lift of the whole wheel, and that lift [m], which the first rank has; or
+    /// the forces that belong to them: nodal ones, and the vertical force on the whole wheel [N].
+    using Unknowns = dealii::LinearAlgebra::distributed::BlockVector<double>;
+    Unknowns
+    unknowns(const Vector &nodes, double lift) const;
+    static void
+    set_lift(Unknowns &x, double lift);
     double
-    dot(const Unknowns &a, const Unknowns &b) const;
-    void
-    product(const Unknowns &x, Unknowns &y);
-    void
-    precondition(const Unknowns &forces, Unknowns &z);
-    template <bool with_lift>
+    lift(const Unknowns &x) const;
+    double
+    product(const Vector &x, double lift, Vector &y);
+    double
+    precondition(const Vector &forces, double along, Vector &z);
+    template <typename Values, typename Product, typename Preconditioner>
     unsigned int
-    conjugate_gradients(Unknowns residual, Unknowns &x, double enough);
+    conjugate_gradients(const Product        &product,
+                        const Preconditioner &preconditioner,
+                        const Values         &load,
+                        double                enough,
+                        Values               &x);
     void
     find_lift_response();
     void
@@ -111,7 +118,7 @@ namespace wheelrail
     std::unique_ptr<StaticMultigrid> multigrid_;
     Vector                           rigid_;         ///< free nodes in a rigid lift of the wheel by 1 m
     std::vector<double>              rigid_stretch_; ///< of the springs in that [1]
-    Unknowns                         response_;      ///< about, to a lift of the bore by 1 m
+    Vector                           response_;      ///< about, to a lift of the bore by 1 m, against it
     double                           approach_stiffness_ = 0; ///< energy of the response, twice [N/m]
   };
 
