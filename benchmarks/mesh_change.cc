@@ -1,5 +1,5 @@
-// What a change of the mesh costs, by parts: which cells are divided, the triangulation with its unknowns,
-// the plain arrays, solid and contact.
+// What a change of the mesh costs, by parts: the triangulation with its unknowns, the plain arrays, solid and
+// contact.
 //
 //   benchmark_mesh_change FILE.prm ["Section/Entry = value" ...]
 //
@@ -58,7 +58,6 @@ namespace
       const Range  fine = {plan.fine.s0 + by, plan.fine.s1 + by};
       return PerBody<FineZone>{{fine}, {fine}};
     };
-    tell("which cells are divided", [&]() { CellTree(plan, discretization.grids(), zones()); });
     tell("blocks, once", [&]() { Discretization(communicator, plan); });
     tell("triangulation and unknowns", [&]() { discretization.lay(zones()); });
     tell("plain arrays", [&]() { discretization.local_mesh(); });

@@ -1,20 +1,28 @@
-// What a scene sends in each step on the ranks that run it: cells, neighbours, messages and bytes of the
-// busiest rank. Counts, so that more ranks than cores tell as much as a cluster. mpirun -n N benchmark_ranks
-// FILE.prm: one line of the table, with its head for N = 1.
+// What a scene costs each of the ranks that run it: cells, neighbours, messages and bytes of the busiest one;
+// memory, that of the coarse blocks, which every rank has, and nodes of the running surfaces; processor time.
+// Counts, so that more ranks than cores tell as much as a cluster. mpirun -n N benchmark_ranks FILE.prm: one
+// line of the table, with its head for N = 1.
 
 #include <wheelrail/base/errors.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/model.h>
 #include <wheelrail/model/scene_checks.h>
+#include <wheelrail/solid/exchange.h>
+#include <wheelrail/solid/motion.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/partitioner.h>
 #include <deal.II/base/utilities.h>
+#include <deal.II/distributed/tria.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
+#include <ctime>
 #include <iostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace wheelrail;
 
@@ -25,12 +33,54 @@ namespace
     double cells      = 0; ///< of this rank
     double nodes      = 0; ///< held by this rank
     double neighbours = 0;
-    double shared     = 0;     ///< bytes sent to neighbours in a step
-    double window     = 0;     ///< bytes of the contact window sent in a step
-    double received   = 0;     ///< bytes of the contact window received in a step
-    bool   holds      = false; ///< nodes of the contact window
-    double memory     = 0;     ///< resident [bytes]
+    double shared     = 0;       ///< bytes sent to neighbours in a step
+    double window     = 0;       ///< bytes of the contact window sent in a step
+    double received   = 0;       ///< bytes of the contact window received in a step
+    bool   holds      = false;   ///< nodes of the contact window
+    double surfaces   = 0;       ///< nodes of the running surfaces
+    double memory     = 0;       ///< resident, beyond what the program has before it makes the model [bytes]
+    double coarse     = 0;       ///< of that, for a coarse block [bytes]
+    double set_up = 0, step = 0; ///< processor time of the model, of a step without parts [s]
   };
+
+  double
+  resident()
+  {
+    dealii::Utilities::System::MemoryStats memory;
+    dealii::Utilities::System::get_memory_stats(memory);
+    return 1024. * memory.VmRSS;
+  }
+
+  double
+  processor_time()
+  {
+    return double(std::clock()) / CLOCKS_PER_SEC;
+  }
+
+  /// Processor time of a step of bodies and contact [s].
+  double
+  time_of_step(Model &model)
+  {
+    constexpr int steps   = 10;
+    Solid        &solid   = model.solid;
+    const auto    inertia = node_inertia(solid);
+    const auto    update  = make_velocity_update(model.time_step, 0);
+    ElementEnergy ignored;
+    const double  begin = processor_time();
+    for (int k = 0; k < steps; ++k)
+      {
+        subtract_internal_force(
+          solid.blocks, solid.displacement.data(), solid.force.data(), BulkViscosity(), false, ignored);
+        model.contact->gather(solid.displacement.data(), solid.velocity.data());
+        model.contact->evaluate(model.time_step);
+        model.contact->add_forces(solid.force.data());
+        condense(solid.mesh, solid.force.data());
+        sum_over_ranks(solid.mesh, solid.force.data());
+        move_nodes(solid, inertia, update, model.time_step, false);
+        distribute(solid.mesh, solid.displacement.data());
+      }
+    return (processor_time() - begin) / steps;
+  }
 
   Counts
   counts_of(Model &model)
@@ -59,9 +109,7 @@ namespace
             counts.holds = counts.holds || surface.local[k] >= 0;
           }
       }
-    dealii::Utilities::System::MemoryStats memory;
-    dealii::Utilities::System::get_memory_stats(memory);
-    counts.memory = 1024. * memory.VmRSS;
+    counts.surfaces = contact.rail().reference.size() + contact.wheel().reference.size();
     return counts;
   }
 
@@ -74,30 +122,35 @@ namespace
   void
   print(const Counts &counts)
   {
-    const double n     = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
-    const double cells = dealii::Utilities::MPI::sum(counts.cells, MPI_COMM_WORLD),
-                 most = largest(counts.cells), nodes = largest(counts.nodes),
-                 neighbours = largest(counts.neighbours), shared = largest(counts.shared),
-                 window = largest(counts.window), received = largest(counts.received),
-                 memory  = largest(counts.memory),
+    const double n       = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+    const double cells   = dealii::Utilities::MPI::sum(counts.cells, MPI_COMM_WORLD),
+                 most    = largest(counts.cells),
                  holders = dealii::Utilities::MPI::sum(counts.holds ? 1. : 0., MPI_COMM_WORLD);
+    const std::vector<std::pair<const char *, double>> columns = {
+      {"ranks", n},
+      {"cells", cells},
+      {"of the busiest", most},
+      {"over the mean", most * n / cells},
+      {"nodes", largest(counts.nodes)},
+      {"neighbours", largest(counts.neighbours)},
+      {"sent to them kB", 1e-3 * largest(counts.shared)},
+      {"window sent kB", 1e-3 * largest(counts.window)},
+      {"window received kB", 1e-3 * largest(counts.received)},
+      {"ranks that hold it", holders},
+      {"nodes of surfaces", largest(counts.surfaces)},
+      {"bytes a coarse block", largest(counts.coarse)},
+      {"memory MB", 1e-6 * largest(counts.memory)},
+      {"set-up s", largest(counts.set_up)},
+      {"step ms", 1e3 * largest(counts.step)}};
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) > 0)
       return;
-    if (n == 1)
+    for (const auto &[name, value] : columns)
+      if (n == 1)
+        std::printf("%s  ", name);
+    for (const auto &[name, value] : columns)
       std::printf(
-        "ranks  cells of the busiest  over the mean  nodes   neighbours  sent to them kB  window sent kB"
-        "  window received kB  ranks that hold it  memory MB\n");
-    std::printf("%5.0f  %20.0f  %13.3f  %6.0f  %10.0f  %15.1f  %14.1f  %18.1f  %18.0f  %9.0f\n",
-                n,
-                most,
-                most * n / cells,
-                nodes,
-                neighbours,
-                1e-3 * shared,
-                1e-3 * window,
-                1e-3 * received,
-                holders,
-                1e-6 * memory);
+        "%s%*.6g  ", n == 1 && name == columns.front().first ? "\n" : "", int(std::strlen(name)), value);
+    std::printf("\n");
   }
 } // namespace
 
@@ -107,9 +160,21 @@ main(int argc, char **argv)
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   try
     {
-      const SceneInput input = read_scene(argc > 1 ? argv[1] : "prm/rolling.prm", {});
-      Model            model = make_model(input.scene, require_computable(input), MPI_COMM_WORLD);
-      print(counts_of(model));
+      const SceneInput    input    = read_scene(argc > 1 ? argv[1] : "prm/rolling.prm", {});
+      const SceneGeometry geometry = require_computable(input);
+      const double        before = resident(), begin = processor_time();
+      double              coarse;
+      {
+        const Discretization blocks(MPI_COMM_WORLD, sweep_plan(input.scene, geometry));
+        coarse = (resident() - before) / blocks.triangulation().n_cells(0);
+      }
+      Model  model  = make_model(input.scene, geometry, MPI_COMM_WORLD);
+      Counts counts = counts_of(model);
+      counts.set_up = processor_time() - begin;
+      counts.step   = time_of_step(model);
+      counts.memory = resident() - before;
+      counts.coarse = coarse;
+      print(counts);
     }
   catch (const InputError &error)
     {

@@ -21,16 +21,6 @@ namespace wheelrail
         }
       return least;
     }
-
-    void
-    add_leaves(const CellTree &tree, const CellPlace &cell, std::vector<CellPlace> &leaves)
-    {
-      if (!tree.divided(cell))
-        leaves.push_back(cell);
-      else
-        for (unsigned int c = 0; c < 8; ++c)
-          add_leaves(tree, cell.child(c), leaves);
-    }
   } // namespace
 
 
@@ -70,14 +60,27 @@ namespace wheelrail
   }
 
 
-  CellTree::CellTree(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const PerBody<FineZone> &zones)
+  CellTree::CellTree(const RefinementRule         &rule,
+                     const PerBody<SweptGrid>     &grids,
+                     const PerBody<std::set<int>> &columns)
     : grids_(&grids)
-    , of_level_(plan.levels)
+    , of_level_(grids.rail.levels())
   {
-    const RefinementRule rule(plan, grids, zones);
     for (const Body body : both_bodies)
-      divide_body(rule, grids[body]);
+      divide_body(rule, grids[body], columns[body]);
     balance();
+  }
+
+
+  int
+  RefinementRule::n_parts(const CellPlace &cell) const
+  {
+    if (cell.level == plan_->levels || !wanted(cell))
+      return 1;
+    int n = 0;
+    for (unsigned int c = 0; c < 8; ++c)
+      n += n_parts(cell.child(c));
+    return n;
   }
 
 
@@ -90,15 +93,20 @@ namespace wheelrail
 
 
   void
-  CellTree::divide_body(const RefinementRule &rule, const SweptGrid &grid)
+  CellTree::divide_body(const RefinementRule &rule, const SweptGrid &grid, const std::set<int> &columns)
   {
     if (grid.levels() == 0)
       return;
     std::vector<CellPlace> divided, next;
     CellPlace              coarse;
     coarse.body = grid.body();
-    for (coarse.k = 0; coarse.k < grid.n_columns(); ++coarse.k)
-      for (coarse.block = 0; coarse.block < grid.n_blocks(); ++coarse.block)
+    std::set<int> looked_at;
+    for (const int column : columns)
+      for (int k = column - 1; k <= column + 1; ++k)
+        if (grid.closed() || (k >= 0 && k < grid.n_columns()))
+          looked_at.insert((k + grid.n_columns()) % grid.n_columns());
+    for (const int column : looked_at)
+      for (coarse.k = column, coarse.block = 0; coarse.block < grid.n_blocks(); ++coarse.block)
         if (rule.wanted(coarse))
           divided.push_back(coarse);
     for (unsigned int level = 0; !divided.empty(); ++level)
@@ -141,26 +149,5 @@ namespace wheelrail
                   divide(other.ancestor(static_cast<unsigned char>(level - 1)));
                 }
         }
-  }
-
-
-  std::vector<CellPlace>
-  CellTree::leaves(const PerBody<int> &first_column) const
-  {
-    std::vector<CellPlace> leaves;
-    for (const Body body : both_bodies)
-      {
-        const SweptGrid &grid = (*grids_)[body];
-        const int        n    = grid.n_columns();
-        CellPlace        coarse;
-        coarse.body = body;
-        for (int column = 0; column < n; ++column)
-          for (coarse.block = 0; coarse.block < grid.n_blocks(); ++coarse.block)
-            {
-              coarse.k = ((first_column[body] + column) % n + n) % n;
-              add_leaves(*this, coarse, leaves);
-            }
-      }
-    return leaves;
   }
 } // namespace wheelrail

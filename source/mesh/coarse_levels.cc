@@ -1,9 +1,9 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
 
-#include <wheelrail/base/gather_all.h>
 #include <wheelrail/mesh/coarse_levels.h>
 #include <wheelrail/mesh/discretization.h>
+#include <wheelrail/mesh/fetch_rows.h>
 #include <wheelrail/mesh/shared_nodes.h>
 
 #include <algorithm>
@@ -82,8 +82,9 @@ namespace wheelrail
           std::uint64_t                key;
           std::array<unsigned char, 8> hangs;
         };
-        std::vector<Parent>               own;
         std::map<std::uint64_t, Iterator> here;
+        std::vector<std::uint64_t>        keys;
+        std::vector<Parent>               own;
         const auto                       &cells = discretization.own_cells();
         if (!cells.empty())
           for (const Cell *end : {&cells.front(), &cells.back()})
@@ -95,17 +96,19 @@ namespace wheelrail
                   cell  = cell->parent();
                   place = place.ancestor(place.level - 1);
                   here.emplace(place.key(), cell);
-                  Parent &parent = own.emplace_back();
-                  parent.key     = place.key();
-                  for (unsigned int v = 0; v < 8; ++v)
-                    parent.hangs[v] = hangs_[cell->vertex_index(v)];
                 }
             }
-        for (const Parent &parent : gather_all(own, discretization.communicator()))
-          if (const auto cell = here.find(parent.key); cell != here.end())
+        for (const auto &[key, cell] : here)
+          {
+            keys.push_back(key);
+            Parent &parent = own.emplace_back(Parent{key, {}});
             for (unsigned int v = 0; v < 8; ++v)
-              if (parent.hangs[v])
-                hangs_[cell->second->vertex_index(v)] = 1;
+              parent.hangs[v] = hangs_[cell->vertex_index(v)];
+          }
+        for (const Parent &parent : fetch_rows(keys, own, keys, discretization.communicator()))
+          for (unsigned int v = 0; v < 8; ++v)
+            if (parent.hangs[v])
+              hangs_[here.at(parent.key)->vertex_index(v)] = 1;
       }
 
       const Discretization::Triangulation &triangulation_;

@@ -10,6 +10,8 @@
 #include <p8est_extended.h>
 
 #include <algorithm>
+#include <memory>
+#include <set>
 #include <utility>
 
 namespace wheelrail
@@ -31,16 +33,24 @@ namespace wheelrail
     /// What p4est's recursion asks.
     struct Asked
     {
-      const CellTree               &tree;
+      const RefinementRule         &rule;
       const std::vector<CellPlace> &blocks; ///< of each of p4est's trees
       PerBody<int>                  work;   ///< of a cell
+      std::unique_ptr<CellTree>     tree{};
     };
+
+    int
+    parts_of(p8est_t *forest, const p4est_topidx_t tree, p8est_quadrant_t *)
+    {
+      const auto *asked = static_cast<const Asked *>(forest->user_pointer);
+      return asked->rule.n_parts(asked->blocks[tree]);
+    }
 
     int
     is_divided(p8est_t *forest, const p4est_topidx_t tree, p8est_quadrant_t *q)
     {
       const auto *asked = static_cast<const Asked *>(forest->user_pointer);
-      return asked->tree.divided(place_in(asked->blocks[tree], *q));
+      return asked->tree->divided(place_in(asked->blocks[tree], *q));
     }
 
     int
@@ -117,13 +127,18 @@ namespace wheelrail
         create_blocks();
       }
 #endif
-    const CellTree tree(plan_, grids_, zones);
-    const Asked    asked{tree, blocks_, work};
+    const RefinementRule rule(plan_, grids_, zones);
+    Asked                asked{rule, blocks_, work};
     auto *const connectivity = const_cast<p8est_connectivity_t *>(triangulation_->get_p4est()->connectivity);
     std::unique_ptr<p8est_t, void (*)(p8est_t *)> forest(
-      p8est_new_ext(
-        triangulation_->get_communicator(), connectivity, 0, 0, 1, 0, nullptr, const_cast<Asked *>(&asked)),
+      p8est_new_ext(triangulation_->get_communicator(), connectivity, 0, 0, 1, 0, nullptr, &asked),
       p8est_destroy);
+    // each rank divides blocks that become about as many cells
+    p8est_partition(forest.get(), 0, parts_of);
+    PerBody<std::set<int>> columns;
+    for (p4est_topidx_t tree = forest->first_local_tree; tree <= forest->last_local_tree; ++tree)
+      columns[blocks_[tree].body].insert(blocks_[tree].k);
+    asked.tree = std::make_unique<CellTree>(rule, grids_, columns);
     p8est_refine_ext(forest.get(), 1, static_cast<int>(plan_.levels), is_divided, nullptr, nullptr);
     p8est_partition(forest.get(), 0, work.rail == work.wheel ? nullptr : work_of);
     triangulation_->load(forest.get());

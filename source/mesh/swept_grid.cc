@@ -11,6 +11,8 @@ namespace wheelrail
 {
   namespace
   {
+    constexpr Point2 unknown{std::numeric_limits<double>::quiet_NaN(), 0};
+
     /// Coordinate of the place (i, j) of a lattice of n parts along an edge, from the smaller corner on.
     int
     along_edge(const std::array<unsigned int, 4> &corner,
@@ -68,11 +70,10 @@ namespace wheelrail
       }
     first_edge_point_  = section().corners.size();
     first_inner_point_ = first_edge_point_ + number.size() * (parts_ - 1);
-    const double none  = std::numeric_limits<double>::quiet_NaN();
-    places_.assign(first_inner_point_ + std::size_t(n_blocks()) * (parts_ - 1) * (parts_ - 1),
-                   Point2{none, none});
-    for (unsigned int level = 0; level <= plan.levels; ++level)
-      measures_[level].resize(std::size_t(n_blocks()) << 2 * level);
+    places_.assign(first_inner_point_, unknown);
+    inner_places_.resize(n_blocks());
+    for (auto &of_level : measures_)
+      of_level.resize(n_blocks());
   }
 
 
@@ -104,7 +105,12 @@ namespace wheelrail
   Point2
   SweptGrid::place(const int block, const int i, const int j) const
   {
-    Point2 &p = places_[point(block, i, j)];
+    const std::uint32_t n     = point(block, i, j);
+    const std::size_t   inner = std::size_t(parts_ - 1) * (parts_ - 1);
+    if (n >= first_inner_point_ && inner_places_[block].empty())
+      inner_places_[block].assign(inner, unknown);
+    Point2 &p =
+      n < first_inner_point_ ? places_[n] : inner_places_[block][n - first_inner_point_ - block * inner];
     if (std::isnan(p.x))
       p = section().position(block, double(i) / parts_, double(j) / parts_);
     return p;
@@ -178,8 +184,10 @@ namespace wheelrail
   const SweptGrid::Measures &
   SweptGrid::measures(const CellPlace &cell) const
   {
-    const std::size_t q = (((std::size_t(cell.block) << cell.level) + cell.j) << cell.level) + cell.i;
-    Measures         &m = measures_[cell.level][q];
+    std::vector<Measures> &of_block = measures_[cell.level][cell.block];
+    if (of_block.empty())
+      of_block.resize(std::size_t(1) << 2 * cell.level);
+    Measures &m = of_block[(std::size_t(cell.j) << cell.level) + cell.i];
     if (m.width >= 0)
       return m;
     const RunningSurfaces &surfaces = plan_->surfaces;

@@ -17,36 +17,25 @@ namespace wheelrail
     std::vector<double>
     nodal_means(const Solid &solid, const PerBody<std::vector<std::array<double, n>>> &values)
     {
-      const std::size_t     n_nodes = solid.mesh.n_nodes();
-      std::vector<double>   result(n * n_nodes);
-      AlignedVector<double> volume(4 * n_nodes, 0.), part(4 * n_nodes);
-      const auto            for_each = [&](const auto &work) {
-        for (const Body body : both_bodies)
+      constexpr std::size_t width = n + 1; // sums of V x value over the elements around a node, and of V
+      std::vector<double>   sums(width * solid.mesh.n_nodes()), means;
+      for (const Body body : both_bodies)
+        for (std::size_t e = 0; e < values[body].size(); ++e)
+          for (const unsigned int node : solid.mesh.cells[solid.block_cells[body][e]])
+            {
+              const double V = solid.blocks[body].volume[e];
+              for (std::size_t k = 0; k < n; ++k)
+                sums[width * node + k] += V * values[body][e][k];
+              sums[width * node + n] += V;
+            }
+      sum_over_ranks(solid.mesh, sums.data(), width);
+      for (std::size_t node = 0; node < solid.mesh.n_nodes(); ++node)
+        for (std::size_t k = 0; k < n; ++k)
           {
-            const ElementBlocks &blocks = solid.blocks[body];
-            for (std::size_t e = 0; e < blocks.n_elements; ++e)
-              {
-                for (const unsigned int node : solid.mesh.cells[solid.block_cells[body][e]])
-                  work(body, e, node, blocks.volume[e]);
-              }
+            const double V = sums[width * node + n];
+            means.push_back(V > 0 ? sums[width * node + k] / V : 0);
           }
-      };
-      for_each([&](Body, std::size_t, unsigned int node, double V) { volume[4 * node] += V; });
-      sum_over_ranks(solid.mesh, volume.data());
-      for (std::size_t first = 0; first < n; first += 3)
-        {
-          std::fill(part.begin(), part.end(), 0.);
-          for_each([&](Body body, std::size_t e, unsigned int node, double V) {
-            for (std::size_t k = 0; k < std::min<std::size_t>(3, n - first); ++k)
-              part[4 * node + k] += V * values[body][e][first + k];
-          });
-          sum_over_ranks(solid.mesh, part.data());
-          for (std::size_t node = 0; node < n_nodes; ++node)
-            for (std::size_t k = 0; k < std::min<std::size_t>(3, n - first); ++k)
-              // mean of V x value over the elements around a node
-              result[n * node + first + k] = volume[4 * node] > 0 ? part[4 * node + k] / volume[4 * node] : 0;
-        }
-      return result;
+      return means;
     }
   } // namespace
 

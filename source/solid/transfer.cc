@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 #include <unordered_set>
 #include <vector>
@@ -15,6 +16,9 @@ namespace wheelrail
 {
   namespace
   {
+    constexpr std::size_t n_keys = 9;
+    using CellKeys               = std::array<std::uint64_t, n_keys>; ///< of the nodes, and of the cell
+
     Vector3
     times(const std::array<double, 9> &H, const Vector3 &x)
     {
@@ -77,33 +81,47 @@ namespace wheelrail
     for (const std::uint64_t cell : after.mesh.cell_key)
       wanted.push_back(block_of(cell));
     make_unique(wanted);
-    using Corners = std::array<std::uint64_t, 9>; // keys of the nodes, and of the cell
-    std::vector<Corners> own;
-    const LocalMesh     &mesh = before_.mesh;
+    // of each cell: its key and those of its nodes, as they stand in memory, and its histories
+    const auto histories = cell_histories(before_);
+    width_               = n_keys;
+    for (const auto &[name, history] : histories)
+      {
+        columns_[name] = {width_, history.components};
+        width_ += history.components;
+      }
+    const LocalMesh    &mesh = before_.mesh;
+    std::vector<double> own(width_ * mesh.cells.size());
     for (std::size_t c = 0; c < mesh.cells.size(); ++c)
       {
         blocks.push_back(block_of(mesh.cell_key[c]));
-        Corners &cell = own.emplace_back();
+        CellKeys keys;
+        keys[8] = mesh.cell_key[c];
         for (unsigned int v = 0; v < 8; ++v)
-          cell[v] = mesh.node_key[mesh.cells[c][v]];
-        cell[8] = mesh.cell_key[c];
+          keys[v] = mesh.node_key[mesh.cells[c][v]];
+        std::memcpy(&own[width_ * c], keys.data(), sizeof keys);
+        for (const auto &[name, history] : histories)
+          std::copy_n(&history.values[history.components * c],
+                      history.components,
+                      &own[width_ * c + columns_.at(name).first]);
       }
-    const auto                 cells = fetch_rows(blocks, own, wanted, communicator_);
+    cells_                           = fetch_rows(blocks, own, wanted, communicator_);
     std::vector<std::uint64_t> nodes = after.mesh.node_key;
-    for (const Corners &cell : cells)
-      nodes.insert(nodes.end(), cell.begin(), cell.end() - 1);
+    std::vector<CellKeys>      cells(cells_.size() / width_);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      {
+        std::memcpy(cells[c].data(), &cells_[width_ * c], sizeof cells[c]);
+        nodes.insert(nodes.end(), cells[c].begin(), cells[c].end() - 1);
+      }
     make_unique(nodes);
     fetch_nodes(nodes);
     cell_.reserve(2 * cells.size());
-    for (const Corners &cell : cells)
+    for (const CellKeys &cell : cells)
       {
         cell_[cell[8]] = corners_.size();
         auto &corners  = corners_.emplace_back();
         for (unsigned int v = 0; v < 8; ++v)
           corners[v] = static_cast<std::uint32_t>(node_.at(cell[v]));
       }
-    for (const auto &[name, history] : cell_histories(before_))
-      histories_[name] = {history.components, fetch_rows(blocks, history.values, wanted, communicator_)};
   }
 
 
@@ -280,9 +298,9 @@ namespace wheelrail
   {
     std::vector<double> mean;
     set_cell_histories(after, [&](const std::string &name, const std::size_t cell) -> const double * {
-      const NumberedValues &old   = histories_.at(name);
-      const auto            row   = [&](const std::size_t c) { return &old.values[c * old.components]; };
-      const CellPlace       place = CellPlace::of_key(after.mesh.cell_key[cell]);
+      const auto [first, components] = columns_.at(name);
+      const auto      row   = [&, at = first](const std::size_t c) { return &cells_[width_ * c + at]; };
+      const CellPlace place = CellPlace::of_key(after.mesh.cell_key[cell]);
       // the cell itself, or the one that it is a part of; work is divided by the volume
       for (int level = place.level; level >= 0; --level)
         if (const auto found = cell_.find(place.ancestor(static_cast<unsigned char>(level)).key());
@@ -292,13 +310,13 @@ namespace wheelrail
               return row(found->second);
             // an eighth of the volume for each level
             const double share = name == "plastic_work" ? std::ldexp(1., 3 * (level - place.level)) : 1.;
-            mean.assign(row(found->second), row(found->second) + old.components);
+            mean.assign(row(found->second), row(found->second) + components);
             for (double &value : mean)
               value *= share;
             return mean.data();
           }
       // its parts: eight of the next level, and so on
-      mean.assign(old.components, 0.);
+      mean.assign(components, 0.);
       const auto add_parts = [&](const auto &self, const CellPlace &part, const double weight) -> void {
         for (unsigned int c = 0; c < 8; ++c)
           {
@@ -308,7 +326,7 @@ namespace wheelrail
             if (found == cell_.end())
               self(self, child, share);
             else
-              for (unsigned int i = 0; i < old.components; ++i)
+              for (std::size_t i = 0; i < mean.size(); ++i)
                 mean[i] += share * row(found->second)[i];
           }
       };

@@ -3,6 +3,7 @@
 #include <wheelrail/mesh/swept_grid.h>
 
 #include <cstdint>
+#include <set>
 #include <unordered_set>
 #include <vector>
 
@@ -25,6 +26,10 @@ namespace wheelrail
     bool
     wanted(const CellPlace &cell) const;
 
+    /// Into how many cells one is divided.
+    int
+    n_parts(const CellPlace &cell) const;
+
   private:
     const SweepPlan          *plan_;
     const PerBody<SweptGrid> *grids_;
@@ -37,7 +42,12 @@ namespace wheelrail
   class CellTree
   {
   public:
-    CellTree(const SweepPlan &plan, const PerBody<SweptGrid> &grids, const PerBody<FineZone> &zones);
+    /// Those of some columns of coarse blocks alone, so that no rank holds those of the whole mesh. A cell
+    /// makes others divide in blocks that touch its own and in none beyond, since these would be divided for
+    /// ancestors that reach from it to there: a column beside each of those is looked at.
+    CellTree(const RefinementRule         &rule,
+             const PerBody<SweptGrid>     &grids,
+             const PerBody<std::set<int>> &columns);
 
     bool
     divided(const CellPlace &cell) const
@@ -45,16 +55,11 @@ namespace wheelrail
       return divided_.count(cell.key()) > 0;
     }
 
-    /// The cells that are not divided: rail, then wheel, column by column (from `first_column` on), block by
-    /// block, parts of a block in the order of children.
-    std::vector<CellPlace>
-    leaves(const PerBody<int> &first_column) const;
-
   private:
     void
     divide(const CellPlace &cell);
     void
-    divide_body(const RefinementRule &rule, const SweptGrid &grid);
+    divide_body(const RefinementRule &rule, const SweptGrid &grid, const std::set<int> &columns);
     void
     balance();
 

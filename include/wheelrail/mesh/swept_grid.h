@@ -171,7 +171,8 @@ namespace wheelrail
     std::vector<std::array<Boundary, 4>>      marks_;
     std::vector<std::vector<Neighbour>>       at_corner_, at_edge_;
     // found when first asked for: fine ones are needed near the strip alone
-    mutable std::vector<Point2>                places_;
-    mutable std::vector<std::vector<Measures>> measures_; ///< of each level
+    mutable std::vector<Point2>                             places_;       ///< on edges of blocks
+    mutable std::vector<std::vector<Point2>>                inner_places_; ///< of each block
+    mutable std::vector<std::vector<std::vector<Measures>>> measures_;     ///< of each level and block
   };
 } // namespace wheelrail

@@ -11,6 +11,7 @@
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace wheelrail
@@ -76,10 +77,12 @@ namespace wheelrail
     MPI_Comm            communicator_;
     std::vector<double> gradient_u_, gradient_v_; ///< of own old nodes, 9 numbers each
     // of the old mesh what this rank's part of the new one asks for, from all ranks
-    std::vector<Value>                             values_;
-    std::unordered_map<std::uint64_t, std::size_t> node_, cell_;
-    std::vector<std::array<std::uint32_t, 8>>      corners_;
-    std::map<std::string, NumberedValues>          histories_;
+    std::vector<Value>                                          values_;
+    std::unordered_map<std::uint64_t, std::size_t>              node_, cell_;
+    std::vector<std::array<std::uint32_t, 8>>                   corners_;
+    std::vector<double>                                         cells_; ///< rows of `width_`
+    std::size_t                                                 width_ = 0;
+    std::map<std::string, std::pair<std::size_t, unsigned int>> columns_; ///< first, number, of a history
   };
 
   /// Energy of the bodies alone [J]: strain, stabilisation and plastic work, the potential of the weights,
