@@ -95,8 +95,8 @@ namespace
     m.turn  = 0.51;
     check_text(judge_halfspaces(m).doubts(),
                "The surfaces turn by 29 degrees across the contact, as in the flange root, which half-spaces "
-               "do not know: the peak pressure may be off by 10 % and more; take Half-space/Bodies = real.",
-               "the flange root");
+               "do not know: the peak pressure may be off by 10 % and more.",
+               "the flange root, without advice of true bodies that were not solved");
     m.unheld                 = "Rail 'groove' is a crown without sides: give a head with its sides.";
     const std::string doubts = judge_halfspaces(m).doubts();
     check(doubts.find("10 % and more.") != std::string::npos && doubts.find("sides..") == std::string::npos,

@@ -94,7 +94,7 @@ namespace wheelrail
       measures.shift_effect  = result.shift_effect;
       measures.unheld        = result.unheld;
       Verdict verdict;
-      judge_held(measures, verdict);
+      judge_held(measures, verdict, false);
       return verdict;
     }
 

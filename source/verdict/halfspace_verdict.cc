@@ -33,10 +33,10 @@ namespace wheelrail
 
 
   void
-  judge_held(const Measures &m, Verdict &verdict)
+  judge_held(const Measures &m, Verdict &verdict, const bool takes_bodies)
   {
-    const bool        no_bodies = !m.unheld.empty() && std::isnan(m.bodies_effect);
-    const std::string advice    = no_bodies ? "." : "; take Half-space/Bodies = real.";
+    const bool        answer = takes_bodies && std::isfinite(m.bodies_effect);
+    const std::string advice = answer ? "; take Half-space/Bodies = real." : ".";
     if (std::abs(m.bodies_effect) > peak_bounds.good)
       add(verdict,
           Grade::with_care,
