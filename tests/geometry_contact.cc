@@ -363,6 +363,19 @@ namespace
             .empty(),
           "and that it does not");
 
+    MotionFile rows;
+    rows.quantities = {MotionQuantity::yaw, MotionQuantity::creepage};
+    check(entries_under_rows(
+            scene_from_text("subsection Wheelset\n  set Yaw = 3 mrad\n  set Lateral shift = 1 mm\n"
+                            "  set Traction coefficient = 0.1\nend\n",
+                            "x.prm",
+                            {}),
+            rows,
+            "rows.csv") ==
+            "without effect, since the rows of rows.csv have their own: Wheelset/Yaw (x.prm:2), "
+            "Wheelset/Traction coefficient (x.prm:4)",
+          "entries that columns of rows replace");
+
     const auto of_study = [](const std::string &axes, const char *const more) {
       return entries_without_effect(
         scene_from_text("", "x.prm", {"Study/Axes = " + axes, "Study/Compute = halfspace", more}), "study");

@@ -65,7 +65,7 @@ namespace wheelrail
         out << "warning: " << warning << "\n";
       SceneInput given = input_of(options);
       given.scene.both_wheels |= options.count("wheelset") > 0;
-      print_notes(entries_without_effect(given, "run"), out);
+      print_notes(idle_entries(options, given, "run"), out);
       out << file_of(options) << ": all entries are valid"
           << (found.warnings.empty() ? "" : ", with the warnings above") << "\n";
       return 0;
@@ -91,7 +91,7 @@ namespace wheelrail
       throw InputError("--overwrite starts anew and --resume continues: give one of them");
     SceneInput input = one_scene_of(options);
     input.scene.both_wheels |= options.count("wheelset") > 0;
-    std::vector<std::string> notes    = entries_without_effect(input, "run");
+    std::vector<std::string> notes    = idle_entries(options, input, "run");
     const std::string        wheelset = take_wheel(options, input);
     const std::string        curve    = roll_straight(options, input.scene);
     const SceneGeometry      geometry = require_computable(input);
@@ -120,7 +120,7 @@ namespace wheelrail
       shifts = parse_shifts(options["shifts"].as<std::string>());
     const SceneInput input = input_of(options);
     const Scene     &scene = input.scene;
-    print_notes(entries_without_effect(input, "geometry"), out);
+    print_notes(idle_entries(options, input, "geometry"), out);
     if (options.count("places"))
       return print_touching_places(
         scene,

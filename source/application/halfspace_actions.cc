@@ -7,7 +7,6 @@
 #include <wheelrail/commands/command_scene.h>
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/entries.h>
-#include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/profiles/slices_file.h>
@@ -104,7 +103,7 @@ namespace wheelrail
     SceneInput     input = one_scene_of(options);
     const Findings found = contact_checks(input.scene);
     require_none(found.errors, input);
-    print_notes(entries_without_effect(input, "halfspace"), out);
+    print_notes(idle_entries(options, input, "halfspace"), out);
     if (is_slices_file(input.scene.rail_profile))
       {
         if (file("places").empty() || input.scene.both_wheels)

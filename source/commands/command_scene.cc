@@ -4,6 +4,7 @@
 #include <wheelrail/input/cross_checks.h>
 #include <wheelrail/input/former_drive.h>
 #include <wheelrail/input/motion_file.h>
+#include <wheelrail/input/without_effect.h>
 #include <wheelrail/model/scene_checks.h>
 
 #include <algorithm>
@@ -94,6 +95,20 @@ namespace wheelrail
       return drive_of_rows(
         input.scene, read_vehicle_file(file_of_row(options["row"].as<std::string>())), row_drive_of(options));
     return former_drive_note(input);
+  }
+
+
+  std::vector<std::string>
+  idle_entries(const po::variables_map &options, const SceneInput &input, const std::string &command)
+  {
+    std::vector<std::string> notes = entries_without_effect(input, command);
+    if (options.count("row"))
+      {
+        const std::string file = file_of_row(options["row"].as<std::string>());
+        if (const std::string note = entries_under_rows(input, read_vehicle_file(file), file); !note.empty())
+          notes.push_back(note);
+      }
+    return notes;
   }
 
 

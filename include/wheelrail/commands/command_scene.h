@@ -53,6 +53,10 @@ namespace wheelrail
   std::string
   drive_note(const po::variables_map &options, const SceneInput &input);
 
+  /// entries_without_effect() and those that the row of --row replaces.
+  std::vector<std::string>
+  idle_entries(const po::variables_map &options, const SceneInput &input, const std::string &command);
+
   /// Prints "note: ...", or nothing when there is none.
   void
   print_note(const std::string &note, std::ostream &out);

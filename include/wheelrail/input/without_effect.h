@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/input/motion_file.h>
 #include <wheelrail/input/parameters.h>
 
 #include <string>
@@ -15,4 +16,9 @@ namespace wheelrail
   /// cases.
   std::vector<std::string>
   entries_without_effect(const SceneInput &input, const std::string &command);
+
+  /// Entries that were set and that columns of the rows of a file replace, in one sentence; empty: none.
+  /// entries_without_effect() has those of the files that the scene itself names.
+  std::string
+  entries_under_rows(const SceneInput &input, const MotionFile &rows, const std::string &file);
 } // namespace wheelrail
