@@ -67,16 +67,12 @@ namespace wheelrail
   {
     if (!std::isfinite(scene.cant))
       return "";
-    const CurveLoads  loads = loads_in_curve(scene);
-    const std::string over  = entry_text(scene, "Wheelset", "Velocity") + ": " +
-                             text("%.1f", std::abs(loads.acceleration)) +
-                             " m/s2 beyond what the cant balances ";
-    if (!(loads.right > 0 && loads.left > 0))
-      return over + "lift the " + (loads.acceleration > 0 ? "left" : "right") + "-hand wheel";
-    // more than a flange of 70 degrees holds with any usual friction (Nadal 1908)
-    return std::abs(loads.lateral) > loads.right + loads.left
-             ? over + "push the wheelset across with more than its load"
-             : "";
+    const CurveLoads loads = loads_in_curve(scene);
+    return loads.right > 0 && loads.left > 0
+             ? ""
+             : entry_text(scene, "Wheelset", "Velocity") + ": " + text("%.1f", std::abs(loads.acceleration)) +
+                 " m/s2 beyond what the cant balances lift the " +
+                 (loads.acceleration > 0 ? "left" : "right") + "-hand wheel";
   }
 
 

@@ -261,8 +261,9 @@ namespace wheelrail
   {
     const PosedWheelset wheelset(right, left, profiles, torque, threads);
     if (const std::string lifted = right.pose_balances ? lifted_in_curve(right) : ""; !lifted.empty())
-      throw InputError(
-        lifted + ": no Wheelset/Pose = equilibrium exists; write given, or change radius, cant or velocity");
+      throw InputError(lifted +
+                       ": the vehicle tips over, and no Wheelset/Pose = equilibrium exists; write given, "
+                       "or change radius, cant or velocity");
     if (right.pose_balances)
       return solve_balanced(
         right,

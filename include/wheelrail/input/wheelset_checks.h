@@ -8,7 +8,7 @@
 namespace wheelrail
 {
   /// "Wheelset/Velocity = ...: ... lift the left-hand wheel" where the curve of a scene does so
-  /// (curve_loads()), or pushes both across with more than their load; empty where the rails hold them.
+  /// (curve_loads()); empty where both wheels carry.
   std::string
   lifted_in_curve(const Scene &scene);
 
