@@ -82,9 +82,7 @@ main()
   test::make_profiles();
   std::ofstream("none.inp") << test::wheel_rail;
   const auto none = call("none.inp");
-  check(none.first == 1 &&
-          holds(none.second, "rail of 54.prr"),
-        "a profile that is none is refused");
+  check(none.first == 1 && holds(none.second, "rail of 54.prr"), "a profile that is none is refused");
   std::string only_checked = replaced(basic, "0001341", "0001343");
   only_checked.resize(only_checked.find("% Case 2"));
   std::ofstream("checked.inp") << only_checked << " 0 MODULE\n";

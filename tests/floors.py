@@ -1,4 +1,4 @@
-"""An include points down only: the floors are the table of CONTRIBUTING.md.
+"""An include points down only: the floors are the table of CONTRIBUTING.md; types of all rooms have names of their own.
 
 Usage: floors.py SOURCE_FOLDER
 """
@@ -48,6 +48,13 @@ check(len(ALL) > 500, f"{len(ALL)} includes looked at")
 UP = [f"{path} includes {other}" for room, path, other in ALL
       if room != other and not FLOORS.get(other, 99) < FLOORS.get(room, 0)]
 check(not UP, f"includes point to lower floors {UP}")
+TYPES = {}
+for header in glob.glob(os.path.join(ROOT, "include/wheelrail/*/*.h")):
+    with open(header, encoding="utf-8") as text:
+        for name in re.findall(r"^  (?:class|struct|enum class) (\w+)(?: *:.*)?$", text.read(), re.MULTILINE):
+            TYPES.setdefault(name, []).append(os.path.relpath(header, ROOT))
+TWICE = {name: where for name, where in TYPES.items() if len(where) > 1}
+check(len(TYPES) > 300 and not TWICE, f"each of {len(TYPES)} types has a name of its own {TWICE}")
 check(len(BESIDE) >= 5, f"rooms beside the core {sorted(BESIDE)}")
 INTO = [f"{path} includes {other}" for room, path, other in ALL
         if other in BESIDE and room not in BESIDE | {"application", "without"}]

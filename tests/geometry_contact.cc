@@ -321,7 +321,7 @@ namespace
   {
     std::vector<std::string> sets;
     for (const auto &[path, value] : test::other_values())
-      sets.push_back(path + " = " + value);
+      sets.emplace_back(path).append(" = ").append(value);
     const auto        told   = entries_without_effect(scene_from_text("", "x.prm", sets), "geometry");
     const std::string begin  = "without effect in geometry: ";
     const std::string unread = told.empty() ? "" : told.back().substr(begin.size());

@@ -291,7 +291,7 @@ def commands():
         (["material", scene, "--no-pictures", "--set", "Output/Folder = out", "--set", "Material test/Axial = 0.001"], 0, "",
          ["out-material"]),
         (["contact", os.path.join(SOURCES, "tests/contact_files/basic.inp"), "--case", "1"], 0,
-         "Table in output/basic-contact/cases.csv", ["output"]),
+         "Tables in output/basic-contact", ["output"]),
         (["parameters", scene], 0, "subsection Contact", []),
         (["study", "../checkout/prm/studies/friction.prm", "--dry-run"], 0, "to compute", []),
         (["compare", "nowhere"], 1, "nowhere: no such folder", []),

@@ -123,7 +123,7 @@ def halfspace_centre():
     """Lateral place of the patch between half-spaces, from the contact point to the track centre [mm]."""
     code, text = execute("halfspace", "worn.prm")
     check(code == 0, "the same contact as half-spaces")
-    with open(re.search(r"^Results in (.+), all figures", text, re.MULTILINE)[1] + "/summary.json") as file:
+    with open(re.search(r"^Results in (.+), all results", text, re.MULTILINE)[1] + "/summary.json") as file:
         return 1e3 * json.load(file)["patch_centre_lateral_m"]
 
 

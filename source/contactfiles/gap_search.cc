@@ -65,9 +65,9 @@ namespace wheelrail
 
     /// The point of the wheel's locus at a parameter of its section.
     std::optional<Vector3>
-    locus_point(const SectionLine &line, const RigidMotion &to_track, const double radius, const double t)
+    locus_point(const ProfileLine &line, const RigidMotion &to_track, const double radius, const double t)
     {
-      const SectionLine::Place p = line.at(t);
+      const ProfileLine::Place p = line.at(t);
       // the normal (dy sin, -dz, dy cos) lies across the track
       const Vector3 &row = to_track.rows[0];
       const double   a = row[0] * p.dy, b = row[2] * p.dy, c = row[1] * p.dz;
@@ -166,7 +166,7 @@ namespace wheelrail
     set_on_rail(PatchPlace                  &patch,
                 const std::vector<GapPlace> &gaps,
                 const RigidMotion           &to_track,
-                const SectionLine           &rail)
+                const ProfileLine           &rail)
     {
       const double spacing = gaps.size() > 1 ? gaps[1].y - gaps[0].y : 1;
       const auto   at      = [&](const double y) { // parameter on the rail
@@ -175,7 +175,7 @@ namespace wheelrail
         double       t     = gaps[k].line + (place - double(k)) * (gaps[k + 1].line - gaps[k].line);
         for (int step = 0; step < 3; ++step)
           {
-                   const SectionLine::Place p    = rail.at(t);
+                   const ProfileLine::Place p    = rail.at(t);
                    const double             rate = to_track.turned({0, p.dy, p.dz})[1];
                    if (rate > 0)
               t = std::clamp(t + (y - to_track({0, p.y, p.z})[1]) / rate, 0., rail.end());
@@ -183,7 +183,7 @@ namespace wheelrail
                return t;
       };
       patch.line                     = at(patch.reference[1]);
-      const SectionLine::Place p     = rail.at(patch.line);
+      const ProfileLine::Place p     = rail.at(patch.line);
       const Vector3            there = to_track({0, p.y, p.z});
       patch.reference                = {patch.reference[0], there[1], there[2]};
       patch.s_low                    = rail.arc(at(patch.y_low)) - rail.arc(patch.line);
@@ -194,13 +194,13 @@ namespace wheelrail
 
   std::vector<GapPlace>
   gap_places(const WheelRailPose &pose,
-             const SectionLine   &rail,
-             const SectionLine   &wheel,
+             const ProfileLine   &rail,
+             const ProfileLine   &wheel,
              const double         spacing)
   {
     const RigidMotion to_track = then(pose.wheel, pose.wheelset);
     const PointAt     on_rail  = [&](const double t) {
-      const SectionLine::Place p = rail.at(t);
+      const ProfileLine::Place p = rail.at(t);
       return std::optional<Vector3>(pose.rail({0, p.y, p.z}));
     };
     double low = 1e9, high = -1e9;
@@ -228,7 +228,7 @@ namespace wheelrail
         gap.gap = apart;
         if (on_rails[k])
           {
-            const SectionLine::Place p       = rail.at(on_rails[k]->t);
+            const ProfileLine::Place p       = rail.at(on_rails[k]->t);
             const Vector3            tangent = pose.rail.turned({0, p.dy, p.dz});
             gap.rail_z                       = on_rails[k]->place[2];
             gap.line                         = on_rails[k]->t;
@@ -248,7 +248,7 @@ namespace wheelrail
   std::vector<PatchPlace>
   patch_places(const std::vector<GapPlace> &gaps,
                const WheelRailPose         &pose,
-               const SectionLine           &rail,
+               const ProfileLine           &rail,
                const ContactElements       &elements)
   {
     std::vector<PatchPlace> patches;

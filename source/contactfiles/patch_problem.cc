@@ -16,7 +16,7 @@ namespace wheelrail
 
     /// Heights n of the rail over the rows s of a plane, counted into the rail; NaN beside it.
     std::vector<double>
-    rail_heights(const SectionLine         &rail,
+    rail_heights(const ProfileLine         &rail,
                  const RigidMotion         &to_plane,
                  const double               first_line,
                  const std::vector<double> &rows)
@@ -32,7 +32,7 @@ namespace wheelrail
           {
             for (int k = 0; k < 8; ++k)
               {
-                const SectionLine::Place p = rail.at(t);
+                const ProfileLine::Place p = rail.at(t);
                 const Vector3 there = to_plane({0, p.y, p.z}), rate = to_plane.turned({0, p.dy, p.dz});
                 const double  missed = rows[std::size_t(j)] - there[1];
                 if (!(rate[1] > 0.1 * std::abs(rate[2])) || t < 0 || t > rail.end())
@@ -51,13 +51,13 @@ namespace wheelrail
 
     /// The length on a section at which it passes y; of an end where it does not.
     double
-    anchor_on(const SectionLine &line, const double y)
+    anchor_on(const ProfileLine &line, const double y)
     {
       double t = 0;
       for (const double sample : line.samples())
         if (line.at(sample).y < y)
           t = sample;
-      const SectionLine::Place p = line.at(t);
+      const ProfileLine::Place p = line.at(t);
       return line.arc(t + (p.dy > 0 ? std::min(1., (y - p.y) / p.dy) : 0));
     }
 
@@ -70,7 +70,7 @@ namespace wheelrail
         double n = 0, t = 0; ///< along the normal, parameter on the section
       };
 
-      WheelBelow(const SectionLine &line, const RigidMotion &to_wheel, const double radius)
+      WheelBelow(const ProfileLine &line, const RigidMotion &to_wheel, const double radius)
         : line_(line)
         , to_wheel_(to_wheel)
         , radius_(radius)
@@ -85,7 +85,7 @@ namespace wheelrail
         const Vector3 foot = to_wheel_({x, s, 0});
         for (int k = 0; k < 12; ++k)
           {
-            const SectionLine::Place p   = line_.at(hit.t);
+            const ProfileLine::Place p   = line_.at(hit.t);
             const Vector3            q   = foot + hit.n * along_;
             const double             rho = std::hypot(q[0], q[2] + radius_);
             const double             f = p.y - q[1], g = radius_ + p.z - rho;
@@ -115,7 +115,7 @@ namespace wheelrail
         Hit           hit;
         for (const double t : line_.samples())
           {
-            const SectionLine::Place p = line_.at(t);
+            const ProfileLine::Place p = line_.at(t);
             const double             d = std::hypot(p.y - q[1], p.z - z);
             if (d < nearest)
               {
@@ -127,7 +127,7 @@ namespace wheelrail
       }
 
     private:
-      const SectionLine &line_;
+      const ProfileLine &line_;
       const RigidMotion &to_wheel_;
       double             radius_;
       Vector3            along_; ///< the normal, in the axes of the wheel's section
@@ -197,8 +197,8 @@ namespace wheelrail
 
   std::vector<double>
   patch_distance(const WheelRailPose &pose,
-                 const SectionLine   &rail,
-                 const SectionLine   &wheel,
+                 const ProfileLine   &rail,
+                 const ProfileLine   &wheel,
                  const PatchPlace    &place,
                  const HalfspaceGrid &grid,
                  const double         origin_x,
@@ -225,7 +225,7 @@ namespace wheelrail
     for (int j = 0; j < grid.my; ++j)
       rows.push_back(grid.y(j) - origin_y);
     const std::vector<double> heights = rail_heights(rail, to_plane, place.line, rows);
-    const SectionLine mesh = wheel.chords(anchor_on(wheel, to_wheel({-origin_x, -origin_y, 0})[1]), grid.dy);
+    const ProfileLine mesh = wheel.chords(anchor_on(wheel, to_wheel({-origin_x, -origin_y, 0})[1]), grid.dy);
     const WheelBelow  below(mesh, to_wheel, pose.wheel_radius);
     std::vector<double> distance(std::size_t(grid.size()), far_apart);
     const auto          near = [](const double place, const int n) {

@@ -58,13 +58,13 @@ namespace wheelrail
 
 
   double
-  SectionLine::Place::angle() const
+  ProfileLine::Place::angle() const
   {
     return std::atan2(dz, dy);
   }
 
 
-  SectionLine::SectionLine(std::vector<Point2> points, const std::string &file)
+  ProfileLine::ProfileLine(std::vector<Point2> points, const std::string &file)
   {
     if (!points.empty() && points.front().x > points.back().x)
       std::reverse(points.begin(), points.end());
@@ -116,7 +116,7 @@ namespace wheelrail
 
 
   void
-  SectionLine::measure()
+  ProfileLine::measure()
   {
     constexpr double spacing = 5e-5; // [m]
     starts_.push_back(0);
@@ -133,7 +133,7 @@ namespace wheelrail
 
 
   double
-  SectionLine::parameter(const double arc) const
+  ProfileLine::parameter(const double arc) const
   {
     const double along = arc + zero_;
     if (along <= 0 || along >= starts_.back())
@@ -148,10 +148,10 @@ namespace wheelrail
   }
 
 
-  SectionLine
-  SectionLine::chords(const double from, const double spacing) const
+  ProfileLine
+  ProfileLine::chords(const double from, const double spacing) const
   {
-    SectionLine  line;
+    ProfileLine  line;
     const double first =
       from - spacing * std::floor((from + zero_) / spacing); // the first within the section
     const int n = int((starts_.back() - zero_ - first) / spacing);
@@ -167,8 +167,8 @@ namespace wheelrail
   }
 
 
-  SectionLine::Place
-  SectionLine::at(const double t) const
+  ProfileLine::Place
+  ProfileLine::at(const double t) const
   {
     const double      clamped = std::clamp(t, 0., end());
     const std::size_t k       = std::min(std::size_t(clamped), pieces_.size() - 1);
@@ -179,7 +179,7 @@ namespace wheelrail
 
 
   double
-  SectionLine::length_within(const std::size_t piece, const double u) const
+  ProfileLine::length_within(const std::size_t piece, const double u) const
   {
     // Gauss's rule of four points
     constexpr std::array<double, 4> at{{0.0694318442, 0.3300094782, 0.6699905218, 0.9305681558}},
@@ -192,7 +192,7 @@ namespace wheelrail
 
 
   double
-  SectionLine::arc(const double t) const
+  ProfileLine::arc(const double t) const
   {
     const std::size_t k = std::min(std::size_t(std::clamp(t, 0., end())), pieces_.size() - 1);
     return starts_[k] + length_within(k, t - double(k)) - zero_;
@@ -223,7 +223,7 @@ namespace wheelrail
   } // namespace
 
 
-  SectionLine
+  ProfileLine
   section_line(const ContactProfile &profile, const bool wheel)
   {
     std::vector<Point2> points;
@@ -232,7 +232,7 @@ namespace wheelrail
         for (const auto &[y, z] : profile.points)
           points.push_back({profile.scale * millimetre * (profile.mirror_y == 1 ? -1 : 1) * y,
                             profile.scale * millimetre * (profile.mirror_z == 1 ? -1 : 1) * z});
-        return SectionLine(std::move(points), profile.file);
+        return ProfileLine(std::move(points), profile.file);
       }
     const FileContent content = parse_profile_text(read_whole_file(profile.file), profile.file);
     const double      unit    = content.metres_per_unit > 0 ? content.metres_per_unit : millimetre;
@@ -240,6 +240,6 @@ namespace wheelrail
     for (const FilePoint &p : content.points)
       points.push_back({profile.scale * unit * (profile.mirror_y == 1 ? -1 : 1) * p.position.x,
                         profile.scale * unit * (turned ? -1 : 1) * p.position.y});
-    return SectionLine(std::move(points), profile.file);
+    return ProfileLine(std::move(points), profile.file);
   }
 } // namespace wheelrail

@@ -514,7 +514,7 @@ namespace wheelrail
       }
 
       const ContactCase                             &one_;
-      SectionLine                                    rail_, wheel_;
+      ProfileLine                                    rail_, wheel_;
       WheelRailPose                                  pose_;
       std::vector<GapPlace>                          gaps_;
       bool                                           shift_, transient_;

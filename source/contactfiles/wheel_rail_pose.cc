@@ -16,12 +16,12 @@ namespace wheelrail
     /// The place of the origin of the rail's section that the gauge asks for: the highest point at z = 0, the
     /// innermost point no deeper than GAUGHT half the gauge from the track centre.
     Vector3
-    place_by_gauge(const ContactTrack &track, const SectionLine &line, const RigidMotion &canted)
+    place_by_gauge(const ContactTrack &track, const ProfileLine &line, const RigidMotion &canted)
     {
       std::vector<Point2> points; // of the canted section
       for (const double t : line.samples())
         {
-          const SectionLine::Place p     = line.at(t);
+          const ProfileLine::Place p     = line.at(t);
           const Vector3            there = canted.turned({0, p.y, p.z});
           points.push_back({there[1], there[2]});
         }
@@ -98,7 +98,7 @@ namespace wheelrail
 
 
   WheelRailPose
-  wheel_rail_pose(const ContactCase &one, const SectionLine &rail)
+  wheel_rail_pose(const ContactCase &one, const ProfileLine &rail)
   {
     const ContactTrack           &track = one.track;
     const ContactWheelset        &set   = one.wheelset;

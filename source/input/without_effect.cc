@@ -1,4 +1,3 @@
-#include <wheelrail/base/errors.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/input/study_cases.h>
 #include <wheelrail/input/without_effect.h>
@@ -235,40 +234,15 @@ namespace wheelrail
         }
       return result;
     }
-    /// What the rows of files replace that the scene names, of those that a command reads.
-    std::vector<std::string>
-    under_own_rows(const SceneInput &input, const std::string &command)
-    {
-      const Scene             &scene = input.scene;
-      std::vector<std::string> result;
-      const auto               add = [&](const bool read, const std::string &file, const auto &rows_of) {
-        try
-          {
-            if (const std::string note = read ? entries_under_rows(input, rows_of(file), file) : "";
-                !note.empty())
-              result.push_back(note);
-          }
-        catch (const InputError &) // told where the rows are needed
-          {
-          }
-      };
-      add(
-        command != "material" && command != "wear" && scene.motion != "none", scene.motion, read_motion_file);
-      add(command == "run" && scene.passage_list != "none" && !is_list_of_scenes(scene.passage_list),
-          scene.passage_list,
-          read_passage_list);
-      add(command == "wear" && scene.wear_plan.mix != "none", scene.wear_plan.mix, read_mix_file);
-      return result;
-    }
   } // namespace
 
 
   std::string
   entries_under_rows(const SceneInput &input, const MotionFile &rows, const std::string &file)
   {
-    using Q              = MotionQuantity;
-    const Names drive    = {"Wheelset/Drive", "Wheelset/Traction coefficient", "Wheelset/Creepage"};
-    const auto  replaced = [&](const Q column) -> Names {
+    using Q             = MotionQuantity;
+    Names      drive    = {"Wheelset/Drive", "Wheelset/Traction coefficient", "Wheelset/Creepage"};
+    const auto replaced = [&](const Q column) -> Names {
       switch (column)
         {
           case Q::lateral_shift:
@@ -310,7 +284,7 @@ namespace wheelrail
   {
     if (command == "study")
       return of_all_cases(input);
-    std::vector<std::string> result = under_own_rows(input, command);
+    std::vector<std::string> result;
     std::string              unread;
     for (const Entry &entry : entries())
       {

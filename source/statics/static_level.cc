@@ -5,6 +5,7 @@
 #include <wheelrail/statics/static_level.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 

@@ -270,8 +270,8 @@ namespace wheelrail
     if (options.count("both-wheels"))
       input.scene.both_wheels = true;
     print_notes(entries_without_effect(input, "vehicle"), out);
-    print_note(entries_under_rows(input, motion, options["motion"].as<std::string>()), out);
     print_note(drive_of_rows(input.scene, motion, row_drive_of(options)), out);
+    print_note(entries_under_rows(input, motion, options["motion"].as<std::string>()), out);
     if (!input.scene.both_wheels && !has_drive(motion))
       print_note("one wheel, which turns by itself; --both-wheels puts both on one axle", out);
     input.scene = scene_for_rows(input.scene, motion, row_drive_of(options));

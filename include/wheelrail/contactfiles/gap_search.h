@@ -24,7 +24,7 @@ namespace wheelrail
   /// Those places from the track centre to the field side, a third of an element apart; none where rail and
   /// wheel do not lie over each other.
   std::vector<GapPlace>
-  gap_places(const WheelRailPose &pose, const SectionLine &rail, const SectionLine &wheel, double spacing);
+  gap_places(const WheelRailPose &pose, const ProfileLine &rail, const ProfileLine &wheel, double spacing);
 
   /// A contact patch as the overlap of the undeformed surfaces places it, in the axes of the track.
   struct PatchPlace
@@ -45,6 +45,6 @@ namespace wheelrail
   std::vector<PatchPlace>
   patch_places(const std::vector<GapPlace> &gaps,
                const WheelRailPose         &pose,
-               const SectionLine           &rail,
+               const ProfileLine           &rail,
                const ContactElements       &elements);
 } // namespace wheelrail

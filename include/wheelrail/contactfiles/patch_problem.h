@@ -32,8 +32,8 @@ namespace wheelrail
   /// lie there: far apart.
   std::vector<double>
   patch_distance(const WheelRailPose &pose,
-                 const SectionLine   &rail,
-                 const SectionLine   &wheel,
+                 const ProfileLine   &rail,
+                 const ProfileLine   &wheel,
                  const PatchPlace    &place,
                  const HalfspaceGrid &grid,
                  double               origin_x,

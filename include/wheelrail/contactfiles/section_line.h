@@ -12,11 +12,11 @@ namespace wheelrail
   /// A rail or wheel section of an input file of CONTACT, seen on the right-hand side: the natural cubic
   /// spline over the chord length through its points, from kink to kink, from the track centre to the field
   /// side, y to the field side, z down [m].
-  class SectionLine
+  class ProfileLine
   {
   public:
     /// Points (y, z) in either order. Throws InputError for fewer than four.
-    explicit SectionLine(std::vector<Point2> points, const std::string &file = "");
+    explicit ProfileLine(std::vector<Point2> points, const std::string &file = "");
 
     /// A place on the line at the parameter t, 0 to end(), with the derivatives by t.
     struct Place
@@ -45,7 +45,7 @@ namespace wheelrail
 
     /// The line as straight pieces between points `spacing` apart along it, one of them at the length `from`:
     /// the mesh on which CONTACT takes the wheel's distance.
-    SectionLine
+    ProfileLine
     chords(double from, double spacing) const;
 
     /// Parameters from 0 to end(), close enough for straight lines between them.
@@ -56,7 +56,7 @@ namespace wheelrail
     }
 
   private:
-    SectionLine() = default;
+    ProfileLine() = default;
 
     /// Sets lengths and samples of the pieces.
     void
@@ -78,6 +78,6 @@ namespace wheelrail
 
   /// Reads the profile that a line of an input file names, mirrored and scaled as the line says. Throws
   /// InputError for what cannot be read.
-  SectionLine
+  ProfileLine
   section_line(const ContactProfile &profile, bool wheel);
 } // namespace wheelrail

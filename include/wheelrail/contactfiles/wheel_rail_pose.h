@@ -53,5 +53,5 @@ namespace wheelrail
 
   /// The pose of a case; with N = 1 the height is 0, with F = 1 the pitch rate.
   WheelRailPose
-  wheel_rail_pose(const ContactCase &one, const SectionLine &rail);
+  wheel_rail_pose(const ContactCase &one, const ProfileLine &rail);
 } // namespace wheelrail

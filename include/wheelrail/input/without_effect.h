@@ -18,7 +18,6 @@ namespace wheelrail
   entries_without_effect(const SceneInput &input, const std::string &command);
 
   /// Entries that were set and that columns of the rows of a file replace, in one sentence; empty: none.
-  /// entries_without_effect() has those of the files that the scene itself names.
   std::string
   entries_under_rows(const SceneInput &input, const MotionFile &rows, const std::string &file);
 } // namespace wheelrail

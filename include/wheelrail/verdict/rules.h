@@ -40,7 +40,8 @@ namespace wheelrail
   void
   judge_sliding(const Measures &m, Verdict &verdict);
 
-  /// Half-spaces beside the true bodies, or what stands for these. `takes_bodies`: the command would take them.
+  /// Half-spaces beside the true bodies, or what stands for these. `takes_bodies`: the command would take
+  /// them.
   void
   judge_held(const Measures &m, Verdict &verdict, bool takes_bodies = true);
 
