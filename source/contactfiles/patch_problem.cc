@@ -248,7 +248,7 @@ namespace wheelrail
                 if (i == column)
                   start = *hit;
                 if (const double h = heights[std::size_t(j)]; !std::isnan(h))
-                  distance[std::size_t(i + grid.mx * j)] = h - hit->n;
+                  distance[std::size_t(i) + std::size_t(grid.mx) * j] = h - hit->n;
               }
           }
     };

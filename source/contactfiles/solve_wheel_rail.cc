@@ -82,7 +82,7 @@ namespace wheelrail
       int low_x = s.grid.mx, high_x = -1, low_y = s.grid.my, high_y = -1;
       for (int j = 0; j < s.grid.my; ++j)
         for (int i = 0; i < s.grid.mx; ++i)
-          if (s.pressure[std::size_t(i + s.grid.mx * j)] > 0)
+          if (s.pressure[std::size_t(i) + std::size_t(s.grid.mx) * j] > 0)
             {
               low_x  = std::min(low_x, i);
               high_x = std::max(high_x, i);
@@ -125,7 +125,7 @@ namespace wheelrail
           {
             const double x = (grid.x(i) - patch.x0) / grid.dx, y = (grid.y(j) - patch.y0) / grid.dy;
             if (x < -0.5 || y < -0.5 || x > patch.mx - 0.5 || y > patch.my - 0.5)
-              problem.undeformed_distance[std::size_t(i + grid.mx * j)] = 1;
+              problem.undeformed_distance[std::size_t(i) + std::size_t(grid.mx) * j] = 1;
           }
     }
 
@@ -373,7 +373,8 @@ namespace wheelrail
         for (int j = 0; j < s.grid.my; ++j)
           for (int i = 0; i < s.grid.mx; ++i)
             {
-              const double force = s.pressure[std::size_t(i + s.grid.mx * j)] * s.grid.element_area();
+              const double force =
+                s.pressure[std::size_t(i) + std::size_t(s.grid.mx) * j] * s.grid.element_area();
               moment[0] += (s.grid.y(j) - patch.origin_y) * force;
               moment[1] -= (s.grid.x(i) - patch.origin_x) * force;
             }
