@@ -90,6 +90,33 @@ namespace
     check(std::abs(spinning.solution.fy) > 1e3, "spin makes a lateral force");
   }
 
+  /// Intervals of few elements hold what CONTACT finds on 0.25 mm, and close with the elements.
+  void
+  intervals()
+  {
+    double peak_width = 0.1, creep_width = 0.2; // at most
+    for (const double size : {1e-3, 0.5e-3})
+      {
+        Scene scene                  = hertz_scene();
+        scene.halfspace_element_size = size;
+        Contributions contributions;
+        const Summary summary = halfspace_summary(scene, solve(scene), &contributions);
+        const auto    width   = [&](const std::string &before, const std::string &unit, const double truth) {
+          const double low  = get_figure(summary, before + "_low" + unit),
+                       high = get_figure(summary, before + "_high" + unit);
+          check(low <= truth && truth <= high, before + " of CONTACT lies within");
+          return (high - low) / truth;
+        };
+        const double peak = width("max_pressure", "_Pa", 1237.65e6), creep = width("creepage", "", 2.084e-3);
+        check(peak < peak_width, "width for the peak " + std::to_string(peak));
+        check(creep < creep_width, "width for the creepage " + std::to_string(creep));
+        peak_width  = 0.7 * peak;
+        creep_width = 0.7 * creep;
+        check(contributions_as_csv(contributions).find("creepage,1,elements,") != std::string::npos,
+              "and what it is made of");
+      }
+  }
+
   std::string
   file_of(const std::string &text)
   {
@@ -159,6 +186,7 @@ int
 main()
 {
   hertz();
+  intervals();
   file();
   faulty_files();
   std::filesystem::remove("distance.txt");

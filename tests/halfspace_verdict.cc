@@ -58,21 +58,21 @@ namespace
     check(judge_halfspaces(m).findings.empty(), "half-spaces are trusted");
     m.peak_pressure = 4.1e9;
     check(judge_halfspaces(m).grade() == Grade::not_trusted, "but for pressures that no steel bears");
-    m.peak_pressure   = 1.2e9;
-    m.pressure_effect = 0.13;
-    check_text(
-      judge_halfspaces(m).doubts(),
-      "Too few elements: the peak pressure changes by 13 % on elements twice as large; take a smaller "
-      "Half-space/Element size.",
-      "few elements");
-    m.pressure_effect = 0.05;
-    m.creep_effect    = 0.12;
-    check_text(
-      judge_halfspaces(m).doubts(),
-      "Too few elements: creepage and creep forces change by 12 % on elements twice as large; take a "
-      "smaller Half-space/Element size.",
-      "few elements for creep");
-    m.creep_effect = 0.04;
+    m.peak_pressure = 1.2e9;
+    m.element       = 0.4e-3;
+    m.peak          = {0.065, "elements"};
+    check_text(judge_halfspaces(m).doubts(),
+               "Too few elements: they leave the peak pressure uncertain by 6.5 %; take Half-space/Element "
+               "size = 0.35 mm.",
+               "few elements");
+    m.peak.within = 0.03;
+    m.creep       = {0.12, "elements"};
+    check_text(judge_halfspaces(m).doubts(),
+               "Too few elements: they leave creepage and creep forces uncertain by 12.0 %; take "
+               "Half-space/Element size = 0.16 mm.",
+               "few elements for creep");
+    check(judge_halfspaces(m).grade() == Grade::not_trusted, "more than twice of what is wanted");
+    m.creep.within = 0.04;
     m.slides       = sliding_note(1);
     check(judge_halfspaces(m).grade() == Grade::with_care, "a patch that slides as a whole");
     m.slides.clear();

@@ -205,6 +205,7 @@ namespace
     check_near(s.rolling_distance, 0.26, 0, "field rolling_distance");
     check_near(s.longest_distance, 0.3, 0, "field longest_distance");
     check_near(s.standard_error, 0.002, 0, "field standard_error");
+    check_near(s.wanted_accuracy, 0.03, 0, "field wanted_accuracy");
     check_near(s.averaging_distance, 0.05, 0, "field averaging_distance");
     check_near(s.time_step_factor, 0.8, 0, "field time_step_factor");
     check_near(s.bulk_viscosity, 0.03, 0, "field bulk_viscosity");

@@ -172,6 +172,7 @@ namespace test
       {"Run/Rolling distance", "260 mm"},
       {"Run/Longest distance", "300 mm"},
       {"Run/Standard error", "0.002"},
+      {"Run/Wanted accuracy", "0.03"},
       {"Run/Averaging distance", "50 mm"},
       {"Run/Evaluate at", "130 mm"},
       {"Run/Time step factor", "0.8"},

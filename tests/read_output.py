@@ -96,7 +96,7 @@ def check_summary(folder):
     check(summary["creepage"] is None and summary["finished"] is True, "missing figures are null")
     with open(os.path.join(folder, "figures.json")) as file:
         figures = json.load(file)
-    described = [figure[key] for figure in figures for key in ("key", "std_key", "error_key")]
+    described = [figure[key] for figure in figures for key in ("key", "std_key", "error_key", "low_key", "high_key")]
     check(len(set(described)) == len(described), "figures.json describes no key twice")
     texts = ("title", "program_version", "finished", "stopped_because", "trusted", "doubts", "note", "verdict", "ended", "ended_because",
              "largest_swing_of", "largest_drift_of")

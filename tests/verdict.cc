@@ -10,6 +10,7 @@
 
 #include "check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -127,15 +128,45 @@ namespace
     test_rule(&Measures::peak_difference, 0.12, no, "do not explain it");
     test_rule(&Measures::edge_on_path, 20e-3, care, "The largest pressure of the path does not hold");
     test_rule(&Measures::edge, 20e-3, care, "The peak pressure does not hold, forces do");
-    test_rule(&Measures::noise_effect,
-              0.07,
-              care,
-              "The noise in the points of the measured profiles leaves the peak pressure uncertain by 7.0 %; "
-              "take points "
-              "with less noise or more digits.");
-    test_rule(&Measures::noise_effect, INFINITY, no, "uncertain by an unknown part");
     test_rule(
       &Measures::peak_pressure, 6.1e9, no, "The peak pressure of 6.1 GPa is more than any rail steel bears");
+  }
+
+  /// Intervals reach as far as Run/Wanted accuracy says.
+  void
+  test_intervals()
+  {
+    const auto judged = [](const Known &known, const double wanted) {
+      Measures m        = good();
+      m.wanted          = wanted;
+      m.peak            = known;
+      m.peak_difference = 0;
+      return judge_run(Scene(), m);
+    };
+    check_text(
+      judged({0.07, "measured input"}, 0.05).doubts(),
+      "The noise in the points of the measured profiles leaves the peak pressure uncertain by 7.0 %; "
+      "take points with less noise or more digits.",
+      "noise");
+    check(judged({0.07, "measured input"}, 0.07).findings.empty(), "what was wanted");
+    check(judged({0.07, "measured input"}, 0.03).grade() == Grade::not_trusted, "more than twice of it");
+    holds(judged({INFINITY, "measured input"}, 0.05).doubts(), "uncertain by an unknown part", "no bound");
+    check_text(judged({0.02, "cells and penalty layer"}, 0.01).doubts(),
+               "Cells and penalty layer leave the peak pressure uncertain by 2.0 %; take smaller cells "
+               "(Mesh/Solution cell size).",
+               "cells");
+    const Contributions causes{{"max_pressure", "cells", 10, 0},
+                               {"max_pressure", "elements", -2, 3},
+                               {"max_pressure", "noise", 0, 4},
+                               {"contact_area", "noise", 0, INFINITY}};
+    const Interval      interval = interval_of("max_pressure", 100, causes);
+    check_near(interval.low, 95, 1e-12, "shifts to one side add up, spreads by their squares");
+    check_near(interval.high, 113, 1e-12, "the other side");
+    check(known_within("max_pressure", 100, 1, causes).cause == "cells", "the largest cause");
+    check_near(known_within("max_pressure", 100, 1, causes).within, 0.13, 1e-12, "the farther side");
+    check(std::isnan(interval_of("contact_area", 1, causes).low), "no number where a cause has no bound");
+    check(std::isinf(known_within("contact_area", 1, 1, causes).within), "and it is known badly");
+    check(std::isnan(known_within("creepage", 1, 1, causes).within), "of which no cause is known");
   }
 
   /// Cells and penalty are judged whatever half-spaces know of the scene.
@@ -331,6 +362,7 @@ namespace
     const SceneInput    input    = scene_from_text("", "driving", {"Wheelset/Traction coefficient = 0.25"});
     const SceneGeometry geometry = require_touching(input);
     Summary             summary;
+    Contributions       causes;
     summary.finished     = true;
     summary.energy_error = 4e-4;
     for (const auto &[key, value] : {std::pair<const char *, double>{"normal_force_N", 1e5},
@@ -348,16 +380,24 @@ namespace
                                      {"means_from_m", 40e-3},
                                      {"settled_after_m", 5e-3}})
       set_figure(summary, key, value);
-    judge(input.scene, geometry, summary);
-    const double halfspaces = get_figure(summary, "halfspace_max_pressure_Pa");
-    summary.max_pressure    = halfspaces;
-    check(judge(input.scene, geometry, summary).empty() && summary.doubts.empty(),
-          "the peak of half-spaces is trusted [" + summary.doubts + "]");
+    summary.max_pressure = 1.2e9;
+    judge(input.scene, geometry, summary, causes);
+    check_near(
+      get_figure(summary, "max_pressure_low_Pa"), 1.2e9, 20e6, "whose interval begins at the peak, about");
+    const auto cells = std::find_if(causes.begin(), causes.end(), [](const Contribution &one) {
+      return one.result == "max_pressure" && one.cause == "cells and penalty layer";
+    });
+    check(cells != causes.end(), "the true bodies say what the cells make of the peak");
+    const double bodies  = cells == causes.end() ? 1 : 1.2e9 + cells->shift;
+    summary.max_pressure = bodies;
+    check(judge(input.scene, geometry, summary, causes).empty() && summary.doubts.empty(),
+          "the peak of true bodies is trusted [" + summary.doubts + "]");
     check_text(summary.verdict, "trusted", "its word");
     set_figure(summary, "plastic_band_depth_m", 5.9e-3); // five cells of 1 mm are fine, and one more
-    check(judge(input.scene, geometry, summary).empty(), "steel that flows in fine cells is no matter");
+    check(judge(input.scene, geometry, summary, causes).empty(),
+          "steel that flows in fine cells is no matter");
     set_figure(summary, "plastic_band_depth_m", 8.6e-3);
-    const auto deep = judge(input.scene, geometry, summary);
+    const auto deep = judge(input.scene, geometry, summary, causes);
     holds(deep.empty() ? "" : deep[0],
           "steel has flowed down to 8.6 mm, below the fine cells, which are 5.0 mm deep: the depth of the "
           "plastic zone and the "
@@ -365,13 +405,13 @@ namespace
           "flow below the fine cells");
     check(summary.doubts.empty(), "is said, and leaves the figures of the patch trusted");
     set_figure(summary, "plastic_band_depth_m", std::nan(""));
-    summary.max_pressure = 0.7 * halfspaces;
-    check(judge(input.scene, geometry, summary).empty(), "a peak 30 % lower is told once");
+    summary.max_pressure = 0.7 * bodies;
+    check(judge(input.scene, geometry, summary, causes).empty(), "a peak 30 % lower is told once");
     holds(summary.doubts, "The peak pressure is 30 % below", "and written into the summary");
     check_text(summary.verdict, "not trusted", "its word");
-    summary.max_pressure = halfspaces;
+    summary.max_pressure = bodies;
     set_figure(summary, "settled_after_m", std::nan("")); // null in the file: never
-    judge(input.scene, geometry, summary);
+    judge(input.scene, geometry, summary, causes);
     check_text(summary.verdict, "with care", "figures that never settle");
   }
 
@@ -420,6 +460,7 @@ main()
 {
   test_steels();
   test_rules();
+  test_intervals();
   test_without_reference();
   test_wear();
   test_way();

@@ -115,8 +115,8 @@ namespace wheelrail
       if (!result.others.empty())
         print_patches(figures, result.others.size() + 1, out);
       print_stresses(results.stresses, out);
-      if (real)
-        out << halfspaces_beside(figures) << '\n';
+      if (const std::string beside = model_beside(figures); !beside.empty())
+        out << beside << '\n';
     }
   } // namespace
 

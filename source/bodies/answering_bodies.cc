@@ -5,6 +5,7 @@
 #include <wheelrail/output/figures.h>
 
 #include <cmath>
+#include <utility>
 
 namespace wheelrail
 {
@@ -46,14 +47,14 @@ namespace wheelrail
   }
 
 
-  std::optional<HalfspaceSolution>
+  std::optional<WheelRailSolution>
   solve_true_bodies(Scene scene, const SceneGeometry &geometry, const WheelRailLoad &load)
   {
-    scene.halfspace_bodies             = ContactBodies::real;
-    const HalfspaceSolution of_contact = solve_wheel_rail(scene, geometry, load, {}).solution;
-    if (!of_contact.converged() || of_contact.touches_grid_edge)
+    scene.halfspace_bodies    = ContactBodies::real;
+    WheelRailSolution contact = solve_wheel_rail(scene, geometry, load, {});
+    if (!contact.solution.converged() || contact.solution.touches_grid_edge)
       return {};
-    return of_contact;
+    return contact;
   }
 
 
@@ -81,21 +82,29 @@ namespace wheelrail
 
 
   std::string
-  halfspaces_beside(const Summary &bodies)
+  model_beside(const Summary &results)
   {
-    const double peak = get_figure(bodies, "halfspace_max_pressure_Pa");
-    if (!std::isfinite(peak))
-      return "";
-    std::string line = "Half-spaces beside them:";
-    for (const char *name : {"max_pressure", "contact_area", "creepage", "lateral_force"})
+    std::string line;
+    const auto  value_of = [&](const std::string &before, const char *name) {
+      return get_figure(results, before + figure_named(name).key());
+    };
+    for (const auto &[before, model] :
+         {std::pair<std::string, std::string>{"halfspace_", "Half-spaces"}, {"bodies_", "True bodies"}})
       {
-        const Figure     &figure = figure_named(name);
-        const std::string mark   = line.back() == ':' ? " " : ", ",
-                          unit   = *figure.unit ? std::string(" ") + figure.unit : "";
-        if (const double value = get_figure(bodies, "halfspace_" + figure.key()); std::isfinite(value))
-          line.append(mark).append(figure.label).append(" ").append(figure.shown(value)).append(unit);
-        if (figure.key() == "max_pressure_Pa")
-          line += text(" (%+.1f %%)", 100 * (peak / bodies.max_pressure - 1));
+        const double peak = value_of(before, "max_pressure");
+        if (!std::isfinite(peak))
+          continue;
+        line = model + " beside them:";
+        for (const char *name : {"max_pressure", "contact_area", "creepage", "lateral_force"})
+          {
+            const Figure     &figure = figure_named(name);
+            const std::string mark   = line.back() == ':' ? " " : ", ",
+                              unit   = *figure.unit ? std::string(" ") + figure.unit : "";
+            if (const double value = value_of(before, name); std::isfinite(value))
+              line.append(mark).append(figure.label).append(" ").append(figure.shown(value)).append(unit);
+            if (figure.key() == "max_pressure_Pa")
+              line += text(" (%+.1f %%)", 100 * (peak / results.max_pressure - 1));
+          }
       }
     return line;
   }

@@ -1,9 +1,12 @@
 #include <wheelrail/bodies/answering_bodies.h>
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/model/scene_material.h>
+#include <wheelrail/output/figures.h>
 
 #include <cmath>
 #include <optional>
+#include <string>
+#include <utility>
 
 // A run against half-spaces and true bodies under its own load (doc/theory/accuracy.md): relative
 // differences, run over reference, less 1.
@@ -36,26 +39,44 @@ namespace wheelrail
   }
 
 
-  void
+  Contributions
   measure_against_bodies(const Scene         &scene,
                          const SceneGeometry &geometry,
                          const Summary       &run,
                          Measures            &measures)
   {
-    WheelRailLoad load;
-    load.force     = run.vertical_force;
-    load.vertical  = true;
-    load.rate_held = true;
-    load.creepage  = run.creepage;
+    if (scene.motion != "none" || scene.irregular() || measures.off_rail())
+      return {};
+    Scene bodies            = scene;
+    bodies.halfspace_bodies = ContactBodies::real;
+    bodies.halfspace_spin   = HalfspaceSpin::local_radius;
+    WheelRailLoad load      = load_of_run(run);
+    if (force_is_a_result(scene))
+      {
+        load.rate_held = true;
+        load.creepage  = run.creepage;
+      }
+    Contributions contributions;
     fault_of([&]() {
-      const std::optional<HalfspaceSolution> real = solve_true_bodies(scene, geometry, load);
+      const std::optional<WheelRailSolution> real = solve_true_bodies(bodies, geometry, load);
       if (!real)
         return;
-      // run over true bodies, less 1, at the run's own creepage and load
-      measures.bodies_difference = run.max_pressure / real->peak_pressure - 1;
-      // the rail is body 1: its fx is minus the force on the wheel
-      measures.force_difference = (run.longitudinal_force + real->fx) / run.vertical_force;
+      const Summary reference = halfspace_summary(bodies, *real, &contributions);
+      // run over true bodies, less 1, under the run's own load
+      measures.bodies_difference = run.max_pressure / reference.max_pressure - 1;
+      if (force_is_a_result(scene))
+        measures.force_difference =
+          (run.longitudinal_force - reference.longitudinal_force) / run.vertical_force;
+      const auto of_elements = std::exchange(contributions, {});
+      for (const Contribution &one : of_elements)
+        if (const std::string key = figure_named(one.result).key(); std::isfinite(get_figure(run, key)))
+          {
+            const double shift = get_figure(reference, key) - get_figure(run, key);
+            contributions.push_back(one);
+            contributions.push_back({one.result, "cells and penalty layer", shift, 0});
+          }
     });
+    return measures.plastic_strain > 0 ? Contributions() : contributions; // they do not yield
   }
 
 

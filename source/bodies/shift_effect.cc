@@ -66,9 +66,15 @@ namespace wheelrail
       });
       load.slides       = !result.solution.within_friction;
       if (const auto real = solve_true_bodies(bodies, geometry, load))
-        // peak of half-spaces over that of the true bodies, less 1 (doc/theory/bodies.md, Where half-spaces
-        // hold)
-        result.bodies_effect = halfspace_pressure(result).peak / real->peak_pressure - 1;
+        {
+          // peak of half-spaces over that of the true bodies, less 1 (doc/theory/bodies.md, Where half-spaces
+          // hold)
+          result.bodies_effect = halfspace_pressure(result).peak / real->solution.peak_pressure - 1;
+          result.bodies        = {{"max_pressure_Pa", real->solution.peak_pressure},
+                                  {"contact_area_m2", real->measures.area},
+                                  {"creepage", steady_creepage(*real)},
+                                  {"lateral_force_N", real->lateral}};
+        }
     });
     if (!std::isfinite(result.bodies_effect))
       {

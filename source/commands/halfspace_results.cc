@@ -24,7 +24,9 @@ namespace wheelrail
   HalfspaceResults
   halfspace_results(const Scene &scene, const WheelRailSolution &solution)
   {
-    HalfspaceResults         results{halfspace_summary(scene, solution), halfspace_stresses(solution)};
+    HalfspaceResults results;
+    results.figures                   = halfspace_summary(scene, solution, &results.contributions);
+    results.stresses                  = halfspace_stresses(solution);
     const HalfspaceStresses &stresses = results.stresses;
     set_figure(results.figures, "surface_von_mises_Pa", stresses.surface_von_mises);
     if (stresses.subsurface_von_mises > 0)
@@ -106,6 +108,7 @@ namespace wheelrail
     TickFile slices((path / "slices.h5").string(), false, 0);
     append_slices(slices, solution.patch.time, solution.patch.rolled_distance, results.stresses.slices);
     write_halfspace_wear(scene, solution, (path / "wear.csv").string());
+    replace_file((path / "intervals.csv").string(), contributions_as_csv(results.contributions));
     write_summary(results.figures, (path / "summary.json").string());
   }
 } // namespace wheelrail

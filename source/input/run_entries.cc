@@ -22,13 +22,16 @@ namespace wheelrail
                   {{"until steady", 0}});
       list.number({"Longest distance", "mm", "> 0 mm", "10 m"},
                   field(&S::longest_distance),
-                  "How far a run rolls that should end when it is steady and does not become so. The mesh is "
-                  "made for it, and outputs lie at equal parts of it.");
+                  "How far a run until steady rolls at most; mesh and outputs are laid for it.");
       list.number({"Standard error", "", "0.0001", "0.1"},
                   field(&S::standard_error),
                   "Standard error that every result may have for a run until steady to end, over a scale of "
                   "its own: of forces friction times load, of the creepage its value at half saturation, of "
                   "the others themselves.");
+      list.number(
+        {"Wanted accuracy", "", "0.001", "0.5"},
+        field(&S::wanted_accuracy),
+        "Share within which intervals of 95 % and the model's gap are trusted; twice that: with care.");
     }
 
     /// How many wheels pass over the rail, and when they are enough.
@@ -114,9 +117,8 @@ namespace wheelrail
                 "it is steady, over the stretch that it has found.");
     list.number({"Evaluate at", "mm", "> 0 mm", "10 m"},
                 field(&S::evaluate_at),
-                "Middle of that stretch, as rolled distance; end: it is the last one of the run; largest "
-                "force: around the largest vertical force of a run over irregular surfaces. A place needs a "
-                "Rolling distance that is given.",
+                "Middle of that stretch, as rolled distance; end: the last one; largest force: around the "
+                "largest vertical force over irregular surfaces. A place needs a given Rolling distance.",
                 {{"end", 0}, {"largest force", S::at_largest_force}});
     list.choice<StartState>(
       "Start",
@@ -128,7 +130,7 @@ namespace wheelrail
       field(&S::start),
       "What the run begins with. steady rolling: static equilibrium with the creepage and the tractions of "
       "half-spaces, and the velocities of fields that travel with the contact; the others leave out one of "
-      "the three, or (normal load) all, and roll longer until they are steady.");
+      "the three, or (normal load) all, and settle later.");
     list.number({"Time step factor", "", "0.001", "0.98"},
                 field(&S::time_step_factor),
                 "Time step as a fraction of the stable one.");

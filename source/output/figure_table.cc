@@ -10,6 +10,17 @@
 
 namespace wheelrail
 {
+  std::string
+  unit_of(const std::string &key)
+  {
+    for (const Figure &figure : all_figures())
+      for (const char *tail : {"", "_low", "_high"})
+        if (key == figure.key(tail))
+          return figure.si_unit();
+    return "1";
+  }
+
+
   void
   FigureTable::add(const std::string &key, const std::string &unit, std::vector<double> values)
   {
@@ -38,10 +49,7 @@ namespace wheelrail
         for (const Summary &summary : summaries)
           values.push_back(get_figure(summary, before + key));
         if (std::any_of(values.begin(), values.end(), [](const double v) { return std::isfinite(v); }))
-          {
-            const Figure *const figure = figure_with_key(key);
-            add(before + key, figure ? figure->si_unit() : "1", std::move(values));
-          }
+          add(before + key, unit_of(key), std::move(values));
       }
   }
 

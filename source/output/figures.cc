@@ -218,6 +218,8 @@ namespace wheelrail
       table.push_back({{"key", figure.key()},
                        {"std_key", figure.key("_std")},
                        {"error_key", figure.key("_error")},
+                       {"low_key", figure.key("_low")},
+                       {"high_key", figure.key("_high")},
                        {"label", figure.label},
                        {"remark", figure.remark},
                        {"unit", figure.unit},

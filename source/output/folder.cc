@@ -132,7 +132,7 @@ namespace wheelrail
     fs::path
     make_folders(const std::string &folder)
     {
-      const fs::path  topmost = topmost_missing(folder);
+      fs::path        topmost = topmost_missing(folder);
       std::error_code error;
       fs::create_directories(folder, error);
       if (error)
@@ -291,6 +291,7 @@ namespace wheelrail
                                      "halfspace.h5",
                                      "slices.h5",
                                      "wear.csv",
+                                     "intervals.csv",
                                      "sections.json",
                                      "report.html",
                                      "wheelset.csv",

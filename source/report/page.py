@@ -91,7 +91,7 @@ def label_text(figure):
 
 
 def figure_rows(summary, figures):
-    """Rows of name, value, standard deviation with the standard error of the mean, unit."""
+    """Rows of name, value, standard deviation with the standard error of the mean and the interval of 95 %, unit."""
     rows = []
     for figure in figures:
         value, deviation = summary.get(figure["key"]), summary.get(figure["std_key"])
@@ -103,6 +103,9 @@ def figure_rows(summary, figures):
         error = summary.get(figure.get("error_key"))
         if is_number(error):
             spread += ", mean \u00b1 " + number(error, figure["factor"], figure["decimals"] + 1)
+        ends = [summary.get(figure.get(key)) for key in ("low_key", "high_key")]
+        if all(map(is_number, ends)):
+            spread += " (" + " to ".join(number(end, figure["factor"], figure["decimals"]) for end in ends) + ")"
         rows.append((label_text(figure), number(value, figure["factor"], figure["decimals"]), spread, unit_text(figure)))
     return rows
 
@@ -139,7 +142,7 @@ def top(summary, figures, inputs_table, keys=None):
 
 def further_rows(summary, figures):
     """Figures that the table of figures does not know; those of compare stand in its own page."""
-    known = {figure.get(key) for figure in figures for key in ("key", "std_key", "error_key")}
+    known = {figure.get(key) for figure in figures for key in ("key", "std_key", "error_key", "low_key", "high_key")}
     return [(key, f"{value:.6g}", "", "") for key, value in summary.items()
             if is_number(value) and key not in known and not key.startswith(("halfspace_", "relative_difference_"))]
 

@@ -2,6 +2,7 @@
 #include <wheelrail/base/hints.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/run/end_screen.h>
+#include <wheelrail/verdict/interval.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,15 +52,21 @@ namespace wheelrail
         const Figure &figure = figure_named(name);
         const double  value  = get_figure(summary_, figure.key());
         if (std::isfinite(value))
-          line(label.empty() ? figure.label : label, figure.shown(value), figure.unit);
+          line(label.empty() ? figure.label : label,
+               figure.shown(value),
+               figure.unit,
+               shown_interval(summary_, name));
       }
 
       void
-      line(const std::string &label, const std::string &value, const std::string &unit)
+      line(const std::string &label,
+           const std::string &value,
+           const std::string &unit,
+           const std::string &interval = "")
       {
         const std::string right = std::string(value.size() < 12 ? 12 - value.size() : 0, ' ') + value;
         lines_.push_back("  " + padded(name_, 10) + padded(label, 32) + right +
-                         (unit.empty() ? "" : " " + unit));
+                         (unit.empty() ? "" : " " + unit) + (interval.empty() ? "" : " (" + interval + ")"));
         name_.clear();
       }
 

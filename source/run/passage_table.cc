@@ -34,7 +34,11 @@ namespace wheelrail
                                                     "vertical_force_N",
                                                     "longitudinal_force_N",
                                                     "max_pressure_Pa",
+                                                    "max_pressure_low_Pa",
+                                                    "max_pressure_high_Pa",
                                                     "contact_area_m2",
+                                                    "contact_area_low_m2",
+                                                    "contact_area_high_m2",
                                                     "patch_lateral_m",
                                                     "patch_longitudinal_m",
                                                     "max_shear_traction_Pa",
@@ -201,7 +205,7 @@ namespace wheelrail
         std::vector<double> values;
         for (const Summary &summary : summaries)
           values.push_back(get_figure(summary, key));
-        table.add(key, figure_with_key(key)->si_unit(), values);
+        table.add(key, unit_of(key), values);
       }
     table.add("plastic_strain_increment", "1", increments(*table.find("rail_plastic_strain"), computed));
     table.add("forward_flow_increment_m", "m", increments(*table.find("residual_forward_flow_m"), computed));

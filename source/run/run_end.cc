@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
+#include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/head_place.h>
@@ -144,9 +145,10 @@ namespace wheelrail
     }
 
     /// Holds the peak pressure against that of half-spaces, and adds both figures.
-    void
+    NoiseEffect
     compare_peak(const Scene &scene, const SceneGeometry &geometry, Summary &summary, Measures &measures)
     {
+      NoiseEffect noise;
       try
         {
           const HalfspacePressure halfspace = halfspace_pressure(
@@ -156,15 +158,16 @@ namespace wheelrail
           measure_against(halfspace, scene, summary, measures);
           set_figure(summary, "halfspace_max_pressure_Pa", halfspace.peak);
           set_figure(summary, "relative_difference_max_pressure", measures.peak_difference);
-          measures.noise_effect = noise_effect(scene, geometry, summary.normal_force);
-          if (std::isfinite(measures.noise_effect))
-            set_figure(summary, "noise_effect_max_pressure", measures.noise_effect);
+          noise = noise_effect(scene, geometry, summary.normal_force);
+          if (std::isfinite(noise.peak))
+            set_figure(summary, "noise_effect_max_pressure", noise.peak);
         }
       catch (const InputError &error)
         {
           measures.no_reference =
             std::string("the peak pressure could not be held against half-spaces: ") + error.what();
         }
+      return noise;
     }
 
     /// A band of plastic flow that reaches below the fine cells; empty where it does not.
@@ -185,14 +188,14 @@ namespace wheelrail
 
 
     /// The means are those of a place of the path.
-    void
+    NoiseEffect
     compare_peak_on_path(const Scene         &scene,
                          const SceneGeometry &geometry,
                          Summary             &summary,
                          Measures            &measures)
     {
       const Scene there = scene_on_path(scene, get_figure(summary, "motion_distance_m"));
-      compare_peak(
+      return compare_peak(
         there, make_geometry(there, {geometry.rail, geometry.wheel, {}, geometry.files}), summary, measures);
     }
   } // namespace
@@ -236,7 +239,7 @@ namespace wheelrail
 
 
   std::vector<std::string>
-  judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary)
+  judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary, Contributions &contributions)
   {
     Measures     measures = measures_of_run(scene, summary);
     const double centre   = summary.patch_centre_lateral;
@@ -246,12 +249,15 @@ namespace wheelrail
     measures.made_up       = made_up_part(geometry, place);
     measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
     measure_kinks(scene, geometry, summary, measures);
+    NoiseEffect noise;
     if (scene.motion != "none")
-      compare_peak_on_path(scene, geometry, summary, measures);
+      noise = compare_peak_on_path(scene, geometry, summary, measures);
     else if (!measures.off_rail())
-      compare_peak(scene, geometry, summary, measures);
-    if (force_is_a_result(scene))
-      measure_against_bodies(scene, geometry, summary, measures);
+      noise = compare_peak(scene, geometry, summary, measures);
+    contributions = run_contributions(
+      scene, summary, measures, noise, measure_against_bodies(scene, geometry, summary, measures));
+    set_intervals(contributions, summary);
+    measures.peak = std::isinf(noise.peak) ? Known{noise.peak, "measured input"} : known_peak(summary);
     const Verdict verdict = judge_run(scene, measures);
     set_verdict(summary, verdict);
     if (summary.note.empty() && !measures.off_rail())

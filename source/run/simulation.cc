@@ -4,6 +4,7 @@
 #include <wheelrail/model/profile_copies.h>
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/output/folder.h>
+#include <wheelrail/output/replace_file.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/run/end_screen.h>
 #include <wheelrail/run/moving_mesh.h>
@@ -323,14 +324,17 @@ namespace wheelrail
         summary.ended = summary.ended_because = "";
       write_timing(log_, run.parts(), summary, run.mesh_changes);
       log_.value("saving states", text("%.2f s", states_.seconds_saving()));
+      Contributions contributions;
       if (finished)
-        for (const std::string &warning : judge(scene_, geometry_, summary))
+        for (const std::string &warning : judge(scene_, geometry_, summary, contributions))
           log_.warning(warning);
       on_root(communicator_, [&]() {
         if (finished && scene_.irregular())
           add_resonances(scene_, geometry_, run.model, summary);
         write_summary(summary, scene_.folder + "/summary.json");
         write_wear(run.recorder.wear(scene_), scene_.folder + "/wear.csv");
+        if (finished)
+          replace_file(scene_.folder + "/intervals.csv", contributions_as_csv(contributions));
       });
       for (const std::string &line : end_screen(summary, scene_.folder))
         log_.line(line);

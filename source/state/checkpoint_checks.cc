@@ -31,6 +31,7 @@ namespace wheelrail
                                                    "Run/Rolling distance",
                                                    "Run/Longest distance",
                                                    "Run/Standard error",
+                                                   "Run/Wanted accuracy",
                                                    "Run/Passages",
                                                    "Run/Passage list",
                                                    "Run/Most passages",

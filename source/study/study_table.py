@@ -42,14 +42,14 @@ class Column:
     """Values of a figure for all cases, NaN where there is none, from one of SOURCES; shown times `factor`. `title` is the
     header without what it is that of."""
 
-    def __init__(self, figure, source, values, std=None, error=None):
+    def __init__(self, figure, source, values, std=None, error=None, low=None, high=None):
         of_wheelset = figure["key"].startswith(("axle_", "right_", "left_"))
         tail = ", " + SOURCES[source].lower() if source and not of_wheelset else ""
         self.key, self.title = source + figure["key"], header(figure["label"], figure["unit"])
         self.header = header(figure["label"] + tail, figure["unit"])
         self.si, self.factor, self.decimals = si_unit(figure), figure["factor"], figure["decimals"]
         self.values = np.array(values, dtype=float)
-        self.std, self.error = std, error
+        self.std, self.error, self.low, self.high = std, error, low, high
 
     def text(self, row):
         value = self.values[row] * self.factor
@@ -106,9 +106,9 @@ def columns_of(study):
             values = [number((pair[index] or {}).get(figure["key"])) for pair in pairs]
             if not np.isfinite(values).any() or (index > 0 and figure["key"] in COSTS):
                 continue
-            std, error = ([number((pair[index] or {}).get(figure.get(name))) for pair in pairs] for name in ("std_key", "error_key"))
-            columns.append(Column(figure, prefix, values, std if np.isfinite(std).any() else None,
-                                  error if np.isfinite(error).any() else None))
+            beside = ([number((pair[index] or {}).get(figure.get(name))) for pair in pairs]
+                      for name in ("std_key", "error_key", "low_key", "high_key"))
+            columns.append(Column(figure, prefix, values, *(each if np.isfinite(each).any() else None for each in beside)))
     return columns
 
 
@@ -180,7 +180,8 @@ def write_hdf5(study, columns, states):
             file[name] = np.array(values, dtype=h5py.string_dtype())
         for column in columns:
             for key, values in ((column.key, column.values), (column.key + "_std", column.std),
-                                (column.key + "_error", column.error)):
+                                (column.key + "_error", column.error), (column.key + "_low", column.low),
+                                (column.key + "_high", column.high)):
                 if values is not None:
                     file[key] = values
                     file[key].attrs["unit"] = column.si

@@ -1,6 +1,8 @@
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/verdict/rules.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -9,25 +11,15 @@ namespace wheelrail
   namespace
   {
     constexpr double most_shift_effect = 0.25;
-    // changes on elements twice as large: pressure errs by a third of that, creep by about as much
-    constexpr GradeBounds pressure_effect_bounds{0.1, 0.2}, creep_effect_bounds{0.05, 0.1};
 
-    /// Elements of half-spaces.
-    void
-    judge_elements(const Measures &m, Verdict &verdict)
+    /// The elements that bring an interval of order p within what is wanted.
+    std::string
+    smaller_elements(const Measures &m, const double within, const double order)
     {
-      const auto told = [&](const double       effect,
-                            const GradeBounds &bounds,
-                            const std::string &what,
-                            const std::string &verb) {
-        if (!std::isnan(effect))
-          add(verdict,
-              graded(effect, bounds),
-              "too few elements: " + what + " " + verb + text(" by %.0f %%", 100 * effect) +
-                " on elements twice as large; take a smaller Half-space/Element size.");
-      };
-      told(m.pressure_effect, pressure_effect_bounds, "the peak pressure", "changes");
-      told(m.creep_effect, creep_effect_bounds, "creepage and creep forces", "change");
+      if (!std::isfinite(m.element) || !std::isfinite(within))
+        return "take a smaller Half-space/Element size";
+      const double size = m.element * std::pow(m.wanted / within, 1 / order);
+      return "take Half-space/Element size = " + in_mm(std::max(0.01e-3, 1e-5 * std::floor(1e5 * size)));
     }
   } // namespace
 
@@ -37,7 +29,7 @@ namespace wheelrail
   {
     const bool        answer = takes_bodies && std::isfinite(m.bodies_effect);
     const std::string advice = answer ? "; take Half-space/Bodies = real." : ".";
-    if (std::abs(m.bodies_effect) > peak_bounds.good)
+    if (std::abs(m.bodies_effect) > m.wanted)
       add(verdict,
           Grade::with_care,
           text(
@@ -76,7 +68,16 @@ namespace wheelrail
     Verdict verdict;
     judge_place(measures, verdict);
     judge_edges(measures, false, verdict);
-    judge_elements(measures, verdict);
+    judge_known(measures.peak,
+                "the peak pressure",
+                smaller_elements(measures, measures.peak.within, 2),
+                measures,
+                verdict);
+    judge_known(measures.creep,
+                "creepage and creep forces",
+                smaller_elements(measures, measures.creep.within, 1),
+                measures,
+                verdict);
     judge_sliding(measures, verdict);
     judge_held(measures, verdict);
     judge_steel(measures, verdict);

@@ -86,6 +86,18 @@ namespace wheelrail
   }
 
 
+  Known
+  known_peak(const Summary &run)
+  {
+    const double low = get_figure(run, "max_pressure_low_Pa"), high = get_figure(run, "max_pressure_high_Pa"),
+                 noise  = get_figure(run, "noise_effect_max_pressure"),
+                 within = std::max(run.max_pressure - low, high - run.max_pressure) / run.max_pressure;
+    if (std::isfinite(within) && !(noise > 0.5 * within))
+      return {within, "cells and penalty layer"};
+    return {std::isfinite(within) ? within : noise, "measured input"};
+  }
+
+
   Measures
   measures_of_run(const Scene &scene, const Summary &run)
   {
@@ -106,7 +118,8 @@ namespace wheelrail
     m.settled_after = figure("settled_after_m");
     if (std::isnan(m.settled_after) && std::isfinite(m.means_from))
       m.settled_after = std::numeric_limits<double>::infinity();
-    m.noise_effect     = figure("noise_effect_max_pressure");
+    m.wanted           = scene.wanted_accuracy;
+    m.peak             = known_peak(run);
     m.energy_error     = run.energy_error;
     const double share = run.vertical_force / figure("wheel_load_N");
     if (scene.motion == "none" && !scene.irregular())

@@ -58,11 +58,27 @@ namespace wheelrail
           "the patch" + where + " lies on " + m.made_up +
             ", which no file holds; take a profile that "
             "reaches farther, or another lateral shift.");
-    if (!std::isnan(m.noise_effect))
-      add(verdict,
-          graded(m.noise_effect, peak_bounds),
-          "the noise in the points of the measured profiles leaves the peak pressure uncertain by " +
-            percent(m.noise_effect) + "; take points with less noise or more digits.");
+  }
+
+
+  void
+  judge_known(const Known       &known,
+              const std::string &what,
+              const std::string &cure,
+              const Measures    &m,
+              Verdict           &verdict)
+  {
+    if (std::isnan(known.within))
+      return;
+    const bool noise    = known.cause == "measured input",
+               elements = known.cause.find("elements") != std::string::npos;
+    add(verdict,
+        graded(known.within, {m.wanted, 2 * m.wanted}),
+        (noise      ? "the noise in the points of the measured profiles leaves "
+         : elements ? "too few elements: they leave "
+                    : known.cause + " leave ") +
+          what + " uncertain by " + percent(known.within) + "; " +
+          (noise ? "take points with less noise or more digits" : cure) + ".");
   }
 
 

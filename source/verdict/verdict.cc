@@ -207,12 +207,12 @@ namespace wheelrail
     {
       if (!m.no_reference.empty())
         add(verdict, Grade::with_care, m.no_reference);
-      const bool   bodies     = bodies_judge(m, verdict);
+      const bool   bodies     = std::isfinite(m.bodies_difference) && !verdict.limits_of_bodies;
       const double difference = bodies ? m.bodies_difference : m.peak_difference;
       if (std::isnan(difference) || (!bodies && !verdict.limits.empty()))
         return;
       add(verdict,
-          graded(std::abs(difference), peak_bounds),
+          graded(std::abs(difference), {m.wanted, 2 * m.wanted}),
           "the peak pressure is " + text("%.0f %% ", 100 * std::abs(difference)) +
             (difference < 0 ? "below" : "above") +
             (bodies ? " that of the true bodies under the same forces"
@@ -288,6 +288,12 @@ namespace wheelrail
     judge_support(scene, verdict);
     find_limits(scene, measures, verdict);
     judge_agreement(measures, verdict);
+    if (measures.peak.cause == "measured input" || verdict.grade() == Grade::trusted)
+      judge_known(measures.peak,
+                  "the peak pressure",
+                  "take smaller cells (Mesh/Solution cell size)",
+                  measures,
+                  verdict);
     judge_steel(measures, verdict);
     return verdict;
   }

@@ -1,10 +1,10 @@
 #include <wheelrail/damage/wear_figures.h>
 #include <wheelrail/geometry/head_place.h>
-#include <wheelrail/halfspace/element_effect.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/section_file.h>
 #include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/verdict.h>
+#include <wheelrail/wheel/contact_intervals.h>
 #include <wheelrail/wheel/halfspace_case.h>
 #include <wheelrail/wheel/halfspace_parts.h>
 #include <wheelrail/wheel/reference_figures.h>
@@ -65,15 +65,60 @@ namespace wheelrail
                                     s.adhesion_area == 0 && s.slip_area > 0);
     }
 
+    /// How far the elements reach in a result: its interval by them, or what twice their size changes.
+    double
+    reach(const char *result, const bool as_interval, const Contributions &contributions)
+    {
+      double shift = 0, squares = 0;
+      for (const Contribution &one : contributions)
+        if (one.result == result &&
+            (one.cause == "elements" || (as_interval && one.cause == "place of elements")))
+          {
+            shift += one.shift;
+            squares += one.spread * one.spread;
+          }
+      const double spread = std::sqrt(squares);
+      return as_interval ? std::abs(shift) + spread : std::max(std::abs(shift) + spread, 2 * spread);
+    }
+
+    /// How well the creepage that was found is known, or the forces of a creepage that was given, the vector
+    /// over it.
+    Known
+    known_creep(const WheelRailSolution &result, const Contributions &contributions)
+    {
+      // Below these neither creepage nor force matters: for intervals a quarter of what friction carries and
+      // of the creepage at its half, for what elements of twice the size change far less.
+      constexpr double         least = 0.25, least_creepage = 2e-5, least_force = 0.01;
+      const HalfspaceSolution &s     = result.solution;
+      const double             bound = result.problem.friction.at(0) * s.fn, force = std::hypot(s.fx, s.fy);
+      const double             half   = half_saturation(result.problem, s, result.measures);
+      const auto               vector = [&](const bool as_interval, const double share) {
+        return std::hypot(reach("longitudinal_force", as_interval, contributions),
+                          reach("lateral_force", as_interval, contributions)) /
+               std::max(force, share * bound);
+      };
+      Known known = known_within("creepage", s.xi, least * half, contributions);
+      for (const double within :
+           {reach("creepage", false, contributions) / std::max(std::abs(s.xi), least_creepage),
+            vector(true, least),
+            vector(false, least_force)})
+        if (!(within <= known.within))
+          known = {within, "elements"};
+      return known;
+    }
+
     /// `turn`: of the surfaces across the contact [rad].
     Verdict
-    judge_with(const Scene &scene, const WheelRailSolution &result, const double turn)
+    judge_with(const Scene             &scene,
+               const WheelRailSolution &result,
+               const double             turn,
+               const Contributions     &contributions)
     {
-      constexpr int many_elements = 32; // of which creepages and creep forces err by less than 5 %
-      Measures      measures;
+      Measures measures;
+      measures.wanted        = scene.wanted_accuracy;
+      measures.element       = result.solution.grid.dx;
       measures.peak_pressure = result.solution.peak_pressure;
       measures.made_up       = result.made_up;
-      measures.noise_effect  = result.noise_effect;
       measures.shift_effect  = result.shift_effect;
       measures.bodies_effect = result.bodies_effect;
       measures.unheld        = result.unheld;
@@ -84,12 +129,16 @@ namespace wheelrail
       measures.contact_modulus = contact_modulus(scene);
       measures.edge            = result.kinks.edge;
       measures.notch           = result.kinks.notch;
-      const ElementEffect effect =
-        element_effect(result.problem, result.solution, elements_across(result.solution) < many_elements);
-      measures.pressure_effect = effect.pressure;
+      measures.peak = known_within("max_pressure", result.solution.peak_pressure, 1, contributions);
+      if (!result.problem.force_given) // the force is a result, too
+        if (const Known force = known_within("normal_force", result.solution.fn, 1, contributions);
+            force.within > measures.peak.within)
+          measures.peak = force;
+      measures.creep = known_creep(result, contributions);
       // what sticks is as stiff as the whole elements are larger than the contact
-      measures.creep_effect = std::max(
-        effect.creep, (result.solution.area / result.measures.area - 1) * result.measures.stick_fraction);
+      const double whole = (result.solution.area / result.measures.area - 1) * result.measures.stick_fraction;
+      if (whole > measures.creep.within || (std::isnan(measures.creep.within) && whole > 0))
+        measures.creep = {whole, "elements"};
       if (slides(scene, result.solution))
         measures.slides = sliding_note(-result.solution.fx);
       measures.yields = steel_doubt(scene,
@@ -229,13 +278,53 @@ namespace wheelrail
           total.stop_reason += patch.stop_reason;
         }
     }
+    struct KnownPatch
+    {
+      const WheelRailSolution *solution;
+      Summary                  summary;
+      Contributions            contributions;
+    };
+
+    Contributions
+    contributions_of(const WheelRailSolution &patch, const Summary &summary)
+    {
+      Contributions       contributions = element_contributions(patch);
+      const Contributions noise         = noise_contributions(patch.noise_effect, summary);
+      contributions.insert(contributions.end(), noise.begin(), noise.end());
+      return contributions;
+    }
+
+    std::vector<KnownPatch>
+    all_patches(const Scene &scene, const WheelRailSolution &result)
+    {
+      std::vector<KnownPatch> patches;
+      const auto              add = [&](const WheelRailSolution &patch) {
+        const Summary summary = summary_of_patch(scene, patch);
+        patches.push_back({&patch, summary, contributions_of(patch, summary)});
+      };
+      add(result);
+      for (const WheelRailSolution &other : result.others)
+        add(other);
+      return patches;
+    }
+
+    Verdict
+    judge_patches(const Scene &scene, const std::vector<KnownPatch> &patches)
+    {
+      const double turn = turn_across_all(*patches.front().solution);
+      Verdict      verdict;
+      for (const KnownPatch &patch : patches)
+        for (const Finding &finding : judge_with(scene, *patch.solution, turn, patch.contributions).findings)
+          add_finding(finding, verdict);
+      return verdict;
+    }
   } // namespace
 
 
   Verdict
   judge_patch(const Scene &scene, const WheelRailSolution &result)
   {
-    return judge_with(scene, result, result.turn);
+    return judge_with(scene, result, result.turn, contributions_of(result, summary_of_patch(scene, result)));
   }
 
 
@@ -244,43 +333,44 @@ namespace wheelrail
   Verdict
   judge_contact(const Scene &scene, const WheelRailSolution &result)
   {
-    const double turn    = turn_across_all(result);
-    Verdict      verdict = judge_with(scene, result, turn);
-    for (const WheelRailSolution &other : result.others)
-      for (const Finding &finding : judge_with(scene, other, turn).findings)
-        add_finding(finding, verdict);
-    return verdict;
+    return judge_patches(scene, all_patches(scene, result));
   }
 
 
   Summary
-  halfspace_summary(const Scene &scene, const WheelRailSolution &result)
+  halfspace_summary(const Scene &scene, const WheelRailSolution &result, Contributions *contributions)
   {
-    const auto set_quotient = [&result](Summary &summary) {
-      if (std::isfinite(result.noise_effect))
-        set_figure(summary, "noise_effect_max_pressure", result.noise_effect);
-      if (summary.vertical_force > 0)
-        set_figure(summary, "lateral_over_vertical", summary.lateral_force / summary.vertical_force);
-    };
-    std::vector<Summary> patches{summary_of_patch(scene, result)};
-    if (result.others.empty())
+    const std::vector<KnownPatch> patches = all_patches(scene, result);
+    std::vector<Summary>          summaries;
+    std::vector<Contributions>    of_patches;
+    for (const KnownPatch &patch : patches)
       {
-        set_quotient(patches.front());
-        set_verdict(patches.front(), judge_contact(scene, result));
-        return patches.front();
+        summaries.push_back(patch.summary);
+        of_patches.push_back(patch.contributions);
       }
-    for (const WheelRailSolution &other : result.others)
-      patches.push_back(summary_of_patch(scene, other));
-    Summary total = *std::max_element(patches.begin(), patches.end(), [](const Summary &a, const Summary &b) {
-      return a.normal_force < b.normal_force;
-    });
-    add_up(patches, total);
-    total.wall_time = result.time;
-    set_quotient(total);
-    set_verdict(total, judge_contact(scene, result));
-    set_figure(total, "patches", patches.size());
-    for (std::size_t k = 0; k < patches.size(); ++k)
-      add_patch(patches[k], k + 1, total);
+    Summary total =
+      *std::max_element(summaries.begin(), summaries.end(), [](const Summary &a, const Summary &b) {
+        return a.normal_force < b.normal_force;
+      });
+    if (summaries.size() > 1)
+      {
+        add_up(summaries, total);
+        total.wall_time = result.time;
+        set_figure(total, "patches", summaries.size());
+        for (std::size_t k = 0; k < summaries.size(); ++k)
+          add_patch(summaries[k], k + 1, total);
+      }
+    if (std::isfinite(result.noise_effect.peak))
+      set_figure(total, "noise_effect_max_pressure", result.noise_effect.peak);
+    if (total.vertical_force > 0)
+      set_figure(total, "lateral_over_vertical", total.lateral_force / total.vertical_force);
+    for (const auto &[key, value] : result.bodies)
+      set_figure(total, "bodies_" + key, value);
+    const Contributions joined = joined_contributions(of_patches, summaries, total);
+    set_intervals(joined, total);
+    if (contributions)
+      *contributions = joined;
+    set_verdict(total, judge_patches(scene, patches));
     return total;
   }
 } // namespace wheelrail

@@ -76,7 +76,10 @@ namespace wheelrail
     }
 
     PlaceContact
-    solve_place(const Scene &scene, const SceneGeometry &geometry, const double load, const double noise)
+    solve_place(const Scene         &scene,
+                const SceneGeometry &geometry,
+                const double         load,
+                const NoiseEffect   &noise)
     {
       PlaceContact result;
       PlaneContact contact(scene, geometry, scene_offsets(scene), whole_region(geometry.contact));
@@ -153,7 +156,7 @@ namespace wheelrail
     SceneGeometry smooth = geometry;
     smooth.surfaces.rail.set_irregularities(nullptr);
     smooth.surfaces.wheel.set_irregularities(nullptr);
-    const double              noise = noise_effect(scene, smooth, load); // holds for all places
+    const NoiseEffect         noise = noise_effect(scene, smooth, load); // holds for all places
     const double              level = solve_place(scene, smooth, load, noise).drop;
     std::vector<PlaceContact> results(places.values.size());
     parallel_for(results.size(), [&](const std::size_t k) {

@@ -20,7 +20,7 @@ namespace wheelrail
 
   /// The contact of the true bodies of a scene under a load; nothing where their solution is not exact.
   /// Throws as solve_wheel_rail().
-  std::optional<HalfspaceSolution>
+  std::optional<WheelRailSolution>
   solve_true_bodies(Scene scene, const SceneGeometry &geometry, const WheelRailLoad &load);
 
   /// Solves half-spaces under the load of true bodies and adds their figures to those of the bodies:
@@ -32,7 +32,8 @@ namespace wheelrail
                  const WheelRailLoad &load,
                  Summary             &bodies);
 
-  /// Half-spaces beside true bodies in one line; empty where there are none.
+  /// The gap of the model in one line: half-spaces beside true bodies, or these beside half-spaces; empty
+  /// where there is no other model.
   std::string
-  halfspaces_beside(const Summary &bodies);
+  model_beside(const Summary &results);
 } // namespace wheelrail

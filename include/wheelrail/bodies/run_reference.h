@@ -19,9 +19,11 @@ namespace wheelrail
   bool
   force_is_a_result(const Scene &scene);
 
-  /// Adds how far peak pressure and longitudinal force of a run are from those of the true bodies under its
-  /// vertical force and with its creepage; nothing where these have no answer.
-  void
+  /// Adds how far the peak pressure of a run is from that of the true bodies under its forces, or under its
+  /// vertical force with its creepage where this is given, and then the longitudinal force, too. What cells
+  /// and penalty layer make of all results, with what the elements of the bodies leave open; nothing where
+  /// these have no answer: where steel has flowed, the wheel moves or the surfaces are irregular.
+  Contributions
   measure_against_bodies(const Scene         &scene,
                          const SceneGeometry &geometry,
                          const Summary       &run,

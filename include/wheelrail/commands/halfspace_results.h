@@ -15,6 +15,7 @@ namespace wheelrail
   {
     Summary           figures; ///< with the largest stresses
     HalfspaceStresses stresses;
+    Contributions     contributions; ///< to the intervals of the figures
   };
 
   /// Prints what is computed, in words (scene_head()), with the load of a wheel [N].
@@ -39,7 +40,7 @@ namespace wheelrail
   write_halfspace_wear(const Scene &scene, const WheelRailSolution &solution, const std::string &path);
 
   /// Writes the folder of one wheel: parameters.prm, the patches, slices.h5 (stresses below the contact, as a
-  /// run's) and summary.json. Throws RunError.
+  /// run's), summary.json and intervals.csv. Throws RunError.
   void
   write_halfspace_folder(const Scene             &scene,
                          const WheelRailSolution &solution,

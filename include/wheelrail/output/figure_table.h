@@ -7,6 +7,10 @@
 
 namespace wheelrail
 {
+  /// SI unit of a figure or an end of its interval, by its key; "1" of all else.
+  std::string
+  unit_of(const std::string &key);
+
   /// Numbers of several cases: one column a figure, under its key of summary.json, or another name.
   struct FigureTable
   {

@@ -45,7 +45,7 @@ namespace wheelrail
   figure_with_key(const std::string &key);
 
   /// The table as JSON, an array of one object a figure with key, std_key (of its standard deviation),
-  /// label, remark, unit, factor and decimals.
+  /// error_key, low_key and high_key (of its interval), label, remark, unit, factor and decimals.
   std::string
   figures_as_json();
 } // namespace wheelrail

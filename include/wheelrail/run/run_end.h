@@ -6,6 +6,7 @@
 #include <wheelrail/sampling/residual.h>
 #include <wheelrail/solid/stress_recovery.h>
 #include <wheelrail/state/stop.h>
+#include <wheelrail/verdict/interval.h>
 
 #include <string>
 #include <vector>
@@ -26,11 +27,12 @@ namespace wheelrail
   };
 
   /// Puts the verdict into the summary of a finished run (verdict/verdict.h). Its peak pressure is held
-  /// against that of half-spaces under its normal force and in its pose, which takes some hundredths of a
-  /// second, and both figures are added too. Returns what else is to be said on the screen: where half-spaces
-  /// are no reference, and a band of plastic flow that reaches below the fine cells.
+  /// against that of half-spaces under its normal force and in its pose, and steady elastic results against
+  /// the true bodies, which takes a second; both figures, and the intervals with their `contributions` are
+  /// added too. Returns what else is to be said on the screen: where half-spaces are no reference, and a band
+  /// of plastic flow that reaches below the fine cells.
   std::vector<std::string>
-  judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary);
+  judge(const Scene &scene, const SceneGeometry &geometry, Summary &summary, Contributions &contributions);
 
   /// Adds what the run left in the rail, the components where BB_behind cuts it.
   void

@@ -195,6 +195,7 @@ namespace wheelrail
     double       rolling_distance   = 0.06; ///< [m], 0: until steady
     double       longest_distance   = 0.06; ///< of a run until steady [m]
     double       standard_error     = 1e-3; ///< that its results may have, over their scales (see Steadiness)
+    double       wanted_accuracy    = 0.05; ///< share within which intervals and gaps of models are trusted
     double       averaging_distance = 0.02; ///< stretch over which the figures are means [m]
     double       evaluate_at        = 0;    ///< its middle [m]; 0: it is the last one
     double       time_step_factor   = 0.95; ///< fraction of the stable step

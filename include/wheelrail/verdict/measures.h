@@ -2,6 +2,7 @@
 
 #include <wheelrail/output/summary.h>
 #include <wheelrail/scene/scene.h>
+#include <wheelrail/verdict/interval.h>
 
 #include <cmath>
 #include <limits>
@@ -21,12 +22,12 @@ namespace wheelrail
     double cells_across_peak = none; ///< and across its highest pressure, see PatchMeasures::cells_across
     double between_nodes     = none; ///< rise of the pressure there, see PatchMeasures::between_nodes
     double penetration       = none; ///< of the penalty law at the peak, over the approach
-    double pressure_effect =
-      none; ///< of elements twice as large on the peak of half-spaces, see ElementEffect
-    double      creep_effect = none; ///< and on creepage or creep forces
-    double      edge = 0, notch = 0; ///< sharpest ones of the surfaces in the patch [rad], see SurfaceKinks
-    double      edge_on_path    = 0; ///< that one where the largest pressure of the path acts [rad]
-    double      contact_modulus = none; ///< E* of the bodies [Pa]
+    double wanted            = 0.05; ///< Scene::wanted_accuracy
+    double element           = none; ///< size of elements of half-spaces [m]
+    Known  peak, creep;              ///< intervals of the peak pressure, and of creepage or creep forces
+    double edge = 0, notch = 0;      ///< sharpest ones of the surfaces in the patch [rad], see SurfaceKinks
+    double edge_on_path    = 0;      ///< that one where the largest pressure of the path acts [rad]
+    double contact_modulus = none;   ///< E* of the bodies [Pa]
     std::string slides; ///< of a patch that slides as a whole, see sliding_note(); empty: it does not
 
     // steadiness over the stretch of the means
@@ -50,10 +51,9 @@ namespace wheelrail
 
     // what the patch bears, and on what
     double      peak_pressure = none; ///< [Pa]
-    std::string yields;         ///< of an elastic body beyond shakedown, see steel_doubt(); empty: none is
-    std::string place;          ///< of the patch, in words: "31.2 mm to the gauge side of ..."; may be empty
-    std::string made_up;        ///< part of a profile that was not measured and is touched; empty: none
-    double noise_effect = none; ///< on the peak pressure, of noise in measured profiles, see noise_effect()
+    std::string yields;  ///< of an elastic body beyond shakedown, see steel_doubt(); empty: none is
+    std::string place;   ///< of the patch, in words: "31.2 mm to the gauge side of ..."; may be empty
+    std::string made_up; ///< part of a profile that was not measured and is touched; empty: none
 
     // against half-spaces
     double peak_difference = none; ///< (run - half-space) / half-space
@@ -126,6 +126,11 @@ namespace wheelrail
   /// across what slides do not show its slip: less than one (free rolling) wears half of half-spaces.
   std::string
   wear_doubt(const Scene &scene, const Summary &run);
+
+  /// How well a run's peak pressure is known, by its interval in the summary; where it has none, by the noise
+  /// of measured profiles.
+  Known
+  known_peak(const Summary &run);
 
   /// The measures that a run's own summary holds: all but those that need half-spaces or profiles.
   Measures

@@ -31,6 +31,14 @@ namespace wheelrail
   void
   judge_place(const Measures &m, Verdict &verdict);
 
+  /// An interval that reaches farther than Run/Wanted accuracy. `cure`: of all causes but measured input.
+  void
+  judge_known(const Known       &known,
+              const std::string &what,
+              const std::string &cure,
+              const Measures    &m,
+              Verdict           &verdict);
+
   /// Kinks in the patch, under which no cells or elements find a pressure; forces, which a run is for there,
   /// hold.
   void

@@ -7,11 +7,13 @@
 #include <wheelrail/planes/contact_sections.h>
 #include <wheelrail/sampling/patch_measures.h>
 #include <wheelrail/scene/scene.h>
+#include <wheelrail/verdict/interval.h>
 #include <wheelrail/verdict/verdict.h>
 #include <wheelrail/wheel/contact_reference.h>
 
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +40,14 @@ namespace wheelrail
     std::vector<std::vector<Vector3>> forces;    ///< along X, Y, Z on each row at each place [N]
   };
 
+  /// Shares by which the noise of measured profiles may move results of a contact, in 95 of 100 cases; NaN
+  /// where no profile is of a file.
+  struct NoiseEffect
+  {
+    double peak = Measures::none, area = Measures::none, width = Measures::none, length = Measures::none,
+           approach = Measures::none;
+  };
+
   /// The half-space solution of wheel and rail. Tractions, forces and creepages of `solution` are those on
   /// the rail (body 1); its y is the coordinate s of the contact frame of 2D-Geo, along the rail.
   struct WheelRailSolution
@@ -58,13 +68,14 @@ namespace wheelrail
     double                roll     = 0; ///< of the wheelset, from X to Y [rad]
     double                ahead =
       0; ///< of the first contact point, from which places along the rail count, ahead of the axle [m]
-    std::optional<ContactReference> reference;   ///< of wheel and rail; none where the distance is given
-    double       shift_effect  = Measures::none; ///< of half-spaces, of all patches, see shift_effect()
-    double       bodies_effect = Measures::none; ///< of half-spaces, see hold_against_bodies()
-    std::string  unheld;                         ///< why the latter cannot be, or is not all; empty: it is
-    double       noise_effect = Measures::none;  ///< of measured profiles, see noise_effect()
-    SurfaceKinks kinks;                          ///< of the surfaces under pressure
-    std::string  made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
+    std::optional<ContactReference> reference;  ///< of wheel and rail; none where the distance is given
+    double      shift_effect  = Measures::none; ///< of half-spaces, of all patches, see shift_effect()
+    double      bodies_effect = Measures::none; ///< of half-spaces, see hold_against_bodies()
+    std::string unheld;                         ///< why the latter cannot be, or is not all; empty: it is
+    std::map<std::string, double> bodies; ///< results of the true bodies under the same forces, by their keys
+    NoiseEffect                   noise_effect; ///< see noise_effect()
+    SurfaceKinks                  kinks;        ///< of the surfaces under pressure
+    std::string made_up; ///< part of a profile that no file holds and the patch lies on, see made_up_part()
     std::vector<std::string> notes;            ///< what was done to files that were read for it
     double                   time         = 0; ///< computing time [s]
     int                      enlargements = 0; ///< of the grid, until the contact did not touch its edge
@@ -139,7 +150,9 @@ namespace wheelrail
   /// The figures of a solution under the names of a run's summary, in its signs. Of several patches forces,
   /// areas and work are sums, pressures and tractions the largest, and extents, places and creepages those of
   /// the patch with the largest force; the figures of each stand under "patch_1_...", in the order of
-  /// `result` and its `others`.
+  /// `result` and its `others`. What intervals are made of is added to `contributions`.
   Summary
-  halfspace_summary(const Scene &scene, const WheelRailSolution &result);
+  halfspace_summary(const Scene             &scene,
+                    const WheelRailSolution &result,
+                    Contributions           *contributions = nullptr);
 } // namespace wheelrail

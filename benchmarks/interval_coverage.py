@@ -1,0 +1,183 @@
+"""How often the truth lies within the intervals of 95 %, over random scenes with kept seeds (doc/theory/intervals.md).
+
+Usage: interval_coverage.py PROGRAM FAMILY FIRST LAST
+
+Families, whose input N is drawn from seed N:
+
+  contacts  contacts of tests/random_contacts.py by half-spaces and by true bodies; truth: elements of half the size, and
+            the straight line (creep) or parabola (pressure, extents) through both sizes towards none
+  noise     the same by half-spaces with a measured rail whose points are moved by noise; truth: without the noise
+  runs      elastic runs of 30 to 40 mm on cells of 2 or 3 mm; truth: true bodies on elements of 0.25 mm under the
+            run's own forces
+
+Seeds up to 2016 of contacts calibrated; 2021 and more judge. Truths are lines of truths.jsonl in the present folder and
+are not solved again; those of the program are lines of FAMILY.jsonl. Printed: of each family and result the share outside
+(at most 8 of 93), the median width of the interval over the value, and the seeds outside.
+"""
+
+import glob
+import json
+import os
+import random
+import shutil
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "tests"))
+from random_contacts import contact, contact_entries, known, scene_file  # noqa: E402
+from random_search import TESTS, as_options, execute, log_uniform  # noqa: E402
+
+CREEP = ("max_shear_traction_Pa", "stick_fraction", "t_gamma_N", "creepage", "lateral_force_N", "longitudinal_force_N")
+RESULTS = ("max_pressure_Pa", "contact_area_m2", "patch_lateral_m", "patch_longitudinal_m", "approach_m") + CREEP
+MOST_OUTSIDE = 8 / 93
+
+
+def tail(key, name):
+    """max_pressure_Pa, low: max_pressure_low_Pa."""
+    for unit in ("_Pa", "_m2", "_N", "_m"):
+        if key.endswith(unit):
+            return key[:-len(unit)] + "_" + name + unit
+    return f"{key}_{name}"
+
+
+def chosen(summary):
+    """Its results with their intervals."""
+    names = [name for key in RESULTS for name in (key, tail(key, "low"), tail(key, "high"))]
+    return {name: summary.get(name) for name in names + ["grid_spacing_m", "verdict", "finished", "normal_force_N"]}
+
+
+def once(path, seed, kind, solve):
+    """What `solve` gives, kept as a line of a file."""
+    if os.path.exists(path):
+        with open(path) as lines:
+            for line in map(json.loads, lines):
+                if (line["seed"], line["kind"]) == (seed, kind):
+                    return line["results"]
+    results = solve()
+    with open(path, "a") as file:
+        file.write(json.dumps({"seed": seed, "kind": kind, "results": results}) + "\n")
+    return results
+
+
+def limit_of(key, coarse, fine):
+    """Towards elements of no size, from a size and half of it."""
+    if coarse.get(key) is None or fine.get(key) is None:
+        return None
+    return fine[key] + (fine[key] - coarse[key]) / (1 if key in CREEP else 3)
+
+
+def accepted(program, seed, scene, draw_entries, bodies="half-spaces"):
+    """The first drawn entries that are solved, and their summary."""
+    draw = random.Random(seed)
+    for _ in range(20):
+        options = as_options({"Wheelset/Traction coefficient": "0", **draw_entries(draw), "Output/Folder": scene[:-4]})
+        summary, _ = contact(program, scene, bodies, options)
+        if summary:
+            return options, summary
+    return None, None
+
+
+def contacts(program, seed):
+    scene = scene_file(seed)
+    options, half = accepted(program, seed, scene, contact_entries)
+    found = {}
+    for bodies in ("half-spaces", "real") if half else ():
+        summary = half if bodies == "half-spaces" else contact(program, scene, bodies, options)[0]
+        if not summary or not summary["finished"]:
+            continue
+        size = f"{500 * summary['grid_spacing_m']:.6g} mm"
+        fine = once("truths.jsonl", seed, f"contacts {bodies}",
+                    lambda: contact(program, scene, bodies, options + as_options({"Half-space/Element size": size}))[0] or {})
+        found[bodies] = {"own": chosen(summary), "truth": {key: limit_of(key, summary, fine) for key in RESULTS}}
+    return found
+
+
+def noisy(draw, path, deviation):
+    """The points of a measured rail, each moved by noise across the head [mm]."""
+    with open(os.path.join(TESTS, "profiles", "worn_54E1.ban")) as file:
+        lines = file.read().splitlines()
+    with open(path, "w") as file:
+        for line in lines:
+            words = line.split()
+            if len(words) == 5:  # x, y, angle, curvature, number
+                words[1] = f"{float(words[1]) + draw.gauss(0, deviation):.6f}"
+            file.write("\t".join(words) + "\n")
+
+
+def noise(program, seed):
+    scene, draw = scene_file(seed), random.Random(-seed)
+    path, deviation = os.path.abspath(f"contact_{seed}.ban"), log_uniform(draw, 0.002, 0.02)
+    clean = os.path.join(TESTS, "profiles", "worn_54E1.ban")
+
+    def entries(draw):
+        return {**contact_entries(draw), "Profiles/Rail": clean}
+
+    options, exact = accepted(program, seed, scene, entries)
+    if not exact:
+        return {}
+    noisy(draw, path, deviation)
+    own, _ = contact(program, scene, "half-spaces", options + as_options({"Profiles/Rail": path}))
+    return {"half-spaces": {"own": chosen(own), "truth": {key: exact.get(key) for key in RESULTS}}} if own else {}
+
+
+def runs(program, seed):
+    scene, draw = scene_file(seed), random.Random(seed)
+    cells = draw.choice([2, 3])
+    entries = {"Profiles/Wheel": draw.choice(["S1002", os.path.join(TESTS, "profiles", "worn_S1002.prw")]),
+               "Profiles/Rail": draw.choice(["54E1", "60E1"]),
+               "Wheelset/Lateral shift": f"{draw.uniform(-3.5, 3.5):.3g} mm",
+               "Wheelset/Wheel load": f"{draw.uniform(60, 180):.4g} kN",
+               "Wheelset/Traction coefficient": f"{draw.uniform(-0.3, 0.3):.3g}",
+               "Contact/Friction coefficient": f"{draw.uniform(0.35, 0.6):.3g}",
+               "Wheelset/Velocity": f"{draw.uniform(60, 250):.3g} km/h"}
+    options = as_options({**entries, "Mesh/Solution cell size": f"{cells} mm", "Mesh/Coarse cell size": f"{8 * cells} mm",
+                          "Run/Rolling distance": "40 mm",
+                          "Run/Averaging distance": "16 mm", "Output/Ticks": "2", "Output/Volume fields": "false",
+                          "Output/Folder": scene[:-4]})
+    code, _ = execute(program, "run", scene, "--overwrite", *options)
+    path = os.path.join(scene[:-4], "summary.json")
+    if code != 0 or not os.path.exists(path):
+        return {}
+    with open(path) as file:
+        own = json.load(file)
+    code, _ = execute(program, "compare", scene[:-4], "--no-pictures", "--set", "Half-space/Element size = 0.25 mm")
+    with open(path) as file:
+        compared = json.load(file)
+    return {f"{cells} mm": {"own": chosen(own), "truth": {key: compared.get("bodies_" + key) for key in RESULTS}}}
+
+
+def print_coverage(family, lines):
+    kinds = sorted({kind for line in lines for kind in line["results"]})
+    for kind in kinds:
+        for key in RESULTS:
+            outside, n, widths = [], 0, []
+            for line in lines:
+                pair = line["results"].get(kind, {})
+                truth, own = pair.get("truth", {}).get(key), pair.get("own", {})
+                low, high = own.get(tail(key, "low")), own.get(tail(key, "high"))
+                if None in (truth, low, high, own.get(key)):
+                    continue
+                n += 1
+                widths.append((high - low) / max(abs(own[key]), 1e-30))
+                if not low <= truth <= high:
+                    outside.append(line["seed"])
+            if n:
+                word = "well" if len(outside) <= MOST_OUTSIDE * n else "TOO MANY"
+                print(f"{family} {kind:11} {key:22} {len(outside):3} of {n:3} outside, {word:8} "
+                      f"median width {100 * sorted(widths)[n // 2]:6.2f} %  {outside}")
+
+
+def main():
+    program, family, first, last = os.path.abspath(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
+    path = f"{family}.jsonl"
+    for seed in range(first, last + 1):
+        if seed not in known(path):
+            results = {"contacts": contacts, "noise": noise, "runs": runs}[family](program, seed)
+            with open(path, "a") as file:
+                file.write(json.dumps({"seed": seed, "results": results}) + "\n")
+            for left in glob.glob(f"contact_{seed}*"):
+                shutil.rmtree(left) if os.path.isdir(left) else os.remove(left)
+    print_coverage(family, [line for seed, line in sorted(known(path).items()) if first <= seed <= last])
+
+
+if __name__ == "__main__":
+    main()

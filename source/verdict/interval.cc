@@ -1,0 +1,101 @@
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/output/figures.h>
+#include <wheelrail/verdict/interval.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace wheelrail
+{
+  namespace
+  {
+    Contributions
+    of_result(const std::string &result, const Contributions &contributions)
+    {
+      Contributions found;
+      for (const Contribution &one : contributions)
+        if (one.result == result)
+          found.push_back(one);
+      return found;
+    }
+  } // namespace
+
+
+  Interval
+  interval_of(const std::string &result, const double value, const Contributions &contributions)
+  {
+    const Contributions causes = of_result(result, contributions);
+    double              shift = 0, squares = 0;
+    for (const Contribution &cause : causes)
+      {
+        shift += cause.shift;
+        squares += cause.spread * cause.spread;
+      }
+    const double spread = std::sqrt(squares);
+    if (causes.empty() || !std::isfinite(value + shift + spread))
+      return {Summary::none, Summary::none};
+    return {value + std::min(0., shift) - spread, value + std::max(0., shift) + spread};
+  }
+
+
+  Known
+  known_within(const std::string   &result,
+               const double         value,
+               const double         least,
+               const Contributions &contributions)
+  {
+    const Interval interval = interval_of(result, value, contributions);
+    Known          known;
+    known.within = std::max(value - interval.low, interval.high - value) / std::max(std::abs(value), least);
+    double most  = -1;
+    for (const Contribution &cause : of_result(result, contributions))
+      if (const double part = std::abs(cause.shift) + cause.spread; !(part <= most))
+        {
+          most        = part;
+          known.cause = cause.cause;
+        }
+    if (most >= 0 && std::isnan(known.within))
+      known.within = std::numeric_limits<double>::infinity(); // there are causes, and one has no bound
+    return known;
+  }
+
+
+  void
+  set_intervals(const Contributions &contributions, Summary &summary)
+  {
+    for (const Figure &figure : all_figures())
+      {
+        const Interval interval = interval_of(figure.name, get_figure(summary, figure.key()), contributions);
+        if (!std::isfinite(interval.low))
+          continue;
+        set_figure(summary, figure.key("_low"), interval.low);
+        set_figure(summary, figure.key("_high"), interval.high);
+      }
+  }
+
+
+  std::string
+  shown_interval(const Summary &summary, const std::string &name)
+  {
+    const Figure &figure = figure_named(name);
+    const double  low    = get_figure(summary, figure.key("_low")),
+                 high    = get_figure(summary, figure.key("_high"));
+    return std::isfinite(low) && std::isfinite(high) ? figure.shown(low) + " to " + figure.shown(high) : "";
+  }
+
+
+  std::string
+  contributions_as_csv(const Contributions &contributions)
+  {
+    std::string table = "result,unit,cause,shift,spread\n";
+    for (const Figure &figure : all_figures())
+      for (const Contribution &one : of_result(figure.name, contributions))
+        table += text("%s,%s,%s,%.6g,%.6g\n",
+                      figure.name,
+                      figure.si_unit().c_str(),
+                      one.cause.c_str(),
+                      one.shift,
+                      one.spread);
+    return table;
+  }
+} // namespace wheelrail

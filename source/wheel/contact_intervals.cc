@@ -1,0 +1,164 @@
+#include <wheelrail/halfspace/doubled_elements.h>
+#include <wheelrail/output/figures.h>
+#include <wheelrail/sampling/creep_scale.h>
+#include <wheelrail/wheel/contact_intervals.h>
+#include <wheelrail/wheel/halfspace_parts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace wheelrail
+{
+  namespace
+  {
+    /// A result of elements.
+    struct ElementResult
+    {
+      const char *name;
+      double      value; ///< [SI]
+      bool        creep; ///< errs with the first power of the element size, else with the second
+      double      scale; ///< that is natural to it [SI]
+      double      floor; ///< spread over the scale times the elements across the patch
+    };
+
+    /// Results of one patch, forces those on the wheel; `angle` of the contact plane [rad]. The floors are
+    /// found from random contacts whose elements were halved, see doc/theory/intervals.md.
+    std::vector<ElementResult>
+    element_results(const SolvedProblem &solved, const double angle)
+    {
+      const HalfspaceProblem    &problem  = solved.problem;
+      const HalfspaceSolution   &s        = solved.solution;
+      const PatchMeasures        measures = measure_patch(halfspace_patch(s));
+      const double               peak = s.peak_pressure, length = measures.length, width = measures.width;
+      std::vector<ElementResult> results{
+        {"max_pressure", peak, false, peak, 0.2},
+        {"max_pressure_fitted", measures.peak_pressure_fitted, false, peak, 0.2},
+        {"contact_area", measures.area, false, measures.area, 0.2},
+        {"patch_lateral", width, false, width, 0.3},
+        {"patch_longitudinal", length, false, length, 0.45},
+        problem.force_given ? ElementResult{"approach", s.approach, false, s.approach, 0.1}
+                            : ElementResult{"normal_force", s.fn, false, s.fn, 0.1}};
+      if (problem.motion != HalfspaceMotion::steady || problem.friction.frictionless())
+        return results;
+      const double bound = problem.friction.at(0) * s.fn, creep = half_saturation(problem, s, measures);
+      results.push_back(
+        {"max_shear_traction", measures.max_traction, true, problem.friction.at(0) * peak, 1});
+      results.push_back({"stick_fraction", measures.stick_fraction, true, 1, 0.7});
+      results.push_back({"t_gamma", wear_number(problem, s), true, bound * creep, 0.1});
+      results.push_back({"lateral_force", -std::cos(angle) * s.fy, true, bound, 0.2});
+      if (problem.longitudinal_force_given)
+        results.push_back({"creepage", s.xi, true, creep, 0.25});
+      else
+        results.push_back({"longitudinal_force", -s.fx, true, bound, 0.2});
+      return results;
+    }
+  } // namespace
+
+
+  double
+  half_saturation(const HalfspaceProblem  &problem,
+                  const HalfspaceSolution &solution,
+                  const PatchMeasures     &patch)
+  {
+    return creep_scale(problem.friction.at(0) * solution.fn,
+                       2 / (1 / problem.body1.shear_modulus + 1 / problem.body2.shear_modulus),
+                       patch.length,
+                       patch.width)
+      .half_saturation();
+  }
+
+
+  Contributions
+  element_contributions(const WheelRailSolution &patch)
+  {
+    constexpr double                        of_change = 0.5;
+    const std::vector<SolvedProblem>        solved    = on_doubled_elements(patch.problem, patch.solution);
+    std::vector<std::vector<ElementResult>> results;
+    for (const SolvedProblem &one : solved)
+      results.push_back(element_results(one, patch.angle));
+    const double across = std::min(patch.measures.width, patch.measures.length) / patch.solution.grid.dx;
+    // a ridge is narrower than the patch
+    const double  across_peak = std::clamp(patch.measures.cells_across, 1., std::max(1., across));
+    Contributions contributions;
+    for (std::size_t k = 0; k < results[0].size(); ++k)
+      {
+        const ElementResult &fine = results[0][k];
+        std::vector<double>  changes;
+        for (std::size_t c = 1; c < solved.size(); ++c)
+          // what slides as a whole is no measure of creep
+          if (!fine.creep || (solved[0].solution.within_friction && solved[c].solution.within_friction))
+            changes.push_back(results[c][k].value - fine.value);
+        if (changes.empty())
+          continue;
+        double mean = 0, largest = 0;
+        for (const double change : changes)
+          {
+            mean += change / double(changes.size());
+            largest = std::max(largest, std::abs(change));
+          }
+        const double n = std::string(fine.name).find("max_pressure") == 0 ? across_peak : across;
+        contributions.push_back({fine.name, "elements", fine.creep ? -mean : 0, of_change * largest});
+        contributions.push_back({fine.name, "place of elements", 0, fine.floor * fine.scale / n});
+      }
+    return contributions;
+  }
+
+
+  Contributions
+  noise_contributions(const NoiseEffect &noise, const Summary &results)
+  {
+    constexpr double felt = 2e-3; // of the peak pressure
+    if (std::isnan(noise.peak))
+      return {};
+    Contributions contributions;
+    const auto    add = [&](const char *name, const double share) {
+      const double value = get_figure(results, figure_named(name).key());
+      if (std::isfinite(value))
+        contributions.push_back({name, "measured input", 0, share * std::abs(value)});
+    };
+    add("max_pressure", noise.peak);
+    add("max_pressure_fitted", noise.peak);
+    add("max_shear_traction", noise.peak);
+    add("contact_area", noise.area);
+    add("patch_lateral", noise.width);
+    add("patch_longitudinal", noise.length);
+    add("approach", noise.approach);
+    add("creepage", noise.area);
+    add("t_gamma", noise.area);
+    if (noise.peak > felt)
+      for (const char *name : {"lateral_force", "stick_fraction"})
+        add(name, std::numeric_limits<double>::infinity());
+    return contributions;
+  }
+
+
+  Contributions
+  joined_contributions(const std::vector<Contributions> &of_patches,
+                       const std::vector<Summary>       &patches,
+                       const Summary                    &total)
+  {
+    Contributions joined;
+    for (std::size_t k = 0; k < patches.size(); ++k)
+      for (const Contribution &one : of_patches[k])
+        {
+          const std::string key  = figure_named(one.result).key();
+          const bool        sums = one.result == "contact_area" || one.result == "t_gamma" ||
+                            one.result.find("_force") != std::string::npos;
+          if (!sums && get_figure(patches[k], key) != get_figure(total, key))
+            continue;
+          const auto same = std::find_if(joined.begin(), joined.end(), [&](const Contribution &other) {
+            return other.result == one.result && other.cause == one.cause;
+          });
+          if (same == joined.end())
+            joined.push_back(one);
+          else if (sums)
+            {
+              same->shift += one.shift;
+              same->spread += one.spread;
+            }
+        }
+    return joined;
+  }
+} // namespace wheelrail
