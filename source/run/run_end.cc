@@ -254,8 +254,13 @@ namespace wheelrail
       noise = compare_peak_on_path(scene, geometry, summary, measures);
     else if (!measures.off_rail())
       noise = compare_peak(scene, geometry, summary, measures);
+    // elastic bodies are no reference of steel that has flowed
     contributions = run_contributions(
-      scene, summary, measures, noise, measure_against_bodies(scene, geometry, summary, measures));
+      scene,
+      summary,
+      measures,
+      noise,
+      measures.has_yielded() ? Contributions() : measure_against_bodies(scene, geometry, summary, measures));
     set_intervals(contributions, summary);
     measures.peak = std::isinf(noise.peak) ? Known{noise.peak, "measured input"} : known_peak(summary);
     const Verdict verdict = judge_run(scene, measures);

@@ -23,7 +23,6 @@ namespace wheelrail
     constexpr GradeBounds load_bounds{0.01, 0.03};
     constexpr GradeBounds torque_bounds{0.01, 0.05};
     constexpr GradeBounds force_bounds{0.02, 0.05}; ///< some 0.15e-3 and 0.4e-3 of creepage
-    constexpr double      least_plastic    = 1e-4;  ///< strain from which on steel has flowed
     constexpr double      most_strain_loss = 0.25;  ///< of the plastic strain to the cells
 
     /// Cells and penalty: what keeps a run from the answer of its own equations.
@@ -56,7 +55,7 @@ namespace wheelrail
         }
       // of first order in the cell: 3.2, 4.2e-3 on cells of 2, 1 mm (material.md, paper.md), thus 5.2e-3 at
       // last
-      if (const double loss = 2.5 / m.cells; m.plastic_strain > least_plastic && loss > most_strain_loss)
+      if (const double loss = 2.5 / m.cells; m.has_yielded() && loss > most_strain_loss)
         add(verdict,
             Grade::with_care,
             "the largest plastic strain is that of cells of " + in_mm(scene.cell_size) + ", about " +
@@ -136,7 +135,7 @@ namespace wheelrail
     void
     judge_creep_force(const Measures &m, Verdict &verdict)
     {
-      if (!std::isnan(m.force_difference) && m.plastic_strain <= least_plastic)
+      if (!std::isnan(m.force_difference) && !m.has_yielded())
         add(verdict,
             graded(std::abs(m.force_difference), force_bounds),
             "the longitudinal force is " + percent(m.force_difference) + " of the load " +
@@ -192,7 +191,7 @@ namespace wheelrail
       };
       if (scene.irregular())
         limit("the surfaces are irregular, so that means are not those of one place");
-      if (m.plastic_strain > least_plastic)
+      if (m.has_yielded())
         limit("steel has yielded (plastic strain up to " + text("%.2g", 1e3 * m.plastic_strain) + "e-3)");
       verdict.limits_of_bodies = !verdict.limits.empty();
       if (m.turn >= most_turn)

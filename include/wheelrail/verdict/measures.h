@@ -78,6 +78,13 @@ namespace wheelrail
       return angle > 0 ? contact_modulus * angle * M_LN2 / (2 * M_PI) / peak_pressure : 0;
     }
 
+    /// Whether steel has flowed, so that elastic bodies are no reference.
+    bool
+    has_yielded() const
+    {
+      return plastic_strain > 1e-4;
+    }
+
     /// Whether the wheel hardly touches the rail where the means are taken, so that its patch is no measure.
     bool
     off_rail() const
