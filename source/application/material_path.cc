@@ -1,8 +1,8 @@
 #include <wheelrail/application/material_path.h>
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/base/table.h>
-#include <wheelrail/base/text_rows.h>
+#include <wheelrail/tables/table.h>
+#include <wheelrail/tables/text_rows.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/text_rows.h>
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/tables/text_rows.h>
 
 #include <array>
 #include <cmath>

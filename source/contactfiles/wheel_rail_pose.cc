@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/text_rows.h>
 #include <wheelrail/contactfiles/wheel_rail_pose.h>
+#include <wheelrail/tables/text_rows.h>
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/table.h>
-#include <wheelrail/base/text_rows.h>
 #include <wheelrail/output/hdf5_handles.h>
 #include <wheelrail/profiles/height_grid.h>
 #include <wheelrail/profiles/profile_text.h>
+#include <wheelrail/tables/table.h>
+#include <wheelrail/tables/text_rows.h>
 
 #include <gsl/gsl_spline.h>
 #include <gsl/gsl_spline2d.h>

@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/table.h>
 #include <wheelrail/profiles/roughness_file.h>
+#include <wheelrail/tables/table.h>
 
 namespace wheelrail
 {

@@ -1,6 +1,6 @@
-#include <wheelrail/base/table.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/run/passage_jump.h>
+#include <wheelrail/tables/table.h>
 
 #include <cmath>
 #include <filesystem>

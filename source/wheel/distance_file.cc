@@ -1,6 +1,6 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/table.h>
-#include <wheelrail/base/text_rows.h>
+#include <wheelrail/tables/table.h>
+#include <wheelrail/tables/text_rows.h>
 #include <wheelrail/wheel/distance_file.h>
 
 #include <algorithm>

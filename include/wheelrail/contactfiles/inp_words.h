@@ -1,6 +1,6 @@
 #pragma once
 
-#include <wheelrail/base/text_rows.h>
+#include <wheelrail/tables/text_rows.h>
 
 #include <cstddef>
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <wheelrail/base/table.h>
 #include <wheelrail/input/motion_file.h>
+#include <wheelrail/tables/table.h>
 
 #include <vector>
 

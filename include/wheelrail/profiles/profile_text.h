@@ -2,8 +2,8 @@
 
 // What the readers of the profile formats share: lines, fields and numbers of a text.
 
-#include <wheelrail/base/text_rows.h>
 #include <wheelrail/profiles/profile_formats.h>
+#include <wheelrail/tables/text_rows.h>
 
 #include <map>
 #include <string>

@@ -3,9 +3,9 @@
 #include <wheelrail/base/file_kind.h>
 #include <wheelrail/base/read_file.h>
 #include <wheelrail/base/shown_text.h>
-#include <wheelrail/base/table.h>
-#include <wheelrail/base/table_head.h>
-#include <wheelrail/base/text_rows.h>
+#include <wheelrail/tables/table.h>
+#include <wheelrail/tables/table_head.h>
+#include <wheelrail/tables/text_rows.h>
 
 #include <algorithm>
 #include <cmath>

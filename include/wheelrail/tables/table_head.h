@@ -1,7 +1,7 @@
 #pragma once
 
 #include <wheelrail/base/quantity.h>
-#include <wheelrail/base/table.h>
+#include <wheelrail/tables/table.h>
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/shown_text.h>
-#include <wheelrail/base/table_head.h>
-#include <wheelrail/base/text_rows.h>
+#include <wheelrail/tables/table_head.h>
+#include <wheelrail/tables/text_rows.h>
 
 #include <algorithm>
 #include <utility>
