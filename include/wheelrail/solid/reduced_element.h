@@ -70,7 +70,7 @@ namespace wheelrail::reduced
   /// Sums of the nodal values times the four hourglass patterns, by two levels of sums and
   /// differences over the lexicographic nodes.
   template <int W>
-  inline void
+  [[gnu::always_inline]] inline void
   hourglass_sums(const V3<W> (&u)[8], const int i, Simd<W> (&s)[4])
   {
     // differences and sums along xi
@@ -86,7 +86,7 @@ namespace wheelrail::reduced
 
   /// H = sum u_a (x) B_a and q_m = sum h_m u - H (h_m X).
   template <int W>
-  inline void
+  [[gnu::always_inline]] inline void
   gradients(const Packed<W> &g, const V3<W> (&u)[8], V3<W> (&H)[3], V3<W> (&q)[4])
   {
     for (int i = 0; i < 3; ++i)
@@ -110,7 +110,7 @@ namespace wheelrail::reduced
 
   /// Green's strain, xx, yy, zz, yz, xz, xy.
   template <int W>
-  inline void
+  [[gnu::always_inline]] inline void
   green_strain(const V3<W> (&H)[3], Simd<W> (&E)[6])
   {
     constexpr int row[6] = {0, 1, 2, 1, 0, 0}, column[6] = {0, 1, 2, 2, 2, 1};
@@ -123,7 +123,7 @@ namespace wheelrail::reduced
 
   /// V F S: the nodal force is this times the mean gradient, without the stabilisation.
   template <int W>
-  inline void
+  [[gnu::always_inline]] inline void
   force_of_stress(const Packed<W> &g, const V3<W> (&F)[3], const Simd<W> (&S)[6], V3<W> (&P)[3])
   {
     for (int i = 0; i < 3; ++i)
@@ -139,7 +139,7 @@ namespace wheelrail::reduced
   /// Amplitudes in the cell's axes carried along by F: p = (F A)^T q, a Green-type measure. FA[k] is
   /// the axis k.
   template <int W>
-  inline void
+  [[gnu::always_inline]] inline void
   hourglass_amplitudes(const Packed<W> &g,
                        const V3<W> (&F)[3],
                        const V3<W> (&q)[4],
@@ -206,7 +206,7 @@ namespace wheelrail::reduced
 
   /// The derivative of the stabilisation energy by q becomes G, the one by F is added to P.
   template <int W>
-  inline void
+  [[gnu::always_inline]] inline void
   hourglass_forces(const Packed<W> &g,
                    const V3<W> (&FA)[3],
                    const V3<W> (&q)[4],
@@ -230,7 +230,7 @@ namespace wheelrail::reduced
 
   /// f_a = P B_a + sum_m h_m(a) g_m, subtracted from the node array.
   template <int W>
-  inline void
+  [[gnu::always_inline]] inline void
   apply_forces(const Packed<W>     &g,
                const std::uint32_t *nodes,
                const V3<W> (&P)[3],
