@@ -1,12 +1,11 @@
 #include <wheelrail/base/errors.h>
-#include <wheelrail/base/gather_all.h>
 #include <wheelrail/state/checkpoint.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 
 namespace wheelrail
@@ -72,144 +71,6 @@ namespace wheelrail
                                  all.begin() + part.components * k,
                                  all.begin() + part.components * (k + 1));
         }
-    }
-
-    // --- restoring ---
-
-    using Rows = std::unordered_map<std::uint64_t, std::size_t>; ///< of a whole checkpoint, by key
-
-    Rows
-    rows_by_key(const std::vector<std::uint64_t> &keys)
-    {
-      Rows rows(keys.size());
-      for (std::size_t k = 0; k < keys.size(); ++k)
-        rows.emplace(keys[k], k);
-      return rows;
-    }
-
-    /// Of nodes and cells.
-    struct BodyRows
-    {
-      Rows node, cell;
-    };
-
-    /// The keys that the rows of a file without keys have, when its mesh is this one as far as it goes: both
-    /// bodies' or, with another wheel, the rail's, which comes first. Collective.
-    BodyRows
-    former_rows(const LocalMesh &mesh, MPI_Comm communicator)
-    {
-      struct Known
-      {
-        std::uint64_t                key;
-        std::array<std::uint64_t, 8> nodes;
-      };
-      std::vector<Known> cells;
-      for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-        {
-          Known &cell = cells.emplace_back();
-          cell.key    = mesh.cell_key[c];
-          for (unsigned int v = 0; v < 8; ++v)
-            cell.nodes[v] = mesh.node_key[mesh.cells[c][v]];
-        }
-      cells = gather_all(cells, communicator);
-      std::sort(cells.begin(), cells.end(), [](const Known &a, const Known &b) { return a.key < b.key; });
-      BodyRows rows;
-      for (const Known &cell : cells)
-        {
-          rows.cell.emplace(cell.key, rows.cell.size());
-          for (const std::uint64_t node : cell.nodes)
-            rows.node.emplace(node, rows.node.size());
-        }
-      return rows;
-    }
-
-    /// Whether a body is the one that is asked for, or none is.
-    bool
-    of(const std::optional<Body> asked, const Body body)
-    {
-      return !asked || *asked == body;
-    }
-
-    /// Whether the nodes of a body (none: of both) that the rank has lie where those of the saved state did,
-    /// those of the rail `farther` along, but for round-off.
-    bool
-    same_places(const std::vector<double> &saved,
-                const Rows                &rows,
-                const LocalMesh           &mesh,
-                const double               farther,
-                const std::optional<Body>  body)
-    {
-      constexpr double tolerance = 1e-10; // [m]
-      for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-        for (int d = 0; d < 3 && of(body, mesh.node_body[n]); ++d)
-          {
-            const double moved = d == 2 && mesh.node_body[n] == Body::rail ? farther : 0;
-            if (!(std::abs(saved[3 * rows.at(mesh.node_key[n]) + d] + moved - mesh.reference[4 * n + d]) <
-                  tolerance))
-              return false;
-          }
-      return true;
-    }
-
-    /// Whether a checkpoint has what bodies with this mesh need, or one of them.
-    bool
-    fits(const Checkpoint         &whole,
-         const BodyRows           &rows,
-         const Solid              &solid,
-         const double              farther,
-         const std::optional<Body> body)
-    {
-      const auto among = [](const Rows &all, const std::uint64_t key, const std::size_t n) {
-        const auto row = all.find(key);
-        return row != all.end() && row->second < n;
-      };
-      const LocalMesh &mesh = solid.mesh;
-      bool             same_mesh =
-        body || (whole.node.size() == solid.quality.nodes && whole.cell.size() == solid.quality.elements);
-      for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-        same_mesh = same_mesh &&
-                    (!of(body, mesh.node_body[n]) || among(rows.node, mesh.node_key[n], whole.node.size()));
-      for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-        same_mesh = same_mesh &&
-                    (!of(body, mesh.cell_body[c]) || among(rows.cell, mesh.cell_key[c], whole.cell.size()));
-      const auto has = [](const auto &all, const std::string &name, const unsigned int n) {
-        return all.count(name) == 1 && all.at(name).components >= n;
-      };
-      bool complete = has(whole.node_values, "position", 3) && has(whole.node_values, "displacement", 3) &&
-                      has(whole.node_values, "velocity", 3);
-      for (const Body other : both_bodies)
-        visit_histories(solid.blocks[other], [&](const char *name, const unsigned int n, const auto &) {
-          complete = complete && (!of(body, other) || has(whole.cell_values, name, n));
-        });
-      return same_mesh && complete &&
-             same_places(whole.node_values.at("position").values, rows.node, mesh, farther, body);
-    }
-
-    void
-    restore_solid(const Checkpoint &whole, const BodyRows &rows, Solid &solid, const std::optional<Body> body)
-    {
-      const LocalMesh &mesh          = solid.mesh;
-      const auto       restore_nodes = [&](const char *name, AlignedVector<double> &values) {
-        const auto &saved = whole.node_values.at(name).values;
-        for (std::size_t n = 0; n < mesh.n_nodes(); ++n)
-          if (of(body, mesh.node_body[n]))
-            std::copy_n(&saved[3 * rows.node.at(mesh.node_key[n])], 3, &values[4 * n]);
-      };
-      restore_nodes("displacement", solid.displacement);
-      restore_nodes("velocity", solid.velocity);
-      // for what is left out, as long as the longest row of either body
-      unsigned int longest = 0;
-      for (const Body other : both_bodies)
-        visit_histories(solid.blocks[other], [&](const char *, const unsigned int n, const auto &) {
-          longest = std::max(longest, n);
-        });
-      const std::vector<double> zeros(longest, 0.);
-      set_cell_histories(solid, [&](const std::string &name, const std::size_t cell) {
-        if (!of(body, mesh.cell_body[cell]))
-          return zeros.data();
-        const NumberedValues &saved = whole.cell_values.at(name);
-        return &saved.values[saved.components * rows.cell.at(mesh.cell_key[cell])];
-      });
     }
 
     /// What of a sum over ranks this rank goes on with.
@@ -315,20 +176,24 @@ namespace wheelrail
   }
 
 
-  bool
-  restore_bodies(const Checkpoint         &whole,
-                 Solid                    &solid,
-                 const double              farther,
-                 MPI_Comm                  communicator,
-                 const std::optional<Body> body)
+  Checkpoint
+  share_checkpoint(Checkpoint whole, MPI_Comm communicator)
   {
-    const BodyRows rows = whole.has_keys ? BodyRows{rows_by_key(whole.node), rows_by_key(whole.cell)}
-                                         : former_rows(solid.mesh, communicator);
-    int            same = fits(whole, rows, solid, farther, body) ? 1 : 0;
-    MPI_Allreduce(MPI_IN_PLACE, &same, 1, MPI_INT, MPI_MIN, communicator);
-    if (same == 1)
-      restore_solid(whole, rows, solid, body);
-    return same == 1;
+    namespace mpi    = dealii::Utilities::MPI;
+    const bool first = mpi::this_mpi_process(communicator) == 0;
+    Checkpoint rows;
+    const auto exchange_rows = [&]() {
+      std::swap(rows.node, whole.node);
+      std::swap(rows.cell, whole.cell);
+      std::swap(rows.node_values, whole.node_values);
+      std::swap(rows.cell_values, whole.cell_values);
+    };
+    exchange_rows();
+    const auto bytes = mpi::broadcast(communicator, first ? checkpoint_bytes(whole) : std::vector<char>());
+    if (!first)
+      return checkpoint_from_bytes({bytes.begin(), bytes.end()});
+    exchange_rows();
+    return whole;
   }
 
 

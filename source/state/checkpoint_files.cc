@@ -7,11 +7,13 @@
 #include <wheelrail/state/checkpoint_checks.h>
 #include <wheelrail/state/checkpoint_files.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 namespace wheelrail
 {
@@ -150,18 +152,6 @@ namespace wheelrail
                "; start anew without --resume");
     }
 
-    /// MPI counts in int; a state may be larger than that.
-    void
-    broadcast(std::string &text, MPI_Comm communicator)
-    {
-      unsigned long size = text.size();
-      MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG, 0, communicator);
-      text.resize(size);
-      constexpr std::size_t piece = std::size_t(1) << 30;
-      for (std::size_t begin = 0; begin < size; begin += piece)
-        MPI_Bcast(&text[begin], static_cast<int>(std::min(piece, size - begin)), MPI_CHAR, 0, communicator);
-    }
-
     std::string
     mm(const double length)
     {
@@ -247,6 +237,7 @@ namespace wheelrail
   read_checkpoint(const Scene &scene, const std::string &parameters, MPI_Comm communicator)
   {
     std::string bytes, notes;
+    Checkpoint  whole;
     int         size;
     MPI_Comm_size(communicator, &size);
     on_root(communicator, [&]() {
@@ -254,7 +245,7 @@ namespace wheelrail
       bytes             = read_newest(scene.folder, marker, notes);
       if (bytes.empty())
         return;
-      const Checkpoint whole = checkpoint_from_bytes(bytes);
+      whole = checkpoint_from_bytes(bytes);
       if (const auto obstacle = changed_since_start(scene, scene.folder); !obstacle.empty())
         refuse(scene.folder, obstacle);
       if (const auto obstacle = obstacle_to_resume(whole, scene, parameters); !obstacle.empty())
@@ -267,11 +258,10 @@ namespace wheelrail
                  (whole.ranks == 1 ? " rank" : " ranks") + " and goes on with " + std::to_string(size) +
                  ": results agree up to the growth of round-off\n";
     });
-    broadcast(bytes, communicator);
-    broadcast(notes, communicator);
-    if (bytes.empty())
+    if (!dealii::Utilities::MPI::broadcast(communicator, !bytes.empty()))
       return {};
-    ResumePoint point{checkpoint_from_bytes(bytes), {}};
+    notes = dealii::Utilities::MPI::broadcast(communicator, notes);
+    ResumePoint point{share_checkpoint(std::move(whole), communicator), {}};
     for (std::size_t begin = 0, end; begin < notes.size(); begin = end + 1)
       {
         end = notes.find('\n', begin);

@@ -79,15 +79,18 @@ namespace wheelrail
           "there is no rail.h5, which runs with a rail that yields leave when they have finished");
     });
     Checkpoint rail;
-    try
-      {
-        rail = checkpoint_from_bytes(read_whole_file(path));
-      }
-    catch (const RunError &error)
-      {
-        throw InputError(in_words(scene) + path + " is no whole rail (" + error.what() +
-                         "); compute that run again with --overwrite, or name another folder");
-      }
+    on_root(communicator, [&]() {
+      try
+        {
+          rail = checkpoint_from_bytes(read_whole_file(path));
+        }
+      catch (const RunError &error)
+        {
+          throw InputError(in_words(scene) + path + " is no whole rail (" + error.what() +
+                           "); compute that run again with --overwrite, or name another folder");
+        }
+    });
+    rail                    = share_checkpoint(std::move(rail), communicator);
     const std::string other = other_steel(rail.parameters, parameters);
     if (!other.empty())
       throw InputError(in_words(scene) + "the steel of that rail is another one: " + other);

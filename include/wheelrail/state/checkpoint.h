@@ -18,7 +18,8 @@ namespace wheelrail
   constexpr int checkpoint_format = 11;
 
   /// What a run needs to go on after a step, beyond the model, which the scene gives anew. Either the part
-  /// of one rank, or the whole of all ranks. Nodes and cells go by their keys, see LocalMesh.
+  /// of one rank, or the whole of all ranks, of which rank 0 alone may have the rows of nodes and cells.
+  /// These go by their keys, see LocalMesh.
   struct Checkpoint
   {
     std::string  parameters;            ///< all entries in force, see print_parameters()
@@ -66,6 +67,11 @@ namespace wheelrail
   Checkpoint
   gather_checkpoint(const Checkpoint &part, MPI_Comm communicator);
 
+  /// A whole checkpoint that rank 0 has, on all ranks but for the rows of nodes and cells, which rank 0 keeps
+  /// for restore_bodies(). Collective.
+  Checkpoint
+  share_checkpoint(Checkpoint whole, MPI_Comm communicator);
+
   /// Puts a whole checkpoint into a model built from the same scene, on any number of ranks; the next step
   /// then gives what it would have given in the first run: on as many ranks bit for bit, otherwise up to
   /// round-off. `rolling` must have been made with the time step of the checkpoint. Collective; throws
@@ -79,10 +85,10 @@ namespace wheelrail
 
   /// Puts displacements, velocities and histories of a whole checkpoint into both bodies, or into the one
   /// that is asked for, such as the rail: the wheel may then have any mesh. Whether their mesh is that of the
-  /// checkpoint, else nothing is changed. The rail may lie `farther` along the track [m] than it did.
-  /// Collective.
+  /// checkpoint, else nothing is changed. The rail may lie `farther` along the track [m] than it did. A rank
+  /// fetches the rows of its own nodes and cells alone. Collective.
   bool
-  restore_bodies(const Checkpoint   &whole,
+  restore_bodies(const Checkpoint   &saved,
                  Solid              &solid,
                  double              farther,
                  MPI_Comm            communicator,
