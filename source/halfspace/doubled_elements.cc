@@ -1,6 +1,8 @@
 #include <wheelrail/halfspace/doubled_elements.h>
+#include <wheelrail/halfspace/kernels.h>
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace wheelrail
@@ -60,8 +62,9 @@ namespace wheelrail
     if (!solution.within_friction)
       bare.motion = HalfspaceMotion::none;
     std::vector<SolvedProblem> solved;
+    std::shared_ptr<HalfspaceKernels> kernels;
     if (problem.added)
-      solved.push_back({bare, solve_rolling(bare)});
+      solved.push_back({bare, solve_rolling(bare, kernels, &solution)});
     else
       solved.push_back({problem, solution});
     for (const int before : {0, 1})
