@@ -3,10 +3,11 @@
 the marks of each part (<!-- measured: PART --> ... <!-- end -->). What stands outside the marks stays as it is, such as
 parts that a benchmark of their own measures. The rows that README.md has, too, are copied there.
 
-Usage: benchmarks/measure.py [PART ...] [--first N] [--program "./wheelrail"] [--page doc/measured.md]
+Usage: benchmarks/measure.py [PART ...] [--first N] [--program "./wheelrail"] [--build build] [--page FILE]
 
-Parts: main (the main scene), cost (error over cost), times (calls of ready scenes); all of them take an hour on two
-idle cores. --first N measures the first N rows of each part, shows them, and writes nothing.
+Parts: main (the main scene), cost (error over cost), times (calls of ready scenes), ranks (what a rank holds, by
+benchmark_ranks of --build); all of them take an hour on two idle cores. --first N measures the first N rows of each
+part, shows them, and writes nothing.
 """
 
 import argparse
@@ -39,6 +40,9 @@ MAIN = [("peak pressure", "max_pressure", "_Pa", " MPa", 1e-6, 0),
 CELLS = (2, 1, 0.5, 0.25)
 COST = [("peak pressure", "max_pressure"), ("area", "contact_area"), ("peak shear", "max_shear_traction"), ("creepage", "creepage")]
 
+#: cells of the table of ranks [mm]: some 40 000 and 2 million
+RANK_CELLS = (1, 0.1)
+
 #: calls of ready scenes, the cheap ones first: what is shown, arguments of the program
 TIMES = [("`prm/wear.prm`: 27 steps of nine rows", "wear prm/wear.prm --no-pictures"),
          ("`prm/quickstart.prm`, 2 mm cells", "run prm/quickstart.prm"),
@@ -59,17 +63,21 @@ TIMES = [("`prm/wear.prm`: 27 steps of nine rows", "wear prm/wear.prm --no-pictu
 class Calls:
     """Calls the program in the folder of the scenes, with results in one of their own."""
 
-    def __init__(self, program, work):
-        self.program, self.work = shlex.split(program), work
+    def __init__(self, program, build, work):
+        self.program, self.build, self.work = shlex.split(program), build, work
 
-    def call(self, arguments):
-        """Wall time of a call [s]; ends the measurement where it fails."""
-        command = self.program + arguments
+    def output(self, command):
+        """What a command prints; ends the measurement where it fails."""
         print(" ".join(map(shlex.quote, command)), flush=True)
-        begin = time.monotonic()
         done = subprocess.run(command, cwd=HOME, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         if done.returncode:
             sys.exit(f"{done.stdout[-2000:]}\nexit code {done.returncode}: this part is not written")
+        return done.stdout
+
+    def call(self, arguments):
+        """Wall time of a call of the program [s]."""
+        begin = time.monotonic()
+        self.output(self.program + arguments)
         return time.monotonic() - begin
 
     def seconds(self, call, name):
@@ -151,7 +159,26 @@ def times(calls, first):
                  [[label, shown_time(calls.seconds(call, f"times_{k}"))] for k, (label, call) in enumerate(TIMES[:first])])
 
 
-PARTS = {"main": main_scene, "cost": error_over_cost, "times": times}
+def ranks(calls, first):
+    """What the busiest of one, two and four ranks has of the main scene, of other cells, too."""
+    rows = []
+    for cell in RANK_CELLS[:first]:
+        scene = Path(calls.work) / f"ranks_{cell}.prm"
+        scene.write_text(f"include {HOME}/prm/rolling.prm\nsubsection Mesh\n  set Solution cell size = {cell} mm\nend\n",
+                         encoding="utf-8")
+        for n in (1, 2, 4):
+            lines = calls.output(["mpirun", "--oversubscribe", "-n", str(n), f"{calls.build}/benchmark_ranks", str(scene)]).splitlines()
+            if n == 1:
+                names = re.split("  +", lines[-2].strip())
+            found = dict(zip(names, map(float, lines[-1].split())))
+            rows.append([f"{cell} mm, {grouped(found['cells'])}", str(n), grouped(found["of the busiest"]),
+                         f"{found['memory MB']:.0f} MB", f"{found['neighbours']:.0f}, {found['sent to them kB']:.0f} kB",
+                         f"{found['set-up s']:.1f} s", f"{found['step ms']:.0f} ms"])
+    return table(["cells", "ranks", "cells of the busiest", "its memory", "its neighbours, sent a step", "set-up", "step"], rows) + [
+        "", f"Of the memory {found['bytes a coarse block']:.0f} bytes are for each coarse block, which deal.II keeps whole on each rank."]
+
+
+PARTS = {"main": main_scene, "cost": error_over_cost, "times": times, "ranks": ranks}
 
 
 def origin():
@@ -191,12 +218,13 @@ def main():
     parser.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
     parser.add_argument("--first", type=int, metavar="N")
     parser.add_argument("--program", default="./wheelrail")
+    parser.add_argument("--build", default="build")
     parser.add_argument("--page", type=Path, default=HOME / "doc/measured.md")
     options = parser.parse_args()
     if unknown := [part for part in options.parts if part not in PARTS]:
         parser.error(f"no such part: {', '.join(unknown)}; there are {', '.join(PARTS)}")
     with tempfile.TemporaryDirectory() as work:
-        calls = Calls(options.program, work)
+        calls = Calls(options.program, options.build, work)
         for part in options.parts or PARTS:
             before = origin()
             lines = [before, ""] + PARTS[part](calls, options.first)
