@@ -7,10 +7,13 @@ Families, whose input N is drawn from seed N:
   contacts  contacts of tests/random_contacts.py by half-spaces and by true bodies; truth: elements of half the size, and
             the straight line (creep) or parabola (pressure, extents) through both sizes towards none
   noise     the same by half-spaces with a measured rail whose points are moved by noise; truth: without the noise
-  runs      elastic runs of 30 to 40 mm on cells of 2 or 3 mm; truth: true bodies on elements of 0.25 mm under the
-            run's own forces
+  runs      elastic runs of 40 mm on cells of 2 or 3 mm; truth: true bodies on elements of 0.25 mm under the run's own
+            forces
+  yielding  the same with steel that yields, on cells of 3 mm; truth: the run on cells of 1.5 mm, and the straight line
+            (creep, plastic strain) or parabola through both sizes towards none
+  impacts   irregular runs on cells of 3 mm; truth: the same
 
-Seeds up to 2016 of contacts calibrated; 2021 and more judge. Truths are lines of truths.jsonl in the present folder and
+Seeds up to 2016 calibrated; 2021 and more judge. Truths are lines of truths.jsonl in the present folder and
 are not solved again; those of the program are lines of FAMILY.jsonl. Printed: of each family and result the share outside
 (at most 8 of 93), the median width of the interval over the value, and the seeds outside.
 """
@@ -26,8 +29,11 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from random_contacts import contact, contact_entries, known, scene_file  # noqa: E402
 from random_search import TESTS, as_options, execute, log_uniform  # noqa: E402
 
-CREEP = ("max_shear_traction_Pa", "stick_fraction", "t_gamma_N", "creepage", "lateral_force_N", "longitudinal_force_N")
-RESULTS = ("max_pressure_Pa", "contact_area_m2", "patch_lateral_m", "patch_longitudinal_m", "approach_m") + CREEP
+CREEP = ("max_plastic_strain", "archard_section_m2", "max_shear_traction_Pa", "stick_fraction", "t_gamma_N", "creepage",
+         "lateral_force_N", "longitudinal_force_N")
+OF_RUNS = ("max_residual_von_mises_Pa", "largest_vertical_force_N", "least_vertical_force_N", "impact_factor",
+           "largest_pressure_Pa")
+RESULTS = ("max_pressure_Pa", "contact_area_m2", "patch_lateral_m", "patch_longitudinal_m", "approach_m") + CREEP + OF_RUNS
 MOST_OUTSIDE = 8 / 93
 
 
@@ -119,30 +125,74 @@ def noise(program, seed):
     return {"half-spaces": {"own": chosen(own), "truth": {key: exact.get(key) for key in RESULTS}}} if own else {}
 
 
-def runs(program, seed):
-    scene, draw = scene_file(seed), random.Random(seed)
-    cells = draw.choice([2, 3])
-    entries = {"Profiles/Wheel": draw.choice(["S1002", os.path.join(TESTS, "profiles", "worn_S1002.prw")]),
-               "Profiles/Rail": draw.choice(["54E1", "60E1"]),
-               "Wheelset/Lateral shift": f"{draw.uniform(-3.5, 3.5):.3g} mm",
-               "Wheelset/Wheel load": f"{draw.uniform(60, 180):.4g} kN",
-               "Wheelset/Traction coefficient": f"{draw.uniform(-0.3, 0.3):.3g}",
-               "Contact/Friction coefficient": f"{draw.uniform(0.35, 0.6):.3g}",
-               "Wheelset/Velocity": f"{draw.uniform(60, 250):.3g} km/h"}
-    options = as_options({**entries, "Mesh/Solution cell size": f"{cells} mm", "Mesh/Coarse cell size": f"{8 * cells} mm",
-                          "Run/Rolling distance": "40 mm",
-                          "Run/Averaging distance": "16 mm", "Output/Ticks": "2", "Output/Volume fields": "false",
-                          "Output/Folder": scene[:-4]})
+def run_entries(draw):
+    return {"Profiles/Wheel": draw.choice(["S1002", os.path.join(TESTS, "profiles", "worn_S1002.prw")]),
+            "Profiles/Rail": draw.choice(["54E1", "60E1"]),
+            "Wheelset/Lateral shift": f"{draw.uniform(-3.5, 3.5):.3g} mm",
+            "Wheelset/Wheel load": f"{draw.uniform(60, 180):.4g} kN",
+            "Wheelset/Traction coefficient": f"{draw.uniform(-0.3, 0.3):.3g}",
+            "Contact/Friction coefficient": f"{draw.uniform(0.35, 0.6):.3g}",
+            "Wheelset/Velocity": f"{draw.uniform(60, 250):.3g} km/h"}
+
+
+def run(program, scene, entries, cells):
+    """Summary of a run on cells of a size [mm]; None where it fails."""
+    options = as_options({"Run/Rolling distance": "40 mm", "Run/Averaging distance": "16 mm", "Output/Ticks": "2",
+                          "Output/Volume fields": "false", **entries, "Mesh/Solution cell size": f"{cells} mm",
+                          "Mesh/Coarse cell size": f"{8 * cells} mm", "Output/Folder": scene[:-4]})
     code, _ = execute(program, "run", scene, "--overwrite", *options)
     path = os.path.join(scene[:-4], "summary.json")
     if code != 0 or not os.path.exists(path):
+        return None
+    with open(path) as file:
+        return json.load(file)
+
+
+def runs(program, seed):
+    scene, draw = scene_file(seed), random.Random(seed)
+    cells = draw.choice([2, 3])
+    own = run(program, scene, run_entries(draw), cells)
+    if not own:
         return {}
-    with open(path) as file:
-        own = json.load(file)
-    code, _ = execute(program, "compare", scene[:-4], "--no-pictures", "--set", "Half-space/Element size = 0.25 mm")
-    with open(path) as file:
+    execute(program, "compare", scene[:-4], "--no-pictures", "--set", "Half-space/Element size = 0.25 mm")
+    with open(os.path.join(scene[:-4], "summary.json")) as file:
         compared = json.load(file)
     return {f"{cells} mm": {"own": chosen(own), "truth": {key: compared.get("bodies_" + key) for key in RESULTS}}}
+
+
+def with_half(program, seed, family, entries):
+    """A run on cells of 3 mm, and what those of 1.5 mm say of it."""
+    scene = scene_file(seed)
+    own = run(program, scene, entries, 3)
+    fine = own and once("truths.jsonl", seed, family, lambda: run(program, scene, entries, 1.5) or {})
+    return {"3 mm": {"own": chosen(own), "truth": {key: limit_of(key, own, fine) for key in RESULTS}}} if fine else {}
+
+
+def yielding(program, seed):
+    draw = random.Random(seed)
+    entries, stress = run_entries(draw), log_uniform(draw, 300, 700)
+    for body in ("Rail material", "Wheel material"):
+        entries.update({f"{body}/Yield stress": f"{stress:.3g} MPa", f"{body}/Tangent modulus": "21 GPa"})
+    return with_half(program, seed, "yielding", entries)
+
+
+def impacts(program, seed):
+    draw = random.Random(seed)
+    kind, length = draw.choice(["dent", "squat", "dipped joint", "flat", "corrugation"]), draw.uniform(20, 50)
+    entries = {"Wheelset/Lateral shift": f"{draw.uniform(-2, 2):.3g} mm",
+               "Wheelset/Wheel load": f"{draw.uniform(60, 140):.4g} kN",
+               "Wheelset/Velocity": f"{log_uniform(draw, 40, 200):.3g} km/h", "Wheelset/Traction coefficient": "0",
+               "Run/Rolling distance": "80 mm", "Run/Averaging distance": "6 mm", "Run/Evaluate at": "largest force",
+               "Irregularity 1/Kind": kind, "Irregularity 1/Place": "35 mm", "Irregularity 1/Length": f"{length:.3g} mm"}
+    if kind == "dipped joint":
+        entries["Irregularity 1/Angle"] = f"{draw.uniform(3, 12):.3g} mrad"
+    elif kind != "flat":
+        entries["Irregularity 1/Depth"] = f"{draw.uniform(0.02, 0.15):.3g} mm"
+    if kind == "squat":
+        entries["Irregularity 1/Width"] = f"{draw.uniform(20, 40):.3g} mm"
+    if kind == "corrugation":
+        entries.update({"Irregularity 1/Wavelength": f"{length:.3g} mm", "Irregularity 1/Length": "60 mm"})
+    return with_half(program, seed, "impacts", entries)
 
 
 def print_coverage(family, lines):
@@ -166,12 +216,15 @@ def print_coverage(family, lines):
                       f"median width {100 * sorted(widths)[n // 2]:6.2f} %  {outside}")
 
 
+FAMILIES = {"contacts": contacts, "noise": noise, "runs": runs, "yielding": yielding, "impacts": impacts}
+
+
 def main():
     program, family, first, last = os.path.abspath(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
     path = f"{family}.jsonl"
     for seed in range(first, last + 1):
         if seed not in known(path):
-            results = {"contacts": contacts, "noise": noise, "runs": runs}[family](program, seed)
+            results = FAMILIES[family](program, seed)
             with open(path, "a") as file:
                 file.write(json.dumps({"seed": seed, "results": results}) + "\n")
             for left in glob.glob(f"contact_{seed}*"):

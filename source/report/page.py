@@ -132,7 +132,8 @@ def key_figures(figures, keys=None):
 def top(summary, figures, inputs_table, keys=None):
     """Verdict, inputs and key results, with which each page of a result begins."""
     lines = lines_of(figure_rows(summary, key_figures(figures, keys)))
-    parts = [verdict_sentence(summary), "<div class=top>"]
+    note = summary.get("note")
+    parts = [verdict_sentence(summary), f"<p>{html.escape(note)}</p>" if note else "", "<div class=top>"]
     if inputs_table:
         parts.append("<div><h2>Inputs</h2>" + inputs_table + "</div>")
     if lines:

@@ -123,6 +123,7 @@ def draw_curves(family):
     for axes, rows in zip(all_axes.flat, panels):
         for (key, factor, label), color in zip(rows, style.COLORS):
             axes.plot(family.passages, factor * family.table[key], "o-", color=color, markersize=3.5, label=label)
+            style.band(axes, family.passages, family.table, key, factor, color)
         axes.grid(True)
         if len(rows) > 1:
             axes.legend(loc="best")

@@ -1,6 +1,7 @@
 """What all pictures share: fonts, colours, scales, the sides of the rail, saving."""
 
 import os
+import re
 import sys
 
 try:
@@ -55,6 +56,18 @@ def round_top(value):
 def in_order(count):
     """Colours of so many curves that follow each other, the last one the darkest."""
     return plt.get_cmap(HIGH)([0.08 + 0.92 * k / max(count - 1, 1) for k in range(count)])
+
+
+def band(axes, places, table, key, factor, color):
+    """The interval of 95 % around a curve, of columns such as max_pressure_low_Pa; nothing where there are none."""
+    body, unit = re.fullmatch(r"(.*?)((?:_(?:Pa|m2|N|m))?)", key).groups()
+    low, high = f"{body}_low{unit}", f"{body}_high{unit}"
+    if low in table and high in table:
+        fill_band(axes, places, table[low], table[high], factor, color)
+
+
+def fill_band(axes, places, low, high, factor, color):
+    axes.fill_between(places, factor * low, factor * high, color=color, alpha=0.2, linewidth=0)
 
 
 def name_places(axes, x, y, texts, size=8):

@@ -111,6 +111,7 @@ def draw_history(table, over, label, title, rows, path):
                                     constrained_layout=True)
     for axes, (key, factor, text) in zip(all_axes[:, 0], rows):
         axes.plot(over, factor * table[key], ".-", color=style.COLORS[0], linewidth=1.2)
+        style.band(axes, over, table, key, factor, style.COLORS[0])
         axes.set_ylabel(text, fontsize=10)
         axes.grid(True, alpha=0.4)
     all_axes[-1, 0].set_xlabel(label)

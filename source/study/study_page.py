@@ -9,6 +9,7 @@ import numpy as np
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "report"))
 
+import cell_limits
 import drawing
 import family_pictures
 import inputs
@@ -88,6 +89,9 @@ def draw_curves(study, columns, key, x, curves):
             label = who if not name else f"{name}, {who.lower()}" if len(pair) > 1 else name
             axes.plot(x.places[rows_here], column.values[rows_here] * column.factor, mark + line, color=own,
                       markerfacecolor=face or own, markersize=5, linewidth=1.3, label=label)
+            if column.low is not None and column.high is not None:
+                low, high = np.array(column.low)[rows_here], np.array(column.high)[rows_here]
+                style.fill_band(axes, x.places[rows_here], low, high, column.factor, own)
     x.dress(axes)
     axes.set_ylabel(pair[0][0].title)
     axes.grid(True)
@@ -218,7 +222,7 @@ def write(study, failures, processes):
               f"{html.escape(doubts)}</p>"
               for case in study.cases for word, doubts in [study_table.verdict(study.summaries(case))] if doubts]
     parts += ["<div class=top><div><h2>Inputs</h2>", inputs_of(study, members), "</div></div>", "<h2>Key results</h2><div class=wide>",
-              table(study, columns, states), "</div>"]
+              table(study, columns, states), "</div>", *cell_limits.table(study, columns)]
     if family and os.path.basename(family[0][1]) == "family_head.png":
         parts += ["<div class=pictures>", page.picture(*family.pop(0), "broad", COLORS), "</div>"]
     if shown:
