@@ -144,7 +144,7 @@ def run(program, path):
     """What the program prints for a file, and its processor seconds."""
     with tempfile.TemporaryDirectory() as folder:
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        call = subprocess.run([os.path.abspath(program), "contact", os.path.abspath(path), "--printed"],
+        call = subprocess.run([os.path.abspath(program), "contact", os.path.abspath(path), "--printed", "--no-pictures"],
                               cwd=folder, capture_output=True, text=True, check=False)
         seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
         stem = os.path.splitext(os.path.basename(path))[0]

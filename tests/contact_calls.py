@@ -214,7 +214,11 @@ def errors():
     call("cntc_setflags", 3, 1, 2, [FRICTION_LAW, 1999], [2, 1])
     check("the flag 1976 can be asked for only" in messages(), "a flag that is not set so")
     call("cntc_settemperaturedata", 3, 1, 3, 9, [20.0, 450.0, 50.0, 7850.0] * 2 + [1.0])
-    check(calculate(3) == -99 and "H = 3 (heat: new) is not computed" in messages(), "what is not computed is named")
+    check(calculate(3) == 0, "with heat")
+    check(all(t > 20 for t in call("cntc_getmaximumtemperature", 3, 1, 0.0, 0.0)[2:]), "friction heats")
+    call("cntc_setinterfaciallayer", 3, 1, 1, 4, [1.0, 1.0, 0.1, 0.1])
+    check(calculate(3) == -99 and "M = 1 (material: viscoelastic) is not computed" in messages(),
+          "what is not computed is named")
     check(call("cntc_getflags", 3, 1, 2, [UNITS, MOTION], [0, 0])[4] == [SIMPACK, 3], "flags read back")
     call("cntc_finalize", 3)
     check(call("cntc_calculate", 3, 1, 0)[2] == -31, "an element that is gone")

@@ -37,7 +37,7 @@ namespace
   }
 
   void
-  test_printed_rows(const std::string &file, const std::string &table)
+  test_printed_rows(const std::string &file, const std::string &table, const double tolerance = 1e-3)
   {
     const std::vector<ContactCase> cases =
       read_inp_file(std::string(WHEELRAIL_TEST_DIR) + "/contact_files/" + file);
@@ -56,7 +56,7 @@ namespace
             if (column < row.size() && !row[column].empty())
               {
                 const double number = std::stod(row[column]);
-                check_near(value, number, 1e-3 * std::max(std::abs(number), least), name + what);
+                check_near(value, number, tolerance * std::max(std::abs(number), least), name + what);
               }
           };
         const double force = 0.1 * std::stod(row[2]);
@@ -68,6 +68,7 @@ namespace
         printed(7, 1e-6 * s.peak_pressure, 0, "peak pressure");
         printed(8, (cases[k].digits.motion == 1 ? 1e3 : 1) * s.xi, 0, "longitudinal creepage");
         printed(9, s.eta, 1e-4, "lateral creepage");
+        printed(13, hottest(s), 0, "temperature");
         const auto count = [&](const HalfspaceSolution::State state) {
           return std::to_string(std::count(s.state.begin(), s.state.end(), state));
         };
@@ -299,16 +300,16 @@ namespace
     const double from_nothing = solve_case(cases[2]).solution.xi;
     check_relative(
       results[2].solved->solution.xi, from_nothing, 1e-6, "P = 1 of like materials: no tractions before");
-    cases[0].digits.bound = 1;
-    cases[1].digits.past  = 0;
-    results               = solve_cases(cases);
+    cases[0].digits.influence = 3;
+    cases[1].digits.past      = 0;
+    results                   = solve_cases(cases);
     check(!results[0].solved && !results[1].solved, "what goes on from a refused case is refused");
     check_text(results[1].refused.at(0),
                cases[1].file + ":" + std::to_string(cases[1].line) +
                  ": the case goes on from one before that is not computed; taken are cases with P = 2",
                "and says so");
-    cases[0].digits.bound = 0;
-    cases[1].rolling.step = 0.5; // two elements
+    cases[0].digits.influence = 2;
+    cases[1].rolling.step     = 0.5; // two elements
     check_text(
       solve_cases(cases)[1].refused.at(0),
       cases[1].file + ":" + std::to_string(cases[1].rolling.line) +
@@ -423,6 +424,7 @@ main()
 {
   test_printed_rows("basic.inp", "contact_basic_cases.csv");
   test_printed_rows("layers.inp", "contact_layer_cases.csv");
+  test_printed_rows("heat.inp", "contact_heat_cases.csv", 3e-3);
   test_points();
   test_distances();
   test_grids();

@@ -175,6 +175,7 @@ namespace wheelrail
        [](po::options_description &options) {
          options.add_options()("case", po::value<int>(), "one case: its place in the file, from 1");
          options.add_options()("printed", "CONTACT's own result blocks, too: NAME.out in the results");
+         options.add_options()("no-pictures", "tables alone, without pictures and page");
        },
        act_contact},
       {"vehicle",

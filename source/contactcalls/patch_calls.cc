@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/contactcalls/call_table.h>
 #include <wheelrail/contactcalls/contact_calls.h>
+#include <wheelrail/contactfiles/rail_shape.h>
 
 #include <algorithm>
 #include <array>
@@ -62,7 +63,7 @@ namespace
   locations(const CallProblem &problem, const WheelRailPatch &patch)
   {
     const ContactCase &one       = *problem.before;
-    WheelRailPose      pose      = wheel_rail_pose(one, section_line(one.track.profile, false));
+    WheelRailPose      pose      = wheel_rail_pose(one, RailShape(one).middle());
     pose.height                  = problem.wheel_rail->height;
     const double           side  = pose.left ? -1 : 1; // the pose is that of the right-hand side
     const RigidMotion      wheel = pose.wheel_to_track(), set = pose.wheelset_to_track();
@@ -149,7 +150,7 @@ cntc_getglobalforces(const int *ire, const int *icp, const int *n, double *value
   with_problem(
     {"cntc_getglobalforces", 1, true}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
       const ContactCase  &one  = *problem.before;
-      const WheelRailPose pose = wheel_rail_pose(one, section_line(one.track.profile, false));
+      const WheelRailPose pose = wheel_rail_pose(one, RailShape(one).middle());
       const double        side = pose.left ? -1 : 1;
       Vector3             track{}, wheelset{}, rail_moment{}, wheel_moment{};
       const auto          take = [&](const WheelRailPatch &patch) {
@@ -175,38 +176,4 @@ cntc_getglobalforces(const int *ire, const int *icp, const int *n, double *value
         values[k] = element.units.body * all[k / 3][std::size_t(k % 3)] /
                     (k / 3 % 2 == 1 ? millimetre * element.units.length : 1);
     });
-}
-
-void
-cntc_getprofilevalues(const int *ire,
-                      const int *task,
-                      const int *,
-                      const int *,
-                      const int *,
-                      const double *,
-                      const int *n,
-                      double    *values)
-{
-  std::fill(values, values + std::max(0, *n), 0.);
-  if (*n > 0)
-    values[0] = call_error::profile;
-  with_problem({"cntc_getprofilevalues", 1}, *ire, -1, [&](CallElement &, CallProblem &problem) {
-    if (*task == -1 && *n > 0 && problem.one.track.profile.line > 0 && problem.one.wheelset.profile.line > 0)
-      values[0] = 0; // both were found when they were set
-    else
-      throw InputError("the task " + std::to_string(*task) + " is not computed; taken is -1 (errors)");
-  });
-}
-
-void
-cntc_getprofilevalues_new(const int    *ire,
-                          const int    *task,
-                          const int    *n_integers,
-                          const int    *integers,
-                          const int    *n_reals,
-                          const double *reals,
-                          const int    *n,
-                          double       *values)
-{
-  cntc_getprofilevalues(ire, task, n_integers, integers, n_reals, reals, n, values);
 }

@@ -47,8 +47,8 @@ namespace
   field(const int code, const CallResult &solved, const CallProblem &problem)
   {
     const HalfspaceSolution &s = solved.solution;
-    // 0 where no layer yields
-    const auto of_layer = [&](const std::vector<double> &values) {
+    // 0 where no layer yields, nothing heats
+    const auto or_nothing = [&](const std::vector<double> &values) {
       return values.empty() ? std::vector<double>(std::size_t(s.grid.size()), 0.) : values;
     };
     switch (code)
@@ -86,14 +86,17 @@ namespace
         case 16:
           return s.slip_y;
         case 11:
-          return of_layer(s.yield_stress);
+          return or_nothing(s.yield_stress);
         case 12:
-          return of_layer(s.plastic_x);
+          return or_nothing(s.plastic_x);
         case 13:
-          return of_layer(s.plastic_y);
+          return or_nothing(s.plastic_y);
+        case 20:
+        case 21:
+          return or_nothing(s.temperature[code == 20 ? 0 : 1]);
         default:
           throw InputError("the field " + std::to_string(code) +
-                           " is not available; taken are 1 to 5, 7 to 9, 11 to 13, 15 and 16");
+                           " is not available; taken are 1 to 5, 7 to 9, 11 to 13, 15, 16, 20 and 21");
       }
   }
 
@@ -172,9 +175,9 @@ cntc_getcontactforces(const int *ire, const int *icp, double *fn, double *fx, do
 {
   with_result(
     "cntc_getcontactforces", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &unit) {
-      *fn = s.solution.fn;
+      *fn = s.patch ? s.patch->normal_force : s.solution.fn;
       *fx = unit.body * s.solution.fx;
-      *fy = unit.body * s.solution.fy;
+      *fy = unit.body * (s.patch ? s.patch->lateral_force : s.solution.fy);
       *mz = unit.body * unit.length * (s.patch ? s.patch->spin_moment : s.solution.spin_moment);
     });
 }
@@ -226,8 +229,11 @@ cntc_getmaximumtemperature(const int *ire, const int *icp, double *body1, double
 {
   *body1 = *body2 = 0;
   with_result(
-    "cntc_getmaximumtemperature", *ire, *icp, [](const CallResult &, const CallProblem &, const FromSI &) {
-      throw InputError("temperatures are not computed");
+    "cntc_getmaximumtemperature", *ire, *icp, [&](const CallResult &s, const CallProblem &, const FromSI &) {
+      const auto &of = s.solution.temperature;
+      if (of[0].empty())
+        throw InputError("temperatures are not asked for; call cntc_settemperaturedata");
+      *body1 = *body2 = hottest(s.solution);
     });
 }
 
@@ -340,70 +346,4 @@ cntc_getreferencevelocity(const int *ire, const int *icp, double *velocity)
                     ? problem.one.rolling.velocity / element.units.length
                     : call_result(problem, *icp).patch->velocity / (millimetre * element.units.length);
     });
-}
-
-void
-cntc_getcalculationtime(const int *ire, const int *icp, double *cpu, double *wall)
-{
-  *cpu = *wall = 0;
-  with_problem({"cntc_getcalculationtime"}, *ire, *icp, [&](CallElement &, CallProblem &problem) {
-    *cpu  = problem.cpu_seconds;
-    *wall = problem.wall_seconds;
-  });
-}
-
-void
-cntc_resetcalculationtime(const int *ire, const int *icp)
-{
-  with_problem({"cntc_resetcalculationtime"}, *ire, *icp, [](CallElement &, CallProblem &problem) {
-    problem.cpu_seconds = problem.wall_seconds = 0;
-  });
-}
-
-void
-cntc_getparameters(const int *ire, const int *icp, const int *task, const int *n, double *values)
-{
-  with_problem({"cntc_getparameters"}, *ire, *icp, [&](CallElement &element, CallProblem &problem) {
-    const ContactCase         &one   = problem.one;
-    const CallUnits           &u     = element.units;
-    const ContactMaterial     &m     = one.material;
-    const std::vector<double> &c     = m.constants;
-    const bool                 layer = m.constants_of == 4;
-    if (*task == 1)
-      fill({one.rolling.velocity / u.length,
-            one.rolling.direction,
-            one.rolling.step / u.length,
-            one.kinematics.spin_x / u.length,
-            one.kinematics.spin_y / u.length,
-            layer ? c[2] / u.stress : 0},
-           *n,
-           values);
-    else if (*task == 2)
-      {
-        const double G  = 2 / (1 / m.shear[0] + 1 / m.shear[1]);
-        const double nu = G * (m.poisson[0] / m.shear[0] + m.poisson[1] / m.shear[1]) / 2;
-        fill({m.shear[0] / u.stress, m.shear[1] / u.stress, G / u.stress, m.poisson[0], m.poisson[1], nu},
-             *n,
-             values);
-      }
-    else if (*task == 3)
-      {
-        std::vector<double> all{double(one.digits.law),
-                                double(one.friction.lines.size()),
-                                one.friction.memory_length / u.length,
-                                one.friction.memory_speed / u.length};
-        for (const ContactFrictionLine &line : one.friction.lines)
-          {
-            const std::vector<double> &v     = line.constants;
-            const bool                 falls = one.digits.law >= 2 && one.digits.law <= 4;
-            all.insert(all.end(), {line.place, falls ? v[0] + v[1] + v[3] : v[0], v[0]});
-          }
-        fill(all, *n, values);
-      }
-    else
-      {
-        fill({}, *n, values);
-        throw InputError("the task " + std::to_string(*task) + " is unknown; 1 to 3 are known");
-      }
-  });
 }

@@ -32,6 +32,8 @@ namespace wheelrail
         fail(one, second, "L = 6 (friction by temperature) needs H = 1 or 3 and none of M = 2, 3, 5");
       if (d.heat == 3 && d.motion != 0 && d.motion != 3)
         fail(one, third, "H = 3 (heat) needs T = 0 (no friction) or 3 (steady rolling)");
+      if (d.heat != 0 && one.material.heat.size() != 8)
+        fail(one, third, "no case has stated how the bodies conduct heat; set H = 3 and state it");
       if (one.written.law == 1 && before && d.variation != before->digits.variation)
         fail(one, second, "the digit V may not change where L = 1 keeps the friction of the case before");
       if (!basic && d.forces == 1 && d.normal != 1)
@@ -167,11 +169,13 @@ namespace wheelrail
     /// Values of module 1.
     template <typename Add>
     void
-    refuse_profile(const ContactProfile &profile, const Add &add)
+    refuse_profile(const ContactProfile &profile, const bool wheel, const Add &add)
     {
       const std::string name = std::filesystem::path(profile.file).filename().string();
-      if (is_slices_file(profile.file))
-        add(profile.line, "the slices " + name, "taken are profiles of one section");
+      if (is_slices_file(profile.file) && !wheel && profile.mirror_z == 0)
+        add(profile.line,
+            "MIRRORZ = 0 (up or down found from the points) of the slices " + name,
+            "taken are -1 (z points down) and 1");
       if (profile.smoothing != 0)
         add(profile.line, "SMOOTH other than 0 (a smoothed profile)", "taken is SMOOTH = 0");
     }
@@ -180,9 +184,27 @@ namespace wheelrail
     void
     refuse_wheel_rail(const ContactCase &one, const Add &add)
     {
-      refuse_profile(one.track.profile, add);
-      refuse_profile(one.wheelset.profile, add);
-      const ControlDigits       &d = one.digits;
+      refuse_profile(one.track.profile, false, add);
+      refuse_profile(one.wheelset.profile, true, add);
+      const ControlDigits &d      = one.digits;
+      const bool           slices = is_slices_file(one.track.profile.file),
+                 out_of_round     = is_slices_file(one.wheelset.profile.file);
+      if ((slices || out_of_round || d.side >= 4) && (d.motion == 1 || d.motion == 2))
+        add(one.word_lines[0],
+            "T = " + std::to_string(d.motion) +
+              (slices         ? " on rails by slices"
+               : out_of_round ? " with wheels by slices"
+                              : " on rollers"),
+            "taken are T = 0 and 3");
+      if ((slices || out_of_round || d.side >= 4) && d.grid == 4)
+        add(one.word_lines[1], "D = 4 (conformal) on rollers or slices", "taken are D = 2 and 5");
+      if (d.grid == 4 && d.motion == 2)
+        add(
+          one.word_lines[0], "T = 2 (transient rolling) with D = 4 (conformal)", "taken are T = 0, 1 and 3");
+      if (slices && d.side >= 4)
+        add(one.track.profile.line, "a roller by slices", "taken are profiles of one section");
+      if (slices && one.track.gauge_height > 0)
+        add(one.track.line, "GAUGHT > 0 (gauge) with slices", "taken is their place, RAILY0 and RAILZ0");
       const std::vector<double> &c = one.material.constants;
       if (d.material == 4 && d.motion < 3 && c[2] > 0 && c[2] < 1e10)
         add(one.material.line,
@@ -196,8 +218,6 @@ namespace wheelrail
         add(one.wheelset.line, "YTAPE (NOMRADW at another place than z = 0)", "taken are files without it");
       if (one.elements.missed_gap >= 0)
         add(one.elements.line, "G_MISS >= 0 (near misses)", "taken is -1");
-      if (one.digits.motion != 0 && one.wheelset.velocity[0] < 0)
-        add(one.wheelset.velocity_line, "VS < 0 (a wheel that rolls backwards)", "taken is VS > 0");
     }
   } // namespace
 
@@ -223,6 +243,10 @@ namespace wheelrail
               entry->meaning + ")",
             "taken are " + accepted_digits(digit, {DigitValue::taken, DigitValue::kept}));
       }
+    if (one.digits.heat != 0 && (one.digits.motion == 1 || one.digits.motion == 2))
+      add(one.word_lines[2],
+          "H = " + std::to_string(one.digits.heat) + " (heat) with T = " + std::to_string(one.digits.motion),
+          "taken is T = 3 (steady rolling)");
     if (one.module == 3)
       refuse_basic(one, add);
     else

@@ -151,19 +151,6 @@ namespace wheelrail
         value = -value;
     }
 
-    void
-    turn_problem(HalfspaceProblem &problem)
-    {
-      problem.grid = turned_grid(problem.grid);
-      std::reverse(problem.row_friction.begin(), problem.row_friction.end());
-      for (auto *field : {&problem.undeformed_distance, &problem.rigid_slip_x, &problem.rigid_slip_y})
-        std::reverse(field->begin(), field->end());
-      negate(problem.rigid_slip_x);
-      negate(problem.rigid_slip_y);
-      for (double *value : {&problem.xi, &problem.eta, &problem.fx, &problem.fy})
-        *value = -*value;
-    }
-
     /// Hertz's ellipsoid, or a paraboloid of the same force (B = 2, 3).
     void
     give_pressure(const HertzContact &hertz, const bool elliptic, HalfspaceProblem &problem)
@@ -247,12 +234,31 @@ namespace wheelrail
     return grid;
   }
 
+  void
+  turn_problem(HalfspaceProblem &problem)
+  {
+    problem.grid = turned_grid(problem.grid);
+    std::reverse(problem.row_friction.begin(), problem.row_friction.end());
+    std::reverse(problem.hot_friction.begin(), problem.hot_friction.end());
+    for (auto *field : {&problem.undeformed_distance, &problem.rigid_slip_x, &problem.rigid_slip_y})
+      std::reverse(field->begin(), field->end());
+    negate(problem.rigid_slip_x);
+    negate(problem.rigid_slip_y);
+    for (double *value : {&problem.xi, &problem.eta, &problem.fx, &problem.fy})
+      *value = -*value;
+  }
+
   FrictionLaw
   friction_of(const ContactCase &one, const ContactFrictionLine &line)
   {
     const std::vector<double> &c = line.constants;
     FrictionLaw                law;
     if (one.digits.law == 0)
+      {
+        law.at_rest = c[0];
+        return law;
+      }
+    if (one.digits.law == 6)
       {
         law.at_rest = c[0];
         return law;
@@ -271,14 +277,36 @@ namespace wheelrail
     return law;
   }
 
+  std::vector<FrictionOfTemperature>
+  hot_friction_of(const ContactCase &one, const std::vector<ContactFrictionLine> &lines)
+  {
+    std::vector<FrictionOfTemperature> hot;
+    for (std::size_t k = 0; one.digits.law == 6 && k < lines.size(); ++k)
+      hot.push_back({lines[k].constants[1], lines[k].constants[3], lines[k].constants[2]});
+    return hot;
+  }
+
   void
   set_bodies(const ContactCase &one, HalfspaceProblem &problem)
   {
     const ContactMaterial &material = one.material;
     for (const auto &[body, index] : {std::pair{&problem.body1, 0}, std::pair{&problem.body2, 1}})
       *body = {megapascal * material.shear[std::size_t(index)], material.poisson[std::size_t(index)]};
+    if (one.digits.bound == 1)
+      problem.normal_compliance = millimetre / megapascal * material.normal_flexibility;
     if (one.digits.motion == 0)
       return;
+    if (one.digits.heat != 0 && one.digits.motion == 3)
+      {
+        HeatConduction &heat = problem.heat.emplace();
+        for (const std::size_t body : {0, 1})
+          {
+            const double *const v = material.heat.data() + 4 * body; // BKTEMP HEATCP LAMBDA DENS
+            heat.far[body]        = v[0];
+            heat.effusivity[body] = std::sqrt(v[1] * (v[2] / millimetre) * (v[3] / std::pow(millimetre, 3)));
+          }
+        heat.plastic_share = material.plastic_heat;
+      }
     problem.memory_length = millimetre * one.friction.memory_length;
     if (one.friction.memory_speed > 0)
       problem.memory_least_speed = millimetre * one.friction.memory_speed;
@@ -324,7 +352,8 @@ namespace wheelrail
     if (d.variation == 3)
       for (const ContactFrictionLine &line : one.friction.lines)
         problem.row_friction.push_back(friction_of(one, line));
-    result.friction  = d.variation == 3 ? 1 : problem.friction.at(0);
+    problem.hot_friction = hot_friction_of(one, one.friction.lines);
+    result.friction      = d.variation == 3 ? 1 : problem.friction.at(0);
     const bool shift = d.motion == 1; // creepages and spin are distances and an angle, the velocity is 1 mm/s
     problem.motion   = shift           ? HalfspaceMotion::shift
                        : d.motion == 2 ? HalfspaceMotion::transient

@@ -1,5 +1,6 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/printed_blocks.h>
@@ -96,6 +97,7 @@ namespace wheelrail
                                     std::pair{"spin_per_m", "1/m"},
                                     std::pair{"area_of_whole_elements_m2", "m2"},
                                     std::pair{"stick_fraction", "1"},
+                                    std::pair{"max_temperature_C", "C"},
                                     std::pair{"converged", "1"}})
       table.add(key, unit, {});
     for (std::size_t k = 0; k < cases.size(); ++k)
@@ -120,6 +122,7 @@ namespace wheelrail
                          shift ? none : s.phi,
                          s.area,
                          s.area > 0 ? s.adhesion_area / s.area : none,
+                         hottest(s),
                          s.converged() ? 1. : 0.});
         }
     return table;
@@ -193,7 +196,7 @@ namespace wheelrail
       if (task.only > 0)
         cases.resize(std::size_t(task.only));
       std::vector<CaseResult> results = solve_cases(cases);
-      if (task.only > 0)
+      if (task.only > 0 && results.size() == cases.size())
         for (std::size_t k = 0; k + 1 < results.size(); ++k)
           results[k] = {};
       return results;
@@ -242,7 +245,8 @@ namespace wheelrail
       for (const auto &entry : std::filesystem::directory_iterator(folder))
         if (const std::string name = entry.path().filename().string();
             name.rfind("case_", 0) == 0 || name.rfind("cases.", 0) == 0 ||
-            name.rfind("wheel_rail.", 0) == 0 || name.rfind("patches.", 0) == 0 || name == "summary.json" ||
+            name.rfind("wheel_rail.", 0) == 0 || name.rfind("patches.", 0) == 0 ||
+            name.rfind("points.", 0) == 0 || name == "summary.json" || name == "contact.html" ||
             entry.path().extension() == ".out")
           own.push_back(entry.path());
       for (const auto &path : own)
@@ -304,6 +308,13 @@ namespace wheelrail
   } // namespace
 
 
+  std::string
+  contact_folder(const std::string &file)
+  {
+    return "output/" + std::filesystem::path(file).stem().string() + "-contact";
+  }
+
+
   int
   run_contact_command(const ContactFileTask &task, std::ostream &out)
   {
@@ -317,12 +328,16 @@ namespace wheelrail
         for (const std::string &sentence : result.refused)
           why += (why.empty() ? "" : "\n") + sentence;
       }
+    const bool left = results.size() < cases.size();
+    if (left && (results.empty() || task.only > 0))
+      throw Interrupted();
+    cases.resize(results.size());
     if (std::none_of(
           results.begin(), results.end(), [](const CaseResult &r) { return r.solved || r.wheel_rail; }))
       throw InputError(why.empty() ? task.file + " has no case to compute: R = 2 and 3 only check" : why);
 
     const std::string  stem = std::filesystem::path(task.file).stem().string();
-    const ResultFolder held("output/" + stem, "-contact");
+    const ResultFolder held(contact_folder(task.file), "");
     const std::size_t  poor = print_results(1, cases, results, out) + print_results(3, cases, results, out);
     for (const ContactCase &one : cases)
       for (const std::string &note : one.notes)
@@ -340,6 +355,9 @@ namespace wheelrail
     if (task.printed)
       replace_file((held.path() / (stem + ".out")).string(), printed_blocks(cases, results));
     out << "Tables in " << held.path().string() << std::endl;
+    if (left)
+      throw Interrupted("the cases before case " + std::to_string(results.size() + 1) + " are kept in " +
+                        held.path().string() + "; the same command solves all, --case K one");
     return refused + poor == 0 ? 0 : 2;
   }
 } // namespace wheelrail

@@ -38,7 +38,7 @@ namespace wheelrail
         const char         *values;
       };
       const std::vector<Entry> entries{
-        {'C', 1, 1, "configuration", &D::side, "0 left rail; 1 right rail; 4! left roller; 5! right roller"},
+        {'C', 1, 1, "configuration", &D::side, "0 left rail; 1 right rail; 4 left roller; 5 right roller"},
         {'P',
          1,
          0,
@@ -50,9 +50,9 @@ namespace wheelrail
          3,
          "bound",
          &D::bound,
-         "0 full solution; 1! with normal springs; 2 elliptic pressure; 3 parabolic pressure; 4! two half "
+         "0 full solution; 1 with normal springs; 2 elliptic pressure; 3 parabolic pressure; 4! two half "
          "ellipses; 5! KPEC; 6! ANALYN"},
-        {'B', 1, 1, "bound", &D::bound, "0 full solution; 1! with normal springs; 5! KPEC; 6! ANALYN"},
+        {'B', 1, 1, "bound", &D::bound, "0 full solution; 1 with normal springs; 5! KPEC; 6! ANALYN"},
         {'T', 1, 3, "motion", &D::motion, "0 no friction; 1 shift; 2 transient rolling; 3 steady rolling"},
         {'T', 1, 1, "motion", &D::motion, "0 no friction; 1 shift; 2 transient rolling; 3 steady rolling"},
         {'N', 1, 3, "normal problem", &D::normal, "0 approach given; 1 force given"},
@@ -88,7 +88,7 @@ namespace wheelrail
          0,
          "friction law",
          &D::law,
-         "0 Coulomb; 1= as before; 2 linear in the slip velocity; 3 rational; 4 exponential; 6! by "
+         "0 Coulomb; 1= as before; 2 linear in the slip velocity; 3 rational; 4 exponential; 6 by "
          "temperature"},
         {'D', 2, 3, "potential contact", &D::grid, "0= as before; 1= as before; 2 new"},
         {'D',
@@ -96,7 +96,7 @@ namespace wheelrail
          1,
          "discretisation",
          &D::grid,
-         "0= as before; 1= as before; 2 planar, contact locus; 3! planar, slip of the surfaces; 4! "
+         "0= as before; 1= as before; 2 planar, contact locus; 3 planar, slip of the surfaces; 4 "
          "conformal; 5 planar, grid search; 6! planar, grid search of steep slopes; 7! initial contact "
          "point; 8! oblique view; 9! oblique view"},
         {'C',
@@ -137,7 +137,7 @@ namespace wheelrail
         {'M', 4, 0, "damping", &D::damping, "0 none; 1= as before; 2! new"},
 
         {'X', 3, 0, "debug output", &D::debug, "0 none; 1 some"},
-        {'H', 3, 0, "heat", &D::heat, "0 none; 1= as before; 3! new"},
+        {'H', 3, 0, "heat", &D::heat, "0 none; 1= as before; 3 new"},
         {'G',
          3,
          0,

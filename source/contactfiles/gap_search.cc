@@ -5,64 +5,12 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace wheelrail
 {
   namespace
   {
-    /// A point of a surface in the track.
-    struct Point
-    {
-      double  t = 0; ///< on its section
-      Vector3 place{};
-    };
-    using PointAt = std::function<std::optional<Vector3>(double)>;
-
-    /// The points of a curve over equally spaced y: of several over one y the lowest (`down` = 1) or the
-    /// highest (-1).
-    std::vector<std::optional<Point>>
-    over(const std::vector<double> &samples,
-         const PointAt             &at,
-         const double               first,
-         const double               spacing,
-         const std::size_t          n,
-         const double               down)
-    {
-      std::vector<std::optional<Point>> found(n);
-      std::optional<Point>              before;
-      for (const double t : samples)
-        {
-          const std::optional<Vector3> there = at(t);
-          if (before && there)
-            {
-              const double a = before->place[1], b = (*there)[1], low = std::min(a, b), high = std::max(a, b);
-              const double k0 = std::ceil((low - first) / spacing), k1 = std::floor((high - first) / spacing);
-              for (double k = std::max(0., k0); k <= std::min(double(n) - 1, k1); ++k)
-                {
-                  const double y = first + k * spacing;
-                  Point        point;
-                  const double part            = b == a ? 0 : (y - a) / (b - a);
-                  point.t                      = before->t + part * (t - before->t);
-                  std::optional<Vector3> exact = at(point.t);
-                  if (!exact)
-                    continue;
-                  if (b != a) // one secant more
-                    {
-                      point.t += (y - (*exact)[1]) * (t - before->t) / (b - a);
-                      if (const auto better = at(point.t))
-                        exact = better;
-                    }
-                  point.place = *exact;
-                  auto &kept  = found[std::size_t(k)];
-                  if (!kept || down * (point.place[2] - kept->place[2]) > 0)
-                    kept = point;
-                }
-            }
-          before = there ? std::optional<Point>({t, *there}) : std::nullopt;
-        }
-      return found;
-    }
-
     /// The point of the wheel's locus at a parameter of its section.
     std::optional<Vector3>
     locus_point(const ProfileLine &line, const RigidMotion &to_track, const double radius, const double t)
@@ -186,10 +134,55 @@ namespace wheelrail
       const ProfileLine::Place p     = rail.at(patch.line);
       const Vector3            there = to_track({0, p.y, p.z});
       patch.reference                = {patch.reference[0], there[1], there[2]};
-      patch.s_low                    = rail.arc(at(patch.y_low)) - rail.arc(patch.line);
-      patch.s_high                   = rail.arc(at(patch.y_high)) - rail.arc(patch.line);
+      patch.arc                      = rail.arc(patch.line);
+      patch.s_low                    = rail.arc(at(patch.y_low)) - patch.arc;
+      patch.s_high                   = rail.arc(at(patch.y_high)) - patch.arc;
     }
   } // namespace
+
+
+  std::vector<std::optional<PointOver>>
+  points_over(const std::vector<double> &samples,
+              const CurveAt             &at,
+              const double               first,
+              const double               spacing,
+              const std::size_t          n,
+              const double               down)
+  {
+    std::vector<std::optional<PointOver>> found(n);
+    std::optional<PointOver>              before;
+    for (const double t : samples)
+      {
+        const std::optional<Vector3> there = at(t);
+        if (before && there)
+          {
+            const double a = before->place[1], b = (*there)[1], low = std::min(a, b), high = std::max(a, b);
+            const double k0 = std::ceil((low - first) / spacing), k1 = std::floor((high - first) / spacing);
+            for (double k = std::max(0., k0); k <= std::min(double(n) - 1, k1); ++k)
+              {
+                const double y = first + k * spacing;
+                PointOver    point;
+                const double part            = b == a ? 0 : (y - a) / (b - a);
+                point.t                      = before->t + part * (t - before->t);
+                std::optional<Vector3> exact = at(point.t);
+                if (!exact)
+                  continue;
+                if (b != a) // one secant more
+                  {
+                    point.t += (y - (*exact)[1]) * (t - before->t) / (b - a);
+                    if (const auto better = at(point.t))
+                      exact = better;
+                  }
+                point.place = *exact;
+                auto &kept  = found[std::size_t(k)];
+                if (!kept || down * (point.place[2] - kept->place[2]) > 0)
+                  kept = point;
+              }
+          }
+        before = there ? std::optional<PointOver>({t, *there}) : std::nullopt;
+      }
+    return found;
+  }
 
 
   std::vector<GapPlace>
@@ -199,7 +192,7 @@ namespace wheelrail
              const double         spacing)
   {
     const RigidMotion to_track = then(pose.wheel, pose.wheelset);
-    const PointAt     on_rail  = [&](const double t) {
+    const CurveAt     on_rail  = [&](const double t) {
       const ProfileLine::Place p = rail.at(t);
       return std::optional<Vector3>(pose.rail({0, p.y, p.z}));
     };
@@ -211,8 +204,8 @@ namespace wheelrail
         high           = std::max(high, y);
       }
     const auto n         = std::size_t((high - low) / spacing) + 1;
-    const auto on_rails  = over(rail.samples(), on_rail, low, spacing, n, -1);
-    const auto on_wheels = over(
+    const auto on_rails  = points_over(rail.samples(), on_rail, low, spacing, n, -1);
+    const auto on_wheels = points_over(
       wheel.samples(),
       [&](const double t) { return locus_point(wheel, to_track, pose.wheel_radius, t); },
       low,
@@ -246,20 +239,8 @@ namespace wheelrail
 
 
   std::vector<PatchPlace>
-  patch_places(const std::vector<GapPlace> &gaps,
-               const WheelRailPose         &pose,
-               const ProfileLine           &rail,
-               const ContactElements       &elements)
+  joined_patches(std::vector<PatchPlace> patches, const ContactElements &elements)
   {
-    std::vector<PatchPlace> patches;
-    for (std::size_t k = gaps.size(); k-- > 0;)
-      if (gaps[k].gap < pose.height)
-        {
-          const std::size_t last = k;
-          while (k > 0 && gaps[k - 1].gap < pose.height)
-            --k;
-          patches.push_back(overlap(gaps, k, last, pose.height, pose.wheel_radius));
-        }
     for (std::size_t k = 0; k + 1 < patches.size();)
       {
         const double apart = distance(patches[k], patches[k + 1]);
@@ -279,6 +260,26 @@ namespace wheelrail
         patches.erase(patches.begin() + std::ptrdiff_t(k) + 1);
       }
     turn_planes(patches, elements);
+    return patches;
+  }
+
+
+  std::vector<PatchPlace>
+  patch_places(const std::vector<GapPlace> &gaps,
+               const WheelRailPose         &pose,
+               const ProfileLine           &rail,
+               const ContactElements       &elements)
+  {
+    std::vector<PatchPlace> patches;
+    for (std::size_t k = gaps.size(); k-- > 0;)
+      if (gaps[k].gap < pose.height)
+        {
+          const std::size_t last = k;
+          while (k > 0 && gaps[k - 1].gap < pose.height)
+            --k;
+          patches.push_back(overlap(gaps, k, last, pose.height, pose.wheel_radius));
+        }
+    patches = joined_patches(std::move(patches), elements);
     for (PatchPlace &patch : patches)
       set_on_rail(patch, gaps, pose.rail, rail);
     return patches;

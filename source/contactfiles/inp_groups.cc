@@ -51,6 +51,11 @@ namespace wheelrail
         if (d.law >= 2 && d.law <= 4 && ((c[1] != 0 && c[2] <= 0) || (c[3] != 0 && c[4] <= 0)))
           words.fail(group.line,
                      "SH1 or SH2, at which half of a term of the friction law is gone, is not positive");
+        if (d.law == 6 && (c[0] <= 0 || c[3] <= 0))
+          words.fail(
+            group.line,
+            "FREF or DTHEAT, the friction and the range of temperatures over which it changes, is not "
+            "positive");
         if (led && k > 0 && one.friction.lines[k - 1].place >= group.values[0])
           words.fail(group.line, "the lines of the friction variation do not rise in their first value");
       }
@@ -165,6 +170,9 @@ namespace wheelrail
             const InpGroup group = words.group("BKTEMP HEATCP LAMBDA DENS");
             if (body == 1)
               material.heat_line = group.line;
+            if (std::min({group.values[1], group.values[2], group.values[3]}) <= 0)
+              words.fail(group.line,
+                         "HEATCP, LAMBDA and DENS, what a body takes up of heat, are not positive");
             material.heat.insert(material.heat.end(), group.values.begin(), group.values.end());
           }
         if (d.material == 4)

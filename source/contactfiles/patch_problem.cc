@@ -27,11 +27,17 @@ namespace wheelrail
           rows.begin(), rows.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) -
         rows.begin());
       const auto follow = [&](const std::ptrdiff_t step) {
-        double t = first_line;
+        double t = first_line, low = 0, high = 0;
         for (auto j = std::ptrdiff_t(middle); j >= 0 && j < std::ptrdiff_t(rows.size()); j += step)
           {
-            for (int k = 0; k < 8; ++k)
+            for (int k = 0; k < 60; ++k)
               {
+                if (k == 8) // to and fro over a corner: by halving
+                  {
+                    low  = std::max(0., t - 2);
+                    high = std::min(rail.end(), t + 2);
+                    t    = 0.5 * (low + high);
+                  }
                 const ProfileLine::Place p = rail.at(t);
                 const Vector3 there = to_plane({0, p.y, p.z}), rate = to_plane.turned({0, p.dy, p.dz});
                 const double  missed = rows[std::size_t(j)] - there[1];
@@ -40,7 +46,13 @@ namespace wheelrail
                 heights[std::size_t(j)] = there[2] + missed * rate[2] / rate[1];
                 if (std::abs(missed) < 1e-10)
                   break;
-                t += missed / rate[1];
+                if (k < 8)
+                  {
+                    t += missed / rate[1];
+                    continue;
+                  }
+                (missed > 0 ? low : high) = t;
+                t                         = 0.5 * (low + high);
               }
           }
       };
@@ -49,16 +61,41 @@ namespace wheelrail
       return heights;
     }
 
-    /// The length on a section at which it passes y; of an end where it does not.
+    /// The parameter of the sample nearest to the origin of a plane.
     double
-    anchor_on(const ProfileLine &line, const double y)
+    nearest_line(const ProfileLine &rail, const RigidMotion &to_plane)
     {
-      double t = 0;
-      for (const double sample : line.samples())
-        if (line.at(sample).y < y)
-          t = sample;
-      const ProfileLine::Place p = line.at(t);
-      return line.arc(t + (p.dy > 0 ? std::min(1., (y - p.y) / p.dy) : 0));
+      double least = std::numeric_limits<double>::infinity(), nearest = 0;
+      for (const double t : rail.samples())
+        {
+          const ProfileLine::Place p     = rail.at(t);
+          const Vector3            there = to_plane({0, p.y, p.z});
+          if (const double d = std::hypot(there[1], there[2]); d < least)
+            {
+              least   = d;
+              nearest = t;
+            }
+        }
+      return nearest;
+    }
+
+    /// The same over all columns of a grid, of the section of each; x counts from the reference.
+    std::vector<std::vector<double>>
+    rail_heights(const RailShape           &rail,
+                 const RigidMotion         &to_plane,
+                 const PatchPlace          &place,
+                 const HalfspaceGrid       &grid,
+                 const double               origin_x,
+                 const std::vector<double> &rows)
+    {
+      const auto n = std::size_t(grid.mx);
+      if (!rail.varies())
+        return std::vector<std::vector<double>>(n, rail_heights(rail.middle(), to_plane, place.line, rows));
+      std::vector<std::vector<double>> heights(n, std::vector<double>(rows.size(), none));
+      for (int i = 0; i < grid.mx; ++i)
+        if (const auto section = rail.at(place.reference[0] + grid.x(i) - origin_x))
+          heights[std::size_t(i)] = rail_heights(*section, to_plane, nearest_line(*section, to_plane), rows);
+      return heights;
     }
 
     /// Where lines along the normal of a plane meet a wheel.
@@ -70,8 +107,13 @@ namespace wheelrail
         double n = 0, t = 0; ///< along the normal, parameter on the section
       };
 
-      WheelBelow(const ProfileLine &line, const RigidMotion &to_wheel, const double radius)
+      /// `line`: of a round wheel the section in place of its own.
+      WheelBelow(const ProfileLine &line,
+                 const WheelShape  &wheel,
+                 const RigidMotion &to_wheel,
+                 const double       radius)
         : line_(line)
+        , wheel_(wheel)
         , to_wheel_(to_wheel)
         , radius_(radius)
         , along_(to_wheel.turned({0, 0, 1}))
@@ -83,14 +125,15 @@ namespace wheelrail
       at(const double x, const double s, Hit hit) const
       {
         const Vector3 foot = to_wheel_({x, s, 0});
-        for (int k = 0; k < 12; ++k)
+        for (int k = 0; k < (wheel_.out_of_round() ? 40 : 12); ++k)
           {
-            const ProfileLine::Place p   = line_.at(hit.t);
-            const Vector3            q   = foot + hit.n * along_;
-            const double             rho = std::hypot(q[0], q[2] + radius_);
-            const double             f = p.y - q[1], g = radius_ + p.z - rho;
-            const double             rate = (q[0] * along_[0] + (q[2] + radius_) * along_[2]) / rho;
-            const double             det  = -p.dy * rate + p.dz * along_[1];
+            const Vector3            q = foot + hit.n * along_;
+            const ProfileLine::Place p =
+              wheel_.out_of_round() ? wheel_.at(std::atan2(q[0], q[2] + radius_), hit.t) : line_.at(hit.t);
+            const double rho = std::hypot(q[0], q[2] + radius_);
+            const double f = p.y - q[1], g = radius_ + p.z - rho;
+            const double rate = (q[0] * along_[0] + (q[2] + radius_) * along_[2]) / rho;
+            const double det  = -p.dy * rate + p.dz * along_[1];
             if (!(std::abs(det) > 0))
               return {};
             // f + dy dt - along_y dn = 0, g + dz dt - rate dn = 0
@@ -128,6 +171,7 @@ namespace wheelrail
 
     private:
       const ProfileLine &line_;
+      const WheelShape  &wheel_;
       const RigidMotion &to_wheel_;
       double             radius_;
       Vector3            along_; ///< the normal, in the axes of the wheel's section
@@ -150,8 +194,10 @@ namespace wheelrail
     const RigidMotion  axes    = patch_axes(place);
     const Vector3      touched = axes({0, 0, approach});
     const BodyVelocity rail = pose.rail_at(place.reference), wheel = pose.wheel_at(touched);
-    const double       rolling = pose.rolling_at(touched)[0], forward = wheel.velocity[0] - rolling;
-    const auto         along = [&](const Vector3 &v, const int k) {
+    // over a roller its surface stands for the track that passes the wheelset
+    const double rolling = pose.rolling_at(touched)[0],
+                 forward = pose.roller ? -pose.roller_at(place.reference)[0] : wheel.velocity[0] - rolling;
+    const auto along     = [&](const Vector3 &v, const int k) {
       return axes.rows[0][k] * v[0] + axes.rows[1][k] * v[1] + axes.rows[2][k] * v[2];
     };
     const Vector3  slip = rail.velocity - wheel.velocity, turn = rail.rotation - wheel.rotation;
@@ -195,14 +241,15 @@ namespace wheelrail
   }
 
 
-  std::vector<double>
-  patch_distance(const WheelRailPose &pose,
-                 const ProfileLine   &rail,
-                 const ProfileLine   &wheel,
-                 const PatchPlace    &place,
-                 const HalfspaceGrid &grid,
-                 const double         origin_x,
-                 const double         origin_y)
+  SurfaceDistance
+  patch_distance(const WheelRailPose       &pose,
+                 const RailShape           &rail,
+                 const WheelShape          &wheel,
+                 const PatchPlace          &place,
+                 const HalfspaceGrid       &grid,
+                 const double               origin_x,
+                 const double               origin_y,
+                 const std::vector<double> &rows)
   {
     const RigidMotion axes = patch_axes(place);
     // from the section of the rail to the plane: the inverse of the axes after the rail's own place
@@ -221,14 +268,16 @@ namespace wheelrail
                               wheel_place.rows[2][i] * axes.rows[2][k];
     to_wheel.move = wheel_place.back(axes.move);
 
-    std::vector<double> rows;
-    for (int j = 0; j < grid.my; ++j)
-      rows.push_back(grid.y(j) - origin_y);
-    const std::vector<double> heights = rail_heights(rail, to_plane, place.line, rows);
-    const ProfileLine mesh = wheel.chords(anchor_on(wheel, to_wheel({-origin_x, -origin_y, 0})[1]), grid.dy);
-    const WheelBelow  below(mesh, to_wheel, pose.wheel_radius);
-    std::vector<double> distance(std::size_t(grid.size()), far_apart);
-    const auto          near = [](const double place, const int n) {
+    const auto         heights = rail_heights(rail, to_plane, place, grid, origin_x, rows);
+    const ProfileLine &line    = wheel.middle();
+    const ProfileLine  mesh    = wheel.out_of_round()
+                                   ? line
+                                   : line.chords(arc_at_y(line, to_wheel({-origin_x, -origin_y, 0})[1]), grid.dy);
+    const WheelBelow   below(mesh, wheel, to_wheel, pose.wheel_radius);
+    SurfaceDistance    distance;
+    distance.gap.assign(std::size_t(grid.size()), far_apart);
+    distance.rail.assign(distance.gap.size(), 0.);
+    const auto near = [](const double place, const int n) {
       return std::clamp(int(std::lround(place)), 0, n - 1);
     };
     const int  column = near((origin_x - grid.x0) / grid.dx, grid.mx);
@@ -247,8 +296,12 @@ namespace wheelrail
                 last = *hit;
                 if (i == column)
                   start = *hit;
-                if (const double h = heights[std::size_t(j)]; !std::isnan(h))
-                  distance[std::size_t(i) + std::size_t(grid.mx) * j] = h - hit->n;
+                const auto   e = std::size_t(i) + std::size_t(grid.mx) * std::size_t(j);
+                const double h = heights[std::size_t(i)][std::size_t(j)];
+                if (std::isnan(h))
+                  continue;
+                distance.gap[e]  = h - hit->n;
+                distance.rail[e] = h;
               }
           }
     };
@@ -258,15 +311,15 @@ namespace wheelrail
   }
 
 
-  FrictionLaw
+  ContactFrictionLine
   patch_friction(const ContactCase &one, const double wheel_angle)
   {
     const auto &lines = one.friction.lines;
     if (one.digits.variation == 0)
-      return friction_of(one, lines.front());
+      return lines.front();
     const double place = one.digits.variation == 1 ? wheel_angle : one.wheelset.position[0];
     if (place <= lines.front().place)
-      return friction_of(one, lines.front());
+      return lines.front();
     for (std::size_t k = 0; k + 1 < lines.size(); ++k)
       if (place < lines[k + 1].place)
         {
@@ -274,8 +327,8 @@ namespace wheelrail
           ContactFrictionLine between = lines[k];
           for (std::size_t c = 0; c < between.constants.size(); ++c)
             between.constants[c] += part * (lines[k + 1].constants[c] - between.constants[c]);
-          return friction_of(one, between);
+          return between;
         }
-    return friction_of(one, lines.back());
+    return lines.back();
   }
 } // namespace wheelrail

@@ -145,7 +145,9 @@ namespace wheelrail
           " X, H, PEN AND S ARE IN MM, PN AND PT ARE IN N/MM^2, AND ARGUMENTS ARE IN DEGREES.\n\n"
         : " S IS THE RELATIVE SLIP VELOCITY, WHICH IS OPPOSITE TO THE TANGENTIAL TRACTION.\n"
           " X, H AND PEN ARE IN MM, PN AND PT ARE IN N/MM^2, S IS DIMENSIONLESS, ARGUMENT IS IN DEGREES.\n\n";
-    lines += "     X         H-PEN        PN      TRCBND    ABS(PT)     ARG(PT;-S)  ABS(S)\n";
+    const bool hot = !s.temperature[0].empty();
+    lines += std::string("     X         H-PEN        PN      TRCBND    ABS(PT)     ARG(PT;-S)  ABS(S)") +
+             (hot ? "       TEMP1      TEMP2\n" : "\n");
     for (int j = 0; j < s.grid.my; ++j)
       {
         bool headed = false;
@@ -163,15 +165,16 @@ namespace wheelrail
             const double mu = s.friction.empty() ? patch.friction : s.friction[e];
             // in the contact the deformed surfaces touch: h - pen = gap - u_n
             const double distance = value_of(s.gap, e) - value_of(s.displacement_n, e);
-            lines +=
-              text("  %-11s %s%s%s%s%8.1f    %s\n",
-                   printed_number(s.grid.x(i) / millimetre).c_str(),
-                   three_digits(distance / millimetre).c_str(),
-                   three_digits(s.pressure[e] / megapascal).c_str(),
-                   three_digits(mu * s.pressure[e] / megapascal).c_str(),
-                   three_digits(std::hypot(tx, ty) / megapascal).c_str(),
-                   std::atan2(ty, tx) * 180 / M_PI,
-                   three_digits(std::hypot(value_of(s.slip_x, e), value_of(s.slip_y, e)) / unit).c_str());
+            lines += text(
+              "  %-11s %s%s%s%s%8.1f    %s%s\n",
+              printed_number(s.grid.x(i) / millimetre).c_str(),
+              three_digits(distance / millimetre).c_str(),
+              three_digits(s.pressure[e] / megapascal).c_str(),
+              three_digits(mu * s.pressure[e] / megapascal).c_str(),
+              three_digits(std::hypot(tx, ty) / megapascal).c_str(),
+              std::atan2(ty, tx) * 180 / M_PI,
+              three_digits(std::hypot(value_of(s.slip_x, e), value_of(s.slip_y, e)) / unit).c_str(),
+              hot ? (three_digits(s.temperature[0][e]) + three_digits(s.temperature[1][e])).c_str() : "");
           }
       }
     return lines + "\n";

@@ -64,7 +64,7 @@ namespace wheelrail
   }
 
 
-  ProfileLine::ProfileLine(std::vector<Point2> points, const std::string &file)
+  ProfileLine::ProfileLine(std::vector<Point2> points, const std::string &file, const bool kinks)
   {
     if (!points.empty() && points.front().x > points.back().x)
       std::reverse(points.begin(), points.end());
@@ -85,7 +85,9 @@ namespace wheelrail
           knots.push_back(knots.back() + norm(points[k] - points[k - 1]));
       }
     // between kinks, where the tangent jumps
-    std::vector<std::size_t> ends = find_kinks(points, std::vector<double>(points.size(), 0.));
+    std::vector<std::size_t> ends;
+    if (kinks)
+      ends = find_kinks(points, std::vector<double>(points.size(), 0.));
     ends.push_back(points.size() - 1);
     std::size_t first = 0;
     for (const std::size_t last : ends)
@@ -112,6 +114,23 @@ namespace wheelrail
     const auto middle = std::find_if(points.begin(), points.end(), [](const Point2 &p) { return p.x >= 0; });
     if (middle != points.end())
       zero_ = starts_[std::size_t(middle - points.begin())];
+  }
+
+
+  ProfileLine
+  ProfileLine::straight(std::vector<Point2> points)
+  {
+    if (!points.empty() && points.front().x > points.back().x)
+      std::reverse(points.begin(), points.end());
+    ProfileLine line;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k)
+      line.pieces_.push_back({{{points[k].x, points[k + 1].x - points[k].x, 0, 0}},
+                              {{points[k].y, points[k + 1].y - points[k].y, 0, 0}}});
+    line.measure();
+    const auto middle = std::find_if(points.begin(), points.end(), [](const Point2 &p) { return p.x >= 0; });
+    if (middle != points.end())
+      line.zero_ = line.starts_[std::size_t(middle - points.begin())];
+    return line;
   }
 
 
@@ -199,6 +218,18 @@ namespace wheelrail
   }
 
 
+  double
+  arc_at_y(const ProfileLine &line, const double y)
+  {
+    double t = 0;
+    for (const double sample : line.samples())
+      if (line.at(sample).y < y)
+        t = sample;
+    const ProfileLine::Place p = line.at(t);
+    return line.arc(t + (p.dy > 0 ? std::min(1., (y - p.y) / p.dy) : 0));
+  }
+
+
   namespace
   {
     /// Whether z of a file points up: by the habit of its format; in two columns by the ends of a head, which
@@ -223,8 +254,8 @@ namespace wheelrail
   } // namespace
 
 
-  ProfileLine
-  section_line(const ContactProfile &profile, const bool wheel)
+  std::vector<Point2>
+  section_points(const ContactProfile &profile, const bool wheel)
   {
     std::vector<Point2> points;
     if (!profile.points.empty())
@@ -232,7 +263,7 @@ namespace wheelrail
         for (const auto &[y, z] : profile.points)
           points.push_back({profile.scale * millimetre * (profile.mirror_y == 1 ? -1 : 1) * y,
                             profile.scale * millimetre * (profile.mirror_z == 1 ? -1 : 1) * z});
-        return ProfileLine(std::move(points), profile.file);
+        return points;
       }
     const FileContent content = parse_profile_text(read_whole_file(profile.file), profile.file);
     const double      unit    = content.metres_per_unit > 0 ? content.metres_per_unit : millimetre;
@@ -240,6 +271,12 @@ namespace wheelrail
     for (const FilePoint &p : content.points)
       points.push_back({profile.scale * unit * (profile.mirror_y == 1 ? -1 : 1) * p.position.x,
                         profile.scale * unit * (turned ? -1 : 1) * p.position.y});
-    return ProfileLine(std::move(points), profile.file);
+    return points;
+  }
+
+  ProfileLine
+  section_line(const ContactProfile &profile, const bool wheel)
+  {
+    return ProfileLine(section_points(profile, wheel), profile.file);
   }
 } // namespace wheelrail

@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/interrupt.h>
 #include <wheelrail/contactfiles/case_checks.h>
 #include <wheelrail/contactfiles/solve_cases.h>
 #include <wheelrail/tables/text_rows.h>
@@ -28,7 +29,9 @@ namespace wheelrail
                         &solution.friction,
                         &solution.yield_stress,
                         &solution.plastic_x,
-                        &solution.plastic_y})
+                        &solution.plastic_y,
+                        &solution.temperature[0],
+                        &solution.temperature[1]})
       std::reverse(field->begin(), field->end());
     std::reverse(solution.state.begin(), solution.state.end());
     for (auto *field : {&solution.traction_x,
@@ -243,8 +246,14 @@ namespace wheelrail
   {
     std::map<std::array<int, 3>, CaseState> states;
     std::vector<CaseResult>                 results;
-    for (const ContactCase &one : cases)
-      results.push_back(solve_next_case(one, states[{{one.module, one.element, one.problem}}]));
+    try
+      {
+        for (const ContactCase &one : cases)
+          results.push_back(solve_next_case(one, states[{{one.module, one.element, one.problem}}]));
+      }
+    catch (const Interrupted &)
+      {
+      }
     return results;
   }
 } // namespace wheelrail

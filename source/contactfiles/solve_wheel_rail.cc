@@ -1,6 +1,6 @@
 #include <wheelrail/contactfiles/case_problem.h>
-#include <wheelrail/contactfiles/patch_problem.h>
-#include <wheelrail/contactfiles/solve_cases.h>
+#include <wheelrail/contactfiles/gap_mesh.h>
+#include <wheelrail/contactfiles/patch_solver.h>
 #include <wheelrail/contactfiles/wheel_rail_case.h>
 #include <wheelrail/halfspace/kernels.h>
 
@@ -16,135 +16,28 @@ namespace wheelrail
   namespace
   {
 
-    /// The patch seen in a mirror along the track.
-    void
-    mirror(WheelRailPatch &patch)
-    {
-      HalfspaceSolution &s = patch.solution;
-      s.grid.y0            = -s.grid.y(s.grid.my - 1);
-      const auto turn_rows = [&](auto &field) {
-        for (int j = 0; field.size() == std::size_t(s.grid.size()) && j < s.grid.my / 2; ++j)
-          std::swap_ranges(field.begin() + s.grid.mx * j,
-                           field.begin() + s.grid.mx * (j + 1),
-                           field.begin() + s.grid.mx * (s.grid.my - 1 - j));
-      };
-      for (auto *field : {&s.pressure,
-                          &s.traction_x,
-                          &s.traction_y,
-                          &s.displacement_n,
-                          &s.displacement_x,
-                          &s.displacement_y,
-                          &s.gap,
-                          &s.slip_x,
-                          &s.slip_y,
-                          &s.friction,
-                          &s.yield_stress,
-                          &s.plastic_x,
-                          &s.plastic_y})
-        turn_rows(*field);
-      turn_rows(s.state);
-      for (auto *field : {&s.traction_y, &s.displacement_y, &s.slip_y, &s.plastic_y})
-        for (double &value : *field)
-          value = -value;
-      for (double *value : {&s.fy,
-                            &s.eta,
-                            &s.phi,
-                            &s.spin_moment,
-                            &patch.angle,
-                            &patch.lateral_creepage,
-                            &patch.spin,
-                            &patch.origin_y,
-                            &patch.spin_moment})
-        *value = -*value;
-      for (Vector3 *vector :
-           {&patch.in_track, &patch.on_rail, &patch.on_wheel, &patch.force_track, &patch.force_wheelset})
-        (*vector)[1] = -(*vector)[1];
-      for (Vector3 *moment : {&patch.moment_rail, &patch.moment_wheelset})
-        *moment = {-(*moment)[0], (*moment)[1], -(*moment)[2]};
-      std::swap(patch.y_low, patch.y_high);
-      patch.y_low  = -patch.y_low;
-      patch.y_high = -patch.y_high;
-    }
-
-    void
-    mirror(WheelRailCase &result)
-    {
-      for (WheelRailPatch &patch : result.patches)
-        mirror(patch);
-      for (Vector3 *force : {&result.force_track, &result.force_wheelset})
-        (*force)[1] = -(*force)[1];
-    }
-
-    /// The rows and columns of a grid that a solution has in contact, as the grid of their elements.
-    HalfspaceGrid
-    contact_of(const HalfspaceSolution &s)
-    {
-      int low_x = s.grid.mx, high_x = -1, low_y = s.grid.my, high_y = -1;
-      for (int j = 0; j < s.grid.my; ++j)
-        for (int i = 0; i < s.grid.mx; ++i)
-          if (s.pressure[std::size_t(i) + std::size_t(s.grid.mx) * j] > 0)
-            {
-              low_x  = std::min(low_x, i);
-              high_x = std::max(high_x, i);
-              low_y  = std::min(low_y, j);
-              high_y = std::max(high_y, j);
-            }
-      HalfspaceGrid grid = s.grid;
-      grid.mx            = std::max(0, high_x - low_x + 1);
-      grid.my            = std::max(0, high_y - low_y + 1);
-      grid.x0            = s.grid.x(low_x);
-      grid.y0            = s.grid.y(low_y);
-      return grid;
-    }
-
-    /// A grid that covers another of equal elements, too.
-    void
-    cover(HalfspaceGrid &grid, const HalfspaceGrid &other)
-    {
-      if (other.size() == 0)
-        return;
-      const auto left = [](double a, double b, double d) {
-        return std::max(0, int(std::lround((a - b) / d)));
-      };
-      const int    x = left(grid.x0, other.x0, grid.dx), y = left(grid.y0, other.y0, grid.dy);
-      const double last_x = std::max(grid.x(grid.mx - 1), other.x(other.mx - 1)),
-                   last_y = std::max(grid.y(grid.my - 1), other.y(other.my - 1));
-      grid.x0 -= x * grid.dx;
-      grid.y0 -= y * grid.dy;
-      grid.mx = int(std::lround((last_x - grid.x0) / grid.dx)) + 1;
-      grid.my = int(std::lround((last_y - grid.y0) / grid.dy)) + 1;
-    }
-
-    /// Elements of the problem beyond its patch, which the state before reached, do not touch.
-    void
-    keep_within(const HalfspaceGrid &patch, HalfspaceProblem &problem)
-    {
-      const HalfspaceGrid &grid = problem.grid;
-      for (int j = 0; j < grid.my; ++j)
-        for (int i = 0; i < grid.mx; ++i)
-          {
-            const double x = (grid.x(i) - patch.x0) / grid.dx, y = (grid.y(j) - patch.y0) / grid.dy;
-            if (x < -0.5 || y < -0.5 || x > patch.mx - 0.5 || y > patch.my - 0.5)
-              problem.undeformed_distance[std::size_t(i) + std::size_t(grid.mx) * j] = 1;
-          }
-    }
-
     /// Heights and pitch rates of one case, and what they give.
     class CaseSolver
     {
     public:
       CaseSolver(const ContactCase &one, const WheelRailCase *before, WheelRailStart &start)
         : one_(one)
-        , rail_(section_line(one.track.profile, false))
-        , wheel_(section_line(one.wheelset.profile, true))
-        , pose_(wheel_rail_pose(one, rail_))
-        , gaps_(gap_places(pose_, rail_, wheel_, 0.3 * millimetre * one.elements.ds))
-        , shift_(one.digits.motion == 1)
-        , transient_(shift_ || one.digits.motion == 2)
+        , rail_(one)
+        , wheel_(one)
+        , pose_(wheel_rail_pose(one, rail_.middle()))
+        , patches_(one, rail_, wheel_, pose_, before ? &before_ : nullptr)
         , start_(start)
         , kernels_(start.kernels)
       {
         touching_ = 1;
+        if (meshed())
+          {
+            mesh_ =
+              gap_mesh(pose_, rail_, wheel_, millimetre * one.elements.dx, millimetre * one.elements.ds);
+            touching_ = mesh_.least();
+          }
+        else
+          gaps_ = gap_places(pose_, rail_.middle(), wheel_.middle(), 0.3 * millimetre * one.elements.ds);
         for (const GapPlace &gap : gaps_)
           touching_ = std::min(touching_, gap.gap);
         if (before)
@@ -178,6 +71,13 @@ namespace wheelrail
       }
 
     private:
+      /// Whether overlaps are found on a mesh, not along the contact locus.
+      bool
+      meshed() const
+      {
+        return rail_.varies() || wheel_.out_of_round();
+      }
+
       double
       wanted() const
       {
@@ -192,200 +92,24 @@ namespace wheelrail
         WheelRailCase result;
         result.height     = height;
         result.pitch_rate = pose_.wheelset_motion.rotation[1];
-        const auto places = patch_places(gaps_, pose_, rail_, one_.elements);
+        const auto places = meshed() ? patch_places(mesh_, pose_, rail_, one_.elements)
+                                     : patch_places(gaps_, pose_, rail_.middle(), one_.elements);
         kernels_.resize(std::max(kernels_.size(), places.size()));
         for (std::size_t k = 0; k < places.size(); ++k)
           {
-            result.patches.push_back(patch(places, rolls && one_.digits.motion != 0, k));
+            const HalfspaceSolution *const last =
+              k < guess_.patches.size() ? &guess_.patches[k].solution : nullptr;
+            result.patches.push_back(
+              patches_.solve(places, rolls && one_.digits.motion != 0, k, last, kernels_[k]));
             add(result.force_track, 1, result.patches.back().force_track);
             add(result.force_wheelset, 1, result.patches.back().force_wheelset);
-            if (result.patches.back().backwards)
+            if (result.patches.back().backwards && one_.digits.motion == 2)
               result.refused =
-                "a wheel that rolls backwards is not computed; taken are those that roll forward";
+                "a wheel that rolls backwards with T = 2 is not computed; taken are T = 3, and forward "
+                "rolling";
             result.not_reached += result.patches.back().solution.not_reached;
           }
         return result;
-      }
-
-      WheelRailPatch
-      patch(const std::vector<PatchPlace> &places, const bool rolls, const std::size_t number)
-      {
-        const PatchPlace &place = places[number];
-        WheelRailPatch    patch;
-        set_place(place, patch);
-        HalfspaceProblem problem;
-        set_bodies(one_, problem);
-        problem.grid = patch_grid(one_, place, patch.origin_x, patch.origin_y);
-        const HalfspaceSolution earlier =
-          rolls && transient_ ? earlier_state(places, number, patch, problem.grid) : HalfspaceSolution();
-        const HalfspaceGrid own = patch_grid(one_, place, patch.origin_x, patch.origin_y);
-        problem.undeformed_distance =
-          patch_distance(pose_, rail_, wheel_, place, problem.grid, patch.origin_x, patch.origin_y);
-        keep_within(own, problem);
-        const double nearest =
-          *std::min_element(problem.undeformed_distance.begin(), problem.undeformed_distance.end());
-        for (double &h : problem.undeformed_distance)
-          h -= nearest;
-        problem.force_given = false;
-        problem.approach    = std::max(0., -nearest);
-        if (rolls)
-          set_motion(place, problem, patch);
-        else
-          problem.motion = HalfspaceMotion::none;
-        if (rolls && transient_ && !earlier.pressure.empty())
-          problem.previous = &earlier;
-        const HalfspaceSolution *guess = nullptr;
-        HalfspaceSolution        moved;
-        if (number < guess_.patches.size())
-          {
-            const HalfspaceSolution &last = guess_.patches[number].solution;
-            if (std::abs(last.grid.dx - problem.grid.dx) < 1e-9 &&
-                std::abs(last.grid.dy - problem.grid.dy) < 1e-9)
-              {
-                moved = on_grid(last, problem.grid);
-                guess = &moved;
-              }
-          }
-        std::vector<RowDivision> divisions = place.divisions;
-        for (RowDivision &d : divisions)
-          d.place = (d.place - place.reference[1]) / std::cos(place.angle) + patch.origin_y;
-        patch.solution = divisions.empty() ? solve_rolling(problem, kernels_[number], guess)
-                                           : solve_weakened(problem, divisions, kernels_[number], guess);
-        if (problem.max_coupling_rounds == 1 && patch.solution.normal_converged &&
-            (!rolls || patch.solution.tangential_converged))
-          {
-            patch.solution.coupling_converged = true;
-            patch.solution.not_reached.clear();
-          }
-        set_forces(place, patch);
-        return patch;
-      }
-
-      /// Where a patch lies, in the axes of track, rail and wheel.
-      void
-      set_place(const PatchPlace &place, WheelRailPatch &patch) const
-      {
-        patch.in_track = place.reference;
-        patch.on_rail  = pose_.rail.back(place.reference);
-        patch.on_wheel = pose_.wheel_to_track().back(place.reference);
-        patch.angle    = place.angle;
-        patch.y_low    = place.y_low;
-        patch.y_high   = place.y_high;
-        patch.arc      = rail_.arc(place.line);
-        if (transient_)
-          {
-            patch.origin_x = shift_ ? millimetre * one_.wheelset.position[0] + place.reference[0] : 0;
-            patch.origin_y = patch.arc;
-          }
-      }
-
-      void
-      set_motion(const PatchPlace &place, HalfspaceProblem &problem, WheelRailPatch &patch) const
-      {
-        const RigidMotion wheel  = pose_.wheel_to_track();
-        const RigidMotion axes   = patch_axes(place);
-        const auto        column = [&](const int k) {
-          return wheel.rows[0][k] * axes.rows[0][1] + wheel.rows[1][k] * axes.rows[1][1] +
-                 wheel.rows[2][k] * axes.rows[2][1];
-        };
-        problem.friction               = patch_friction(one_, std::atan2(column(2), column(1)));
-        patch.friction                 = problem.friction.at(0);
-        const PatchCreepages creepages = patch_creepages(pose_, place, problem.approach, shift_);
-        patch.velocity                 = creepages.velocity;
-        patch.backwards                = creepages.backwards;
-        patch.creepage                 = creepages.x;
-        patch.lateral_creepage         = creepages.y;
-        patch.spin                     = creepages.spin;
-        problem.motion                 = shift_       ? HalfspaceMotion::shift
-                                         : transient_ ? HalfspaceMotion::transient
-                                                      : HalfspaceMotion::steady;
-        problem.velocity               = creepages.velocity;
-        // creepages count at the contact reference, those of the problem at its origin
-        problem.xi  = creepages.x + creepages.spin * patch.origin_y;
-        problem.eta = creepages.y - creepages.spin * patch.origin_x;
-        problem.phi = creepages.spin;
-        if (one_.digits.motion == 2 || one_.digits.solver == 2)
-          problem.step = one_.elements.relative_step * problem.grid.dx;
-        patch.step = shift_ ? 1 : problem.step > 0 ? problem.step : problem.grid.dx;
-      }
-
-      /// The state that patches of the case before leave under this one; its grid is enlarged over it. Where
-      /// an earlier patch has split, the last of its parts sees what lies on its own grid alone, as in
-      /// CONTACT.
-      HalfspaceSolution
-      earlier_state(const std::vector<PatchPlace> &places,
-                    const std::size_t              number,
-                    WheelRailPatch                &patch,
-                    HalfspaceGrid                 &grid) const
-      {
-        std::vector<HalfspaceSolution> states;
-        for (std::size_t k = 0; k < before_.patches.size(); ++k)
-          {
-            const WheelRailPatch &old     = before_.patches[k];
-            const auto            goes_on = [&](const PatchPlace &place) {
-              return place.y_low <= old.y_high && place.y_high >= old.y_low;
-            };
-            if (!goes_on(places[number]))
-              continue;
-            const auto here = places.begin() + std::ptrdiff_t(number);
-            const bool last_of_it =
-              std::any_of(places.begin(), here, goes_on) && std::none_of(here + 1, places.end(), goes_on);
-            patch.earlier.push_back(int(k) + 1);
-            HalfspaceSolution state = old.solution;
-            if (old.origin_x == 0 && old.origin_y == 0) // of steady rolling: to the fixed grid
-              {
-                const double x = shift_ ? before_.along + old.in_track[0] : 0;
-                state.grid.x0 += std::round(x / grid.dx) * grid.dx;
-                state.grid.y0 += std::round(old.arc / grid.dy) * grid.dy;
-              }
-            if (!last_of_it)
-              cover(grid, contact_of(state));
-            states.push_back(std::move(state));
-          }
-        HalfspaceSolution sum;
-        for (const HalfspaceSolution &state : states)
-          {
-            const HalfspaceSolution moved = on_grid(state, grid);
-            if (sum.pressure.empty())
-              {
-                sum = moved;
-                continue;
-              }
-            for (std::size_t e = 0; e < moved.pressure.size(); ++e)
-              {
-                sum.pressure[e] += moved.pressure[e];
-                sum.traction_x[e] += moved.traction_x[e];
-                sum.traction_y[e] += moved.traction_y[e];
-              }
-          }
-        return sum;
-      }
-
-      void
-      set_forces(const PatchPlace &place, WheelRailPatch &patch) const
-      {
-        const HalfspaceSolution &s        = patch.solution;
-        const RigidMotion        axes     = patch_axes(place);
-        const RigidMotion        wheelset = pose_.wheelset_to_track(), wheel = pose_.wheel_to_track();
-        patch.spin_moment = s.spin_moment - patch.origin_x * s.fy + patch.origin_y * s.fx;
-        // moments of the pressure about the axes in the plane, through the contact reference
-        Vector3 moment{0, 0, patch.spin_moment};
-        for (int j = 0; j < s.grid.my; ++j)
-          for (int i = 0; i < s.grid.mx; ++i)
-            {
-              const double force =
-                s.pressure[std::size_t(i) + std::size_t(s.grid.mx) * j] * s.grid.element_area();
-              moment[0] += (s.grid.y(j) - patch.origin_y) * force;
-              moment[1] -= (s.grid.x(i) - patch.origin_x) * force;
-            }
-        moment            = axes.turned(moment);
-        patch.force_track = axes.turned({s.fx, s.fy, s.fn});
-        const auto back   = [&](const Vector3 &v) { // to the axes of the wheelset
-          return wheelset.back(v + wheelset.move);
-        };
-        patch.force_wheelset  = back(patch.force_track);
-        patch.moment_rail     = cross(place.reference - pose_.rail.move, patch.force_track) + moment;
-        patch.moment_wheelset = back(cross(place.reference - wheel.move, patch.force_track) + moment);
       }
 
       /// The height at which the pressures alone carry the load, by secants of force to the power 2 / 3 over
@@ -468,8 +192,9 @@ namespace wheelrail
         const double forward = pose_.wheelset_motion.velocity[0];
         double      &rate    = pose_.wheelset_motion.rotation[1];
         double       height  = first_height();
-        rate                 = -forward / pose_.wheel_radius;
-        WheelRailCase here   = carry(height);
+        rate = pose_.roller ? -pose_.roller_turning[1] * one_.track.roller_radius / one_.wheelset.radius
+                            : -forward / pose_.wheel_radius;
+        WheelRailCase here = carry(height);
         if (!here.patches.empty()) // free rolling of the first patch
           {
             rate *= 1 + here.patches.front().creepage;
@@ -515,10 +240,12 @@ namespace wheelrail
       }
 
       const ContactCase                             &one_;
-      ProfileLine                                    rail_, wheel_;
+      RailShape                                      rail_;
+      WheelShape                                     wheel_;
       WheelRailPose                                  pose_;
-      std::vector<GapPlace>                          gaps_;
-      bool                                           shift_, transient_;
+      std::vector<GapPlace>                          gaps_; ///< where the rail is one section all along
+      GapMesh                                        mesh_; ///< else
+      PatchSolver                                    patches_;
       double                                         touching_ = 0, slope_ = 0;
       WheelRailCase                                  before_, guess_;
       WheelRailStart                                &start_;

@@ -73,7 +73,15 @@ namespace wheelrail
   BodyVelocity
   WheelRailPose::rail_at(const Vector3 &place) const
   {
-    return {rail_motion.velocity + cross(rail_motion.rotation, place - rail.move), rail_motion.rotation};
+    return {rail_motion.velocity + cross(rail_motion.rotation, place - rail.move) + roller_at(place),
+            rail_motion.rotation + roller_turning};
+  }
+
+
+  Vector3
+  WheelRailPose::roller_at(const Vector3 &place) const
+  {
+    return cross(roller_turning, place - axle);
   }
 
 
@@ -112,6 +120,15 @@ namespace wheelrail
     pose.rail.move = track.gauge_height > 0 ? place_by_gauge(track, rail, turned_by(-track.cant, 0))
                                             : millimetre * Vector3{0, side * track.rail_y, track.rail_z};
     add(pose.rail.move, millimetre, {0, side * d[0], d[1]});
+    pose.roller = one.digits.side >= 4;
+    if (pose.roller)
+      {
+        // NOMRADR counts to the track plane, from an axle across the track that deviations do not move
+        if (track.gauge_height > 0)
+          pose.rail.move[2] = millimetre * d[1];
+        pose.axle           = {0, 0, millimetre * track.roller_radius};
+        pose.roller_turning = {0, v[0], 0};
+      }
     pose.rail_motion = {millimetre * Vector3{0, side * d[3], d[4]}, {side * d[5], 0, 0}};
 
     pose.wheel_radius = millimetre * set.radius;
@@ -119,11 +136,12 @@ namespace wheelrail
     pose.wheel.move =
       millimetre *
       Vector3{f[0], 0.5 * set.flange_distance - set.flange_place + side * f[1], set.radius + f[2]};
-    pose.wheel_motion  = {millimetre * Vector3{f[6], side * f[7], f[8]}, {side * f[9], f[11], side * f[10]}};
-    pose.wheelset      = turned_by(side * p[3], side * p[4]);
-    pose.wheelset.move = millimetre * Vector3{0, side * p[1], -set.radius};
-    pose.height        = one.digits.normal == 1 ? 0 : millimetre * p[2];
-    pose.wheelset_motion = {millimetre * Vector3{v[0], side * v[1], v[2]},
+    pose.wheel_motion = {millimetre * Vector3{f[6], side * f[7], f[8]}, {side * f[9], f[11], side * f[10]}};
+    pose.wheelset     = turned_by(side * p[3], side * p[4]);
+    // along the track S_WS has moved the axes, too
+    pose.wheelset.move   = millimetre * Vector3{pose.roller ? p[0] : 0, side * p[1], -set.radius};
+    pose.height          = one.digits.normal == 1 ? 0 : millimetre * p[2];
+    pose.wheelset_motion = {millimetre * Vector3{pose.roller ? 0 : v[0], side * v[1], v[2]},
                             {side * v[3], one.digits.forces == 1 ? 0 : v[5], side * v[4]}};
     return pose;
   }

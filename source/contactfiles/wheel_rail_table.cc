@@ -74,7 +74,8 @@ namespace wheelrail
                                     std::pair{"max_pressure_Pa", "Pa"},
                                     std::pair{"max_shear_traction_Pa", "Pa"},
                                     std::pair{"area_of_whole_elements_m2", "m2"},
-                                    std::pair{"stick_fraction", "1"}})
+                                    std::pair{"stick_fraction", "1"},
+                                    std::pair{"max_temperature_C", "C"}})
       table.add(key, unit, {});
     for (std::size_t k = 0; k < cases.size(); ++k)
       if (results[k].wheel_rail)
@@ -102,15 +103,16 @@ namespace wheelrail
                            shift ? p.creepage : none,
                            shift ? p.lateral_creepage : none,
                            shift ? p.spin : none,
-                           s.fn,
+                           p.normal_force,
                            s.fx,
-                           s.fy,
+                           p.lateral_force,
                            p.spin_moment,
                            s.approach,
                            s.peak_pressure,
                            s.peak_shear,
                            s.area,
-                           s.area > 0 ? s.adhesion_area / s.area : none});
+                           s.area > 0 ? s.adhesion_area / s.area : none,
+                           hottest(s)});
           }
     return table;
   }
@@ -168,9 +170,9 @@ namespace wheelrail
         solved.pitch_rate,
         1e3 * p.in_track[1],
         1e3 * p.angle,
-        p.solution.fn,
+        p.normal_force,
         p.solution.fx,
-        p.solution.fy,
+        p.lateral_force,
         1e3 * p.spin_moment,
         1e3 * p.solution.approach,
         1e-6 * p.solution.peak_pressure,

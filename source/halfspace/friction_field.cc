@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 // mu of each element from its slip, with memory: what friction falls to takes a distance
 // (doc/theory/halfspace.md, Limits; Vollebregt and Schuttelaars 2012). Without memory falling friction may
@@ -11,12 +12,11 @@ namespace wheelrail
 {
   double
   friction_of_particle(const HalfspaceProblem &problem,
-                       const int               j,
+                       const double            law,
                        const double            velocity,
                        const double            ahead,
                        const double            step)
   {
-    const double law = problem.friction_of_row(j).at(velocity);
     if (problem.memory_length == 0)
       return law;
     // d mu/dt = -max(v, v_0)/L (mu - mu(v)), v = V |s| the slip speed, L the memory length (Vollebregt and
@@ -26,11 +26,22 @@ namespace wheelrail
     return law + (ahead - law) * std::exp(-rate * step / problem.velocity);
   }
 
+  double
+  hot_friction(const HalfspaceProblem &problem, const int j, const double temperature)
+  {
+    const auto &hot = problem.hot_friction;
+    if (hot.empty())
+      return 0;
+    const double change = (hot.size() > 1 ? hot[std::size_t(j)] : hot.front()).at(temperature);
+    return std::max(change, 1e-6 - problem.friction_of_row(j).at(0));
+  }
+
   std::vector<double>
   friction_field(const HalfspaceProblem    &problem,
                  const double               step,
                  const VectorField         &slip,
-                 const std::vector<double> &pressure)
+                 const std::vector<double> &pressure,
+                 const std::vector<double> &temperature)
   {
     const HalfspaceGrid &grid = problem.grid;
     std::vector<double>  friction(grid.size());
@@ -39,10 +50,14 @@ namespace wheelrail
         {
           const int e = i + grid.mx * j;
           // particles run in at the leading edge with the coefficient at rest and go towards -x
-          const bool   inside = i + 1 < grid.mx && pressure[e + 1] > 0;
-          const double ahead  = inside ? friction[e + 1] : problem.friction_of_row(j).at(0);
-          friction[e]         = friction_of_particle(
-            problem, j, problem.velocity * std::hypot(slip[0][e], slip[1][e]), ahead, step);
+          const bool   inside   = i + 1 < grid.mx && pressure[e + 1] > 0;
+          const double ahead    = inside ? friction[e + 1] : problem.friction_of_row(j).at(0);
+          const double velocity = problem.velocity * std::hypot(slip[0][e], slip[1][e]);
+          const bool   hot      = !temperature.empty();
+          const double law =
+            problem.friction_of_row(j).at(velocity) + (hot ? hot_friction(problem, j, temperature[e]) : 0);
+          // CONTACT lets temperature work at the least speed of the memory alone
+          friction[e] = friction_of_particle(problem, law, hot ? 0 : velocity, ahead, step);
         }
     return friction;
   }

@@ -79,6 +79,11 @@ namespace wheelrail
     if (problem.memory_length > 0 && problem.motion != HalfspaceMotion::steady &&
         problem.motion != HalfspaceMotion::none)
       refuse("friction has a memory in steady rolling only.");
+    if (problem.heat && !(problem.heat->effusivity[0] > 0 && problem.heat->effusivity[1] > 0))
+      refuse("bodies that take up heat need a positive effusivity.");
+    if (!problem.hot_friction.empty() &&
+        (!problem.heat || problem.simplified || problem.motion != HalfspaceMotion::steady))
+      refuse("friction depends on temperature in steady rolling with heat only, not in simplified theory.");
     if (problem.lateral_force_given && !problem.longitudinal_force_given)
       refuse("a lateral force can be given only together with the longitudinal one.");
     if (problem.previous && problem.previous->pressure.size() != n)

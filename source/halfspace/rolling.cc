@@ -7,6 +7,7 @@
 #include <wheelrail/halfspace/tangential.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <sstream>
@@ -37,9 +38,10 @@ namespace wheelrail
         for (int j = 0; j < grid_.my; ++j)
           {
             const FrictionLaw &law = problem.friction_of_row(j);
-            velocity_dependent_    = velocity_dependent_ || (!problem.simplified && law.depends_on_speed());
+            friction_varies_       = friction_varies_ || (!problem.simplified && law.depends_on_speed());
             largest_friction_      = std::max(largest_friction_, law.largest());
           }
+        friction_varies_ = friction_varies_ || !problem.hot_friction.empty();
         const bool shift = problem.motion == HalfspaceMotion::shift;
         solution_.grid   = grid_;
         // dq of the relative slip s = w + (u - u')/dq; a shift has no length, so that its slip is a distance
@@ -94,6 +96,9 @@ namespace wheelrail
       /// of the law.
       double
       update_friction();
+      /// Temperatures of the surfaces under the tractions and slip of the last round.
+      std::array<std::vector<double>, 2>
+      temperatures() const;
       void
       displacements();
       /// The yield stress of the layer where the step begins, per element.
@@ -112,7 +117,7 @@ namespace wheelrail
       HalfspaceGrid           grid_;
       HalfspaceKernels       &kernels_;
       InfluenceProducts      &products_;
-      bool                    pressure_given_, coupled_, friction_, velocity_dependent_ = false;
+      bool                    pressure_given_, coupled_, friction_, friction_varies_ = false;
       double                  largest_friction_ = 0; ///< of all rows and speeds
       double                  offset_           = 0;
       NormalContact           normal_;
@@ -162,6 +167,8 @@ namespace wheelrail
         for (std::size_t m = 0; m < s.size(); ++m)
           s[m] = times(s[m], kernel[m]);
         products_.backward(s, result);
+        for (std::size_t e = 0; problem_.normal_compliance > 0 && e < p.size(); ++e)
+          result[e] += problem_.normal_compliance * p[e];
         if (problem_.added)
           problem_.added->add_displacement({{nullptr, nullptr, &p}}, {{nullptr, nullptr, &result}});
         scale(result, false);
@@ -281,12 +288,16 @@ namespace wheelrail
     Solver::update_friction()
     {
       double change = 0;
-      if (!velocity_dependent_ || tangential_.slip[0].empty())
+      if (!friction_varies_ || tangential_.slip[0].empty())
         return change;
       // Half a step from the fourth round on: falling friction makes whole steps swing.
       const double              weight = solution_.coupling_rounds < 4 ? 1 : weight_;
       const std::vector<double> wanted =
-        friction_field(problem_, solution_.step, tangential_.slip, normal_.pressure);
+        friction_field(problem_,
+                       solution_.step,
+                       tangential_.slip,
+                       normal_.pressure,
+                       problem_.hot_friction.empty() ? std::vector<double>() : temperatures()[0]);
       for (std::size_t e = 0; e < mu_.size(); ++e)
         {
           const double step = wanted[e] - mu_[e];
@@ -323,7 +334,7 @@ namespace wheelrail
           // 2. coefficients of the slip of the last round
           const double friction_change = update_friction();
           solution_.coupling_converged =
-            !friction_ || (!coupled_ && !velocity_dependent_) ||
+            !friction_ || (!coupled_ && !friction_varies_) ||
             (solution_.coupling_rounds > 1 && change <= problem_.coupling_tolerance * peak &&
              friction_change <= problem_.coupling_tolerance);
           const bool last = solution_.coupling_rounds == problem_.max_coupling_rounds;
@@ -334,6 +345,8 @@ namespace wheelrail
             break;
         }
       displacements();
+      if (problem_.heat && problem_.motion == HalfspaceMotion::steady)
+        solution_.temperature = temperatures();
       layer_state();
       solution_.xi  = tangential_.creepage[0];
       solution_.eta = tangential_.creepage[1];
@@ -341,6 +354,20 @@ namespace wheelrail
       measure(problem_, friction_ ? tangential_.slipping : std::vector<char>(), solution_);
       tell();
       return solution_;
+    }
+
+    std::array<std::vector<double>, 2>
+    Solver::temperatures() const
+    {
+      std::vector<double> heat(std::size_t(grid_.size()), 0.); // what the tractions do a second [W/m2]
+      for (std::size_t e = 0; e < heat.size() && !tangential_.slip[0].empty(); ++e)
+        {
+          const double yields = tangential_.plastic.empty() ? 0 : tangential_.plastic[e];
+          heat[e]             = std::hypot(tangential_.traction[0][e], tangential_.traction[1][e]) *
+                    std::hypot(tangential_.slip[0][e], tangential_.slip[1][e]) * problem_.velocity *
+                    (1 - yields + yields * problem_.heat->plastic_share);
+        }
+      return surface_temperatures(*problem_.heat, grid_, problem_.velocity, normal_.pressure, heat);
     }
 
     int

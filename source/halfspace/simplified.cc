@@ -38,7 +38,8 @@ namespace wheelrail
                   bool                        &slips) const
       {
         const auto at = [&](const double velocity) {
-          return friction_of_particle(problem, j, velocity, ahead, step);
+          return friction_of_particle(
+            problem, problem.friction_of_row(j).at(velocity), velocity, ahead, step);
         };
         double high = at(0);
         slips       = std::hypot(trial[0], trial[1]) > high * p;

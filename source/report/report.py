@@ -19,6 +19,7 @@ import sys
 sys.dont_write_bytecode = True  # the scripts may lie in a folder that is not ours to write to
 
 import body_pictures
+import contact_file
 import history_pictures
 import inputs
 import irregular_pictures
@@ -42,7 +43,7 @@ COVERED = {"pressure_surface", "shear_surface", "pressure_contour", "shear_conto
            "energy_error", "creepage"}
 # what the other commands leave, and who makes their pages
 PAGES = {"vehicle.csv": vehicle, "wear.json": wear_evolution, "receptance.csv": receptance,
-         "cycles.csv": material}
+         "cycles.csv": material, "wheel_rail.csv": contact_file, "cases.csv": contact_file}
 BROAD = {"sheet", "shear_instants"}
 MEANS = ("nodes at that instant; the results above are means over the averaging distance, with their standard deviation "
          "(\u00b1) and the standard error of the mean (mean \u00b1)")

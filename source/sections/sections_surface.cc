@@ -109,9 +109,9 @@ namespace wheelrail
     , spacing_(spacing)
     , ends_(ends)
   {
-    if (slices.smoothed)
-      throw InputError(path + ": U_INTPOL = 2; of a rail only 1 (interpolation along the track) is read");
     lay_lines(slices, placement, noise);
+    if (slices.smoothed)
+      smooth_along();
     find_jumps();
     find_runs();
   }
@@ -149,6 +149,29 @@ namespace wheelrail
             lines_[line][k] = placement.to_track(
               smooth[k].at(features[k][p] + lengths_[p][k] * static_cast<double>(line - part_begin_[p]) /
                                               static_cast<double>(part_begin_[p + 1] - part_begin_[p])));
+  }
+
+
+  void
+  SectionsSurface::smooth_along()
+  {
+    const std::size_t n       = places_.size();
+    const double      spacing = (places_.back() - places_.front()) / double(n - 1);
+    for (std::size_t k = 0; k + 1 < n; ++k)
+      if (std::abs(places_[k + 1] - places_[k] - spacing) > 0.01 * spacing)
+        throw InputError(path_ +
+                         ": U_INTPOL = 2 (an approximating spline) on slices that are not equally far apart");
+    for (const std::vector<double> &lengths : lengths_)
+      if (*std::min_element(lengths.begin(), lengths.end()) <= 0)
+        throw InputError(path_ + ": U_INTPOL = 2 (an approximating spline) with parts that begin or end");
+    // values at the knots of the cubic B-spline with the points of the slices as control points (de Boor
+    // 1978)
+    for (std::vector<Point2> &line : lines_)
+      {
+        const std::vector<Point2> control = line;
+        for (std::size_t k = 1; k + 1 < n; ++k)
+          line[k] = (1. / 6) * (control[k - 1] + 4 * control[k] + control[k + 1]);
+      }
   }
 
 

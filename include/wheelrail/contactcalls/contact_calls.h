@@ -162,14 +162,12 @@ extern "C"
   void
   cntc_getparameters(const int *ire, const int *icp, const int *task, const int *n, double *values);
   void
-  cntc_getprofilevalues(const int    *ire,
-                        const int    *task,
-                        const int    *n_integers,
-                        const int    *integers,
-                        const int    *n_reals,
-                        const double *reals,
-                        const int    *n,
-                        double       *values);
+  cntc_getprofilevalues(const int *ire,
+                        const int *task,
+                        const int *n_integers,
+                        const int *integers,
+                        const int *n,
+                        double    *values);
   void
   cntc_getprofilevalues_new(const int    *ire,
                             const int    *task,

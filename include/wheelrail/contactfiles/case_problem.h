@@ -5,6 +5,7 @@
 #include <wheelrail/halfspace/problem.h>
 
 #include <optional>
+#include <vector>
 
 namespace wheelrail
 {
@@ -30,9 +31,18 @@ namespace wheelrail
   FrictionLaw
   friction_of(const ContactCase &one, const ContactFrictionLine &line);
 
-  /// Sets what the bodies are made of, the layer between them and the memory of friction.
+  /// What temperature adds to friction on each of its lines (L = 6); none with other laws.
+  std::vector<FrictionOfTemperature>
+  hot_friction_of(const ContactCase &one, const std::vector<ContactFrictionLine> &lines);
+
+  /// Sets what the bodies are made of, the heat that they take up, the layer between them and the memory of
+  /// friction.
   void
   set_bodies(const ContactCase &one, HalfspaceProblem &problem);
+
+  /// Turns a problem by half a turn about the normal through (0, 0): rolling along -x becomes one along x.
+  void
+  turn_problem(HalfspaceProblem &problem);
 
   /// A grid after half a turn about the normal through (0, 0).
   HalfspaceGrid

@@ -5,6 +5,8 @@
 #include <wheelrail/contactfiles/weakened_rows.h>
 #include <wheelrail/contactfiles/wheel_rail_pose.h>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace wheelrail
@@ -31,7 +33,7 @@ namespace wheelrail
   {
     Vector3 reference{};                ///< on the rail: mean of the overlap, its square as weight
     double  angle = 0;                  ///< of the plane of contact against y
-    double  line  = 0;                  ///< parameter of the reference on the rail's section
+    double  line = 0, arc = 0;          ///< parameter and length of the reference on the rail's section
     double  x_low = 0, x_high = 0;      ///< of the overlap, in the track
     double  s_low = 0, s_high = 0;      ///< its ends on the rail's section, as lengths from the reference
     double  y_low = 0, y_high = 0;      ///< in the track
@@ -47,4 +49,26 @@ namespace wheelrail
                const WheelRailPose         &pose,
                const ProfileLine           &rail,
                const ContactElements       &elements);
+
+  /// Overlaps from the field side to the track centre, joined, separated and turned as the case says.
+  std::vector<PatchPlace>
+  joined_patches(std::vector<PatchPlace> patches, const ContactElements &elements);
+
+  /// A point of a curve over the track, and its parameter there.
+  struct PointOver
+  {
+    double  t = 0;
+    Vector3 place{};
+  };
+  using CurveAt = std::function<std::optional<Vector3>(double)>;
+
+  /// The points of a curve over n equally spaced y: of several over one y the lowest (`down` = 1) or the
+  /// highest (-1).
+  std::vector<std::optional<PointOver>>
+  points_over(const std::vector<double> &samples,
+              const CurveAt             &at,
+              double                     first,
+              double                     spacing,
+              std::size_t                n,
+              double                     down);
 } // namespace wheelrail

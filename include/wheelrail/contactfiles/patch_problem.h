@@ -1,7 +1,9 @@
 #pragma once
 
 #include <wheelrail/contactfiles/gap_search.h>
+#include <wheelrail/contactfiles/rail_shape.h>
 #include <wheelrail/contactfiles/wheel_rail_case.h>
+#include <wheelrail/contactfiles/wheel_shape.h>
 #include <wheelrail/halfspace/problem.h>
 
 #include <vector>
@@ -27,21 +29,30 @@ namespace wheelrail
   HalfspaceGrid
   patch_grid(const ContactCase &one, const PatchPlace &place, double origin_x, double origin_y);
 
+  /// The undeformed surfaces along the normal of a plane [m].
+  struct SurfaceDistance
+  {
+    std::vector<double>
+      gap; ///< of the rail's surface to the wheel's, positive apart; far apart where one is not
+    std::vector<double> rail; ///< place of the rail's surface, counted into the rail; 0 where it is not
+  };
+
   /// Distance of the rail's surface to the wheel's along the normal of the plane, at the centres of a grid
   /// whose point (origin_x, origin_y) is the contact reference; positive apart. Where one of them does not
-  /// lie there: far apart.
-  std::vector<double>
-  patch_distance(const WheelRailPose &pose,
-                 const ProfileLine   &rail,
-                 const ProfileLine   &wheel,
-                 const PatchPlace    &place,
-                 const HalfspaceGrid &grid,
-                 double               origin_x,
-                 double               origin_y);
+  /// lie there: far apart. `rows`: their places across in the plane, from the reference [m].
+  SurfaceDistance
+  patch_distance(const WheelRailPose       &pose,
+                 const RailShape           &rail,
+                 const WheelShape          &wheel,
+                 const PatchPlace          &place,
+                 const HalfspaceGrid       &grid,
+                 double                     origin_x,
+                 double                     origin_y,
+                 const std::vector<double> &rows);
 
   /// The friction of a patch: of the case, or between its lines by the angle of contact in the axes of the
   /// wheel (V = 1) or by S_WS (V = 2).
-  FrictionLaw
+  ContactFrictionLine
   patch_friction(const ContactCase &one, double wheel_angle);
 
   /// Axes of a patch: x along the track, y across in its plane, z into the rail.

@@ -12,6 +12,9 @@ namespace wheelrail
     double friction  = 1; ///< FSTAT
     double velocity  = 1; ///< VELOC [m/s]; 1 in shifts
     double direction = 0; ///< CHI [rad]
+    /// On a curved surface: force along the normal and across, moment, in the axes of the reference.
+    bool   curved       = false;
+    double normal_force = 0, lateral_force = 0, spin_moment = 0;
   };
 
   /// A number as CONTACT prints it: four digits, with an exponent below 0.1 and from 10 000 on.

@@ -15,8 +15,15 @@ namespace wheelrail
   class ProfileLine
   {
   public:
-    /// Points (y, z) in either order. Throws InputError for fewer than four.
-    explicit ProfileLine(std::vector<Point2> points, const std::string &file = "");
+    ProfileLine() = default;
+
+    /// Points (y, z) in either order; one spline from end to end without `kinks`. Throws InputError for fewer
+    /// than four points.
+    explicit ProfileLine(std::vector<Point2> points, const std::string &file = "", bool kinks = true);
+
+    /// Straight pieces from point to point, in either order.
+    static ProfileLine
+    straight(std::vector<Point2> points);
 
     /// A place on the line at the parameter t, 0 to end(), with the derivatives by t.
     struct Place
@@ -56,8 +63,6 @@ namespace wheelrail
     }
 
   private:
-    ProfileLine() = default;
-
     /// Sets lengths and samples of the pieces.
     void
     measure();
@@ -76,8 +81,16 @@ namespace wheelrail
     double              zero_ = 0; ///< length from the start to that point [m]
   };
 
-  /// Reads the profile that a line of an input file names, mirrored and scaled as the line says. Throws
-  /// InputError for what cannot be read.
+  /// The length on a section at which it passes y; of an end where it does not.
+  double
+  arc_at_y(const ProfileLine &line, double y);
+
+  /// Reads the points of the profile that a line of an input file names, mirrored and scaled as the line
+  /// says: y, z [m]. Throws InputError for what cannot be read.
+  std::vector<Point2>
+  section_points(const ContactProfile &profile, bool wheel);
+
+  /// Reads the profile that a line of an input file names. Throws InputError for what cannot be read.
   ProfileLine
   section_line(const ContactProfile &profile, bool wheel);
 } // namespace wheelrail

@@ -61,7 +61,7 @@ namespace wheelrail
   CaseResult
   solve_next_case(const ContactCase &one, CaseState &state);
 
-  /// Solves the cases of a file in their order.
+  /// Solves the cases of a file in their order; once a signal has come, only those before.
   std::vector<CaseResult>
   solve_cases(const std::vector<ContactCase> &cases);
 } // namespace wheelrail

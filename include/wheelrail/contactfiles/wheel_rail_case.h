@@ -25,15 +25,20 @@ namespace wheelrail
     double  spin      = 0;                      ///< CPHI [1/m]; in shifts an angle
     bool    backwards = false;                  ///< CHI = 180d
     double  friction  = 0;                      ///< FSTAT
+    std::vector<double> friction_constants;     ///< as in the file, between its lines where V = 1, 2
     /// x forward, s across, both from the contact reference (in shifts and transient rolling from the
     /// origin of CONTACT's fixed grid, at `origin`), n into the rail.
     HalfspaceSolution solution;
     double            origin_x = 0, origin_y = 0; ///< the contact reference on that grid [m]
     double            spin_moment = 0;            ///< MN, about n through the contact reference [N m]
-    Vector3           force_track{}, force_wheelset{};
-    Vector3           moment_rail{};     ///< about the origin of the rail's section, axes of the track [N m]
-    Vector3           moment_wheelset{}; ///< about that of the wheel's, axes of the wheelset [N m]
-    double            arc = 0;           ///< of the reference, along the rail's section from y = 0 [m]
+    /// On a curved reference surface (D = 4): the force along the normal and across, in the axes of the
+    /// reference [N]; on a plane those of the solution.
+    bool    curved       = false;
+    double  normal_force = 0, lateral_force = 0;
+    Vector3 force_track{}, force_wheelset{};
+    Vector3 moment_rail{};     ///< about the origin of the rail's section, axes of the track [N m]
+    Vector3 moment_wheelset{}; ///< about that of the wheel's, axes of the wheelset [N m]
+    double  arc = 0;           ///< of the reference, along the rail's section from y = 0 [m]
     std::vector<std::vector<PointStress>> points; ///< below the surface, of each block (S = 1 to 3)
     std::vector<int> earlier;                     ///< patches of the case before that it goes on from, from 1
     double           y_low = 0, y_high = 0;       ///< of the overlap, in the track [m]

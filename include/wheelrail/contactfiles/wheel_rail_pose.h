@@ -17,16 +17,17 @@ namespace wheelrail
   /// CONTACT does. In shifts (T = 1) velocities are the increments of the step.
   struct WheelRailPose
   {
-    bool        left = false;
+    bool        left = false, roller = false;
     RigidMotion rail;             ///< of its section to the track
     RigidMotion wheelset;         ///< of its axes to the track, at the height 0 (Z_WS)
     RigidMotion wheel;            ///< of its section to the wheelset
     double      height       = 0; ///< Z_WS, added to the wheelset's place
     double      wheel_radius = 0; ///< of the origin of its section
 
-    BodyVelocity rail_motion;     ///< in the axes of the track
-    BodyVelocity wheelset_motion; ///< velocity along the axes of the track, turning about its own
-    BodyVelocity wheel_motion;    ///< against the wheelset, in its axes
+    BodyVelocity rail_motion;              ///< in the axes of the track
+    Vector3      axle{}, roller_turning{}; ///< of a roller: a place of its axle, its rate; both in the track
+    BodyVelocity wheelset_motion;          ///< velocity along the axes of the track, turning about its own
+    BodyVelocity wheel_motion;             ///< against the wheelset, in its axes
 
     /// Of the wheel's section to the track, at the height.
     RigidMotion
@@ -42,9 +43,11 @@ namespace wheelrail
     BodyVelocity
     wheel_at(const Vector3 &place) const;
 
-    /// The part of the wheel's velocity there that its turning about its axle makes.
+    /// The part of the wheel's velocity there that its turning about its axle makes, and of the roller's.
     Vector3
     rolling_at(const Vector3 &place) const;
+    Vector3
+    roller_at(const Vector3 &place) const;
   };
 
   /// A turn by `roll` about x after one by `yaw` about z.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <wheelrail/halfspace/contact_heat.h>
 #include <wheelrail/material/friction.h>
 
 #include <array>
@@ -117,6 +118,12 @@ namespace wheelrail
     /// coefficient at rest (Vollebregt and Schuttelaars 2012). 0: at once.
     double memory_length      = 0;
     double memory_least_speed = 1e-3; ///< v_0 [m/s]
+    /// Heat of friction in steady rolling: the temperatures of the surfaces are found. `hot_friction`, of
+    /// each row of the grid or one for all: what it adds to the coefficients of the laws; empty: nothing.
+    std::optional<HeatConduction>      heat;
+    std::vector<FrictionOfTemperature> hot_friction;
+    /// A bed of springs under the pressure, each for itself, beside the half-spaces [m3/N].
+    double normal_compliance = 0;
     /// Thickness over shear modulus of an elastic layer between the bodies (roughness, sand, water, rust):
     /// its shear displacement is that times the traction [m/Pa]. It has no part in the normal problem.
     double layer_compliance = 0;
@@ -180,7 +187,9 @@ namespace wheelrail
     std::vector<double> friction;       ///< the coefficient in each element
     std::vector<double> yield_stress; ///< of a layer that yields, after the step [Pa]; 0: fresh; empty: none
     std::vector<double> plastic_x, plastic_y; ///< its plastic shift, body 1 less body 2 [m]
-    std::vector<unsigned char> state;
+    /// Of the surfaces of bodies 1 and 2, per element [deg C]; empty without heat.
+    std::array<std::vector<double>, 2> temperature;
+    std::vector<unsigned char>         state;
 
     double approach = 0;             ///< [m]
     double fn = 0, fx = 0, fy = 0;   ///< [N], on body 1

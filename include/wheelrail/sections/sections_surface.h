@@ -25,7 +25,7 @@ namespace wheelrail
     /// up to `spacing` apart [m]. `ends`: with the first and the last slice. Throws InputError that names
     /// `path` and slice for what is no surface: a slice that lies mirrored to the one before, a feature
     /// behind the end of its slice, a part on fewer than four slices in a row, an approximating spline along
-    /// the track.
+    /// the track on slices that are not equally far apart or have parts that begin or end.
     SectionsSurface(const Slices      &slices,
                     const Placement   &placement,
                     double             noise,
@@ -101,6 +101,9 @@ namespace wheelrail
 
     void
     lay_lines(const Slices &slices, const Placement &placement, double noise);
+    /// Turns the lines into those of an approximating spline along the track.
+    void
+    smooth_along();
     void
     find_jumps();
     void

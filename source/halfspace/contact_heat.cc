@@ -1,0 +1,79 @@
+#include <wheelrail/halfspace/contact_heat.h>
+#include <wheelrail/halfspace/problem.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+// Flash temperatures of a rolling contact: Ertz and Knothe, Wear 253 (2002), on Carslaw and Jaeger (1959).
+
+namespace wheelrail
+{
+  double
+  FrictionOfTemperature::at(const double temperature) const
+  {
+    return change * std::clamp((temperature - from) / range, 0., 1.);
+  }
+
+
+  std::array<std::vector<double>, 2>
+  surface_temperatures(const HeatConduction      &bodies,
+                       const HalfspaceGrid       &grid,
+                       const double               velocity,
+                       const std::vector<double> &pressure,
+                       const std::vector<double> &heat)
+  {
+    const double b1 = bodies.effusivity[0], b2 = bodies.effusivity[1];
+    const double met = (b1 * bodies.far[0] + b2 * bodies.far[1]) / (b1 + b2);
+    // heat q on both for the time x/V: 2 q sqrt(x / (pi V)) / (b1 + b2)
+    const double        rise = 2 / ((b1 + b2) * std::sqrt(M_PI * velocity)), half = 0.5 * grid.dx;
+    std::vector<double> reach(std::size_t(grid.mx)); // of an element on one so many behind it
+    for (int k = 0; k < grid.mx; ++k)
+      reach[std::size_t(k)] =
+        rise * (k == 0 ? 2 * std::sqrt(half) : std::sqrt(k * grid.dx + half) - std::sqrt(k * grid.dx - half));
+    std::array<std::vector<double>, 2> found;
+    for (int body = 0; body < 2; ++body)
+      found[std::size_t(body)].assign(std::size_t(grid.size()), bodies.far[std::size_t(body)]);
+    for (int j = 0; j < grid.my; ++j)
+      {
+        const auto row   = std::size_t(grid.mx) * std::size_t(j);
+        int        first = grid.mx, last = -1;
+        for (int i = 0; i < grid.mx; ++i)
+          if (pressure[row + std::size_t(i)] > 0)
+            {
+              first = std::min(first, i);
+              last  = i;
+            }
+        const double length = (last - first + 1) * grid.dx;
+        for (int i = last; i >= 0; --i)
+          {
+            double friction = 0;
+            for (int k = last; k >= i; --k)
+              friction += heat[row + std::size_t(k)] * reach[std::size_t(k - i)];
+            // behind the contact: what is left of the exchange between the bodies
+            const double along  = (last - i + 0.5) * grid.dx;
+            const double shared = i >= first ? 1 : 2 / M_PI * std::asin(std::sqrt(length / along));
+            for (const std::size_t body : {0, 1})
+              {
+                const double own     = bodies.far[body];
+                const bool   touches = pressure[row + std::size_t(i)] > 0;
+                found[body][row + std::size_t(i)] =
+                  own + (i < first || touches ? shared * (met - own) : 0) + friction;
+              }
+          }
+      }
+    return found;
+  }
+
+
+  double
+  hottest(const HalfspaceSolution &solution)
+  {
+    double largest = std::nan("");
+    for (const std::vector<double> &body : solution.temperature)
+      for (std::size_t e = 0; e < body.size(); ++e)
+        if (solution.pressure[e] > 0)
+          largest = std::fmax(largest, body[e]);
+    return largest;
+  }
+} // namespace wheelrail
