@@ -287,6 +287,8 @@ namespace
     const Curve tread = make_geometry(Scene()).wheel.tread;
     write_measured_flat("even", tread, every(1e-3), 1, 0);
     const auto even = places_on("even");
+    for (const PlaceContact &one : even)
+      check(one.verdict.doubts().find("creep") == std::string::npos, "a wheel at rest does not creep");
     for (const double step : {2e-3, 5e-3})
       {
         write_measured_flat("noisy", tread, every(step), 1, 10e-6);

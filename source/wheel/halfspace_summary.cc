@@ -136,7 +136,10 @@ namespace wheelrail
           measures.peak = force;
       measures.creep = known_creep(result, contributions);
       // what sticks is as stiff as the whole elements are larger than the contact
-      const double whole = (result.solution.area / result.measures.area - 1) * result.measures.stick_fraction;
+      const double whole =
+        result.problem.motion == HalfspaceMotion::none
+          ? 0
+          : (result.solution.area / result.measures.area - 1) * result.measures.stick_fraction;
       if (whole > measures.creep.within || (std::isnan(measures.creep.within) && whole > 0))
         measures.creep = {whole, "elements"};
       if (slides(scene, result.solution))
