@@ -363,6 +363,14 @@ namespace
             .empty(),
           "and that it does not");
 
+    check(
+      entries_without_effect(
+        scene_from_text("", "x.prm", {"Half-space/Interface layer = 1 mm", "Half-space/Given spin = 1 1/m"}),
+        "run") ==
+        std::vector<std::string>{"without effect in run: Half-space/Given spin, Half-space/Interface "
+                                 "layer"},
+      "what half-spaces alone have, in a run");
+
     MotionFile rows;
     rows.quantities = {MotionQuantity::yaw, MotionQuantity::creepage};
     check(entries_under_rows(

@@ -22,6 +22,7 @@
 #include <wheelrail/sampling/stress_below.h>
 #include <wheelrail/verdict/agreement.h>
 #include <wheelrail/verdict/verdict.h>
+#include <wheelrail/wheel/coarse_halfspaces.h>
 #include <wheelrail/wheel/halfspace_stresses.h>
 
 #include <nlohmann/json.hpp>
@@ -144,17 +145,6 @@ namespace wheelrail
           << text("%.3f", 1e3 * (offsets.wheel_roll - offsets.rail_roll)) << " mrad to the track centre\n";
     }
 
-    /// Half-spaces without what a run does not have.
-    void
-    leave_to_half_spaces(Scene &scene, std::ostream &out)
-    {
-      if (scene.halfspace_memory_length > 0 || scene.halfspace_layer_thickness > 0)
-        out << "note: Half-space/Friction memory and Interface layer are left out, since a run has neither\n";
-      scene.halfspace_memory_length   = 0;
-      scene.halfspace_layer_thickness = 0;
-      scene.halfspace_bodies          = ContactBodies::half_spaces;
-    }
-
     /// What the verdict of a compared run follows from. `bodies`: what compare_bodies() gave.
     Measures
     measures_of_comparison(const Scene                  &scene,
@@ -197,8 +187,9 @@ namespace wheelrail
     if (const double place = get_figure(run, "motion_distance_m"); std::isfinite(place))
       input.scene = scene_on_path(input.scene, place);
     const SceneGeometry geometry = require_touching(input);
-    leave_to_half_spaces(input.scene, out);
-    const Scene &scene = input.scene;
+    input.scene                  = scene_of_run(input.scene);
+    input.scene.halfspace_bodies = ContactBodies::half_spaces;
+    const Scene &scene           = input.scene;
     check_figures(scene, run, (path / "summary.json").string());
     const WheelRailLoad     load      = load_of_run(run);
     const SectionOffsets    offsets   = offsets_of_run(run);

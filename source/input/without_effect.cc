@@ -48,6 +48,12 @@ namespace wheelrail
                                      "Wear/Wheels",
                                      "Wear/Grind *",
                                      "Wear/Turn *"};
+    const Names of_halfspaces     = {"Half-space/Friction memory*",
+                                     "Half-space/Interface layer*",
+                                     "Half-space/Given spin",
+                                     "Half-space/Lateral offset",
+                                     "Half-space/Extra inclination",
+                                     "Half-space/Undeformed distance"};
     const Names of_runs           = {"Mesh/Fine *",
                                      "Mesh/Planned *",
                                      "Mesh/Prepared distance",
@@ -108,12 +114,14 @@ namespace wheelrail
         return false;
       if (command == "parameters")
         return true;
+      if (command == "compare" && is_among(entry, of_halfspaces))
+        return false;
       if (command == "halfspace" || command == "vehicle" || command == "compare")
         return !is_among(entry, together(of_runs, wear_plan));
       if (command == "wear")
         return !is_among(entry, of_runs);
       if (command == "run")
-        return !is_among(entry, wear_plan);
+        return !is_among(entry, together(of_halfspaces, wear_plan));
       return !is_among(entry,
                        together(wear_plan,
                                 {"Wear",
