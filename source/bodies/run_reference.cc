@@ -3,6 +3,7 @@
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figures.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -39,6 +40,33 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// What true bodies carry farther beside the patch of a run than its solution cells are sure to reach.
+    void
+    measure_beside(const Scene             &scene,
+                   const Summary           &run,
+                   const HalfspaceSolution &bodies,
+                   Measures                &measures)
+    {
+      const HalfspaceGrid &grid   = bodies.grid;
+      const double         half   = 0.5 * run.patch_lateral;
+      double               beside = 0, all = 0, farthest = 0;
+      for (int e = 0; e < grid.size(); ++e)
+        {
+          const double off = std::abs(grid.y(e / grid.mx) - run.patch_centre_lateral) - half;
+          all += bodies.pressure[e];
+          if (off < scene.fine_margin || !(bodies.pressure[e] > 0))
+            continue;
+          beside += bodies.pressure[e];
+          farthest = std::max(farthest, off);
+        }
+      measures.beside = beside / all;
+      measures.margin = 1e-3 * std::ceil(1e3 * farthest + 1);
+    }
+  } // namespace
+
+
   Contributions
   measure_against_bodies(const Scene         &scene,
                          const SceneGeometry &geometry,
@@ -62,6 +90,7 @@ namespace wheelrail
       if (!real)
         return;
       const Summary reference = halfspace_summary(bodies, *real, &contributions);
+      measure_beside(scene, run, real->solution, measures);
       // run over true bodies, less 1, under the run's own load
       measures.bodies_difference = run.max_pressure / reference.max_pressure - 1;
       if (force_is_a_result(scene))

@@ -23,7 +23,8 @@ namespace wheelrail
     constexpr GradeBounds load_bounds{0.01, 0.03};
     constexpr GradeBounds torque_bounds{0.01, 0.05};
     constexpr GradeBounds force_bounds{0.02, 0.05}; ///< some 0.15e-3 and 0.4e-3 of creepage
-    constexpr double      most_strain_loss = 0.25;  ///< of the plastic strain to the cells
+    constexpr GradeBounds beside_bounds{0.005, 0.05};
+    constexpr double      most_strain_loss = 0.25; ///< of the plastic strain to the cells
 
     /// Cells and penalty: what keeps a run from the answer of its own equations.
     void
@@ -66,6 +67,19 @@ namespace wheelrail
             "the penalty contact sinks in by " + percent(m.penetration) +
               " of the approach, which lowers the peak pressure by about " +
               text("%.0f %%", -100 * m.penalty_part()) + "; raise Contact/Penalty scale.");
+    }
+
+    /// Contact that the run cannot have, since its solution cells end before it.
+    void
+    judge_beside(const Measures &m, Verdict &verdict)
+    {
+      if (m.beside > 0)
+        add(verdict,
+            graded(m.beside, beside_bounds),
+            "the true bodies carry " + percent(m.beside) +
+              " of the load beside the patch of the run, whose solution cells may end there; take Mesh/Fine "
+              "margin = " +
+              in_mm(m.margin) + ".");
     }
 
     /// What a run does that has not rolled far enough.
@@ -278,6 +292,7 @@ namespace wheelrail
     judge_edges(measures, true, verdict);
     judge_sliding(measures, verdict);
     judge_resolution(scene, measures, verdict);
+    judge_beside(measures, verdict);
     if (scene.irregular())
       judge_path(measures, verdict);
     else

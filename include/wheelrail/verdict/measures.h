@@ -59,6 +59,8 @@ namespace wheelrail
     double peak_difference = none; ///< (run - half-space) / half-space
     /// The same against the true bodies under the same forces; they know neither flow nor irregularities.
     double bodies_difference = none;
+    double beside            = none; ///< share of the load that they carry beside the patch of the run
+    double margin            = none; ///< Mesh/Fine margin that has solution cells there [m]
     /// Longitudinal force less that of the true bodies with the same creepage, over the vertical force.
     double      force_difference = none;
     double      turn             = none; ///< of the surfaces across the patch [rad]
