@@ -80,6 +80,7 @@ namespace wheelrail
         {"deg", D::angle, M_PI, 180},
         {"1/m", D::spin, 1, 1},
         {"1/mm", D::spin, 1e3, 1},
+        {"1/km", D::spin, 1, 1e3},
         {"rad/m", D::spin, 1, 1},
         {"N m", D::moment, 1, 1},
         {"kN m", D::moment, 1e3, 1},
