@@ -52,13 +52,14 @@ def mean_of(run, name, factor):
     return factor * value, 1e3 * begin, 1e3 * (end if page.is_number(end) else run.history["rolled_distance"][-1])
 
 
-def draw_mean(axes, mean, color):
+def draw_mean(axes, mean, color, told=True):
     """A dashed line over the stretch of the mean, with its value."""
     if mean is None:
         return
     axes.plot(mean[1:], [mean[0], mean[0]], color=color, linewidth=1.6, linestyle=(0, (4, 2)))
-    axes.annotate(f"mean {mean[0]:.2f}", (mean[2], mean[0]), (-4, 4), textcoords="offset points", ha="right", va="bottom",
-                  fontsize=8, color=color)
+    if told:
+        axes.annotate(f"mean {mean[0]:.2f}", (mean[2], mean[0]), (-4, 4), textcoords="offset points", ha="right",
+                      va="bottom", fontsize=8, color=color)
 
 
 def draw_forces(run, x, label):
@@ -68,8 +69,10 @@ def draw_forces(run, x, label):
     figure, rows = plt.subplots(len(groups), 1, figsize=(7.6, 1.0 + 2.3 * len(groups)), sharex=True, squeeze=False)
     for axes, group in zip(rows[:, 0], groups):
         for name, color in zip(group, style.COLORS):
-            axes.plot(x, 1e-3 * run.history[name], color=color, linewidth=1.2, label=plain(name))
-            draw_mean(axes, mean_of(run, name, 1e-3), color)
+            mean = mean_of(run, name, 1e-3)
+            axes.plot(x, 1e-3 * run.history[name], color=color, linewidth=1.2,
+                      label=plain(name) + (f", mean {mean[0]:.2f}" if mean else ""))
+            draw_mean(axes, mean, color, told=False)
         axes.set_ylabel("force [kN]")
         axes.grid(True)
         axes.margins(x=0)

@@ -14,9 +14,10 @@ from fields import Fields
 def draw_surface(run, fields, values, label, title, name):
     figure = plt.figure(figsize=(7.4, 5.4))
     axes = figure.add_subplot(projection="3d")
-    top = style.round_top(max(values.max(), 1e-9))
+    peak = max(values.max(), 1e-9)
+    top = style.round_top(peak)
     surface = axes.plot_surface(fields.lateral, fields.along, values, cmap=style.HIGH, rstride=1, cstride=1,
-                                linewidth=0.15, edgecolor="#00000055", antialiased=True, vmin=0, vmax=top)
+                                linewidth=0.15, edgecolor="#00000055", antialiased=True, vmin=0, vmax=peak)
     axes.set_box_aspect((np.ptp(fields.lateral), np.ptp(fields.along), 0.6 * np.ptp(fields.lateral)))
     axes.set_xlabel("lateral s [mm]\nG.C. $\\leftarrow$   $\\rightarrow$ F.S.", labelpad=14)
     axes.set_ylabel("rolling direction [mm] $\\rightarrow$", labelpad=8)
@@ -28,7 +29,8 @@ def draw_surface(run, fields, values, label, title, name):
     axes.set_title(title)
     bar = figure.colorbar(surface, cax=figure.add_axes([0.95, 0.22, 0.022, 0.5]))
     bar.set_label(label)
-    bar.set_ticks(style.round_levels(0, top, 8))
+    levels = style.levels_to(peak)
+    bar.set_ticks(levels, labels=[f"{level:.4g}" for level in levels])
     return style.save(run, figure, name, pad=0.5)
 
 
