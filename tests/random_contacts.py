@@ -9,6 +9,11 @@ Input N of a family is drawn from seed N. Families:
               5.2 % of the peak of the true bodies
   noise       the same with noise in the points of profiles: a verdict trusted lies within 5 % of the true bodies with
               the profile before the noise
+  bodies      what `halfspace`, and `vehicle` for a row, answer with by default, over more entries (two patches, curves,
+              unlike steels, elements, noise in worn profiles): what is trusted lies within 5 % of the true bodies on
+              elements of 0.25 mm with exact profiles, in peak pressure, area and T-gamma, and its forces within 5 % of
+              the friction limit
+  runs        runs on cells of 1.5 mm, 40 mm rolled: the same of those that are trusted, under their own forces
   heights     a dent as a table of heights in another form (separators, decimal commas, units, order of rows and
               columns, unequal spacing): the same pressure and drop as by the entries Kind = dent within 1 %
   caches      kept tables of true bodies with bytes that were changed, cut off, added or taken from another table: the
@@ -59,8 +64,8 @@ def contact_entries(draw):
 
 
 def contact(program, scene, bodies, options):
-    """Summary of the contact with some bodies, or the sentence that refuses it."""
-    code, screen = execute(program, "halfspace", scene, "--no-pictures", "--bodies", bodies, *options)
+    """Summary of the contact with some bodies (none: those that answer by default), or the sentence that refuses it."""
+    code, screen = execute(program, "halfspace", scene, "--no-pictures", *(("--bodies", bodies) if bodies else ()), *options)
     if code not in (0, 1, 2) or "fault in the program" in screen:
         return None, screen[-3000:]
     if code == 1:
@@ -129,6 +134,120 @@ def noise(program, seed):
         result["miss"] = found["max_pressure_Pa"] / real["max_pressure_Pa"] - 1
     if result["noise"] == "trusted" and not abs(result.get("miss", 1)) <= 0.05:
         result["fault"] = f"trusted, {100 * result.get('miss', math.nan):+.1f} %, {why}"
+    return result
+
+
+def answer_entries(draw):
+    """Changed entries of a contact whose answer may be trusted: those of contact_entries() and others."""
+    def number(low, high, unit="", digits=4):
+        return f"{draw.uniform(low, high):.{digits}g} {unit}".strip()
+
+    chosen, more = contact_entries(draw), {
+        "Wheelset/Lateral shift": draw.choice([number(-6, -4, "mm"), number(4, 8, "mm")]),
+        "Half-space/Element size": draw.choice(["0.25 mm", "0.3 mm", f"{log_uniform(draw, 0.15, 1.2):.2g} mm"]),
+        "Half-space/Spin": "contact",
+        "Contact/Friction law": draw.choice(["exponential", "rational"]),
+        "Wheelset/Drive": "rate",
+        "Wheelset/Creepage": number(-0.004, 0.004),
+        "Track/Radius": f"{draw.choice([-1, 1]) * log_uniform(draw, 200, 3000):.4g} m",
+        "Wheelset/Roll": "from contact",
+        "Wheelset/Rim inner radius": number(370, 400, "mm"),
+        "Wheelset/Disc thickness": number(15, 60, "mm"),
+        "Rail material/Steel": draw.choice(["R200", "R260", "R350HT"]),
+        "Wheel material/Steel": draw.choice(["ER6", "ER7", "ER9"])}
+    chosen.update({name: value for name, value in more.items() if draw.random() < 0.15})
+    for side, name in (("Wheel", "worn_S1002.prw"), ("Rail", "worn_54E1.ban"), ("Rail", "manchester_UIC60.txt")):
+        if draw.random() < 0.15:
+            chosen[f"Profiles/{side}"] = noisy(name, draw.choice([0.001, 0.002] + NOISES))
+    return chosen
+
+
+def trusted_misses(own, real, friction):
+    """Of the peak, area, T-gamma and forces: what misses by how much, over themselves or the friction limit."""
+    limit = friction * real["vertical_force_N"]
+    found = {name: own[name] / real[name] - 1 for name in ("max_pressure_Pa", "contact_area_m2") if real[name]}
+    for name, least in (("lateral_force_N", limit), ("longitudinal_force_N", limit), ("t_gamma_N", 0)):
+        if real[name] is not None and own[name] is not None:
+            found[name] = (own[name] - real[name]) / max(abs(real[name]), least, 1)
+    return found
+
+
+FINE = {"Half-space/Element size": "0.25 mm"}
+
+
+def by_row(program, scene, options, row):
+    """The contact of one row of a vehicle simulation, as the summary of `halfspace` names its results."""
+    path = scene[:-4] + ".csv"
+    with open(path, "w") as file:
+        file.write(";".join(row) + "\n" + ";".join(row.values()) + "\n")
+    code, screen = execute(program, "vehicle", scene, path, "--no-pictures", "--overwrite", *options)
+    if code not in (0, 1, 2) or "fault in the program" in screen:
+        return None, screen[-3000:]
+    if code == 1:
+        return None, sentence_of(screen)
+    with open(scene[:-4] + "-vehicle/vehicle.csv") as file:
+        found = next(csv.DictReader(file))
+    results = {name[len("right_"):]: float(value) for name, value in found.items() if name.startswith("right_") and value}
+    grades = ("not trusted", "with care", "trusted")
+    return {**results, "verdict": grades[int(results.get("verdict", 0))], "doubts": screen, "finished": True}, ""
+
+
+def answers(program, seed):
+    draw, refused, scene = random.Random(seed), [], scene_file(seed)
+    while True:
+        chosen = {"Wheelset/Traction coefficient": f"{draw.uniform(-0.4, 0.4):.3g}", **answer_entries(draw),
+                  "Output/Folder": scene[:-4]}
+        row = {"time [s]": "0", "lateral shift [mm]": f"{draw.uniform(-4, 5):.3g}", "yaw [mrad]": f"{draw.uniform(-8, 8):.3g}",
+               "load [kN]": f"{draw.uniform(40, 150):.3g}", "curvature [1/m]": f"{draw.uniform(-0.004, 0.004):.3g}"}
+        row = row if seed % 5 == 0 else None
+        own, why = by_row(program, scene, as_options(chosen), row) if row else contact(program, scene, "", as_options(chosen))
+        if own:
+            break
+        if "\n" in why or not why:
+            return {"fault": why, "entries": chosen}
+        refused.append(why)
+    result = {"entries": chosen, "row": row, "refused": refused, "bodies": own["verdict"], "doubts": own["doubts"][-600:]}
+    if not own["finished"]:
+        return result
+    options = as_options({**{name: exact(value) for name, value in chosen.items()}, **FINE})
+    real, why = by_row(program, scene, options, row) if row else contact(program, scene, "real", options)
+    if not real or not real["finished"]:
+        return {**result, "no_truth": why}
+    result["misses"] = trusted_misses(own, real, float(chosen.get("Contact/Friction coefficient", "0.5")))
+    result["miss"] = result["misses"]["max_pressure_Pa"]
+    beyond = {name: round(100 * miss, 1) for name, miss in result["misses"].items() if not abs(miss) <= 0.05}
+    if own["verdict"] == "trusted" and beyond:
+        result["fault"] = f"trusted, {beyond} %"
+    return result
+
+
+def runs(program, seed):
+    draw, refused, scene = random.Random(seed), [], scene_file(seed)
+    fixed = {"Mesh/Solution cell size": "1.5 mm", "Mesh/Coarse cell size": "24 mm", "Run/Rolling distance": "40 mm",
+             "Run/Averaging distance": "16 mm", "Output/Ticks": "2", "Output/Volume fields": "false",
+             "Output/Folder": scene[:-4]}
+    while True:
+        chosen = {"Wheelset/Traction coefficient": "0", **contact_entries(draw), **fixed}
+        code, screen = execute(program, "run", scene, "--overwrite", *as_options(chosen))
+        if code == 0:
+            break
+        if code not in (1, 2) or not sentence_of(screen):
+            return {"fault": screen[-3000:], "entries": chosen}
+        refused.append(sentence_of(screen))
+    with open(f"{scene[:-4]}/summary.json") as file:
+        own = json.load(file)
+    result = {"entries": chosen, "refused": refused, "runs": own["verdict"], "doubts": own["doubts"]}
+    code, screen = execute(program, "compare", scene[:-4], "--no-pictures", *as_options(FINE))
+    with open(f"{scene[:-4]}/summary.json") as file:
+        compared = json.load(file)
+    real = {name[len("bodies_"):]: value for name, value in compared.items() if name.startswith("bodies_")}
+    if real.get("max_pressure_Pa"):
+        result["misses"] = {name: own[name] / real[name] - 1 for name in ("max_pressure_Pa", "contact_area_m2", "t_gamma_N")
+                            if real.get(name) and own.get(name)}
+        result["miss"] = result["misses"]["max_pressure_Pa"]
+        beyond = {name: round(100 * miss, 1) for name, miss in result["misses"].items() if not abs(miss) <= 0.05}
+        if own["verdict"] == "trusted" and beyond:
+            result["fault"] = f"trusted, {beyond} %"
     return result
 
 
@@ -205,7 +324,7 @@ def known(path):
 
 
 def print_grades(results):
-    for name in ("halfspaces", "wear", "noise"):
+    for name in ("halfspaces", "wear", "noise", "bodies", "runs"):
         for word in ("trusted", "with care", "not trusted"):
             misses = [100 * result["miss"] for result in results if result.get(name) == word and "miss" in result]
             if misses:
@@ -217,7 +336,8 @@ def main():
     path = f"{family}.jsonl"
     for seed in range(first, last + 1):
         if seed not in known(path):
-            result = {"halfspaces": halfspaces, "noise": noise, "heights": heights, "caches": caches}[family](program, seed)
+            result = {"halfspaces": halfspaces, "noise": noise, "bodies": answers, "runs": runs, "heights": heights,
+                      "caches": caches}[family](program, seed)
             with open(path, "a") as file:
                 file.write(json.dumps({"seed": seed, **result}) + "\n")
             for left in glob.glob(f"contact_{seed}*") + glob.glob(f"dent_{seed}.csv"):
