@@ -106,11 +106,11 @@ namespace
     const std::string rail = "Profiles/Rail = good.slcs";
     check_text(
       geometry({rail}, ""),
-      "Profiles/Rail: good.slcs: slices along the track are for --places of geometry and halfspace alone; "
-      "give a rail of one section",
+      "Profiles/Rail = good.slcs: slices along the track are for run, compare, and --places of geometry and "
+      "halfspace; give a rail of one section",
       "slices without --places");
     check_text(geometry({}, "10 mm"),
-               "Profiles/Rail 54E1: --places along a rail needs slices, a file that ends in .slcs",
+               "Profiles/Rail = 54E1: slices are needed, a file that ends in .slcs",
                "a plain rail with --places");
     check_text(geometry({"Profiles/Rail = wheel.slcw"}, "10 mm"),
                "Profiles/Rail: wheel.slcw: slices of a wheel; a rail has them in a file that ends in .slcs",
@@ -127,8 +127,8 @@ namespace
                "roll from contact");
     check_text(
       geometry({rail}, "90 mm"),
-      "--places \"90 mm\": the wheel at 90 mm along the track does not stand on the slices, which reach from "
-      "0 mm to 80 mm",
+      "--places \"90 mm\": the wheel at 90 mm along the rail does not stand on the slices, which reach from "
+      "0 mm to 80 mm; Profiles/Rail place is 0 mm",
       "a place beyond the slices");
     check_text(geometry({"Profiles/Rail = aside.slcs"}, "40 mm"),
                "wheel and rails by slices do not lie over each other: at this place and lateral shift no "
@@ -145,11 +145,28 @@ namespace
                "give --places "
                "\"0:600:20 mm\"",
                "halfspace without --places");
-    check_text(message_of([&]() {
-                 execute({"halfspace", "plain.prm", "--section-normal"}, run, out);
-               }),
-               "--second-rail and --section-normal are for slices (.slcs); Profiles/Rail is 54E1",
-               "a plain rail with --section-normal");
+    const auto validated = [&](std::vector<std::string> sets) {
+      std::vector<std::string> words{"run", "plain.prm", "--validate"};
+      for (const std::string &set : sets)
+        words.insert(words.end(), {"--set", set});
+      return message_of([&]() { execute(words, run, out); });
+    };
+    check_text(validated({"Profiles/Second rail = good.slcs"}),
+               "--set: Profiles/Second rail = good.slcs: a second rail stands beside one by slices (.slcs); "
+               "Profiles/Rail is 54E1",
+               "a second rail beside a plain one");
+    check_text(validated({rail, "Profiles/Second rail = good.slcs"}),
+               "--set: Profiles/Second rail = good.slcs: it begins at 0 mm, before the end of "
+               "Profiles/Rail at 80 mm; "
+               "a mesh has two rails one behind the other, as at a joint: rails beside each other, as wing "
+               "and nose, are "
+               "for --places of geometry and halfspace",
+               "rails beside each other in a run");
+    check_text(validated({rail, "Profiles/Rail place = 50 mm", "Run/Rolling distance = 40 mm"}),
+               "--set: Profiles/Rail place: the path from 50 mm to 90 mm along the rail leaves the slices, "
+               "which reach from 0 mm to 80 mm; begin it elsewhere, or roll a shorter Run/Rolling "
+               "distance",
+               "a path that leaves the slices");
     std::string printed;
     check_text(geometry({"Profiles/Rail = jump.slcs"}, "90 mm", &printed), "no message", "away from a jump");
     const std::string warning =

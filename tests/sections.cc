@@ -2,6 +2,7 @@
 // rails, slopes along the track, and CONTACT's results on an artificial nose and wing and on a crossing.
 #include "manchester.h"
 #include "reference_table.h"
+#include "slices_of_head.h"
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/planes/wheel_on_rail.h>
@@ -20,41 +21,13 @@ using namespace wheelrail;
 using test::check;
 using test::check_near;
 using test::check_relative;
+using test::head_points;
+using test::write_points;
+using test::write_slices;
 
 namespace
 {
   using Rows = std::vector<std::vector<std::string>>;
-
-  void
-  write_points(const std::string &file, const std::vector<Point2> &points)
-  {
-    std::ofstream out(file);
-    out.precision(12);
-    for (const Point2 &p : points)
-      out << p.x << ' ' << p.y << '\n';
-  }
-
-  /// The head of 54E1 [mm], y down, about each 0.3 mm.
-  std::vector<Point2>
-  head_points()
-  {
-    const Curve         head = rail_profile("54E1").head;
-    std::vector<Point2> points;
-    for (double t = head.parameter_end(), step = 0.3e-3; t > 1e-9; t = head.advance(t, -step))
-      if (const Point2 p = head.at(t).position; p.y > -20e-3)
-        points.push_back({1e3 * p.x, -1e3 * p.y});
-    return points;
-  }
-
-  /// Slices of one section from `begin` to `end` [mm].
-  void
-  write_slices(const std::string &name, const std::string &section, const double begin, const double end)
-  {
-    std::ofstream out(name);
-    out << "0 1 U_OFFSET U_SCALE\n5 NSLC\n0 0 0 NFEAT NKINK NACCEL\n1 U_INTPOL\n";
-    for (int k = 0; k < 5; ++k)
-      out << begin + (end - begin) * k / 4 << " '" << section << "'\n";
-  }
 
   SectionsSurface
   surface_of(const std::string &file,
@@ -109,6 +82,66 @@ namespace
       }
   }
 
+  /// The head, lowered by a dip of 1 mm between -100 and 100 mm.
+  void
+  write_dip()
+  {
+    std::ofstream out("dip.slcs");
+    out << "0 1 U_OFFSET U_SCALE\n81 NSLC\n0 0 0 NFEAT NKINK NACCEL\n1 U_INTPOL\n";
+    for (int k = 0; k <= 80; ++k)
+      {
+        const double        u      = -400 + 10 * k;
+        std::vector<Point2> points = head_points();
+        for (Point2 &p : points)
+          p.y += std::abs(u) < 100 ? std::pow(std::cos(M_PI * u / 200), 4) : 0;
+        const std::string file = "dip_" + std::to_string(k) + ".txt";
+        write_points(file, points);
+        out << u << " '" << file << "'\n";
+      }
+  }
+
+  /// The mesh takes the section at the start and moves its surface: nowhere for a plain rail, and where the
+  /// whole section sinks it is the sunk section.
+  void
+  surface_of_mesh()
+  {
+    Scene scene;
+    scene.rail_file.noise  = 0;
+    scene.rail_profile     = "plain.slcs";
+    scene.rolling_distance = 0.05;
+    check(make_geometry(scene).surfaces.rail.irregularities().empty(), "one section all along moves nothing");
+    write_dip();
+    scene.rail_profile            = "dip.slcs";
+    scene.rail_place              = -0.2;
+    scene.rolling_distance        = 0.4;
+    const SceneGeometry   dip     = make_geometry(scene);
+    const RunningSurface &surface = dip.surfaces.rail;
+    check_near(1e9 * surface.at(0, 0.03).n, 0, 1, "before the dip [nm]");
+    check_near(1e6 * surface.at(0, 0.65).n, 0, 0.01, "behind it [um]");
+    for (const double z : {0.12, 0.15, 0.2, 0.26})
+      {
+        const double slices = std::pow(std::cos(M_PI * (z - 0.2) / 0.2), 4) * 1e-3;
+        Placement    lower  = dip.contact.rail;
+        lower.origin        = lower.to_track({0, -slices});
+        const FrameProfile sunk(dip.rail.head, lower, dip.contact.frame);
+        for (const double s : {-9e-3, -3e-3, 0., 4e-3, 9e-3})
+          {
+            const SurfaceHeight at = surface.at(s, z);
+            const std::string   what =
+              "sunk rail at " + std::to_string(1e3 * z) + ", " + std::to_string(1e3 * s);
+            check_near(1e6 * at.n, 1e6 * sunk.at(s).n, 0.5, what + " [um]");
+            check_near(at.slope, sunk.at(s).slope, 1e-4, what + ", slope");
+          }
+      }
+    check_near(surface.at(0, 0.15).slope_along,
+               (surface.at(0, 0.1501).n - surface.at(0, 0.1499).n) / 2e-4,
+               1e-6,
+               "slope along");
+    scene.rail_place = -0.06; // in the dip
+    check(std::abs(make_geometry(scene).surfaces.rail.at(0, 0.009).n) < 1e-9,
+          "the run leads into the slices");
+  }
+
   /// Over a gap of 6 mm between two rails the wheel sinks by a sagitta of its rolling circle.
   void
   gap_of_two_rails()
@@ -129,6 +162,35 @@ namespace
                "drop of the wheel over a gap of 6 mm [um]");
     check(in_gap.size() == 2 && in_gap.front().at_end && in_gap.back().at_end && !on_rail.at_end,
           "it touches both edges of the gap");
+  }
+
+  /// What a mesh makes of them where the second is lower: nothing carries in the gap.
+  void
+  gap_of_mesh()
+  {
+    std::vector<Point2> lower = head_points();
+    for (Point2 &p : lower)
+      p.y += 0.5;
+    write_points("lower.txt", lower);
+    write_slices("lower.slcs", "lower.txt", 6, 200);
+    Scene scene;
+    scene.rail_file.noise         = 0;
+    scene.rail_profile            = "before.slcs";
+    scene.second_rail             = "lower.slcs";
+    scene.rail_place              = -0.05;
+    scene.rolling_distance        = 0.1;
+    const SceneGeometry   joint   = make_geometry(scene);
+    const RunningSurface &surface = joint.surfaces.rail;
+    check_near(1e3 * surface.gap().s0, 50, 1e-9, "the gap begins [mm]");
+    check_near(1e3 * surface.gap().s1, 56, 1e-9, "the gap ends [mm]");
+    check_near(1e6 * surface.at(0, 49.9e-3).n, 0, 1, "the end of the first rail [um]");
+    Placement sunk = joint.contact.rail;
+    sunk.origin    = sunk.to_track({0, -0.5e-3});
+    check_near(1e6 * surface.at(0, 56.1e-3).n,
+               1e6 * FrameProfile(joint.rail.head, sunk, joint.contact.frame).at(0).n,
+               1,
+               "the begin of the second [um]");
+    check(surface.at(0, 53e-3).n < -0.5e-3, "the gap is too deep for the wheel");
   }
 
   /// A part of a rail exists from the first slice on that has it; what exists is the same rail.
@@ -363,7 +425,9 @@ int
 main()
 {
   plain_rail();
+  surface_of_mesh();
   gap_of_two_rails();
+  gap_of_mesh();
   part_that_begins();
   contact_rows();
   slope_along();

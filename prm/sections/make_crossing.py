@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Writes the sections of the crossing of prm/crossing.prm: a wing rail and a nose, as slices along the track.
+"""Writes the sections of crossing.prm beside this file and of ../insulated_joint.prm: rails as slices along the track.
 
 Usage: make_crossing.py FOLDER
 
-The heads have the radii of 54E1 (300, 80, 13 mm, sides 1:20). The wing leaves the running line 1:10 to the field side
+The heads have the radii of 54E1 (300, 80, 13 mm, sides 1:20). The joint has a rail that ends at 0 and three that begin
+6 mm behind: level with it, 0.5 mm lower, 0.5 mm higher; their middle lies 2.4 mm beside the running circle. The wing leaves the running line 1:10 to the field side
 and rises by 4 % of that. The nose begins behind the flangeway, 10 mm wide, and grows 1:10; its top rises 3 mm over
 200 mm. y to the field side, z down [mm].
 """
@@ -85,12 +86,26 @@ def write(folder, name, places, section):
             file.write(f"{u} " + " ".join(f"{s:.4f}" for s in features[:-1]) + " 999\n")
 
 
+def write_even(folder, name, begin, end, low):
+    """Four slices of one section, `low` below the running circle."""
+    half, aside = half_head(), 2.4
+    section = [(aside - x, z + low) for x, z in reversed(half)] + [(aside + x, z + low) for x, z in half[1:]]
+    with open(os.path.join(folder, name + ".txt"), "w", encoding="utf-8") as file:
+        file.writelines(f"{x:.4f} {z:.4f}\n" for x, z in section)
+    with open(os.path.join(folder, name + ".slcs"), "w", encoding="utf-8") as file:
+        file.write("% made by make_crossing.py\n0 1 U_OFFSET U_SCALE, mm\n4 NSLC\n0 0 0 NFEAT NKINK NACCEL\n1 U_INTPOL\n")
+        file.writelines(f"{begin + (end - begin) * k / 3:g} '{name}.txt'\n" for k in range(4))
+
+
 def main(arguments):
     if len(arguments) != 1:
         print(__doc__, file=sys.stderr)
         return 1
     write(arguments[0], "wing", list(range(-200, -20, 60)) + list(range(-20, 61, 10)) + list(range(100, 781, 40)), wing)
     write(arguments[0], "nose", list(range(520, 801, 20)), nose)
+    write_even(arguments[0], "joint_before", -3000, 0, 0)
+    for name, low in (("level", 0), ("down", 0.5), ("up", -0.5)):
+        write_even(arguments[0], "joint_" + name, 6, 3006, low)
     return 0
 
 

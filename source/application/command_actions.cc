@@ -122,11 +122,7 @@ namespace wheelrail
     const Scene     &scene = input.scene;
     print_notes(idle_entries(options, input, "geometry"), out);
     if (options.count("places"))
-      return print_touching_places(
-        scene,
-        {options["places"].as<std::string>(),
-         options.count("second-rail") ? options["second-rail"].as<std::string>() : ""},
-        out);
+      return print_touching_places(scene, options["places"].as<std::string>(), out);
     const bool unlike =
       scene.both_wheels && (scene.left_wheel_profile != "as right" || scene.left_rail_profile != "as right");
     const WheelsetProfiles sides =

@@ -92,9 +92,6 @@ namespace wheelrail
          options.add_options()("places",
                                po::value<std::string>(),
                                "contact points along rails by slices instead: \"0:600:10 mm\"");
-         options.add_options()("second-rail",
-                               po::value<std::string>(),
-                               "with --places: slices of another rail under the same wheel, such as a nose");
          options.add_options()("profiles",
                                "draw both profiles in track position and the undeformed distance into "
                                "FILE_profiles.png here");
@@ -123,11 +120,6 @@ namespace wheelrail
                                "the wheel at rest at places along irregular surfaces (subsections "
                                "Irregularity), or rolling at places along rails by slices, instead: "
                                "\"0:100:5 mm\"");
-         options.add_options()("second-rail",
-                               po::value<std::string>(),
-                               "with --places: slices of another rail under the same wheel, such as a nose");
-         options.add_options()("section-normal",
-                               "on rails by slices: planes turned about the track alone, as in CONTACT");
          options.add_options()(
            "pitch", po::value<std::string>(), "the same at angles of the wheel: \"-7:0:1 deg\"");
          options.add_options()("contact-input",

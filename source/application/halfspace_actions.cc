@@ -9,7 +9,6 @@
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
-#include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/vehicle/creep_curve_command.h>
 #include <wheelrail/vehicle/wheelset_command.h>
 #include <wheelrail/wheel/given_distance.h>
@@ -104,21 +103,14 @@ namespace wheelrail
     const Findings found = contact_checks(input.scene);
     require_none(found.errors, input);
     print_notes(idle_entries(options, input, "halfspace"), out);
-    if (is_slices_file(input.scene.rail_profile))
+    if (input.scene.rail_by_slices())
       {
         if (file("places").empty() || input.scene.both_wheels)
           throw InputError("Profiles/Rail = " + input.scene.rail_profile +
                            ": of slices along the track halfspace takes one wheel at places: give --places "
                            "\"0:600:20 mm\"");
-        return run_sections_command(
-          input.scene,
-          {file("places"), file("second-rail"), options.count("section-normal") > 0},
-          !options.count("no-pictures"),
-          out);
+        return run_sections_command(input.scene, file("places"), !options.count("no-pictures"), out);
       }
-    if (options.count("second-rail") + options.count("section-normal") > 0)
-      throw InputError("--second-rail and --section-normal are for slices (.slcs); Profiles/Rail is " +
-                       input.scene.rail_profile);
     if (input.scene.both_wheels)
       return halfspaces_of_wheelset(options, input, found.warnings, out);
     leave_to_half_spaces(options, input.scene, out);

@@ -8,6 +8,7 @@
 #include <wheelrail/commands/halfspace_results.h>
 #include <wheelrail/commands/report_script.h>
 #include <wheelrail/input/listing.h>
+#include <wheelrail/model/rail_slices.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/folder.h>
@@ -37,84 +38,57 @@ namespace wheelrail
       std::vector<double>          places; ///< along the path [m]
     };
 
-    SectionsSurface
-    read_rail(const Scene       &scene,
-              const std::string &entry,
-              const std::string &path,
-              const bool         ends,
-              std::ostream      &out)
-    {
-      if (!is_slices_file(path))
-        throw InputError(entry + " " + path +
-                         ": --places along a rail needs slices, a file that ends in .slcs");
-      try
-        {
-          Slices slices = read_slices_file(path, scene.rail_file.unit);
-          if (slices.wheel)
-            throw InputError(path + ": slices of a wheel; a rail has them in a file that ends in .slcs");
-          for (Slices::Slice &slice : slices.slices)
-            for (Point2 &p : slice.points)
-              p = {(scene.rail_file.mirror == ProfileMirror::yes ? -1 : 1) * p.x,
-                   (scene.rail_file.turn == ProfileMirror::yes ? -1 : 1) * p.y};
-          SectionsSurface rail(slices,
-                               Placement{{}, -std::atan(scene.track.inclination)},
-                               scene.rail_file.noise,
-                               path,
-                               0.5e-3,
-                               ends);
-          for (const SectionsSurface::Jump &jump : rail.jumps())
-            out << "warning: " << path << ": the arc length jumps from " << in_mm(jump.before) << " to "
-                << in_mm(jump.behind) << " between slices " << jump.slice << " and " << jump.slice + 1
-                << ": no surface lies between them\n";
-          return rail;
-        }
-      catch (const InputError &error)
-        {
-          throw InputError(entry + ": " + error.what());
-        }
-    }
-
     SceneSections
-    scene_sections(const Scene &scene, const SectionOptions &options, std::ostream &out)
+    scene_sections(const Scene &scene, const std::string &option, std::ostream &out)
     {
-      if (scene.irregular())
+      Scene smooth        = scene;
+      smooth.rail_profile = "";
+      if (smooth.irregular())
         throw InputError("Profiles/Rail = " + scene.rail_profile +
                          ": rails by slices have no irregularities: leave the subsections Irregularity out");
       if (scene.roll == RollMode::from_contact)
         throw InputError(
           "Wheelset/Roll = from contact: the rail of the other wheel is not known beside rails by "
           "slices; give an angle or none");
-      const bool                   two = !options.second_rail.empty();
-      std::vector<SectionsSurface> rails{read_rail(scene, "Profiles/Rail", scene.rail_profile, two, out)};
-      if (two)
-        rails.push_back(read_rail(scene, "--second-rail", options.second_rail, two, out));
+      const Placement              placement{{}, -std::atan(scene.track.inclination)};
+      std::vector<std::string>     jumps;
+      std::vector<SectionsSurface> rails{
+        read_rail_slices(scene, "Profiles/Rail", scene.rail_profile, placement, jumps)};
+      if (scene.second_rail != "none")
+        rails.push_back(read_rail_slices(scene, "Profiles/Second rail", scene.second_rail, placement, jumps));
+      for (const std::string &jump : jumps)
+        out << "warning: " << jump << "\n";
       SceneProfiles profiles = read_wheel_profile(scene);
       print_notes(profiles.notes, out);
       const PosedWheel posed(profiles.wheel, scene.track, wheelset_pose(scene));
-      SceneSections    sections{std::move(rails),
-                             std::move(profiles.wheel),
-                             posed,
-                             parse_irregular_places(options.places, false).values};
+      SceneSections    sections{
+        std::move(rails), std::move(profiles.wheel), posed, parse_irregular_places(option, false).values};
+      double first = HUGE_VAL, last = -HUGE_VAL; // of all rails: the wheel may stand over a gap
+      for (const SectionsSurface &rail : sections.rails)
+        {
+          first = std::min(first, rail.begin());
+          last  = std::max(last, rail.end());
+        }
       for (const double place : sections.places)
         {
-          if (std::none_of(
-                sections.rails.begin(), sections.rails.end(), [&](const auto &r) { return r.has(place); }))
-            throw InputError("--places \"" + options.places + "\": the wheel at " + in_mm(place) +
-                             " along the track does not stand on the slices, which reach from " +
-                             in_mm(sections.rails.front().begin()) + " to " +
-                             in_mm(sections.rails.back().end()));
+          const double at = scene.rail_place + place;
+          if (at < first || at > last)
+            throw InputError("--places \"" + option + "\": the wheel at " + in_mm(at) +
+                             " along the rail does not stand on the slices, which reach from " +
+                             in_mm(first) + " to " + in_mm(last) + "; Profiles/Rail place is " +
+                             in_mm(scene.rail_place));
           for (const SectionsSurface &rail : sections.rails)
-            rail.refuse_jump(place);
+            rail.refuse_jump(at);
         }
       return sections;
     }
 
     SectionRolling
-    rolling_of(const Scene &scene, const SectionOptions &options)
+    rolling_of(const Scene &scene)
     {
       SectionRolling rolling;
       rolling.problem        = halfspace_problem(scene);
-      rolling.section_normal = options.section_normal;
+      rolling.section_normal = scene.halfspace_section_normal;
       rolling.dx = rolling.dy = scene.halfspace_element_size;
       rolling.turning =
         scene.velocity / scene.track.nominal_radius * (1 + (scene.drive == Drive::rate ? scene.creepage : 0));
@@ -253,7 +227,7 @@ namespace wheelrail
 
     /// The sections of all rails over the path, for pictures.
     FigureTable
-    table_of_sections(const SceneSections &sections)
+    table_of_sections(const Scene &scene, const SceneSections &sections)
     {
       constexpr int wanted = 40;
       FigureTable   table;
@@ -265,7 +239,7 @@ namespace wheelrail
         for (int i = 0; i <= wanted; ++i)
           {
             const double        place  = *low - margin + (*high - *low + 2 * margin) * i / wanted;
-            const SectionColumn column = sections.rails[r].column(place);
+            const SectionColumn column = sections.rails[r].column(scene.rail_place + place);
             for (const Point2 &p : column.points())
               table.add_row({static_cast<double>(r + 1), place, -p.x, p.y});
           }
@@ -275,9 +249,9 @@ namespace wheelrail
 
 
   int
-  print_touching_places(const Scene &scene, const SectionOptions &options, std::ostream &out)
+  print_touching_places(const Scene &scene, const std::string &places, std::ostream &out)
   {
-    const SceneSections sections = scene_sections(scene, options, out);
+    const SceneSections sections = scene_sections(scene, places, out);
     out << "Rigid wheel on rails by slices: its drop at the first touch, counted from where the running "
            "circle is at "
            "the height 0\nof the slices, and all places that 1 mm more would close; x positive to the field "
@@ -308,7 +282,8 @@ namespace wheelrail
     for (const double place : sections.places)
       {
         std::string begin;
-        for (const TouchingPlace &p : touching_places(sections.rails, sections.posed, place))
+        for (const TouchingPlace &p :
+             touching_places(sections.rails, sections.posed, scene.rail_place + place))
           {
             begin =
               begin.empty() ? text("%10.3f %11.5f", 1e3 * place, -1e3 * p.height) : std::string(22, ' ');
@@ -330,9 +305,9 @@ namespace wheelrail
 
 
   int
-  run_sections_command(const Scene &scene, const SectionOptions &options, const bool draws, std::ostream &out)
+  run_sections_command(const Scene &scene, const std::string &places, const bool draws, std::ostream &out)
   {
-    const SceneSections          sections = scene_sections(scene, options, out);
+    const SceneSections          sections = scene_sections(scene, places, out);
     const ResultFolder           held(scene.folder, "-halfspace");
     const std::filesystem::path &folder = held.path();
     const double                 load   = static_wheel_load(scene, sections.wheel);
@@ -342,18 +317,18 @@ namespace wheelrail
              "coefficient "
              "has no effect\n";
     TaskCount                count("places", sections.places.size(), 0, out);
-    const SectionRolling     rolling = rolling_of(scene, options);
+    const SectionRolling     rolling = rolling_of(scene);
     std::vector<PlaceResult> results(sections.places.size());
     parallel_for(results.size(), [&](const std::size_t k) {
-      results[k].contacts =
-        contacts_under_load(sections.rails, sections.posed, rolling, sections.places[k], load);
+      results[k].contacts = contacts_under_load(
+        sections.rails, sections.posed, rolling, scene.rail_place + sections.places[k], load);
       results[k].fault = fault_of(results[k].contacts);
       count.one_more();
     });
     print_results(sections, results, out);
     replace_file((folder / "parameters.prm").string(), print_parameters(scene));
     table_of(sections, results).write_csv((folder / "places.csv").string());
-    table_of_sections(sections).write_csv((folder / "sections.csv").string());
+    table_of_sections(scene, sections).write_csv((folder / "sections.csv").string());
     out << "Table in " << (folder / "places.csv").string() << std::endl;
     if (draws)
       draw_results("section_places.py", folder.string());

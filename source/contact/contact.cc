@@ -116,6 +116,22 @@ namespace wheelrail
   }
 
 
+  Vector3
+  Contact::force_beyond(const double place) const
+  {
+    Vector3 sum{};
+    for_own_nodes([&](const int i, const int j) {
+      const std::size_t  k    = lattice().index(i, j);
+      const ContactNode &node = nodes_[k];
+      if (node.pressure > 0 && states_.rail.reference[k][2] > place)
+        add(sum, rail().area[k], node.pressure * node.normal - node.traction);
+    });
+    for (double &component : sum)
+      MPI_Allreduce(MPI_IN_PLACE, &component, 1, MPI_DOUBLE, MPI_SUM, communicator_);
+    return sum;
+  }
+
+
   void
   Contact::touch(const int           i,
                  const int           j,

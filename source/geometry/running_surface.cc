@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace wheelrail
@@ -118,6 +119,17 @@ namespace wheelrail
         places.push_back(kink - origin_);
     std::sort(places.begin(), places.end());
     return places;
+  }
+
+
+  Range
+  RunningSurface::gap() const
+  {
+    for (const Irregularity &one : irregularities())
+      if (one.gap)
+        return {one.begin - origin_, one.end - origin_};
+    constexpr double far = std::numeric_limits<double>::infinity();
+    return {far, far};
   }
 
 

@@ -55,6 +55,7 @@ namespace wheelrail
     add_joints(surfaces.outline.profile(), 1, rows, spacing, kinks);
     add_joints(surfaces.rail.profile(), -1, rows, spacing, kinks);
     const double circumference = 2 * M_PI * surfaces.rolling_radius;
+    const Range  gap           = surfaces.rail.gap(); // whose ends are square
     for (const Body body : both_bodies)
       for (const double kink : surfaces[body].kinks())
         {
@@ -66,7 +67,7 @@ namespace wheelrail
           for (const PatchRow &row : rows)
             if (z >= row.z0 - spacing && z <= row.z1 + spacing &&
                 (body == Body::rail || std::abs(std::remainder(kink, circumference)) < 0.25 * circumference))
-              kinks.add(jump_along(surfaces, row.s, z));
+              kinks.add(z == gap.s0 || z == gap.s1 ? M_PI / 2 : jump_along(surfaces, row.s, z));
         }
     return kinks;
   }

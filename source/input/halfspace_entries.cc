@@ -15,13 +15,14 @@ namespace wheelrail
     void
     add_given_distance(EntryList &list)
     {
-      list.name_or_file("Undeformed distance",
-                        {"profiles", "hertz", "rollers"},
-                        "a file (with its ending, such as distance.txt)",
-                        field(&S::halfspace_distance),
-                        "Distance of the surfaces before they deform, for the command halfspace. profiles: "
-                        "of wheel and rail; hertz: x^2/(2 Radius along) + y^2/(2 Radius across); rollers: of "
-                        "the two rollers below; a file: rows x, y, distance in mm on a regular grid.");
+      list.name_or_file(
+        "Undeformed distance",
+        {"profiles", "hertz", "rollers"},
+        "a file (with its ending, such as distance.txt)",
+        field(&S::halfspace_distance),
+        "For halfspace. profiles: of wheel and rail; hertz: x^2/(2 Radius along) + y^2/(2 Radius "
+        "across); rollers: of the two below; a file: rows x, y, distance in mm on a regular "
+        "grid.");
       list.number({"Radius along", "mm", "1 mm", "100 m"},
                   field(&S::halfspace_radius_along),
                   "Relative radius in the rolling direction; also turns Contact angle into spin.");
@@ -80,7 +81,7 @@ namespace wheelrail
                   "Least slip velocity with which friction comes to its law.");
       list.number({"Interface layer", "mm", "0 mm", "10 mm"},
                   field(&S::halfspace_layer_thickness),
-                  "Thickness of an elastic layer between wheel and rail that yields to shear; 0 mm: none. "
+                  "Thickness of an elastic layer that yields to shear; 0 mm: none. "
                   "Not in runs and compare.");
       list.number({"Interface layer shear modulus", "GPa", "1 MPa", "1000 GPa"},
                   field(&S::halfspace_layer_shear),
@@ -95,36 +96,39 @@ namespace wheelrail
     EntryList list("Half-space");
     list.number({"Element size", "mm", "0.05 mm", "5 mm"},
                 field(&S::halfspace_element_size),
-                "Edge of the contact elements of the commands halfspace and compare.");
+                "Edge of contact elements, for halfspace and compare.");
     list.choice<ContactBodies>(
       "Bodies",
       {{"auto", ContactBodies::automatic},
        {"half-spaces", ContactBodies::half_spaces},
        {"real", ContactBodies::real}},
       field(&S::halfspace_bodies),
-      "real: this wheel, held at its bore, on this rail, held at its foot, as elastic bodies; half-spaces: "
-      "Kalker's theory, as the program CONTACT has it; auto: real, but half-spaces in wear and where real "
-      "bodies do not take the scene, with a note. For halfspace, vehicle, wear, run --wheelset and "
-      "studies.");
+      "real: wheel held at its bore, rail at its foot, as elastic bodies; half-spaces: Kalker's theory, as "
+      "in CONTACT; auto: real, but half-spaces in wear and where real bodies do not take the scene. For "
+      "halfspace, vehicle, wear, run --wheelset and studies.");
     list.choice<HalfspaceSpin>(
       "Spin",
       {{"local radius", HalfspaceSpin::local_radius}, {"contact", HalfspaceSpin::contact}},
       field(&S::halfspace_spin),
-      "Rigid slip of the wheel: local radius: from rolling radius and inclination of every slice; contact: "
-      "one creepage and one spin, as the program CONTACT has it.");
+      "local radius: slip from rolling radius and inclination of every slice; contact: one creepage "
+      "and one spin, as in CONTACT.");
+    list.choice<bool>(
+      "Normal",
+      {{"surface", false}, {"section", true}},
+      field(&S::halfspace_section_normal),
+      "Of slices: surface: with their slope along the track; section: without, as in CONTACT.");
     list.number(
       {"Given spin", "1/m", "-20 1/m", "20 1/m"},
       field(&S::halfspace_given_spin),
-      "One spin in place of the wheel's own, with one creepage for the whole patch: the rail's turning "
-      "against the wheel about the normal out of the rail, for each metre rolled; auto: as Spin says.",
+      "One spin, with one creepage for the whole patch: turning of the rail against the wheel about the "
+      "normal out of the rail per metre rolled; auto: as Spin says.",
       {{"auto", std::numeric_limits<double>::infinity()}});
-    list.number(
-      {"Lateral offset", "mm", "-5 mm", "5 mm"},
-      field(&S::halfspace_lateral),
-      "Wheel section moved against the rail to the track centre after 2D-Geo, by the command halfspace.");
+    list.number({"Lateral offset", "mm", "-5 mm", "5 mm"},
+                field(&S::halfspace_lateral),
+                "Wheel section moved to the track centre after 2D-Geo, for halfspace.");
     list.number({"Extra inclination", "mrad", "-20 mrad", "20 mrad"},
                 field(&S::halfspace_inclination),
-                "Rail head turned to the track centre about the contact point, by the command halfspace.");
+                "Rail head turned to the track centre about the contact point, for halfspace.");
     add_interface(list);
     add_given_distance(list);
     add_rollers(list);

@@ -26,14 +26,13 @@ namespace wheelrail
                                  turned,
                                  field(part, &ProfileFileOptions::turn),
                                  "Vertical coordinate turned over; auto: " + upright + ".");
-      list.choice<ProfileUnit>(
-        body + " unit",
-        {{"auto", ProfileUnit::automatic},
-         {"mm", ProfileUnit::millimetre},
-         {"m", ProfileUnit::metre},
-         {"inch", ProfileUnit::inch}},
-        field(part, &ProfileFileOptions::unit),
-        "Unit of the profile file; auto: as the file states, else mm or m by its size.");
+      list.choice<ProfileUnit>(body + " unit",
+                               {{"auto", ProfileUnit::automatic},
+                                {"mm", ProfileUnit::millimetre},
+                                {"m", ProfileUnit::metre},
+                                {"inch", ProfileUnit::inch}},
+                               field(part, &ProfileFileOptions::unit),
+                               "auto: as the file states, else mm or m by size.");
     }
 
     void
@@ -46,7 +45,7 @@ namespace wheelrail
         "Rail body",
         choices,
         field(&Scene::rail_body),
-        "Standard rail below a head that is read from a file; auto: the one whose head is as wide.");
+        "Standard rail below a head from a file; auto: the one whose head is as wide.");
     }
 
     /// One value for both files.
@@ -56,7 +55,7 @@ namespace wheelrail
       Entry &entry =
         list.number({"Smoothing", "mm", "0 mm", "1 mm"},
                     field(&Scene::rail_file, &ProfileFileOptions::noise),
-                    "Noise (standard deviation) that is smoothed out of profile files; auto: as found in the "
+                    "Noise (standard deviation) smoothed out of profile files; auto: as found in the "
                     "points; 0 mm: every point is kept.",
                     {{"auto", -1}});
       entry.set = [set = entry.set](Scene &scene, const std::string &text) {
@@ -90,12 +89,12 @@ namespace wheelrail
     {
       std::vector<std::string> names{"as right"};
       names.insert(names.end(), standard.begin(), standard.end());
-      return list.name_or_file(
-        name + " left",
-        names,
-        file,
-        place,
-        "Of the left-hand side, with Wheelset/Wheels = both; a file is read as that of " + name + ".");
+      return list.name_or_file(name + " left",
+                               names,
+                               file,
+                               place,
+                               "Left-hand, with Wheelset/Wheels = both; a file is read as that of " + name +
+                                 ".");
     }
   } // namespace
 
@@ -118,18 +117,18 @@ namespace wheelrail
                      &Scene::wheel_file,
                      "Lateral coordinate turned to the other side; auto: by the flange.",
                      "the flange hangs down");
-    list.choice<WheelOrigin>("Wheel origin",
-                             {{"auto", WheelOrigin::automatic},
-                              {"running circle", WheelOrigin::running_circle},
-                              {"flange back", WheelOrigin::flange_back}},
-                             field(&Scene::wheel_origin),
-                             "Lateral origin of the file; auto: from the flange back, or the flange tip "
-                             "where the back was not measured.");
+    list.choice<WheelOrigin>(
+      "Wheel origin",
+      {{"auto", WheelOrigin::automatic},
+       {"running circle", WheelOrigin::running_circle},
+       {"flange back", WheelOrigin::flange_back}},
+      field(&Scene::wheel_origin),
+      "Lateral origin of the file; auto: from flange back, or flange tip where that was not measured.");
     refuse_former_rails(list.name_or_file("Rail",
                                           standard_rails(),
                                           rail_file,
                                           field(&Scene::rail_profile),
-                                          "Rail profile (54E1, 60E1: EN 13674-1)."));
+                                          "Rail profile (54E1, 60E1: EN 13674-1), or slices (.slcs)."));
     refuse_former_rails(
       add_left(list, "Rail", standard_rails(), rail_file, field(&Scene::left_rail_profile)));
     add_file_options(
@@ -144,6 +143,14 @@ namespace wheelrail
                       "Of the rail file; auto: by sides and gauge; running circle: below it.");
     add_body(list);
     add_smoothing(list);
+    list.name_or_file("Second rail",
+                      {"none"},
+                      "a file of slices (.slcs)",
+                      field(&Scene::second_rail),
+                      "Slices under the same wheel: a nose, or the rail behind a gap.");
+    list.number({"Rail place", "mm", "-1000 m", "1000 m"},
+                field(&Scene::rail_place),
+                "Along slices, where the path begins.");
     return list.entries;
   }
 } // namespace wheelrail

@@ -13,6 +13,7 @@
 #include <boost/uuid/uuid_io.hpp>
 
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
 namespace wheelrail
@@ -72,11 +73,8 @@ namespace wheelrail
     };
     add("Profiles/Wheel", scene.wheel_profile, "wheel", member(&Scene::wheel_profile), true);
     // slices name further files beside them, so that a copy of theirs alone is of no use
-    add("Profiles/Rail",
-        scene.rail_profile,
-        "rail",
-        member(&Scene::rail_profile),
-        !is_slices_file(scene.rail_profile));
+    add("Profiles/Rail", scene.rail_profile, "rail", member(&Scene::rail_profile), !scene.rail_by_slices());
+    add("Profiles/Second rail", scene.second_rail, "second_rail", member(&Scene::second_rail), false);
     add("Profiles/Wheel left",
         scene.left_wheel_profile,
         "wheel_left",
@@ -122,9 +120,13 @@ namespace wheelrail
         }
     try
       {
-        return read_whole_file(file.path);
+        std::string text = read_whole_file(file.path);
+        if (is_slices_file(file.path))
+          for (const Slices::Slice &slice : read_slices_file(file.path, ProfileUnit::automatic).slices)
+            text += read_whole_file(slice.file);
+        return text;
       }
-    catch (const RunError &)
+    catch (const std::runtime_error &) // the command that needs it tells
       {
         return "";
       }

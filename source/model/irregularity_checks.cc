@@ -13,16 +13,37 @@ namespace wheelrail
     // waves of eight cells are followed within 5 %, of four as a zigzag
     constexpr double cells_needed = 8, cells_least = 4;
 
+    /// What an irregularity is told by: an entry of its own, or of rails by slices, with its value.
+    std::string
+    told_by(const Scene &scene, const Irregularity &one, const std::string &entry)
+    {
+      if (one.name != "Profiles")
+        return entry_text(scene, one.name, entry);
+      return entry_text(scene, one.name, entry == "Place" ? "Rail place" : "Rail");
+    }
+
     void
     check_cells(const Scene &scene, const Irregularity &one, Findings &found)
     {
+      if (one.gap)
+        {
+          const double      length = one.end - one.begin;
+          const std::string gap    = entry_text(scene, "Profiles", "Second rail") + ": the gap of " +
+                                  rounded_mm(length) + " in front of it ";
+          if (scene.cell_size > length)
+            found.errors.push_back(gap + "is narrower than a cell; take Mesh/Solution cell size = " +
+                                   rounded_mm(std::floor(1e5 * length / 4) / 1e5));
+          else if (scene.cell_size > 0.251 * length)
+            found.warnings.push_back(gap + "is fewer than four cells wide: it ends up to half a cell off");
+          return;
+        }
       const double rounded = std::floor(1e5 * one.shortest / cells_needed) / 1e5;
       if (scene.cell_size > one.shortest / cells_least)
-        found.errors.push_back(entry_text(scene, one.name, "Kind") + ": rises and falls within " +
+        found.errors.push_back(told_by(scene, one, "Kind") + ": rises and falls within " +
                                rounded_mm(one.shortest) + ", which cells of " + rounded_mm(scene.cell_size) +
                                " cannot follow; take Mesh/Solution cell size = " + rounded_mm(rounded));
       else if (scene.cell_size > 1.001 * one.shortest / cells_needed)
-        found.warnings.push_back(entry_text(scene, one.name, "Kind") + ": rises and falls within " +
+        found.warnings.push_back(told_by(scene, one, "Kind") + ": rises and falls within " +
                                  rounded_mm(one.shortest) + ", fewer than eight cells of " +
                                  rounded_mm(scene.cell_size) +
                                  "; take Mesh/Solution cell size = " + rounded_mm(rounded) + " for results");
@@ -49,7 +70,7 @@ namespace wheelrail
             largest = std::max(largest, std::abs(one.at(at + reach * patch.width * j / across, u).height));
           }
       if (largest < felt * one.measures.largest)
-        found.warnings.push_back(entry_text(scene, one.name, "Lateral place") +
+        found.warnings.push_back(told_by(scene, one, "Lateral place") +
                                  ": the wheel rolls beside the irregularity; its patch, about " +
                                  rounded_mm(std::round(1e3 * patch.width) / 1e3) + " wide, lies around " +
                                  rounded_mm(std::round(1e3 * at) / 1e3));
@@ -86,17 +107,19 @@ namespace wheelrail
             check_cells(scene, one, found);
             if (one.kinks.empty() && one.shortest < patch.length)
               found.warnings.push_back(
-                entry_text(scene, one.name, "Kind") + ": rises and falls within " + rounded_mm(one.shortest) +
+                told_by(scene, one, "Kind") + ": rises and falls within " + rounded_mm(one.shortest) +
                 ", the patch is about " + rounded_mm(std::round(1e4 * patch.length) / 1e4) +
                 " long: it lies over several waves, and the force follows only a part of their height");
             if (!one.endless && (one.begin > scene.mesh_distance() + 0.5 * patch.length ||
                                  (body == Body::rail && one.end < -0.5 * patch.length)))
-              found.warnings.push_back(entry_text(scene, one.name, "Place") +
+              found.warnings.push_back(told_by(scene, one, "Place") +
                                        ": the wheel does not come there within " + path_text(scene));
             else if (!one.endless && one.end + 0.5 * patch.length > scene.mesh_distance())
-              found.warnings.push_back(entry_text(scene, one.name, "Place") + ": it ends at " +
-                                       rounded_mm(one.end) + ", where the patch is still on it after " +
-                                       path_text(scene) + "; the largest force may come later");
+              found.warnings.push_back(told_by(scene, one, "Place") + ": it ends at " + rounded_mm(one.end) +
+                                       ", where the patch is still on it after " + path_text(scene) +
+                                       "; the largest force may come later");
+            if (one.name == "Profiles")
+              continue; // where the wheel rolls, or not
             check_across(scene,
                          one,
                          body == Body::rail ? geometry.contact.rail_x : geometry.contact.wheel_x,
@@ -106,7 +129,7 @@ namespace wheelrail
         const double start = height_at_start(surface, 0.6 * patch.length, 0.5 * patch.width);
         if (!surface.irregularities().empty() && start > even)
           found.errors.push_back(
-            entry_text(scene, surface.irregularities().front().name, "Place") + ": the wheel starts on the " +
+            told_by(scene, surface.irregularities().front(), "Place") + ": the wheel starts on the " +
             body_name(body) + "'s irregularity (" + in_mm(start, 1e6) +
             " at the patch); a run starts in steady rolling on the smooth profile: move it at least " +
             rounded_mm(std::ceil(1e3 * 0.6 * patch.length) / 1e3) + " away from its begin and end");

@@ -197,19 +197,17 @@ namespace wheelrail
       SceneProfiles profiles;
       try
         {
-          profiles = read_profiles(scene);
+          profiles = read_mesh_profiles(scene);
         }
       catch (const InputError &error) // it names its entry
         {
           errors.push_back(error.what());
           return {};
         }
-      Scene smooth          = scene;
-      smooth.irregularities = {};
       std::optional<SceneGeometry> geometry;
       try
         {
-          geometry = make_geometry(smooth, std::move(profiles));
+          geometry = smooth_geometry(scene, std::move(profiles));
         }
       catch (const InputError &error)
         {

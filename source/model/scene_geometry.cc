@@ -1,9 +1,9 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/model/rail_slices.h>
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/measured_profiles.h>
 #include <wheelrail/profiles/note_lines.h>
-#include <wheelrail/profiles/slices_file.h>
 
 #include <utility>
 
@@ -75,10 +75,10 @@ namespace wheelrail
     void
     read_rail(const Scene &scene, SceneProfiles &profiles)
     {
-      if (is_slices_file(scene.rail_profile))
-        throw InputError("Profiles/Rail: " + scene.rail_profile +
-                         ": slices along the track are for --places of geometry and halfspace alone; give a "
-                         "rail of one section");
+      if (scene.second_rail != "none")
+        throw InputError("Profiles/Second rail = " + scene.second_rail +
+                         ": a second rail stands beside one by slices (.slcs); Profiles/Rail is " +
+                         scene.rail_profile);
       if (!is_file_name(scene.rail_profile))
         profiles.rail = rail_profile(scene.rail_profile);
       else
@@ -105,21 +105,40 @@ namespace wheelrail
   SceneProfiles
   read_profiles(const Scene &scene)
   {
-    SceneProfiles profiles;
-    read_wheel(scene, profiles);
-    read_rail(scene, profiles);
+    if (scene.rail_by_slices())
+      throw InputError("Profiles/Rail = " + scene.rail_profile +
+                       ": slices along the track are for run, compare, and --places of geometry and "
+                       "halfspace; give a rail of one section");
+    return read_mesh_profiles(scene);
+  }
+
+
+  SceneProfiles
+  read_mesh_profiles(const Scene &scene)
+  {
+    SceneProfiles profiles = read_wheel_profile(scene);
+    if (scene.rail_by_slices())
+      read_sliced_rail(scene, profiles);
+    else
+      read_rail(scene, profiles);
     return profiles;
+  }
+
+
+  SceneGeometry
+  smooth_geometry(const Scene &scene, SceneProfiles profiles)
+  {
+    return {touching_profiles(
+              std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
+            std::move(profiles.notes),
+            std::move(profiles.files)};
   }
 
 
   SceneGeometry
   make_geometry(const Scene &scene, SceneProfiles profiles)
   {
-    SceneGeometry geometry{
-      touching_profiles(
-        std::move(profiles.rail), std::move(profiles.wheel), scene.track, wheelset_pose(scene)),
-      std::move(profiles.notes),
-      std::move(profiles.files)};
+    SceneGeometry geometry = smooth_geometry(scene, std::move(profiles));
     add_irregularities(scene, geometry);
     return geometry;
   }
@@ -148,6 +167,6 @@ namespace wheelrail
   SceneGeometry
   make_geometry(const Scene &scene)
   {
-    return make_geometry(scene, read_profiles(scene));
+    return make_geometry(scene, read_mesh_profiles(scene));
   }
 } // namespace wheelrail

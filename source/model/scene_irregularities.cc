@@ -4,6 +4,7 @@
 #include <wheelrail/geometry/roughness.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/mesh/block_length.h>
+#include <wheelrail/model/rise_of_slices.h>
 #include <wheelrail/model/scene_irregularities.h>
 #include <wheelrail/profiles/roughness_file.h>
 #include <wheelrail/profiles/slices_file.h>
@@ -18,7 +19,7 @@ namespace wheelrail
   namespace
   {
     /// What an irregularity is made with.
-    struct Place
+    struct ShapePlace
     {
       bool          wheel;
       double        radius; ///< of the circle on which the arcs of the wheel count [m]
@@ -35,7 +36,7 @@ namespace wheelrail
     from_slices(const Scene            &scene,
                 const IrregularityData &data,
                 const TouchingProfiles &profiles,
-                const Place            &at)
+                const ShapePlace       &at)
     {
       const ProfileFileOptions &options = at.wheel ? scene.wheel_file : scene.rail_file;
       const Slices              slices  = read_slices_file(data.file, options.unit);
@@ -52,7 +53,7 @@ namespace wheelrail
     from_file(const Scene              &scene,
               const IrregularityData   &data,
               const TouchingProfiles   &profiles,
-              const Place              &at,
+              const ShapePlace         &at,
               std::vector<std::string> &notes)
     {
       constexpr double least_step = 2e-6;
@@ -69,7 +70,7 @@ namespace wheelrail
     }
 
     Irregularity
-    rough(const IrregularityData &data, const Place &at, std::vector<std::string> &notes)
+    rough(const IrregularityData &data, const ShapePlace &at, std::vector<std::string> &notes)
     {
       const std::vector<RoughnessBand> bands = read_roughness_file(data.file, notes);
       try
@@ -90,7 +91,7 @@ namespace wheelrail
     make_shape(const Scene              &scene,
                const IrregularityData   &data,
                const TouchingProfiles   &profiles,
-               const Place              &at,
+               const ShapePlace         &at,
                std::vector<std::string> &notes)
     {
       using K = IrregularKind;
@@ -132,21 +133,28 @@ namespace wheelrail
   {
     PerBody<Irregularities> lists;
     const ContactGeometry  &contact = profiles.contact;
+    const auto              add     = [&](Irregularity shape, const Body body) {
+      if (shape.measures.largest > deepest_offset[body] && !shape.gap)
+        shape.carried = CarriedBy::mesh;
+      lists[body].push_back(std::move(shape));
+    };
+    // on the rail places stay where they are when the wheel starts farther along
+    const double farther =
+      start_in_blocks(scene.start_offset, contact.rolling_radius, scene.cell_size, scene.coarse_cell_size);
+    if (scene.rail_by_slices())
+      for (Irregularity &shape : rise_of_slices(scene, profiles, farther, notes))
+        add(std::move(shape), Body::rail);
     for (int k = 0; k < most_irregularities; ++k)
       {
         const IrregularityData &data = scene.irregularities[k];
         if (data.kind == IrregularKind::none)
           continue;
-        const bool   wheel   = data.on_wheel();
-        const double lateral = std::isfinite(data.lateral) ? data.lateral
-                               : wheel                     ? contact.wheel_x
-                                                           : contact.rail_x;
-        // on the rail places stay where they are when the wheel starts farther along
-        const double start =
-          wheel ? 0
-                : start_in_blocks(
-                    scene.start_offset, contact.rolling_radius, scene.cell_size, scene.coarse_cell_size);
-        const Place at{
+        const bool       wheel   = data.on_wheel();
+        const double     lateral = std::isfinite(data.lateral) ? data.lateral
+                                   : wheel                     ? contact.wheel_x
+                                                               : contact.rail_x;
+        const double     start   = wheel ? 0 : farther;
+        const ShapePlace at{
           wheel,
           contact.rolling_radius,
           {data.place - start, lateral, data.length, data.width, data.true_depth(contact.rolling_radius)}};
@@ -159,9 +167,7 @@ namespace wheelrail
             shape.name          = irregularity_name(k);
             const double beside = 30e-3; // the tread around the contact
             shape.measures      = measures_of(shape, lateral - beside, lateral + beside);
-            if (shape.measures.largest > deepest_offset[wheel ? Body::wheel : Body::rail])
-              shape.carried = CarriedBy::mesh;
-            lists[wheel ? Body::wheel : Body::rail].push_back(std::move(shape));
+            add(std::move(shape), wheel ? Body::wheel : Body::rail);
           }
         catch (const InputError &error)
           {

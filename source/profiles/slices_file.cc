@@ -197,8 +197,8 @@ namespace wheelrail
           if (!slices.slices.empty() && !(along > slices.slices.back().along))
             throw InputError(at + "the places of the slices do not ascend; order them along " +
                              (wheel ? "the angle" : "the track"));
-          slices.slices.push_back(
-            {along, points_of_slice((std::filesystem::path(folder) / *name).string(), at, unit), {}});
+          const std::string file = (std::filesystem::path(folder) / *name).string();
+          slices.slices.push_back({along, points_of_slice(file, at, unit), {}, file});
         }
       for (const int unused : {1, 2}) // numbers of parts with kinks and accelerations
         if (parts[unused] > 0)

@@ -122,6 +122,8 @@ namespace wheelrail
       };
       with_place("largest_vertical_force");
       with_place("least_vertical_force");
+      with_place("first_rail_force");
+      with_place("second_rail_force");
       impact.figure("impact_factor");
       impact.figure("contact_loss");
       for (const char *name : {"largest_pressure", "von_mises_on_way", "plastic_strain_on_way"})

@@ -43,6 +43,8 @@ namespace wheelrail
       set_figure(summary, figure + unit, *top);
       set_figure(summary, figure + "_at_m", (*along)[top - values->begin()]);
     };
+    for (const std::string rail : {"first_rail_force", "second_rail_force"})
+      largest_of(rail.c_str(), rail, "_N");
     largest_of("max_pressure", "largest_pressure", "_Pa");
     largest_of("max_von_mises", "von_mises_on_way", "_Pa");
     largest_of("max_plastic_strain", "plastic_strain_on_way", "");

@@ -7,19 +7,11 @@
 
 namespace wheelrail
 {
-  /// What is asked of a wheel on rails by slices.
-  struct SectionOptions
-  {
-    std::string places;                 ///< as the option --places has them
-    std::string second_rail;            ///< slices of another rail under the same wheel; empty: none
-    bool        section_normal = false; ///< planes turned about the track alone, as in CONTACT
-  };
-
   /// Carries out `geometry --places`: where the rigid wheel touches rails by slices at places along them, its
-  /// height, rolling radius and angles, as a table on the screen. Throws InputError for scenes without such
-  /// rails and for places that these do not have.
+  /// height, rolling radius and angles, as a table on the screen. `places` as the option has them. Throws
+  /// InputError for scenes without such rails and for places that these do not have.
   int
-  print_touching_places(const Scene &scene, const SectionOptions &options, std::ostream &out);
+  print_touching_places(const Scene &scene, const std::string &places, std::ostream &out);
 
   /// Carries out `halfspace --places` on rails by slices: the wheel rolls under its load at each place, with
   /// a patch on each part that it touches; a table on the screen, places.csv with a row for each patch, and
@@ -27,5 +19,5 @@ namespace wheelrail
   /// The wheel turns at velocity over nominal radius, faster by Wheelset/Creepage where that is prescribed.
   /// Returns 0, or 2 when a place could not be solved.
   int
-  run_sections_command(const Scene &scene, const SectionOptions &options, bool draws, std::ostream &out);
+  run_sections_command(const Scene &scene, const std::string &places, bool draws, std::ostream &out);
 } // namespace wheelrail

@@ -40,6 +40,7 @@ namespace wheelrail
     std::function<IrregularHeight(double, double)> at;                 ///< of places across and along within
     std::vector<double>                            kinks; ///< places along where the slope jumps [m]
     bool              endless = false; ///< before and behind the heights of its ends hold, else there is none
+    bool              gap     = false; ///< between two rails, too deep to carry; the second begins at its end
     CarriedBy         carried = CarriedBy::offset;
     IrregularMeasures measures;
     double shortest = 0; ///< length over which it rises and falls [m]: what cells and patch have to follow

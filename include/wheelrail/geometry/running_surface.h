@@ -94,6 +94,10 @@ namespace wheelrail
     std::vector<double>
     kinks() const;
 
+    /// The gap between two rails, along [m]; infinitely far where there is one rail.
+    Range
+    gap() const;
+
     /// How far the surface protrudes beyond a reference point X of a facet, along the outward normal of the
     /// section [m]; positive over the chords of a convex profile.
     double

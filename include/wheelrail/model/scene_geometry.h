@@ -34,16 +34,25 @@ namespace wheelrail
     FileProfiles             files = {};
   };
 
-  /// Reads and smooths the profiles. Throws InputError that names the entry.
+  /// Reads and smooths the profiles. Throws InputError that names the entry; for a rail by slices, too.
   SceneProfiles
   read_profiles(const Scene &scene);
+
+  /// The same for a mesh, which takes a rail by slices with the section at its start (rail_slices.h).
+  SceneProfiles
+  read_mesh_profiles(const Scene &scene);
 
   /// The same of the wheel alone.
   SceneProfiles
   read_wheel_profile(const Scene &scene);
 
-  /// Puts the profiles in touch at the scene's lateral shift, see touching_profiles(), and the irregularities
-  /// of the scene on them. Throws InputError when they do not touch there, or a file cannot be read.
+  /// Puts the profiles in touch at the scene's lateral shift, see touching_profiles(). Throws InputError when
+  /// they do not touch there.
+  SceneGeometry
+  smooth_geometry(const Scene &scene, SceneProfiles profiles);
+
+  /// The same with the irregularities of the scene on them. Throws InputError when a file cannot be read,
+  /// too.
   SceneGeometry
   make_geometry(const Scene &scene, SceneProfiles profiles);
 
@@ -52,7 +61,7 @@ namespace wheelrail
   SceneGeometry
   drawn(const Scene &scene, const SceneGeometry &geometry, unsigned int draw);
 
-  /// Both.
+  /// Of read_mesh_profiles().
   SceneGeometry
   make_geometry(const Scene &scene);
 } // namespace wheelrail

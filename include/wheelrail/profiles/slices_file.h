@@ -19,6 +19,7 @@ namespace wheelrail
       /// Arc lengths of the feature lines from the end at the track centre [m], negative: absent here. Empty
       /// where the file has none.
       std::vector<double> features;
+      std::string         file = {}; ///< that has the points
     };
     bool wheel    = false;
     bool smoothed = false;     ///< between slices: an approximating spline, else an interpolating one

@@ -7,6 +7,7 @@
 #include <wheelrail/material/friction.h>
 #include <wheelrail/mesh/wheel_section_outline.h>
 #include <wheelrail/profiles/profile_file.h>
+#include <wheelrail/profiles/slices_file.h>
 #include <wheelrail/scene/irregularity_data.h>
 #include <wheelrail/scene/material_test.h>
 #include <wheelrail/scene/rail_support.h>
@@ -129,7 +130,9 @@ namespace wheelrail
     ProfileFileOptions wheel_file{ProfileKind::wheel}; ///< how files are read
     WheelOrigin        wheel_origin = WheelOrigin::automatic;
     ProfileFileOptions rail_file{ProfileKind::rail};
-    std::string        rail_body = "auto"; ///< standard rail below a measured head
+    std::string        rail_body   = "auto"; ///< standard rail below a measured head
+    std::string        second_rail = "none"; ///< file of slices of another rail under the same wheel, or none
+    double             rail_place  = 0;      ///< along rails by slices, where the path begins [m]
     TrackDimensions    track; ///< flange-back distance and nominal radius belong to Wheelset in the file
     double             rail_length = 1.8; ///< [m]
     SupportData        support;           ///< what the rail stands on
@@ -221,9 +224,10 @@ namespace wheelrail
     double       checkpoint_interval = 0;    ///< between two saved states [s], 0: see SavedStates
 
     // Half-space
-    double        halfspace_element_size = 0.4e-3; ///< [m]
-    ContactBodies halfspace_bodies       = ContactBodies::automatic;
-    HalfspaceSpin halfspace_spin         = HalfspaceSpin::local_radius;
+    double        halfspace_element_size   = 0.4e-3; ///< [m]
+    ContactBodies halfspace_bodies         = ContactBodies::automatic;
+    HalfspaceSpin halfspace_spin           = HalfspaceSpin::local_radius;
+    bool          halfspace_section_normal = false; ///< of rails by slices: turned about the track alone
     double halfspace_given_spin = std::numeric_limits<double>::infinity(); ///< [1/m]; infinite: of the wheel
     double halfspace_memory_length      = 0;     ///< slip distance of the friction's memory, 0: none [m]
     double halfspace_memory_speed       = 1e-3;  ///< its least slip velocity [m/s]
@@ -289,10 +293,20 @@ namespace wheelrail
       return prepared_distance > 0 ? prepared_distance : path();
     }
 
-    /// Whether rail or wheel has an irregularity.
+    /// Whether the section of the rail changes along the track.
+    bool
+    rail_by_slices() const
+    {
+      return is_slices_file(rail_profile);
+    }
+
+    /// Whether a running surface is not the same all along: rail or wheel has an irregularity, or the rail is
+    /// given by slices.
     bool
     irregular() const
     {
+      if (rail_by_slices())
+        return true;
       for (const IrregularityData &one : irregularities)
         if (one.kind != IrregularKind::none)
           return true;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <wheelrail/model/scene_geometry.h>
+#include <wheelrail/profiles/slices_file.h>
+#include <wheelrail/scene/scene.h>
+#include <wheelrail/sections/sections_surface.h>
+
+#include <string>
+#include <vector>
+
+namespace wheelrail
+{
+  /// The slices of a rail, turned as the scene asks. Throws InputError.
+  Slices
+  turned_slices(const Scene &scene, const std::string &path);
+
+  /// The slice nearest to where the path begins.
+  const Slices::Slice &
+  slice_of_start(const Scene &scene, const Slices &slices);
+
+  /// The gap between two rails one behind the other along the slices [m]; infinitely far for one rail. Throws
+  /// InputError for rails beside each other and for a path that leaves the slices.
+  Range
+  gap_of_rails(const Scene &scene, const Slices &slices);
+
+  /// The surface of a rail that an entry of a scene gives by slices, in `placement`; see SectionsSurface.
+  /// Jumps of its arc length are told in `notes`. Throws InputError that names the entry.
+  SectionsSurface
+  read_rail_slices(const Scene              &scene,
+                   const std::string        &entry,
+                   const std::string        &path,
+                   const Placement          &placement,
+                   std::vector<std::string> &notes);
+
+  /// The rail for a mesh: that of the slice nearest to where the path begins, on its standard body. Throws
+  /// InputError that names the entry.
+  void
+  read_sliced_rail(const Scene &scene, SceneProfiles &profiles);
+} // namespace wheelrail

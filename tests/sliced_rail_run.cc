@@ -1,0 +1,111 @@
+// ranks: 1 2
+// label: long
+// Runs on rails by slices: one section all along is the plain rail; over the gap of a joint the load goes
+// from one rail to the other.
+#include "between_rows.h"
+#include "parallel.h"
+#include "slices_of_head.h"
+#include "stopped_runs.h"
+
+#include <wheelrail/output/hdf5_file.h>
+#include <wheelrail/output/summary.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace wheelrail;
+using namespace test;
+
+namespace
+{
+  /// A free wheel at 30 m/s on cells of 4 mm, over 12 mm of a rail of the file's section.
+  Scene
+  short_scene(const std::string &rail)
+  {
+    Scene scene;
+    scene.title               = rail;
+    scene.rail_profile        = rail;
+    scene.rail_file.noise     = 0;
+    scene.rail_file.placed    = true;
+    scene.cell_size           = 4e-3;
+    scene.fine_depth          = 8e-3;
+    scene.rail_length         = 0.5;
+    scene.velocity            = 30;
+    scene.rolling_distance    = 12e-3;
+    scene.averaging_distance  = 4e-3;
+    scene.ticks               = 1;
+    scene.volume_fields       = false;
+    scene.checkpoint_interval = 1e4;
+    scene.folder              = "sliced";
+    return scene;
+  }
+
+  void
+  write_rails()
+  {
+    write_points("head.txt", head_points());
+    write_slices("plain.slcs", "head.txt", -200, 300);
+    write_slices("before.slcs", "head.txt", -200, 0);
+    write_slices("behind.slcs", "head.txt", 6, 200);
+  }
+
+  Summary
+  rolled(const Scene &scene)
+  {
+    check(run(scene, false) == 0, scene.title + ": the run ends");
+    return read_summary("sliced/summary.json");
+  }
+
+  void
+  test_one_section()
+  {
+    Scene         scene  = short_scene("head.txt");
+    const Summary plain  = rolled(scene);
+    scene                = short_scene("plain.slcs");
+    const Summary sliced = rolled(scene);
+    check_relative(sliced.max_pressure, plain.max_pressure, 1e-6, "peak pressure of one section by slices");
+    check_relative(sliced.contact_area, plain.contact_area, 1e-6, "its contact area");
+    check_relative(sliced.vertical_force, plain.vertical_force, 1e-6, "its vertical force");
+  }
+
+  /// A joint with a gap of 6 mm between level rails.
+  void
+  test_joint()
+  {
+    Scene scene            = short_scene("before.slcs");
+    scene.second_rail      = "behind.slcs";
+    scene.rail_place       = -24e-3;
+    scene.rolling_distance = 60e-3;
+    scene.energy_limit     = 0.02;
+    const Summary summary  = rolled(scene);
+    const History history  = read_history("sliced/history.h5");
+    const auto    at       = [&](const std::string &name, const double place) {
+      return between_rows(column(history, "rolled_distance"), column(history, name), place);
+    };
+    check(summary.energy_error < 0.01, "energy error " + std::to_string(100 * summary.energy_error) + " %");
+    check_near(at("second_rail_force", 6e-3), 0, 1e-9, "the second rail before the wheel is there [N]");
+    check_near(at("first_rail_force", 55e-3), 0, 50, "the first when the wheel is off it [N]");
+    check(at("vertical_force", 55e-3) > 2e4, "the second rail carries");
+    double even = 0; // where both carry alike the axle stands over the middle of the gap, but for a cell
+    for (double place = 18e-3; place < 36e-3; place += 0.05e-3)
+      if (at("second_rail_force", place) < at("first_rail_force", place))
+        even = place;
+    check_near(1e3 * even, 27, 2.5, "the load goes over to the second rail [mm]");
+    check(get_figure(summary, "first_rail_force_N") > 5e4 && get_figure(summary, "second_rail_force_N") > 5e4,
+          "largest forces of both rails are in the summary");
+  }
+} // namespace
+
+
+int
+main(int argc, char **argv)
+{
+  Parallel parallel(argc, argv);
+  if (parallel.rank == 0)
+    write_rails();
+  MPI_Barrier(MPI_COMM_WORLD);
+  test_one_section();
+  test_joint();
+  return parallel.report();
+}
