@@ -279,7 +279,7 @@ namespace
     test::check_text(
       wear_verdict(none).doubts(),
       "Up to 100 % of the passages are with care, such as the scene: Too few elements: they leave the peak "
-      "pressure uncertain by 5.8 %; take Half-space/Element size = 0.92 mm. The peak pressure is 6 % above "
+      "pressure uncertain by 5.1 %; take Half-space/Element size = 0.98 mm. The peak pressure is 6 % above "
       "that of the true bodies, whose head and rim turn and move under these forces, which half-spaces do "
       "not know; take Half-space/Bodies = real.",
       "contacts on the head are held against true bodies");

@@ -66,6 +66,7 @@ namespace wheelrail
       SceneInput given = input_of(options);
       given.scene.both_wheels |= options.count("wheelset") > 0;
       print_notes(idle_entries(options, given, "run"), out);
+      print_note(expected_accuracy(input.scene, expected_patch(input.scene, *checked.geometry)), out);
       out << file_of(options) << ": all entries are valid"
           << (found.warnings.empty() ? "" : ", with the warnings above") << "\n";
       return 0;

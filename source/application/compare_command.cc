@@ -157,7 +157,7 @@ namespace wheelrail
     {
       Measures measures      = measures_of_run(scene, run);
       measures.beyond        = comparison.beyond;
-      measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
+      measures.expected_loss = expected_loss(scene, expected_patch(scene, geometry));
       measure_against(halfspace_pressure(result), scene, run, measures);
       if (with_bodies && force_is_a_result(scene))
         measure_against_bodies(scene, geometry, run, measures);

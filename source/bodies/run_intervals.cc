@@ -10,27 +10,34 @@ namespace wheelrail
 {
   namespace
   {
-    /// What cells and penalty take from the peak pressure, and what the area has more: in the runs of
-    /// doc/theory/accuracy.md 1.5 times as much. The estimate is as uncertain as it is large.
+    /// What cells and penalty layer take, with the laws of Measures: the true peak lies between that of the
+    /// run and lost(false) more. The area has 1.5 times as much (doc/theory/accuracy.md).
     Contributions
     estimated(const Summary &run, const Measures &measures)
     {
-      constexpr double of_area = 1.5, penalty_spread = 0.3;
+      constexpr double of_area = 1.5;
       Contributions    contributions;
-      const auto       add = [&](const char *name, const double share) {
-        const double value = share * get_figure(run, figure_named(name).key());
-        if (!std::isfinite(value))
-          return;
-        const double cells = -measures.mesh_part() * value, penalty = -measures.penalty_part() * value;
-        contributions.push_back({name, "cells", cells, std::abs(cells)});
-        contributions.push_back({name, "penalty layer", penalty, penalty_spread * std::abs(penalty)});
+      const auto       add = [&](const char *name, const double lost) {
+        const double half = 0.5 * lost * get_figure(run, figure_named(name).key());
+        if (std::isfinite(half))
+          contributions.push_back({name, "cells and penalty layer", half, std::abs(half)});
       };
-      if (std::isfinite(measures.mesh_part()) && std::isfinite(measures.penetration))
-        {
-          add("max_pressure", 1);
-          add("max_pressure_fitted", 1);
-          add("contact_area", -of_area);
-        }
+      add("max_pressure", measures.lost(false));
+      add("max_pressure_fitted", measures.lost(false));
+      add("contact_area", -of_area * measures.lost(false));
+      return contributions;
+    }
+
+    /// The largest force of a path, on cells of 3 mm against 1 mm (doc/theory/intervals.md).
+    Contributions
+    of_impacts(const Summary &run, const Measures &measures)
+    {
+      constexpr double over_cells = 0.12;
+      Contributions    contributions;
+      for (const char *name : {"largest_vertical_force", "impact_factor"})
+        if (const double spread = over_cells / measures.cells * get_figure(run, figure_named(name).key());
+            std::isfinite(spread))
+          contributions.push_back({name, "cells", 0, spread});
       return contributions;
     }
   } // namespace
@@ -44,7 +51,7 @@ namespace wheelrail
                     const Contributions &against_bodies)
   {
     if (scene.irregular())
-      return {};
+      return of_impacts(run, measures);
     Contributions contributions = against_bodies.empty() ? estimated(run, measures) : against_bodies;
     const auto    is_known = [&contributions, systematic = contributions.size()](const std::string &name) {
       const auto end = contributions.begin() + std::ptrdiff_t(systematic);
@@ -59,5 +66,22 @@ namespace wheelrail
       if (is_known(one.result))
         contributions.push_back(one);
     return contributions;
+  }
+
+
+  std::string
+  without_intervals(const Scene &scene, const Measures &measures, const Contributions &against_bodies)
+  {
+    if (scene.irregular())
+      return "Intervals: of the largest force alone; what cells make of pressures over irregular surfaces is "
+             "not known.";
+    if (!against_bodies.empty())
+      return "";
+    return std::string(
+             "Intervals: peak pressure and area by estimate, forces by their noise; all else has none, "
+             "since ") +
+           (measures.has_yielded()   ? "elastic bodies are no reference of steel that yields."
+            : scene.motion != "none" ? "a guided wheel has no one place for true bodies."
+                                     : "the true bodies have no answer.");
   }
 } // namespace wheelrail

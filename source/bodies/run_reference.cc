@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -23,10 +24,8 @@ namespace wheelrail
     measures.peak_difference = run.max_pressure / halfspace.peak - 1;
     // the penetration of the penalty layer under the peak, p/eps with eps = f K/h (doc/theory/contact.md,
     // Pressure), over the approach; K is the mean of both bodies, as in make_law()
-    const double modulus = 0.5 * (elasticity(scene.rail_material).bulk_modulus() +
-                                  elasticity(scene.wheel_material).bulk_modulus());
-    measures.penetration =
-      run.max_pressure * scene.cell_size / (scene.penalty_scale * modulus) / halfspace.approach;
+    measures.penetration = run.max_pressure * scene.cell_size /
+                           (scene.penalty_scale * mean_bulk_modulus(scene)) / halfspace.approach;
     measures.turn = halfspace.turn;
     if (const double patches = get_figure(run, "patches"); patches > 1 && patches != halfspace.patches)
       measures.patches = patches;
@@ -96,13 +95,17 @@ namespace wheelrail
       if (force_is_a_result(scene))
         measures.force_difference =
           (run.longitudinal_force - reference.longitudinal_force) / run.vertical_force;
-      const auto of_elements = std::exchange(contributions, {});
+      const auto            of_elements = std::exchange(contributions, {});
+      std::set<std::string> compared; // each result once, whatever elements have to say of it
       for (const Contribution &one : of_elements)
         if (const std::string key = figure_named(one.result).key(); std::isfinite(get_figure(run, key)))
           {
-            const double shift = get_figure(reference, key) - get_figure(run, key);
             contributions.push_back(one);
-            contributions.push_back({one.result, "cells and penalty layer", shift, 0});
+            if (compared.insert(one.result).second)
+              contributions.push_back({one.result,
+                                       "cells and penalty layer",
+                                       get_figure(reference, key) - get_figure(run, key),
+                                       0});
           }
     });
     return measures.plastic_strain > 0 ? Contributions() : contributions; // they do not yield

@@ -1,10 +1,12 @@
+#include <wheelrail/base/format_text.h>
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
+#include <wheelrail/model/scene_material.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 namespace wheelrail
 {
@@ -78,12 +80,44 @@ namespace wheelrail
   }
 
 
-  double
-  advised_cells(const Scene &scene, const ExpectedPatch &patch)
+  Measures
+  expected_measures(const Scene &scene, const ExpectedPatch &patch)
   {
-    constexpr double enough = 6, too_long = 1.1;
-    const double     expected = std::min(patch.length, patch.width) / scene.cell_size;
-    return expected < enough ? expected / too_long : std::numeric_limits<double>::quiet_NaN();
+    constexpr double too_long = 1.1;
+    Measures         expected;
+    expected.cells             = std::min(patch.length, patch.width) / (too_long * scene.cell_size);
+    expected.cells_across_peak = expected.cells;
+    expected.penetration =
+      4 / M_PI * contact_modulus(scene) / (scene.penalty_scale * mean_bulk_modulus(scene) * expected.cells);
+    return expected;
+  }
+
+
+  double
+  expected_loss(const Scene &scene, const ExpectedPatch &patch)
+  {
+    const bool held = !scene.irregular() && scene.motion == "none" && !scene.rail_material.yields() &&
+                      !scene.wheel_material.yields();
+    const Measures expected = expected_measures(scene, patch);
+    if (!std::isnan(expected.lost()))
+      return expected.lost(held);
+    Measures three = expected; // of fewer cells no law is known: theirs, with the second power
+    three.cells = three.cells_across_peak = 3;
+    return std::pow(three.cells / expected.cells, 2) * three.lost(held);
+  }
+
+
+  std::string
+  expected_accuracy(const Scene &scene, const ExpectedPatch &patch)
+  {
+    const Measures expected = expected_measures(scene, patch);
+    if (std::isnan(expected.lost()))
+      return "";
+    return text("peak pressure: expected to be uncertain by %.1f %% with %.1f cells of ",
+                100 * expected_loss(scene, patch),
+                expected.cells) +
+           in_mm(scene.cell_size) +
+           text(" over the patch; Run/Wanted accuracy is %.3g %%", 100 * scene.wanted_accuracy);
   }
 
 

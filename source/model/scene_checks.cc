@@ -1,4 +1,5 @@
 #include <wheelrail/base/errors.h>
+#include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
 #include <wheelrail/model/expected_patch.h>
@@ -44,19 +45,26 @@ namespace wheelrail
     void
     check_patch(const Scene &scene, const ExpectedPatch &patch, Findings &found)
     {
-      const double      cells   = advised_cells(scene, patch);
-      const std::string advised = rounded_mm(advised_cell(scene.cell_size, cells));
-      const std::string size    = "a patch of about " + about(1e3 * patch.width) + " mm x " +
+      const Measures    expected = expected_measures(scene, patch);
+      const double      lost     = expected_loss(scene, patch);
+      const std::string advised  = rounded_mm(advised_cell(scene.cell_size, lost, scene.wanted_accuracy));
+      const std::string size     = "a patch of about " + about(1e3 * patch.width) + " mm x " +
                                about(1e3 * patch.length) + " mm (width x length) is expected";
       if (scene.cell_size > patch.length / 3)
         found.errors.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": too coarse; " + size +
                                " and needs three cells in length, so at most " +
                                rounded_mm(std::floor(1e4 * patch.length / 3) / 1e4) + " is accepted; take " +
                                advised + " for results");
-      else if (std::isfinite(cells))
+      else if (lost > scene.wanted_accuracy && expected.penalty_part() < expected.mesh_part())
+        found.warnings.push_back(entry_text(scene, "Contact", "Penalty scale") +
+                                 ": low; the peak pressure will be uncertain by about " +
+                                 text("%.0f %%", 100 * lost) + "; raise it for results");
+      else if (lost > scene.wanted_accuracy)
         found.warnings.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": coarse; " + size +
-                                 ", which is less than six cells in one direction, so the peak pressure "
-                                 "will be some 10 % or more off; take " +
+                                 text(", some %.1f cells in one direction, so the peak pressure will be "
+                                      "uncertain by about %.0f %%; take ",
+                                      expected.cells,
+                                      100 * lost) +
                                  advised + " for results");
     }
 

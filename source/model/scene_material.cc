@@ -9,6 +9,14 @@ namespace wheelrail
   }
 
 
+  double
+  mean_bulk_modulus(const Scene &scene)
+  {
+    return 0.5 *
+           (elasticity(scene.rail_material).bulk_modulus() + elasticity(scene.wheel_material).bulk_modulus());
+  }
+
+
   MaterialLaw
   material_law(const MaterialData &material)
   {

@@ -118,7 +118,10 @@ namespace wheelrail
         const Figure &figure = figure_named(name), &place = figure_named(name + "_at");
         const double  value = get_figure(summary, figure.key()), at = get_figure(summary, place.key());
         if (std::isfinite(value) && std::isfinite(at))
-          impact.line(figure.label, figure.shown(value), figure.unit + (" at " + place.shown(at)) + " mm");
+          impact.line(figure.label,
+                      figure.shown(value),
+                      figure.unit + (" at " + place.shown(at)) + " mm",
+                      shown_interval(summary, name));
       };
       with_place("largest_vertical_force");
       with_place("least_vertical_force");

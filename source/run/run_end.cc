@@ -247,7 +247,7 @@ namespace wheelrail
     set_patch_place(head_place(geometry.contact.rail, scene.track, place), summary);
     measures.place         = place_in_words(place.x);
     measures.made_up       = made_up_part(geometry, place);
-    measures.advised_cells = advised_cells(scene, expected_patch(scene, geometry));
+    measures.expected_loss = expected_loss(scene, expected_patch(scene, geometry));
     measure_kinks(scene, geometry, summary, measures);
     NoiseEffect noise;
     if (scene.motion != "none")
@@ -255,18 +255,18 @@ namespace wheelrail
     else if (!measures.off_rail())
       noise = compare_peak(scene, geometry, summary, measures);
     // elastic bodies are no reference of steel that has flowed
-    contributions = run_contributions(
-      scene,
-      summary,
-      measures,
-      noise,
-      measures.has_yielded() ? Contributions() : measure_against_bodies(scene, geometry, summary, measures));
+    const Contributions bodies =
+      measures.has_yielded() ? Contributions() : measure_against_bodies(scene, geometry, summary, measures);
+    contributions = run_contributions(scene, summary, measures, noise, bodies);
     set_intervals(contributions, summary);
     measures.peak = std::isinf(noise.peak) ? Known{noise.peak, "measured input"} : known_peak(summary);
     const Verdict verdict = judge_run(scene, measures);
     set_verdict(summary, verdict);
     if (summary.note.empty() && !measures.off_rail())
-      summary.note = wear_doubt(scene, summary);
+      for (const std::string &sentence :
+           {wear_doubt(scene, summary), without_intervals(scene, measures, bodies)})
+        if (!sentence.empty())
+          summary.note += (summary.note.empty() ? "" : " ") + sentence;
     std::vector<std::string> warnings;
     for (const std::string &warning :
          {difference_of_models(measures, verdict), flow_below_fine_cells(scene, summary)})

@@ -49,6 +49,10 @@ namespace wheelrail
                                          "patch_longitudinal_m",
                                          "stick_fraction",
                                          "t_gamma_N",
+                                         "lateral_force_low_N",
+                                         "lateral_force_high_N",
+                                         "longitudinal_force_low_N",
+                                         "longitudinal_force_high_N",
                                          "t_gamma_low_N",
                                          "t_gamma_high_N",
                                          "frictional_power_W"};

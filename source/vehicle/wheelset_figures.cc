@@ -1,5 +1,6 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/vehicle/wheelset_figures.h>
+#include <wheelrail/verdict/interval.h>
 #include <wheelrail/verdict/verdict.h>
 
 #include <algorithm>
@@ -51,6 +52,20 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// A figure and the ends of its interval under a longer name.
+    void
+    copy_figure(const Summary &from, const std::string &key, const std::string &before, Summary &to)
+    {
+      set_figure(to, before + key, get_figure(from, key));
+      for (const std::string &end : interval_keys(key))
+        if (const double value = get_figure(from, end); std::isfinite(value))
+          set_figure(to, before + end, value);
+    }
+  } // namespace
+
+
   Summary
   wheelset_summary(const Scene            &scene,
                    const WheelsetSolution &wheelset,
@@ -95,7 +110,7 @@ namespace wheelrail
                                 "halfspace_max_pressure_Pa",
                                 "contact_area_m2",
                                 "stick_fraction"})
-          set_figure(total, side + "_" + key, get_figure(*wheel, key));
+          copy_figure(*wheel, key, side + "_", total);
         grade          = std::min(grade, grade_of(*wheel));
         total.finished = total.finished && wheel->finished;
         total.wall_time += wheel->wall_time;

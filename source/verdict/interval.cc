@@ -34,7 +34,7 @@ namespace wheelrail
     const double spread = std::sqrt(squares);
     if (causes.empty() || !std::isfinite(value + shift + spread))
       return {Summary::none, Summary::none};
-    return {value + std::min(0., shift) - spread, value + std::max(0., shift) + spread};
+    return {value + std::min(0., shift - spread), value + std::max(0., shift + spread)};
   }
 
 
@@ -71,6 +71,15 @@ namespace wheelrail
         set_figure(summary, figure.key("_low"), interval.low);
         set_figure(summary, figure.key("_high"), interval.high);
       }
+  }
+
+
+  std::vector<std::string>
+  interval_keys(const std::string &key)
+  {
+    const Figure *const figure = figure_with_key(key);
+    return figure ? std::vector<std::string>{figure->key("_low"), figure->key("_high")}
+                  : std::vector<std::string>();
   }
 
 

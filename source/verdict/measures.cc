@@ -20,6 +20,13 @@ namespace wheelrail
   }
 
 
+  double
+  Measures::lost(const bool held) const
+  {
+    return (held ? 1 : 2) * (-mesh_part() - (std::isnan(penetration) ? 0 : penalty_part()));
+  }
+
+
   std::string
   place_in_words(const double x)
   {
@@ -66,9 +73,9 @@ namespace wheelrail
 
 
   double
-  advised_cell(const double size, const double cells)
+  advised_cell(const double size, const double within, const double wanted)
   {
-    return size * std::exp2(-std::max(0., std::ceil(std::log2(std::sqrt(1.3 / 0.02) / cells))));
+    return size * std::exp2(-std::max(0., std::ceil(0.5 * std::log2(within / wanted))));
   }
 
 

@@ -14,7 +14,6 @@ namespace wheelrail
   namespace
   {
     // doc/manual/compare.md has this table, with what the main scene has
-    constexpr GradeBounds loss_bounds{0.02, 0.05}; ///< of the peak pressure, to the cells or to the penalty
     constexpr GradeBounds unsteadiness_bounds{0.01, 0.05};
     constexpr GradeBounds pressure_noise_bounds{0.05, 0.1};
     constexpr GradeBounds swing_bounds{0.02, 0.05};
@@ -26,47 +25,57 @@ namespace wheelrail
     constexpr GradeBounds beside_bounds{0.005, 0.05};
     constexpr double      most_strain_loss = 0.25; ///< of the plastic strain to the cells
 
-    /// Cells and penalty: what keeps a run from the answer of its own equations.
-    void
-    judge_resolution(const Scene &scene, const Measures &m, Verdict &verdict)
+    bool
+    bodies_differ(const Measures &m)
     {
-      if (!std::isnan(m.cells))
-        {
-          // of so few that no rule is known nothing can be trusted
-          const double loss  = -m.mesh_part();
-          const bool   ridge = 2 * m.cells_across_peak < m.cells;
-          const bool   between =
-            graded(loss, loss_bounds) != Grade::trusted && loss - m.between_nodes <= loss_bounds.good;
-          // what was advised before the run; a ridge shows in the run alone
-          const double known = std::isnan(m.advised_cells) ? m.cells : m.advised_cells,
-                       size  = advised_cell(scene.cell_size, known),
-                       fine  = advised_cell(scene.cell_size,
-                                           between ? std::sqrt(1.3 / loss)
-                                            : ridge ? 2 * m.cells_across_peak
-                                                    : known);
-          add(verdict,
-              graded(loss, loss_bounds),
-              "too few cells: " + text("%.1f of ", ridge ? m.cells_across_peak : m.cells) +
-                in_mm(scene.cell_size) + " lie across the " + (ridge ? "highest pressure" : "patch") +
-                (between ? ", its peak between two nodes" : "") +
-                (std::isnan(loss)
-                   ? ""
-                   : ", which lowers the peak pressure by about " + text("%.0f %%", 100 * loss)) +
-                "; take Mesh/Solution cell size = " + in_mm(std::min(size, fine)) + ".");
-        }
-      // of first order in the cell: 3.2, 4.2e-3 on cells of 2, 1 mm (material.md, paper.md), thus 5.2e-3 at
-      // last
+      return !m.has_yielded() && std::abs(m.bodies_difference) > m.wanted;
+    }
+
+    /// What cells and penalty leave open of the peak pressure: its interval, where it has one, else what both
+    /// take by the laws of Measures.
+    void
+    judge_peak(const Scene &scene, const Measures &m, Verdict &verdict)
+    {
+      const bool   known = std::isfinite(m.peak.within) && m.peak.cause != "measured input";
+      const double lost  = m.lost(known || std::isfinite(m.bodies_difference));
+      // of fewer than three cells no rule is known, and nothing can be trusted
+      const bool few = !std::isnan(m.cells) && std::isnan(lost);
+      if (bodies_differ(m) && lost <= m.wanted)
+        return; // no cause of that difference
+      const double within = known ? m.peak.within : lost;
+      if (std::isnan(m.cells) || (!few && within <= m.wanted))
+        return;
+      const Grade       grade = few ? Grade::not_trusted : graded(within, {m.wanted, 2 * m.wanted});
+      const std::string open  = text("leave the peak pressure uncertain by %.1f %%", 100 * within);
+      if (m.penalty_part() < m.mesh_part())
+        return add(verdict,
+                   grade,
+                   "the penalty contact, which sinks in by " + percent(m.penetration) +
+                     " of the approach, and the cells " + open + "; raise Contact/Penalty scale.");
+      const bool   ridge   = 2 * m.cells_across_peak < m.cells;
+      const bool   between = lost > m.wanted && lost - m.between_nodes <= m.wanted;
+      const double across  = ridge ? m.cells_across_peak : m.cells,
+                   most    = few ? 1.3 / std::pow(ridge ? 2 * across : across, 2) : within;
+      // never coarser than what was told before the run
+      const double size = advised_cell(
+        scene.cell_size, std::max(most, std::isnan(m.expected_loss) ? 0 : m.expected_loss), m.wanted);
+      add(verdict,
+          grade,
+          "too few cells: " + text("%.1f of ", across) + in_mm(scene.cell_size) + " lie across the " +
+            (ridge ? "highest pressure" : "patch") + (between ? ", its peak between two nodes" : "") +
+            (few ? "" : ", and " + open) + "; take Mesh/Solution cell size = " + in_mm(size) + ".");
+    }
+
+    /// Plastic strain is of first order in the cell.
+    void
+    judge_strain(const Scene &scene, const Measures &m, Verdict &verdict)
+    {
+      // 3.2, 4.2e-3 on cells of 2, 1 mm (material.md, paper.md), thus 5.2e-3 at last
       if (const double loss = 2.5 / m.cells; m.has_yielded() && loss > most_strain_loss)
         add(verdict,
             Grade::with_care,
             "the largest plastic strain is that of cells of " + in_mm(scene.cell_size) + ", about " +
               text("%.0f %%", 100 * loss) + " below that of the steel; take smaller cells.");
-      if (!std::isnan(m.penetration))
-        add(verdict,
-            graded(-m.penalty_part(), loss_bounds),
-            "the penalty contact sinks in by " + percent(m.penetration) +
-              " of the approach, which lowers the peak pressure by about " +
-              text("%.0f %%", -100 * m.penalty_part()) + "; raise Contact/Penalty scale.");
     }
 
     /// Contact that the run cannot have, since its solution cells end before it.
@@ -291,7 +300,8 @@ namespace wheelrail
     judge_place(measures, verdict);
     judge_edges(measures, true, verdict);
     judge_sliding(measures, verdict);
-    judge_resolution(scene, measures, verdict);
+    judge_peak(scene, measures, verdict);
+    judge_strain(scene, measures, verdict);
     judge_beside(measures, verdict);
     if (scene.irregular())
       judge_path(measures, verdict);
@@ -302,12 +312,8 @@ namespace wheelrail
     judge_support(scene, verdict);
     find_limits(scene, measures, verdict);
     judge_agreement(measures, verdict);
-    if (measures.peak.cause == "measured input" || verdict.grade() == Grade::trusted)
-      judge_known(measures.peak,
-                  "the peak pressure",
-                  "take smaller cells (Mesh/Solution cell size)",
-                  measures,
-                  verdict);
+    if (measures.peak.cause == "measured input")
+      judge_known(measures.peak, "the peak pressure", "", measures, verdict);
     judge_steel(measures, verdict);
     return verdict;
   }

@@ -22,6 +22,8 @@ namespace boost
       archive &wear.rail_cracks &wear.wheel_cracks;
       archive &wear.mean_pressure &wear.peak_pressure;
       archive &wear.mean_t_gamma &wear.peak_t_gamma;
+      archive &wear.pressure_within.low &wear.pressure_within.high;
+      archive &wear.t_gamma_within.low &wear.t_gamma_within.high;
       archive &wear.axle_load &wear.at_end &wear.fault;
       archive &wear.bodies_low &wear.bodies_high;
       archive &wear.with_care &wear.not_trusted &wear.doubts;

@@ -159,13 +159,21 @@ namespace wheelrail
     print_end(const WearState &state, const WornBody worn, std::ostream &out)
     {
       const WearStep &first = state.steps.front(), &last = state.steps.back();
-      const auto row = [&](const std::string &label, const double from, const double to, const char *unit) {
-        out << text("  %-44s %9.3f  %9.3f  %s\n", label.c_str(), from, to, unit);
+      const auto      row = [&](const std::string &label,
+                           const double       from,
+                           const double       to,
+                           const char        *unit,
+                           const Interval    &within = {Measures::none, Measures::none},
+                           const double       factor = 1) {
+        out << text("  %-44s %9.3f  %9.3f  %s", label.c_str(), from, to, unit);
+        if (std::isfinite(within.low) && std::isfinite(within.high))
+          out << text(" (%.3f to %.3f)", factor * within.low, factor * within.high);
+        out << '\n';
       };
       out << text("after %-40s %9s  %9s\n", reached(last).c_str(), "new", "worn");
       if (worn != WornBody::wheel)
         {
-          row("rail: section lost", 0, 1e6 * last.rail_section, "mm2");
+          row("rail: section lost", 0, 1e6 * last.rail_section, "mm2", last.rail_within, 1e6);
           row("rail: height lost at its axis", 0, 1e3 * last.dimensions.rail_height, "mm");
           row("rail: gauge side, 14 mm below the top", 0, 1e3 * last.dimensions.rail_side, "mm");
           row("rail: largest damage (1: cracks)", 0, last.rail_damage, "");
@@ -175,7 +183,7 @@ namespace wheelrail
         }
       if (worn != WornBody::rail)
         {
-          row("wheel: section lost", 0, 1e6 * last.wheel_section, "mm2");
+          row("wheel: section lost", 0, 1e6 * last.wheel_section, "mm2", last.wheel_within, 1e6);
           row("wheel: flange height Sh",
               1e3 * first.dimensions.flange_height,
               1e3 * last.dimensions.flange_height,
@@ -194,8 +202,13 @@ namespace wheelrail
             row("wheel: section turned off, of that", 0, 1e6 * last.wheel_turned, "mm2");
         }
       row("equivalent conicity at 3 mm", first.conicity, last.conicity, "");
-      row("peak pressure, mean of the mix", 1e-6 * first.mean_pressure, 1e-6 * last.mean_pressure, "MPa");
-      row("T-gamma, mean of the mix", first.mean_t_gamma, last.mean_t_gamma, "N");
+      row("peak pressure, mean of the mix",
+          1e-6 * first.mean_pressure,
+          1e-6 * last.mean_pressure,
+          "MPa",
+          last.pressure_within,
+          1e-6);
+      row("T-gamma, mean of the mix", first.mean_t_gamma, last.mean_t_gamma, "N", last.t_gamma_within);
       for (const std::string &note : {state.note, beside_bodies(state)})
         if (!note.empty())
           out << "note: " << note << '\n';

@@ -56,38 +56,62 @@ namespace wheelrail
         scene.track.nominal_radius);
     }
 
+    /// What is worn off since the last state is as well known as the mean T-gamma there, to which it goes;
+    /// what machines took off, exactly.
+    Interval
+    section_within(const Interval &before, const double lost, const double machined, const WearStep &last)
+    {
+      const double share = std::max(0., lost - machined) / last.mean_t_gamma;
+      return {before.low + machined + share * last.t_gamma_within.low,
+              before.high + machined + share * last.t_gamma_within.high};
+    }
+
     WearStep
     measured(const WearState &state, const SceneProfiles &profiles, const Scene &scene, const MixWear &wear)
     {
       const bool alone = scene.wear_plan.worn == WornBody::wheel,
                  both  = scene.wear_plan.worn == WornBody::both;
       WearStep step;
-      step.passages      = state.passages;
-      step.gross_load    = alone ? none : state.passages * wear.axle_load / scene.gravity;
-      const double turn  = circumference(scene);
-      step.distance      = alone  ? state.passages * turn
-                           : both ? state.passages * turns_of_a_passage(scene) * turn
-                                  : none;
-      step.rail_depth    = largest(state.rail.depth);
-      step.wheel_depth   = largest(state.wheel.depth);
-      step.rail_section  = section_between(state.new_rail.points, state.rail.points);
-      step.wheel_section = section_between(state.new_wheel.points, state.wheel.points);
-      step.dimensions    = worn_dimensions(state.new_rail, state.rail, state.wheel);
-      step.conicity      = conicity_of(profiles, scene);
-      step.mean_pressure = wear.mean_pressure;
-      step.peak_pressure = wear.peak_pressure;
-      step.mean_t_gamma  = wear.mean_t_gamma;
-      step.peak_t_gamma  = wear.peak_t_gamma;
-      step.rail_damage   = largest(state.rail.damage);
-      step.wheel_damage  = largest(state.wheel.damage);
-      step.rail_cracks   = largest(state.rail.cracks);
-      step.wheel_cracks  = largest(state.wheel.cracks);
-      step.rail_ground   = state.rail_ground;
-      step.wheel_turned  = state.wheel_turned;
-      step.bodies_low    = wear.bodies_low;
-      step.bodies_high   = wear.bodies_high;
-      step.with_care     = wear.with_care;
-      step.not_trusted   = wear.not_trusted;
+      step.passages        = state.passages;
+      step.gross_load      = alone ? none : state.passages * wear.axle_load / scene.gravity;
+      const double turn    = circumference(scene);
+      step.distance        = alone  ? state.passages * turn
+                             : both ? state.passages * turns_of_a_passage(scene) * turn
+                                    : none;
+      step.rail_depth      = largest(state.rail.depth);
+      step.wheel_depth     = largest(state.wheel.depth);
+      step.rail_section    = section_between(state.new_rail.points, state.rail.points);
+      step.wheel_section   = section_between(state.new_wheel.points, state.wheel.points);
+      step.dimensions      = worn_dimensions(state.new_rail, state.rail, state.wheel);
+      step.conicity        = conicity_of(profiles, scene);
+      step.mean_pressure   = wear.mean_pressure;
+      step.peak_pressure   = wear.peak_pressure;
+      step.mean_t_gamma    = wear.mean_t_gamma;
+      step.peak_t_gamma    = wear.peak_t_gamma;
+      step.rail_damage     = largest(state.rail.damage);
+      step.wheel_damage    = largest(state.wheel.damage);
+      step.rail_cracks     = largest(state.rail.cracks);
+      step.wheel_cracks    = largest(state.wheel.cracks);
+      step.rail_ground     = state.rail_ground;
+      step.wheel_turned    = state.wheel_turned;
+      step.pressure_within = wear.pressure_within;
+      step.t_gamma_within  = wear.t_gamma_within;
+      if (!state.steps.empty())
+        {
+          const WearStep &last = state.steps.back();
+          step.rail_within     = section_within(last.rail_within,
+                                            step.rail_section - last.rail_section,
+                                            state.rail_ground - last.rail_ground,
+                                            last);
+          step.wheel_within    = section_within(last.wheel_within,
+                                             step.wheel_section - last.wheel_section,
+                                             state.wheel_turned - last.wheel_turned,
+                                             last);
+        }
+      step.bodies_low  = wear.bodies_low;
+      step.bodies_high = wear.bodies_high;
+      step.with_care   = wear.with_care;
+      step.not_trusted = wear.not_trusted;
       return step;
     }
 

@@ -54,6 +54,14 @@ namespace wheelrail
         {"wheel_turned_section_m2", "m2", [](S &s) -> double & { return s.wheel_turned; }},
         {"halfspace_peak_beyond_bodies_low", "1", [](S &s) -> double & { return s.bodies_low; }},
         {"halfspace_peak_beyond_bodies_high", "1", [](S &s) -> double & { return s.bodies_high; }},
+        {"mean_peak_pressure_low_Pa", "Pa", [](S &s) -> double & { return s.pressure_within.low; }},
+        {"mean_peak_pressure_high_Pa", "Pa", [](S &s) -> double & { return s.pressure_within.high; }},
+        {"mean_t_gamma_low_N", "N", [](S &s) -> double & { return s.t_gamma_within.low; }},
+        {"mean_t_gamma_high_N", "N", [](S &s) -> double & { return s.t_gamma_within.high; }},
+        {"rail_section_low_m2", "m2", [](S &s) -> double & { return s.rail_within.low; }},
+        {"rail_section_high_m2", "m2", [](S &s) -> double & { return s.rail_within.high; }},
+        {"wheel_section_low_m2", "m2", [](S &s) -> double & { return s.wheel_within.low; }},
+        {"wheel_section_high_m2", "m2", [](S &s) -> double & { return s.wheel_within.high; }},
         {"share_with_care", "1", [](S &s) -> double & { return s.with_care; }},
         {"share_not_trusted", "1", [](S &s) -> double & { return s.not_trusted; }}};
       return list;

@@ -157,7 +157,15 @@ namespace wheelrail
       sum.bodies_high = std::fmax(sum.bodies_high, high);
     }
 
-    /// Judges a wheel, and keeps what is off where it is the worst so far.
+    /// Adds the interval of a row to that of the mean: rows err to the same side.
+    void
+    add_interval(const Interval &row, const double share, Interval &mean)
+    {
+      mean.low += share * row.low;
+      mean.high += share * row.high;
+    }
+
+    /// Judges a wheel, and keeps what is off where it is the worst so far, and how well it is known.
     void
     add_verdict(Solved &wheel, const std::string &row, const bool held, MixWear &sum)
     {
@@ -166,16 +174,21 @@ namespace wheelrail
       else
         find_shift_effect(wheel.scene, wheel.geometry, *wheel.solution);
       add_range(wheel.solution->bodies_effect, wheel.solution->bodies_effect, sum);
-      Verdict verdict = judge_contact(wheel.scene, *wheel.solution);
-      if (!wheel.solution->solution.not_reached.empty())
-        verdict.findings.push_back({Grade::not_trusted, wheel.solution->solution.not_reached});
-      const Grade grade = verdict.grade();
+      const Summary judged = halfspace_summary(wheel.scene, *wheel.solution);
+      const auto    within = [&](const char *low, const char *high) {
+        return Interval{get_figure(judged, low), get_figure(judged, high)};
+      };
+      add_interval(within("max_pressure_low_Pa", "max_pressure_high_Pa"), wheel.share, sum.pressure_within);
+      add_interval(within("t_gamma_low_N", "t_gamma_high_N"), wheel.share, sum.t_gamma_within);
+      const std::string &unreached = wheel.solution->solution.not_reached;
+      const Grade        grade     = unreached.empty() ? grade_of(judged) : Grade::not_trusted;
       if (grade == Grade::trusted)
         return;
       const bool worst = sum.doubts.empty() || (grade == Grade::not_trusted && sum.not_trusted == 0);
       (grade == Grade::not_trusted ? sum.not_trusted : sum.with_care) += wheel.share;
       if (worst)
-        sum.doubts = row + ": " + verdict.doubts();
+        sum.doubts =
+          row + ": " + judged.doubts + (unreached.empty() || judged.doubts.empty() ? "" : " ") + unreached;
     }
 
     MixWear
@@ -236,6 +249,8 @@ namespace wheelrail
       sum.peak_pressure = std::max(sum.peak_pressure, row.peak_pressure);
       sum.mean_t_gamma += row.mean_t_gamma;
       sum.peak_t_gamma = std::max(sum.peak_t_gamma, row.peak_t_gamma);
+      add_interval(row.pressure_within, 1, sum.pressure_within);
+      add_interval(row.t_gamma_within, 1, sum.t_gamma_within);
       sum.axle_load += row.axle_load;
       sum.at_end = sum.at_end || row.at_end;
       if (sum.doubts.empty() || (sum.not_trusted == 0 && row.not_trusted > 0))

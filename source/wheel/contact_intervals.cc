@@ -17,10 +17,11 @@ namespace wheelrail
     struct ElementResult
     {
       const char *name;
-      double      value; ///< [SI]
-      bool        creep; ///< errs with the first power of the element size, else with the second
-      double      scale; ///< that is natural to it [SI]
-      double      floor; ///< spread over the scale times the elements across the patch
+      double      value;   ///< [SI]
+      bool        creep;   ///< errs with the first power of the element size, else with the second
+      double      scale;   ///< that is natural to it [SI]
+      double      floor;   ///< spread times the elements across the patch, over the scale
+      double      own = 0; ///< the same over the result itself
     };
 
     /// Results of one patch, forces those on the wheel; `angle` of the contact plane [rad]. The floors are
@@ -33,8 +34,8 @@ namespace wheelrail
       const PatchMeasures        measures = measure_patch(halfspace_patch(s));
       const double               peak = s.peak_pressure, length = measures.length, width = measures.width;
       std::vector<ElementResult> results{
-        {"max_pressure", peak, false, peak, 0.2},
-        {"max_pressure_fitted", measures.peak_pressure_fitted, false, peak, 0.2},
+        {"max_pressure", peak, false, peak, 0.1},
+        {"max_pressure_fitted", measures.peak_pressure_fitted, false, peak, 0.1},
         {"contact_area", measures.area, false, measures.area, 0.2},
         {"patch_lateral", width, false, width, 0.3},
         {"patch_longitudinal", length, false, length, 0.45},
@@ -44,12 +45,12 @@ namespace wheelrail
         return results;
       const double bound = problem.friction.at(0) * s.fn, creep = half_saturation(problem, s, measures);
       results.push_back(
-        {"max_shear_traction", measures.max_traction, true, problem.friction.at(0) * peak, 1});
+        {"max_shear_traction", measures.max_traction, true, problem.friction.at(0) * peak, 1.6});
       results.push_back({"stick_fraction", measures.stick_fraction, true, 1, 0.7});
-      results.push_back({"t_gamma", wear_number(problem, s), true, bound * creep, 0.1});
-      results.push_back({"lateral_force", -std::cos(angle) * s.fy, true, bound, 0.2});
+      results.push_back({"t_gamma", wear_number(problem, s), true, bound * creep, 0.07, 0.3});
+      results.push_back({"lateral_force", -std::cos(angle) * s.fy, true, bound, 0.1});
       if (problem.longitudinal_force_given)
-        results.push_back({"creepage", s.xi, true, creep, 0.25});
+        results.push_back({"creepage", s.xi, true, creep, 0.18, 0.5});
       else
         results.push_back({"longitudinal_force", -s.fx, true, bound, 0.2});
       return results;
@@ -100,7 +101,10 @@ namespace wheelrail
           }
         const double n = std::string(fine.name).find("max_pressure") == 0 ? across_peak : across;
         contributions.push_back({fine.name, "elements", fine.creep ? -mean : 0, of_change * largest});
-        contributions.push_back({fine.name, "place of elements", 0, fine.floor * fine.scale / n});
+        contributions.push_back({fine.name,
+                                 "place of elements",
+                                 0,
+                                 std::hypot(fine.floor * fine.scale, fine.own * fine.value) / n});
       }
     return contributions;
   }

@@ -2,6 +2,7 @@
 #include <wheelrail/geometry/head_place.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/section_file.h>
+#include <wheelrail/output/figures.h>
 #include <wheelrail/scene/steels.h>
 #include <wheelrail/verdict/verdict.h>
 #include <wheelrail/wheel/contact_intervals.h>
@@ -340,6 +341,30 @@ namespace wheelrail
   }
 
 
+  namespace
+  {
+    /// Frictional power and the worn section go with the friction work, and so with what is known of
+    /// T-gamma; the section with slip and pressure of single elements, too.
+    Contributions
+    with_friction_work(const Contributions &contributions, const Summary &results)
+    {
+      constexpr double of_elements = 4; // over those across the patch
+      Contributions    all         = contributions;
+      const auto value = [&](const char *name) { return get_figure(results, figure_named(name).key()); };
+      for (const char *name : {"frictional_power", "archard_section"})
+        if (const double share = value(name) / value("t_gamma"); std::isfinite(share))
+          for (const Contribution &one : contributions)
+            if (one.result == "t_gamma")
+              all.push_back({name, one.cause, share * one.shift, share * one.spread});
+      const double across =
+        std::min(results.patch_lateral, results.patch_longitudinal) / get_figure(results, "grid_spacing_m");
+      if (const double spread = of_elements / across * value("archard_section"); std::isfinite(spread))
+        all.push_back({"archard_section", "place of elements", 0, spread});
+      return all;
+    }
+  } // namespace
+
+
   Summary
   halfspace_summary(const Scene &scene, const WheelRailSolution &result, Contributions *contributions)
   {
@@ -369,7 +394,8 @@ namespace wheelrail
       set_figure(total, "lateral_over_vertical", total.lateral_force / total.vertical_force);
     for (const auto &[key, value] : result.bodies)
       set_figure(total, "bodies_" + key, value);
-    const Contributions joined = joined_contributions(of_patches, summaries, total);
+    const Contributions joined =
+      with_friction_work(joined_contributions(of_patches, summaries, total), total);
     set_intervals(joined, total);
     if (contributions)
       *contributions = joined;

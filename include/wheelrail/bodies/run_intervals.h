@@ -4,16 +4,22 @@
 #include <wheelrail/verdict/measures.h>
 #include <wheelrail/wheel/halfspace_case.h>
 
+#include <string>
+
 namespace wheelrail
 {
   /// What is known of the results of a run. Noise and trend of its series are two of their errors. What cells
   /// and penalty layer make of it is the difference to the true bodies, `against_bodies` from
-  /// measure_against_bodies(); where these are no reference, of peak pressure and area an estimate, and of
-  /// all else but forces that balances give nothing is known. Over irregular surfaces nothing is.
+  /// measure_against_bodies(). Where these are no reference, peak pressure and area have an estimate, over
+  /// irregular surfaces the largest force, and forces that balances give have noise and trend.
   Contributions
   run_contributions(const Scene         &scene,
                     const Summary       &run,
                     const Measures      &measures,
                     const NoiseEffect   &noise,
                     const Contributions &against_bodies);
+
+  /// Which results of a run have no interval, and why, in a sentence; empty where true bodies judge all.
+  std::string
+  without_intervals(const Scene &scene, const Measures &measures, const Contributions &against_bodies);
 } // namespace wheelrail

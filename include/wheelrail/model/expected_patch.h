@@ -2,6 +2,7 @@
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/scene/scene.h>
+#include <wheelrail/verdict/measures.h>
 
 #include <string>
 
@@ -42,10 +43,20 @@ namespace wheelrail
   ExpectedPatch
   expected_patch(const Scene &scene, const SceneGeometry &geometry);
 
-  /// Solution cells over the shorter extent of the patch, as a run will find it; NaN where that are six and
-  /// more of the expected extent, so that nothing is advised before the run.
+  /// What a run will have of cells over the patch and of the penetration of its penalty law, before it: the
+  /// patch 10 % shorter than expected, the penetration that of a circular contact of Hertz (1882) with this
+  /// diameter d, whose peak pressure over its approach is 4 E*/(pi d).
+  Measures
+  expected_measures(const Scene &scene, const ExpectedPatch &patch);
+
+  /// Measures::lost() by them, with true bodies that will judge the run or without.
   double
-  advised_cells(const Scene &scene, const ExpectedPatch &patch);
+  expected_loss(const Scene &scene, const ExpectedPatch &patch);
+
+  /// How well the peak pressure of a run will be known by that, and what is wanted, in words for the screen;
+  /// empty where no rule is known, of fewer than three cells over the patch.
+  std::string
+  expected_accuracy(const Scene &scene, const ExpectedPatch &patch);
 
   /// Number of hexahedra of the mesh, to about a third: a fixed strip of solution cells on both
   /// bodies, the cells around it, and coarse cells in the rest.

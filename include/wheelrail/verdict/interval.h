@@ -26,9 +26,10 @@ namespace wheelrail
     double low, high;
   };
 
-  /// Known shifts add up and widen one side; spreads are independent and add by their squares:
-  ///   low = value + min(0, sum of shifts) - sqrt(sum of spread^2), high likewise,
-  /// so that the reported value always lies within (doc/theory/intervals.md). NaN: nothing is known of it.
+  /// Known shifts S add up, spreads are independent and add by their squares to D^2; the true value lies
+  /// within value + S -+ D. The interval reaches to the reported value where this lies outside:
+  ///   low = value + min(0, S - D), high = value + max(0, S + D)
+  /// (doc/theory/intervals.md). NaN: nothing is known of it.
   Interval
   interval_of(const std::string &result, double value, const Contributions &contributions);
 
@@ -52,6 +53,10 @@ namespace wheelrail
   /// none.
   std::string
   shown_interval(const Summary &summary, const std::string &figure);
+
+  /// The keys of both ends of the interval of a figure with a key ("max_pressure_Pa").
+  std::vector<std::string>
+  interval_keys(const std::string &key);
 
   /// All contributions as a CSV table: result, unit, cause, shift, spread, in the order of the figures.
   std::string

@@ -18,7 +18,7 @@ namespace wheelrail
 
     // what resolves the patch
     double cells             = none; ///< solution cells over the shorter extent of the patch
-    double advised_cells     = none; ///< those over which cells were advised before the run; NaN: none were
+    double expected_loss     = none; ///< what was expected of lost() before the run
     double cells_across_peak = none; ///< and across its highest pressure, see PatchMeasures::cells_across
     double between_nodes     = none; ///< rise of the pressure there, see PatchMeasures::between_nodes
     double penetration       = none; ///< of the penalty law at the peak, over the approach
@@ -108,6 +108,13 @@ namespace wheelrail
     /// rule is known (a ridge that is lost between nodes may miss a third), and it is NaN.
     double
     mesh_part() const;
+
+    /// Share by which the true peak may lie above that of the run, as far as nothing but its cells and its
+    /// penalty layer is known: what both take, with none where the penetration is not known. Where no true
+    /// bodies will say what the cells make of it (`held`), twice that: a jump of curvature that they miss
+    /// takes more than the laws know. It is told before a run as well.
+    double
+    lost(bool held = true) const;
   };
 
   /// A place across the track in words: "8.3 mm from the running circle to the gauge side", of `x` in the
@@ -126,10 +133,10 @@ namespace wheelrail
   std::string
   steel_doubt(const Scene &scene, double peak_pressure, double traction, bool computed);
 
-  /// The size of cells [m] that costs 2 % of the peak pressure at most where `cells` of `size` lie over the
-  /// patch: halved from `size` on, as meshes are.
+  /// The size of cells [m] that leaves the peak pressure uncertain by `wanted` at most where `size` leaves it
+  /// by `within`, with the second power of the size: halved from `size` on, as meshes are.
   double
-  advised_cell(double size, double cells);
+  advised_cell(double size, double within, double wanted);
 
   /// How far the wear of a run can be trusted, in words; empty: as far as the run. Fewer than eight cells
   /// across what slides do not show its slip: less than one (free rolling) wears half of half-spaces.

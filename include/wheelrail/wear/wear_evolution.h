@@ -21,9 +21,11 @@ namespace wheelrail
     double         conicity      = 0;                    ///< equivalent, at 3 mm amplitude, or NaN
     double         mean_pressure = 0, peak_pressure = 0; ///< as those of MixWear
     double         mean_t_gamma = 0, peak_t_gamma = 0;
-    double         rail_damage = 0, wheel_damage = 0; ///< largest so far, shares of a life
-    double         rail_cracks = 0, wheel_cracks = 0; ///< the same of crack growth less wear
-    double         rail_ground = 0, wheel_turned = 0; ///< taken off by machines so far [m2]
+    Interval       pressure_within{0, 0}, t_gamma_within{0, 0}; ///< of both means, as those of MixWear
+    Interval       rail_within{0, 0}, wheel_within{0, 0}; ///< of the sections, each step's as its T-gamma's
+    double         rail_damage = 0, wheel_damage = 0;     ///< largest so far, shares of a life
+    double         rail_cracks = 0, wheel_cracks = 0;     ///< the same of crack growth less wear
+    double         rail_ground = 0, wheel_turned = 0;     ///< taken off by machines so far [m2]
     double         bodies_low = 0, bodies_high = 0; ///< as those of MixWear, of the first and the last state
     double         with_care = 0, not_trusted = 0;  ///< shares of passages, as those of MixWear
   };

@@ -30,10 +30,11 @@ namespace wheelrail
     std::vector<double> rail_section, wheel_section; ///< taken off by a passage, by a turn of the wheel [m2]
     std::vector<double> rail_damage, wheel_damage;   ///< share of a life
     std::vector<double> rail_cracks, wheel_cracks;   ///< the same from crack_growth()
-    double              mean_pressure = 0, peak_pressure = 0; ///< of the rows' peaks [Pa]
-    double              mean_t_gamma = 0, peak_t_gamma = 0;   ///< [N]
-    double              axle_load = 0;                        ///< [N]
-    bool                at_end    = false;                    ///< whether a patch lies on the end of a shape
+    double              mean_pressure = 0, peak_pressure = 0;        ///< of the rows' peaks [Pa]
+    double              mean_t_gamma = 0, peak_t_gamma = 0;          ///< [N]
+    Interval            pressure_within{0, 0}, t_gamma_within{0, 0}; ///< of both means; NaN: not known
+    double              axle_load = 0;                               ///< [N]
+    bool                at_end    = false; ///< whether a patch lies on the end of a shape
     /// Peak pressures of the half-spaces over those of the true bodies, less 1: the least and the largest of
     /// rows that were held against them; NaN: none was.
     double      bodies_low = Measures::none, bodies_high = Measures::none;
