@@ -164,6 +164,13 @@ namespace
                "cells");
     check(judged({0.04, "cells and penalty layer"}, 0.05).findings.empty(),
           "an interval within what is wanted");
+    Measures slow = good();
+    slow.creep    = {0.14, "noise and trend"};
+    check_text(judge_run(Scene(), slow).doubts(),
+               "Noise and trend leave creepage or T-gamma uncertain by 14.0 %; roll until steady "
+               "(Run/Rolling distance = until steady).",
+               "T-gamma of the quick start");
+    check(judge_run(Scene(), slow).grade() == Grade::with_care, "the peak is known");
     const Contributions causes{{"max_pressure", "cells", 10, 0},
                                {"max_pressure", "elements", -2, 3},
                                {"max_pressure", "noise", 0, 4},

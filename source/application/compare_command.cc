@@ -4,6 +4,7 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/hints.h>
 #include <wheelrail/bodies/body_pose.h>
+#include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/bodies/run_reference.h>
 #include <wheelrail/bodies/wheel_rail_contact.h>
 #include <wheelrail/commands/command_scene.h>
@@ -158,6 +159,7 @@ namespace wheelrail
       Measures measures      = measures_of_run(scene, run);
       measures.beyond        = comparison.beyond;
       measures.expected_loss = expected_loss(scene, expected_patch(scene, geometry));
+      measures.creep         = known_creep_of_run(scene, run);
       measure_against(halfspace_pressure(result), scene, run, measures);
       if (with_bodies && force_is_a_result(scene))
         measure_against_bodies(scene, geometry, run, measures);

@@ -96,8 +96,7 @@ namespace wheelrail
   double
   expected_loss(const Scene &scene, const ExpectedPatch &patch)
   {
-    const bool held = !scene.irregular() && scene.motion == "none" && !scene.rail_material.yields() &&
-                      !scene.wheel_material.yields();
+    const bool     held     = !scene.irregular() && scene.motion == "none";
     const Measures expected = expected_measures(scene, patch);
     if (!std::isnan(expected.lost()))
       return expected.lost(held);

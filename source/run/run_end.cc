@@ -259,7 +259,8 @@ namespace wheelrail
       measures.has_yielded() ? Contributions() : measure_against_bodies(scene, geometry, summary, measures);
     contributions = run_contributions(scene, summary, measures, noise, bodies);
     set_intervals(contributions, summary);
-    measures.peak = std::isinf(noise.peak) ? Known{noise.peak, "measured input"} : known_peak(summary);
+    measures.peak  = std::isinf(noise.peak) ? Known{noise.peak, "measured input"} : known_peak(summary);
+    measures.creep = known_creep_of_run(scene, summary);
     const Verdict verdict = judge_run(scene, measures);
     set_verdict(summary, verdict);
     if (summary.note.empty() && !measures.off_rail())

@@ -314,6 +314,11 @@ namespace wheelrail
     judge_agreement(measures, verdict);
     if (measures.peak.cause == "measured input")
       judge_known(measures.peak, "the peak pressure", "", measures, verdict);
+    if (measures.creep.within > measures.wanted && verdict.grade() == Grade::trusted)
+      add(verdict,
+          Grade::with_care,
+          measures.creep.cause + " leave creepage or T-gamma uncertain by " + percent(measures.creep.within) +
+            "; " + (measures.creep.cause == "noise and trend" ? roll_on(scene) : "take smaller cells") + ".");
     judge_steel(measures, verdict);
     return verdict;
   }

@@ -48,7 +48,7 @@ namespace wheelrail
         {"max_shear_traction", measures.max_traction, true, problem.friction.at(0) * peak, 1.6});
       results.push_back({"stick_fraction", measures.stick_fraction, true, 1, 0.7});
       results.push_back({"t_gamma", wear_number(problem, s), true, bound * creep, 0.07, 0.3});
-      results.push_back({"lateral_force", -std::cos(angle) * s.fy, true, bound, 0.1});
+      results.push_back({"lateral_force", -std::cos(angle) * s.fy, true, bound, 0.2});
       if (problem.longitudinal_force_given)
         results.push_back({"creepage", s.xi, true, creep, 0.18, 0.5});
       else

@@ -19,6 +19,11 @@ namespace wheelrail
                     const NoiseEffect   &noise,
                     const Contributions &against_bodies);
 
+  /// How well the worse known of creepage and T-gamma is known, by the intervals in the summary, held against
+  /// a quarter at least of what belongs to half of what friction carries; NaN: neither has an interval.
+  Known
+  known_creep_of_run(const Scene &scene, const Summary &run);
+
   /// Which results of a run have no interval, and why, in a sentence; empty where true bodies judge all.
   std::string
   without_intervals(const Scene &scene, const Measures &measures, const Contributions &against_bodies);
