@@ -127,8 +127,6 @@ namespace test
       {"Run/Most passages", "30"},
       {"Run/Settled growth", "2e-05"},
       {"Run/Settled change", "0.05"},
-      {"Run/Passage jump", "12"},
-      {"Run/Jump error", "0.02"},
       {"Run/Next wheel", "same"},
       {"Run/Rail", "output/first"},
       {"Run/Start offset", "32 mm"},

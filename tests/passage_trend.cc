@@ -1,13 +1,11 @@
 // label: fast
 
-// Where passages lead to, told from what each round adds; lists of wheels, and their messages; when passages
-// may be jumped over, and what of that is wrong.
+// Where passages lead to, told from what each round adds; lists of wheels, and their messages.
 
 #include "messages.h"
 
 #include <wheelrail/input/motion_file.h>
 #include <wheelrail/model/model.h>
-#include <wheelrail/run/passage_jump.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/passage_trend.h>
 
@@ -193,30 +191,6 @@ namespace
     std::filesystem::remove_all(folder);
   }
 
-  /// Growth that falls like a geometric series is extrapolated exactly; a rate that changes forbids long
-  /// jumps, and one that was wrong is found.
-  void
-  test_jumps()
-  {
-    double sum = 0;
-    for (int n = 1; n <= 7; ++n)
-      sum += std::pow(0.8, n);
-    check_near(jump_factor(0.8, 7), sum, 1e-14, "the sum of seven growths");
-    check_near(jump_factor(1, 9), 9, 1e-14, "of a steady one");
-    check(jump_length({1e-2, 1e-4, 0.9, 0.9}, 20, 0.01) == 20, "a rate that stays allows all");
-    check(jump_length({1e-2, 1e-3, 0.9, 0.5}, 20, 0.01) == 0, "one that has changed allows none");
-    const unsigned int some = jump_length({1e-2, 1e-4, 1, 0.9}, 20, 0.05);
-    check(some == 10, "or less: " + std::to_string(some));
-    PassageJump jump{5, 15, 1e-4, 0.9};
-    judge_jump(jump, 10, 1e-4 * std::pow(0.9, 12), 0.01, 0.01);
-    check_near(jump.error, 0, 1e-12, "growth as extrapolated");
-    check(jump.judged && jump.kept, "the jump is kept");
-    jump = {5, 15, 1e-3, 0.9};
-    judge_jump(jump, 10, 1e-3, 0.02, 0.01); // it has not fallen at all
-    check_near(jump.error, 1e-3 * (10 - jump_factor(0.9, 10)) / 0.02, 1e-12, "the growth that is missing");
-    check(jump.judged && !jump.kept, "the jump is taken back");
-  }
-
   void
   refused(const std::string &text, const std::string &expected)
   {
@@ -251,7 +225,6 @@ main()
   test_list();
   test_shifts();
   test_scenes();
-  test_jumps();
   test_messages();
   return test::report();
 }

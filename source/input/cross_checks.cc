@@ -224,15 +224,6 @@ namespace wheelrail
         errors.push_back(entry + ": is for wheels without yaw; write none, or Wheelset/Yaw = 0 mrad");
     }
 
-    /// Jumps over passages need wheels that are new.
-    void
-    check_jump(const Scene &scene, Sentences &errors)
-    {
-      if (scene.passage_jump > 0 && scene.next_wheel == NextWheel::same)
-        errors.push_back(entry_text(scene, "Run", "Passage jump") + ": extrapolates the rail alone, and " +
-                         entry_text(scene, "Run", "Next wheel") +
-                         " keeps the wheel, too; write none, or fresh");
-    }
     /// A rail has the same cells from wherever the wheel starts only where these move with it.
     void
     check_start(const Scene &scene, Sentences &errors)
@@ -317,7 +308,6 @@ namespace wheelrail
         ": a rail that does not yield keeps nothing of earlier runs; write new, or give Rail "
         "material/Yield stress");
     check_strip(scene, found.errors);
-    check_jump(scene, found.errors);
     check_start(scene, found.errors);
     for (const std::string &fault : study_faults(scene))
       found.errors.push_back(fault);

@@ -136,6 +136,8 @@ namespace wheelrail
     if (const std::string load = half_of_axle_load(name, value); !load.empty())
       return "no such entry; a wheel carries half of it: write \"set Wheel load = " + load +
              "\" in subsection Wheelset";
+    if (section == "Run" && (name == "Passage jump" || name == "Jump error"))
+      return "no such entry; all passages are computed: leave it out";
     const std::vector<std::string> nearest = nearest_entries(section, name);
     if (!nearest.empty())
       return "no such entry; the nearest " + std::string(nearest.size() == 1 ? "is " : "are ") +

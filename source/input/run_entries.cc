@@ -65,20 +65,10 @@ namespace wheelrail
                   "no more than this share, twice in succession.");
     }
 
-    /// Passages that are not computed, and what the next wheel is.
+    /// The wheel of the passages after the first, and where they start.
     void
-    add_jumps(EntryList &list)
+    add_wheels(EntryList &list)
     {
-      list.count({"Passage jump", 1, 1000},
-                 field(&S::passage_jump),
-                 "Most passages at a time that are not computed, with a Passage list most rounds of it: the "
-                 "rail is extrapolated over them from what the last ones have added, then three are computed "
-                 "again; none: all are computed.",
-                 {{"none", 0u}});
-      list.number({"Jump error", "", "> 0", "1"},
-                  field(&S::jump_error),
-                  "Largest difference of extrapolated and computed growth of the plastic strain over a jump, "
-                  "over that strain; a jump that misses by more is taken back and tried at half the length.");
       list.choice<NextWheel>(
         "Next wheel",
         {{"fresh", NextWheel::fresh}, {"same", NextWheel::same}},
@@ -102,7 +92,7 @@ namespace wheelrail
     EntryList list("Run");
     add_distance(list);
     add_passages(list);
-    add_jumps(list);
+    add_wheels(list);
     list.text("Rail",
               field(&S::rail_from),
               "new: a rail without stress; else the folder of a finished run, whose rail is rolled over as "

@@ -68,7 +68,6 @@ namespace wheelrail
                                      "Run/Pass*",
                                      "Run/Most passages",
                                      "Run/Settled *",
-                                     "Run/Jump error",
                                      "Run/Next wheel",
                                      "Run/Staggered starts",
                                      "Run/Rail",

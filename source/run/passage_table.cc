@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace wheelrail
@@ -56,19 +57,12 @@ namespace wheelrail
       return list;
     }
 
-    /// What each value is more than the one before; not a number where the passage before was jumped over.
+    /// What each value is more than the one before.
     std::vector<double>
-    increments(const std::vector<double> &values, const std::vector<unsigned int> &computed)
+    increments(std::vector<double> values)
     {
-      std::vector<double> added;
-      double              before = 0;
-      for (std::size_t k = 0; k < values.size(); ++k)
-        {
-          const unsigned int last = k == 0 ? 0 : computed[k - 1];
-          added.push_back(computed[k] == last + 1 ? values[k] - before : std::nan(""));
-          before = values[k];
-        }
-      return added;
+      std::adjacent_difference(values.begin(), values.end(), values.begin());
+      return values;
     }
 
     using Fields = std::map<std::string, std::vector<double>>;
@@ -114,11 +108,11 @@ namespace wheelrail
     }
 
     void
-    write_cuts(const hid_t file, const std::string &folder, const std::vector<unsigned int> &computed)
+    write_cuts(const hid_t file, const std::string &folder, const unsigned int passed)
     {
       std::vector<double> passages;
       std::vector<Fields> cuts;
-      for (const unsigned int k : computed)
+      for (unsigned int k = 1; k <= passed; ++k)
         {
           Fields cut = read_cut(passage_folder(folder, k));
           if (cut.empty() || (!cuts.empty() && (cut["position"].size() != cuts[0]["position"].size() ||
@@ -189,14 +183,17 @@ namespace wheelrail
 
 
   FigureTable
-  passage_table(const std::string &folder, const std::vector<unsigned int> &computed)
+  passage_table(const std::string &folder, const unsigned int passed)
   {
     std::vector<Summary> summaries;
-    for (const unsigned int k : computed)
-      summaries.push_back(read_summary(passage_folder(folder, k) + "/summary.json"));
+    std::vector<double>  numbers, grades;
+    for (unsigned int k = 1; k <= passed; ++k)
+      {
+        numbers.push_back(k);
+        summaries.push_back(read_summary(passage_folder(folder, k) + "/summary.json"));
+      }
     FigureTable table;
-    table.add("passage", "1", {computed.begin(), computed.end()});
-    std::vector<double> grades;
+    table.add("passage", "1", numbers);
     for (const Summary &summary : summaries)
       grades.push_back(static_cast<double>(grade_of(summary)));
     table.add("verdict", "1", grades);
@@ -207,8 +204,8 @@ namespace wheelrail
           values.push_back(get_figure(summary, key));
         table.add(key, unit_of(key), values);
       }
-    table.add("plastic_strain_increment", "1", increments(*table.find("rail_plastic_strain"), computed));
-    table.add("forward_flow_increment_m", "m", increments(*table.find("residual_forward_flow_m"), computed));
+    table.add("plastic_strain_increment", "1", increments(*table.find("rail_plastic_strain")));
+    table.add("forward_flow_increment_m", "m", increments(*table.find("residual_forward_flow_m")));
     return table;
   }
 
@@ -225,25 +222,16 @@ namespace wheelrail
 
 
   std::vector<RoundGrowth>
-  round_growths(const std::string               &folder,
-                const std::vector<unsigned int> &computed,
-                const unsigned int               of_round)
+  round_growths(const std::string &folder, const unsigned int passed, const unsigned int of_round)
   {
     std::vector<RoundGrowth> rounds;
     // a rail in which nothing has yielded has no band
-    double       strain = 0, forward = 0;
-    unsigned int last = 0;
-    for (const unsigned int k : computed)
+    double strain = 0, forward = 0;
+    for (unsigned int k = of_round; k <= passed; k += of_round)
       {
-        if (k % of_round != 0)
-          continue;
         const LeftInRail now   = left_in_rail(folder, k);
         const double     shear = now.depth > 0 ? (now.forward - forward) / now.depth : 0;
-        if (k == last + of_round)
-          rounds.push_back({std::isnan(now.strain) ? 0 : now.strain - strain, shear});
-        else
-          rounds.clear();
-        last    = k;
+        rounds.push_back({std::isnan(now.strain) ? 0 : now.strain - strain, shear});
         strain  = std::isnan(now.strain) ? strain : now.strain;
         forward = std::isnan(now.forward) ? forward : now.forward;
       }
@@ -252,15 +240,13 @@ namespace wheelrail
 
 
   void
-  write_passage_fields(const std::string               &folder,
-                       const std::vector<unsigned int> &computed,
-                       const FigureTable               &table)
+  write_passage_fields(const std::string &folder, const unsigned int passed, const FigureTable &table)
   {
     const hdf5::Handle file(hdf5::open_in_memory(), H5Fclose, "make a file in memory");
     for (std::size_t c = 1; c < table.keys.size(); ++c) // HDF5 counts the passages by itself
       hdf5::write_dataset(
         file, table.keys[c], {table.rows()}, table.columns[c], table.units[c], description_of(table.keys[c]));
-    write_cuts(file, folder, computed);
+    write_cuts(file, folder, passed);
     const std::vector<char> bytes = hdf5::file_image(file);
     replace_file(folder + "/passages.h5", bytes.data(), bytes.size());
   }

@@ -7,7 +7,6 @@
 #include <wheelrail/output/folder.h>
 #include <wheelrail/output/root.h>
 #include <wheelrail/output/summary.h>
-#include <wheelrail/run/passage_jumps.h>
 #include <wheelrail/run/passage_list.h>
 #include <wheelrail/run/passage_table.h>
 #include <wheelrail/run/passages.h>
@@ -64,7 +63,6 @@ namespace wheelrail
         , wheels_(passing_wheels(scene, geometry))
         , starts_(scene, geometry)
         , most_(scene.passages == 0 ? scene.most_passages : of_round() * scene.passages)
-        , jumps_(scene, std::lcm(of_round(), starts_.period()), most_, communicator_)
       {
       }
 
@@ -94,9 +92,8 @@ namespace wheelrail
       std::vector<PassingWheel> wheels_; ///< of a round
       StaggeredStarts           starts_;
       unsigned int              most_;
-      PassageJumps              jumps_;
-      std::vector<unsigned int> computed_; ///< passages so far, those jumped over left out
-      std::string               verdict_;  ///< where the passages lead to
+      unsigned int              passed_ = 0; ///< passages so far
+      std::string               verdict_;    ///< where the passages lead to
     };
 
 
@@ -114,8 +111,6 @@ namespace wheelrail
         for (const PassingWheel &wheel : wheels_)
           if (const Findings found = check_scene(wheel.scene, wheel.geometry, {}); !found.errors.empty())
             throw InputError((wheel.name.empty() ? "" : wheel.name + ": ") + found.errors.front());
-        if (mode != FolderMode::resume)
-          fs::remove(scene_.folder + "/jumps.csv");
       });
       whole.begin(options_.parameters_text, options_.resume);
     }
@@ -144,7 +139,6 @@ namespace wheelrail
       one.passages              = 1;
       one.rolling_distance      = wheel.scene.path();
       one.passage_list          = "none";
-      one.passage_jump          = 0;
       one.staggered_starts      = 1;
       one.start_offset          = starts_.offset(k);
       if (one.irregular() && one.evaluate_at > 0) // the same place of the rail in all passages
@@ -193,14 +187,13 @@ namespace wheelrail
     bool
     Passages::enough()
     {
-      const unsigned int k    = jumps_.stand(computed_);
-      int                done = k >= most_ ? 1 : 0;
-      if (k == computed_.back() && k % of_round() == 0 && (scene_.passages == 0 || done != 0))
+      int done = passed_ >= most_ ? 1 : 0;
+      if (passed_ % of_round() == 0 && (scene_.passages == 0 || done != 0))
         {
           on_root(communicator_, [&]() {
-            const auto         growths = round_growths(scene_.folder, computed_, of_round());
+            const auto         growths = round_growths(scene_.folder, passed_, of_round());
             const PassageTrend trend   = trend_of(growths, scene_.settled_growth, scene_.settled_change);
-            verdict_                   = "After " + std::to_string(k) + " passages " +
+            verdict_                   = "After " + std::to_string(passed_) + " passages " +
                        in_words(trend, growths.empty() ? RoundGrowth() : growths.back());
             done = done || trend != PassageTrend::open;
             if (growths.empty()) // a single round tells no trend
@@ -216,9 +209,9 @@ namespace wheelrail
     void
     Passages::write() const
     {
-      const FigureTable table = passage_table(scene_.folder, computed_);
+      const FigureTable table = passage_table(scene_.folder, passed_);
       table.write_csv(scene_.folder + "/passages.csv");
-      write_passage_fields(scene_.folder, computed_, table);
+      write_passage_fields(scene_.folder, passed_, table);
     }
 
 
@@ -230,35 +223,26 @@ namespace wheelrail
                                                : FolderMode::fresh;
       OutputFolder whole(scene_.folder, mode, options_.prm_text, communicator_);
       open(whole, mode);
-      if (options_.resume)
-        jumps_.read_old();
       bool computed = false;
       do
         {
-          const unsigned int k    = jumps_.stand(computed_) + 1;
-          const int          code = pass(k, computed);
-          if (code != 0)
+          if (const int code = pass(passed_ + 1, computed); code != 0)
             return code;
-          computed_.push_back(k);
-          jumps_.judge(computed_);
+          ++passed_;
           if (computed)
             on_root(communicator_, [&]() { write(); });
-          if (!enough())
-            jumps_.try_jump(computed_);
-          else
-            break;
         }
-      while (true);
+      while (!enough());
       on_root(communicator_, [&]() {
         if (!computed) // all passages were there
           write();
-        Summary summary = read_summary(passage_folder(scene_.folder, computed_.back()) + "/summary.json");
+        Summary summary = read_summary(passage_folder(scene_.folder, passed_) + "/summary.json");
         if (!verdict_.empty())
           summary.note = verdict_ + ".";
         write_summary(summary, scene_.folder + "/summary.json");
         print(STDOUT_FILENO,
               (verdict_.empty() ? "" : verdict_ + ".\n") +
-                passage_verdicts(passage_table(scene_.folder, computed_)) + "Results of all passages in " +
+                passage_verdicts(passage_table(scene_.folder, passed_)) + "Results of all passages in " +
                 scene_.folder + "/passages.csv\n");
       });
       return 0;

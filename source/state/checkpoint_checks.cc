@@ -37,8 +37,6 @@ namespace wheelrail
                                                    "Run/Most passages",
                                                    "Run/Settled growth",
                                                    "Run/Settled change",
-                                                   "Run/Passage jump",
-                                                   "Run/Jump error",
                                                    "Run/Rail",
                                                    "Mesh/Prepared distance"};
       for (const char *section : {"Output/", "Half-space/", "Material test/"})

@@ -98,30 +98,6 @@ namespace wheelrail
   }
 
 
-  bool
-  extrapolate_rail(const std::string &before,
-                   const std::string &last,
-                   const double       factor,
-                   const std::string &to)
-  {
-    Checkpoint       rail = checkpoint_from_bytes(read_whole_file(last + file_name));
-    const Checkpoint old  = checkpoint_from_bytes(read_whole_file(before + file_name));
-    if (rail.node_values.at("position").values != old.node_values.at("position").values ||
-        rail.cell.size() != old.cell.size())
-      return false;
-    const auto extrapolate = [factor](NumberedValues &now, const NumberedValues &then) {
-      for (std::size_t k = 0; k < now.values.size(); ++k)
-        now.values[k] += factor * (now.values[k] - then.values[k]);
-    };
-    extrapolate(rail.node_values.at("displacement"), old.node_values.at("displacement"));
-    extrapolate(rail.cell_values.at("plastic_history"), old.cell_values.at("plastic_history"));
-    const std::vector<char> bytes = checkpoint_bytes(rail);
-    std::filesystem::create_directories(to);
-    replace_file(to + file_name, bytes.data(), bytes.size());
-    return true;
-  }
-
-
   void
   lay_rail(const Scene &scene, const Checkpoint &rail, Model &model, MPI_Comm communicator)
   {

@@ -22,27 +22,23 @@ namespace wheelrail
   LeftInRail
   left_in_rail(const std::string &folder, unsigned int passage);
 
-  /// The table passages.csv of the passages `computed` below `folder`, numbers from 1 that ascend, from their
-  /// summaries; the column "verdict" holds the numbers of Grade. A passage whose forerunner was jumped over
-  /// has no increments.
+  /// The table passages.csv of the passages 1 to `passed` below `folder`, from their summaries; the column
+  /// "verdict" holds the numbers of Grade.
   FigureTable
-  passage_table(const std::string &folder, const std::vector<unsigned int> &computed);
+  passage_table(const std::string &folder, unsigned int passed);
 
   /// "verdict: 8 passages trusted, 2 with care, 0 not trusted" of such a table, a line.
   std::string
   passage_verdicts(const FigureTable &table);
 
-  /// What each whole round of `of_round` passages has added, of those that are computed; only the last rounds
-  /// that follow each other without a jump.
+  /// What each whole round of `of_round` passages has added.
   std::vector<RoundGrowth>
-  round_growths(const std::string &folder, const std::vector<unsigned int> &computed, unsigned int of_round);
+  round_growths(const std::string &folder, unsigned int passed, unsigned int of_round);
 
   /// Writes passages.h5: the columns of passages.csv, which are those of `table`, and in the group
   /// BB_behind_rail, from the residual.h5 of the passages, that cut of the unloaded rail over passages,
   /// lateral place and depth, with what each passage has added to plastic and forward shear strain. Passages
   /// without that cut are left out of these. To be called on one rank.
   void
-  write_passage_fields(const std::string               &folder,
-                       const std::vector<unsigned int> &computed,
-                       const FigureTable               &table);
+  write_passage_fields(const std::string &folder, unsigned int passed, const FigureTable &table);
 } // namespace wheelrail

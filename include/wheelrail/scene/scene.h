@@ -208,8 +208,6 @@ namespace wheelrail
     double       settled_growth     = 1e-5; ///< of strain in a round, below which nothing grows any more
     double       settled_change     = 0.03; ///< of the growth from round to round, below which it is steady
     std::string  passage_list       = "none"; ///< file of the wheels of a round, or none: one as the scene
-    unsigned int passage_jump       = 0;      ///< most rounds that are extrapolated at a time, 0: none
-    double       jump_error         = 0.05; ///< of an extrapolated growth, over the strain, that is accepted
     NextWheel    next_wheel         = NextWheel::fresh;
     std::string  rail_from          = "new"; ///< folder of the run that left the rail, or new
     double       start_offset       = 0;     ///< how much farther along the rail the wheel starts [m]

@@ -17,13 +17,6 @@ namespace wheelrail
   Checkpoint
   read_rail(const Scene &scene, const std::string &parameters, MPI_Comm communicator);
 
-  /// Writes into folder `to` the rail that lies `factor` times the difference of the rails in the folders
-  /// `before` and `last` beyond the last one: displacements and histories, all by the same factor, so that
-  /// residual stresses stay in balance. False, and nothing is written, when their meshes differ. To be called
-  /// on one rank.
-  bool
-  extrapolate_rail(const std::string &before, const std::string &last, double factor, const std::string &to);
-
   /// Lays that rail into a model that make_model() has just built: dents, residual stresses and history, and,
   /// with a moving window, the cells that it needs beside those of the start, where the model's
   /// discretization then is. The wheel is new, or that of the earlier run turned back to its start (Run/Next
