@@ -66,7 +66,10 @@ namespace wheelrail
 
 
   void
-  draw_profiles(const Scene &scene, const SceneGeometry &geometry, const std::string &name, std::ostream &out)
+  draw_profiles(const ProfileSettings &scene,
+                const SceneGeometry   &geometry,
+                const std::string     &name,
+                std::ostream          &out)
   {
     const ContactGeometry &c = geometry.contact;
     Rows                   rows(name + ".csv");

@@ -227,7 +227,7 @@ namespace wheelrail
 
     /// The sections of all rails over the path, for pictures.
     FigureTable
-    table_of_sections(const Scene &scene, const SceneSections &sections)
+    table_of_sections(const ProfileSettings &scene, const SceneSections &sections)
     {
       constexpr int wanted = 40;
       FigureTable   table;

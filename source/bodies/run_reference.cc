@@ -43,7 +43,7 @@ namespace wheelrail
   {
     /// What true bodies carry farther beside the patch of a run than its solution cells are sure to reach.
     void
-    measure_beside(const Scene             &scene,
+    measure_beside(const MeshSettings      &scene,
                    const Summary           &run,
                    const HalfspaceSolution &bodies,
                    Measures                &measures)

@@ -61,7 +61,7 @@ namespace wheelrail
       bare.normal_force = solution.fn; // the same load on all
     if (!solution.within_friction)
       bare.motion = HalfspaceMotion::none;
-    std::vector<SolvedProblem> solved;
+    std::vector<SolvedProblem>        solved;
     std::shared_ptr<HalfspaceKernels> kernels;
     if (problem.added)
       solved.push_back({bare, solve_rolling(bare, kernels, &solution)});

@@ -194,14 +194,14 @@ namespace wheelrail
 
 
   std::string
-  path_entry(const Scene &scene)
+  path_entry(const RunSettings &scene)
   {
     return scene.rolling_distance > 0 ? "Run/Rolling distance" : "Run/Longest distance";
   }
 
 
   std::string
-  path_text(const Scene &scene)
+  path_text(const RunSettings &scene)
   {
     return path_entry(scene) + " = " + rounded_mm(scene.path());
   }

@@ -28,7 +28,7 @@ namespace wheelrail
 
     /// The scenes of a list, each with what it names itself: a scene of a list has no list.
     void
-    add_listed(const Scene &scene, std::vector<SceneFile> &files)
+    add_listed(const RunSettings &scene, std::vector<SceneFile> &files)
     {
       if (!is_file_name(scene.passage_list))
         return;

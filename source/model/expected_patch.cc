@@ -22,14 +22,14 @@ namespace wheelrail
 
 
   double
-  contact_modulus(const Scene &scene)
+  contact_modulus(const SteelSettings &scene)
   {
     return 1 / (plane_compliance(scene.rail_material) + plane_compliance(scene.wheel_material));
   }
 
 
   double
-  expected_unsprung_weight(const Scene &scene)
+  expected_unsprung_weight(const WheelsetSettings &scene)
   {
     // the default section, turned around the axle, has 344 kg: that changes the approach by 0.15 %
     constexpr double usual_wheel = 320;
@@ -48,7 +48,7 @@ namespace wheelrail
 
 
   double
-  expected_load(const Scene &scene)
+  expected_load(const WheelsetSettings &scene)
   {
     if (scene.wheel_load > 0)
       return scene.wheel_load;

@@ -56,7 +56,7 @@ namespace wheelrail
 
     /// The axle without its torque, which follows from the load.
     AxleData
-    make_axle(const Scene &scene, const WheelPose &wheel)
+    make_axle(const WheelsetSettings &scene, const WheelPose &wheel)
     {
       AxleData axle;
       axle.centre           = wheel.centre();
@@ -86,7 +86,7 @@ namespace wheelrail
 
     /// The largest step within the wanted fraction of the stable one that divides the time of the run.
     double
-    time_step(const Scene &scene, const double duration, const StableStep &stable)
+    time_step(const RunSettings &scene, const double duration, const StableStep &stable)
     {
       return duration / std::ceil(duration / (scene.time_step_factor * stable.step));
     }
@@ -220,7 +220,7 @@ namespace wheelrail
 
 
   TimeScheme
-  time_scheme(const Scene &scene, const Model &model)
+  time_scheme(const RunSettings &scene, const Model &model)
   {
     return {model.time_step, scene.bulk_viscosity, 0};
   }
@@ -352,7 +352,7 @@ namespace wheelrail
 
 
   bool
-  move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator)
+  move_window(const MeshSettings &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator)
   {
     const SweepPlan &plan   = model.discretization->plan();
     const FineWindow before = model.window;
@@ -368,7 +368,7 @@ namespace wheelrail
 
 
   void
-  keep_flowed(const Scene &scene, Model &model, const Body body, MPI_Comm communicator)
+  keep_flowed(const MeshSettings &scene, Model &model, const Body body, MPI_Comm communicator)
   {
     model.window.kept[body].clear();
     if (scene.behind_wheel != BehindWheel::coarsen)

@@ -11,7 +11,7 @@
 namespace wheelrail
 {
   Slices
-  turned_slices(const Scene &scene, const std::string &path)
+  turned_slices(const ProfileSettings &scene, const std::string &path)
   {
     Slices slices = read_slices_file(path, scene.rail_file.unit);
     if (slices.wheel)
@@ -25,7 +25,7 @@ namespace wheelrail
 
 
   const Slices::Slice &
-  slice_of_start(const Scene &scene, const Slices &slices)
+  slice_of_start(const ProfileSettings &scene, const Slices &slices)
   {
     return *std::min_element(
       slices.slices.begin(), slices.slices.end(), [&](const Slices::Slice &a, const Slices::Slice &b) {
@@ -64,7 +64,7 @@ namespace wheelrail
 
 
   SectionsSurface
-  read_rail_slices(const Scene              &scene,
+  read_rail_slices(const ProfileSettings    &scene,
                    const std::string        &entry,
                    const std::string        &path,
                    const Placement          &placement,

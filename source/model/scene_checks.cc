@@ -262,7 +262,7 @@ namespace wheelrail
 
 
   double
-  free_rail(const Scene &scene, const double patch_length)
+  free_rail(const MeshSettings &scene, const double patch_length)
   {
     const double reach = 0.7 * patch_length;
     return std::max(0.1, std::ceil(1e3 * (reach + scene.fine_margin + 3 * scene.coarse_cell_size)) / 1e3);

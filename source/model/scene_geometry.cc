@@ -38,7 +38,10 @@ namespace wheelrail
 
     /// The entry that names a profile: of the left-hand wheel of a wheelset by itself where it differs.
     std::string
-    entry_of(const Scene &scene, const std::string &name, const std::string &path, const std::string &left)
+    entry_of(const WheelsetSettings &scene,
+             const std::string      &name,
+             const std::string      &path,
+             const std::string      &left)
     {
       return "Profiles/" + name + (scene.left_wheel && path == left ? " left" : "");
     }
@@ -50,7 +53,7 @@ namespace wheelrail
     }
 
     RailProfile
-    rail_of(const Scene &scene, const MeasuredProfile &measured, std::vector<std::string> &notes)
+    rail_of(const ProfileSettings &scene, const MeasuredProfile &measured, std::vector<std::string> &notes)
     {
       return measured_rail(measured, scene.rail_body, notes);
     }

@@ -50,7 +50,7 @@ namespace wheelrail
     }
 
     std::string
-    kilometres_per_hour(const Scene &scene)
+    kilometres_per_hour(const WheelsetSettings &scene)
     {
       return shown(3.6 * scene.velocity) + " km/h";
     }
@@ -67,7 +67,7 @@ namespace wheelrail
 
     /// Load, speed and pose.
     std::string
-    running(const Scene &scene, const double wheel_load)
+    running(const WheelsetSettings &scene, const double wheel_load)
     {
       std::string text = wheel_load > 0 ? "wheel load " + shown(1e-3 * wheel_load) + " kN, " : "";
       text += kilometres_per_hour(scene);
@@ -102,7 +102,7 @@ namespace wheelrail
     /// "sleepers every 600 mm, pads of 300 MN/m, sleepers of 160 kg on ballast of 50 MN/m; a long rail sinks
     /// by about 1.2 mm". `wheel_load` [N].
     std::string
-    rail_support(const Scene &scene, const double wheel_load)
+    rail_support(const TrackSettings &scene, const double wheel_load)
     {
       const SupportData &support = scene.support;
       if (support.kind == RailSupport::clamped_foot)
@@ -122,7 +122,7 @@ namespace wheelrail
     }
 
     std::string
-    friction(const Scene &scene)
+    friction(const ContactSettings &scene)
     {
       const std::string at_rest = "friction " + shown(scene.friction.at(0));
       if (scene.friction.kind == FrictionKind::constant)

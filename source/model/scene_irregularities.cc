@@ -33,7 +33,7 @@ namespace wheelrail
     };
 
     Irregularity
-    from_slices(const Scene            &scene,
+    from_slices(const ProfileSettings  &scene,
                 const IrregularityData &data,
                 const TouchingProfiles &profiles,
                 const ShapePlace       &at)
@@ -50,7 +50,7 @@ namespace wheelrail
     }
 
     Irregularity
-    from_file(const Scene              &scene,
+    from_file(const ProfileSettings    &scene,
               const IrregularityData   &data,
               const TouchingProfiles   &profiles,
               const ShapePlace         &at,
@@ -88,7 +88,7 @@ namespace wheelrail
     }
 
     Irregularity
-    make_shape(const Scene              &scene,
+    make_shape(const ProfileSettings    &scene,
                const IrregularityData   &data,
                const TouchingProfiles   &profiles,
                const ShapePlace         &at,

@@ -10,7 +10,7 @@ namespace wheelrail
 
 
   double
-  mean_bulk_modulus(const Scene &scene)
+  mean_bulk_modulus(const SteelSettings &scene)
   {
     return 0.5 *
            (elasticity(scene.rail_material).bulk_modulus() + elasticity(scene.wheel_material).bulk_modulus());

@@ -16,7 +16,7 @@ namespace wheelrail
   {
     /// The axle of the scene at rest and without weight.
     AxleData
-    axle_at_rest(const Scene &scene, const SceneGeometry &geometry)
+    axle_at_rest(const WheelsetSettings &scene, const SceneGeometry &geometry)
     {
       AxleData axle;
       axle.centre        = geometry.contact.pose.centre();
@@ -63,7 +63,7 @@ namespace wheelrail
 
 
   BlowRecord
-  strike(const Scene                       &scene,
+  strike(const RunSettings                 &scene,
          LoneBody                          &body,
          const std::vector<HammerFace>     &faces,
          const double                       duration,

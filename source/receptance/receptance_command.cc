@@ -102,7 +102,7 @@ namespace wheelrail
     }
 
     void
-    print_start(const Scene             &scene,
+    print_start(const TrackSettings     &scene,
                 const LoneBody          &body,
                 const ReceptanceOptions &options,
                 const RailPlaces        &places,

@@ -79,7 +79,7 @@ namespace wheelrail
       void
       write() const;
       void
-      require_same(const Scene &one, const std::string &parameters) const;
+      require_same(const OutputSettings &one, const std::string &parameters) const;
       unsigned int
       of_round() const
       {
@@ -118,7 +118,7 @@ namespace wheelrail
 
     /// A finished passage may only be kept where it is the one that is asked for.
     void
-    Passages::require_same(const Scene &one, const std::string &parameters) const
+    Passages::require_same(const OutputSettings &one, const std::string &parameters) const
     {
       on_root(communicator_, [&]() {
         const std::string path  = one.folder + "/parameters.prm";

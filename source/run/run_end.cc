@@ -172,7 +172,7 @@ namespace wheelrail
 
     /// A band of plastic flow that reaches below the fine cells; empty where it does not.
     std::string
-    flow_below_fine_cells(const Scene &scene, const Summary &summary)
+    flow_below_fine_cells(const MeshSettings &scene, const Summary &summary)
     {
       const double band = get_figure(summary, "plastic_band_depth_m"), fine = scene.depth_of_fine_cells();
       if (!(band > fine + scene.cell_size)) // where cell sizes meet, fine ones go on for a cell

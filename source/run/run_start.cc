@@ -19,7 +19,7 @@ namespace wheelrail
   {
     /// Whether the scene starts without this part of steady rolling.
     bool
-    without(const Scene &scene, const StartState part)
+    without(const RunSettings &scene, const StartState part)
     {
       return scene.start == part || scene.start == StartState::normal_load;
     }

@@ -125,7 +125,7 @@ namespace wheelrail
 
   void
   write_path_on(Log               &log,
-                const Scene       &scene,
+                const RunSettings &scene,
                 const std::string &folder,
                 const Stop        &stop,
                 const double      *saved,
@@ -149,7 +149,11 @@ namespace wheelrail
 
 
   void
-  add_pose(Summary &summary, const Scene &scene, const Model &model, const Axle &axle, MPI_Comm communicator)
+  add_pose(Summary                &summary,
+           const WheelsetSettings &scene,
+           const Model            &model,
+           const Axle             &axle,
+           MPI_Comm                communicator)
   {
     PoseQuery query;
     query.axle_reference = model.axle.centre;

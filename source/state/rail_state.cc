@@ -21,7 +21,7 @@ namespace wheelrail
     const char *const file_name = "/rail.h5";
 
     std::string
-    in_words(const Scene &scene)
+    in_words(const RunSettings &scene)
     {
       return "Run/Rail = " + scene.rail_from + ": ";
     }

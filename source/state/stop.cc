@@ -13,7 +13,7 @@ namespace wheelrail
 
 
   std::string
-  obstacle_of_stop(const Stop &stop, const double saved_distance, const Scene &scene)
+  obstacle_of_stop(const Stop &stop, const double saved_distance, const RunSettings &scene)
   {
     if (stop.cure.empty() || scene.path() < stop.rolled_distance)
       return "";

@@ -8,7 +8,7 @@
 namespace wheelrail
 {
   TrackData
-  track_data(const Scene &scene, const double farther)
+  track_data(const TrackSettings &scene, const double farther)
   {
     const SupportData &support = scene.support;
     TrackData          track;

@@ -22,7 +22,7 @@ namespace wheelrail
   {
     /// Without load there are no forces, and no place of a patch.
     Summary
-    no_contact(const Scene &scene)
+    no_contact(const WheelsetSettings &scene)
     {
       Summary summary;
       summary.finished           = true;

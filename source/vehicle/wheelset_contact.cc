@@ -167,7 +167,7 @@ namespace wheelrail
 
     /// `fine` and `coarse`: the wheelset with bodies and elements of its scene, and see coarse_halfspaces().
     WheelsetSolution
-    solve_balanced(const Scene &scene, const PosedWheelset &fine, const PosedWheelset &coarse)
+    solve_balanced(const WheelsetSettings &scene, const PosedWheelset &fine, const PosedWheelset &coarse)
     {
       std::optional<WheelsetSolution> last; // in the pose that was tried last
       const auto                      missed = [&](const PosedWheelset &wheelset) {

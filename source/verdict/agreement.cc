@@ -50,7 +50,7 @@ namespace wheelrail
 
 
   std::string
-  agreement_sentence(const Scene &scene, const Measures &m, const Verdict &verdict)
+  agreement_sentence(const MeshSettings &scene, const Measures &m, const Verdict &verdict)
   {
     std::string sentence = agreement(m, verdict);
     std::string facts;

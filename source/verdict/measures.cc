@@ -45,7 +45,10 @@ namespace wheelrail
 
 
   std::string
-  steel_doubt(const Scene &scene, const double peak_pressure, const double traction, const bool computed)
+  steel_doubt(const SteelSettings &scene,
+              const double         peak_pressure,
+              const double         traction,
+              const bool           computed)
   {
     Steel weakest{"", std::numeric_limits<double>::infinity()};
     for (const MaterialData *material : {&scene.rail_material, &scene.wheel_material})

@@ -34,7 +34,7 @@ namespace wheelrail
     /// What cells and penalty leave open of the peak pressure: its interval, where it has one, else what both
     /// take by the laws of Measures.
     void
-    judge_peak(const Scene &scene, const Measures &m, Verdict &verdict)
+    judge_peak(const MeshSettings &scene, const Measures &m, Verdict &verdict)
     {
       const bool   known = std::isfinite(m.peak.within) && m.peak.cause != "measured input";
       const double lost  = m.lost(known || std::isfinite(m.bodies_difference));
@@ -68,7 +68,7 @@ namespace wheelrail
 
     /// Plastic strain is of first order in the cell.
     void
-    judge_strain(const Scene &scene, const Measures &m, Verdict &verdict)
+    judge_strain(const MeshSettings &scene, const Measures &m, Verdict &verdict)
     {
       // 3.2, 4.2e-3 on cells of 2, 1 mm (material.md, paper.md), thus 5.2e-3 at last
       if (const double loss = 2.5 / m.cells; m.has_yielded() && loss > most_strain_loss)

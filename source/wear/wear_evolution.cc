@@ -22,7 +22,7 @@ namespace wheelrail
     }
 
     double
-    circumference(const Scene &scene)
+    circumference(const TrackSettings &scene)
     {
       return 2 * M_PI * scene.track.nominal_radius;
     }
@@ -45,7 +45,7 @@ namespace wheelrail
     }
 
     double
-    conicity_of(const SceneProfiles &profiles, const Scene &scene)
+    conicity_of(const SceneProfiles &profiles, const TrackSettings &scene)
     {
       constexpr double amplitude = 3e-3;
       return equivalent_conicity(

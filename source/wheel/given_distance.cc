@@ -179,14 +179,14 @@ namespace wheelrail
 
 
   bool
-  distance_is_given(const Scene &scene)
+  distance_is_given(const HalfspaceSettings &scene)
   {
     return scene.halfspace_distance != "profiles";
   }
 
 
   bool
-  needs_profiles(const Scene &scene)
+  needs_profiles(const HalfspaceSettings &scene)
   {
     return !distance_is_given(scene) || (scene.halfspace_distance != "rollers" &&
                                          scene.halfspace_normal_force == 0 && scene.halfspace_approach == 0);

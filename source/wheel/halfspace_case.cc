@@ -44,7 +44,7 @@ namespace wheelrail
 
 
   SectionOffsets
-  scene_offsets(const Scene &scene)
+  scene_offsets(const HalfspaceSettings &scene)
   {
     return {scene.halfspace_lateral, -scene.halfspace_inclination, 0};
   }

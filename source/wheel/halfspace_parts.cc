@@ -137,7 +137,7 @@ namespace wheelrail
 
 
   std::string
-  resolution_note(const Scene &scene, const HalfspaceSolution &solution)
+  resolution_note(const HalfspaceSettings &scene, const HalfspaceSolution &solution)
   {
     const int    n      = elements_across(solution);
     const double wanted = scene.halfspace_element_size, used = solution.grid.dx;

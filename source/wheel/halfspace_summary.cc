@@ -21,7 +21,7 @@ namespace wheelrail
   namespace
   {
     void
-    add_reference(const Scene             &scene,
+    add_reference(const WheelsetSettings  &scene,
                   const WheelRailSolution &result,
                   const bool               determined,
                   Summary                 &summary)
@@ -60,7 +60,7 @@ namespace wheelrail
 
     /// Whether a patch under a force that is asked for slides as a whole, or as good as.
     bool
-    slides(const Scene &scene, const HalfspaceSolution &s)
+    slides(const WheelsetSettings &scene, const HalfspaceSolution &s)
     {
       return !s.within_friction || (scene.drive == Drive::torque && scene.traction_coefficient != 0 &&
                                     s.adhesion_area == 0 && s.slip_area > 0);

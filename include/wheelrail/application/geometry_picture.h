@@ -15,8 +15,8 @@ namespace wheelrail
   ///
   /// Throws RunError when a file cannot be written or the script fails.
   void
-  draw_profiles(const Scene         &scene,
-                const SceneGeometry &geometry,
-                const std::string   &name,
-                std::ostream        &out);
+  draw_profiles(const ProfileSettings &scene,
+                const SceneGeometry   &geometry,
+                const std::string     &name,
+                std::ostream          &out);
 } // namespace wheelrail

@@ -45,8 +45,8 @@ namespace wheelrail
   /// The entry that says how far the wheel rolls at most, Run/Rolling distance or Run/Longest distance:
   /// "Run/Longest distance".
   std::string
-  path_entry(const Scene &scene);
+  path_entry(const RunSettings &scene);
   /// The same with the distance: "Run/Longest distance = 60 mm".
   std::string
-  path_text(const Scene &scene);
+  path_text(const RunSettings &scene);
 } // namespace wheelrail

@@ -45,16 +45,16 @@ namespace wheelrail
   template <typename T>
   using Field = std::function<T &(Scene &)>;
 
-  template <typename T>
+  template <typename Settings, typename T>
   Field<T>
-  field(T Scene::*member)
+  field(T Settings::*member)
   {
     return [member](Scene &scene) -> T & { return scene.*member; };
   }
 
-  template <typename Part, typename T>
+  template <typename Settings, typename Part, typename T>
   Field<T>
-  field(Part Scene::*part, T Part::*member)
+  field(Part Settings::*part, T Part::*member)
   {
     return [part, member](Scene &scene) -> T & { return scene.*part.*member; };
   }

@@ -18,11 +18,11 @@ namespace wheelrail
 
   /// E* of Hertz's theory, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 [Pa].
   double
-  contact_modulus(const Scene &scene);
+  contact_modulus(const SteelSettings &scene);
 
   /// Weight of half axle and a wheel of usual mass (320 kg) [N].
   double
-  expected_unsprung_weight(const Scene &scene);
+  expected_unsprung_weight(const WheelsetSettings &scene);
 
   /// What to say of a Wheelset/Wheel load below the weight of wheel and half axle, `unsprung` [N].
   std::string
@@ -31,7 +31,7 @@ namespace wheelrail
   /// Load on one rail: Wheelset/Wheel load, or the weight of sprung mass, half axle and a wheel of usual mass
   /// [N].
   double
-  expected_load(const Scene &scene);
+  expected_load(const WheelsetSettings &scene);
 
   /// Approach of Hertz's theory (1882), proportional to (F^2 / (R E*^2))^(1/3), scaled from steel, a
   /// radius of 460 mm and 100 kN, which have about 0.1 mm [m].

@@ -32,7 +32,7 @@ namespace wheelrail
   };
 
   TimeScheme
-  time_scheme(const Scene &scene, const Model &model);
+  time_scheme(const RunSettings &scene, const Model &model);
 
   /// Where the fine zone lies and how the sections are swept. Throws InputError and RunError as
   /// make_sweep_plan() does.
@@ -47,12 +47,12 @@ namespace wheelrail
   /// Whether the window has to move on, when the wheel's contact is at these places of rail and wheel, see
   /// follow(); moves it, and finds the columns that stay fine. Collective.
   bool
-  move_window(const Scene &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator);
+  move_window(const MeshSettings &scene, Model &model, const PerBody<double> &place, MPI_Comm communicator);
 
   /// Keeps the columns of blocks fine in which a body has flowed, and no others, unless Mesh/Behind the wheel
   /// makes all coarse. Collective.
   void
-  keep_flowed(const Scene &scene, Model &model, Body body, MPI_Comm communicator);
+  keep_flowed(const MeshSettings &scene, Model &model, Body body, MPI_Comm communicator);
 
   /// Gives the window a longer path [m]; whether that changes the range of the finest cells.
   bool

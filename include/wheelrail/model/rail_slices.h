@@ -12,11 +12,11 @@ namespace wheelrail
 {
   /// The slices of a rail, turned as the scene asks. Throws InputError.
   Slices
-  turned_slices(const Scene &scene, const std::string &path);
+  turned_slices(const ProfileSettings &scene, const std::string &path);
 
   /// The slice nearest to where the path begins.
   const Slices::Slice &
-  slice_of_start(const Scene &scene, const Slices &slices);
+  slice_of_start(const ProfileSettings &scene, const Slices &slices);
 
   /// The gap between two rails one behind the other along the slices [m]; infinitely far for one rail. Throws
   /// InputError for rails beside each other and for a path that leaves the slices.
@@ -26,7 +26,7 @@ namespace wheelrail
   /// The surface of a rail that an entry of a scene gives by slices, in `placement`; see SectionsSurface.
   /// Jumps of its arc length are told in `notes`. Throws InputError that names the entry.
   SectionsSurface
-  read_rail_slices(const Scene              &scene,
+  read_rail_slices(const ProfileSettings    &scene,
                    const std::string        &entry,
                    const std::string        &path,
                    const Placement          &placement,

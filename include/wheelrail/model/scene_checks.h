@@ -19,7 +19,7 @@ namespace wheelrail
   /// Rail that a scene needs before its start and beyond the end of its path [m]: the stress field below a
   /// patch of 13 mm reaches some 50 mm, and a few coarse cells must lie beyond the fine ones.
   double
-  free_rail(const Scene &scene, double patch_length);
+  free_rail(const MeshSettings &scene, double patch_length);
 
   /// The checks between entries (cross_checks()), then those of the entries with the contact of the rigid
   /// profiles and with the machine (what is unknown of it is not checked). Reads the profiles. Throws nothing

@@ -11,7 +11,7 @@ namespace wheelrail
 
   /// Mean bulk modulus of rail and wheel [Pa], which the penalty law is made of (make_law()).
   double
-  mean_bulk_modulus(const Scene &scene);
+  mean_bulk_modulus(const SteelSettings &scene);
 
   /// Its material law.
   MaterialLaw

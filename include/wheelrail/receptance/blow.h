@@ -43,7 +43,7 @@ namespace wheelrail
   /// The blow on `faces[0]`, observed at all of them for `duration` [s], at steps of some 20 us; `report` is
   /// called with the share that is done. Collective.
   BlowRecord
-  strike(const Scene                       &scene,
+  strike(const RunSettings                 &scene,
          LoneBody                          &body,
          const std::vector<HammerFace>     &faces,
          double                             duration,

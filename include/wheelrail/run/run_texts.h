@@ -41,7 +41,7 @@ namespace wheelrail
   /// own, or that of all passages; where that would only stop again at the same place, what helps.
   void
   write_path_on(Log               &log,
-                const Scene       &scene,
+                const RunSettings &scene,
                 const std::string &folder,
                 const Stop        &stop,
                 const double      *saved,
@@ -51,5 +51,9 @@ namespace wheelrail
   /// Adds the rigid motions of rail head and wheel rim near the contact to the figures of a run, see
   /// fit_pose(). Collective.
   void
-  add_pose(Summary &summary, const Scene &scene, const Model &model, const Axle &axle, MPI_Comm communicator);
+  add_pose(Summary                &summary,
+           const WheelsetSettings &scene,
+           const Model            &model,
+           const Axle             &axle,
+           MPI_Comm                communicator);
 } // namespace wheelrail

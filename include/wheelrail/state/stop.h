@@ -24,5 +24,5 @@ namespace wheelrail
   /// Why a run that has been stopped so, whose last state has rolled `saved_distance` [m], would stop there
   /// again with the entries of `scene`, and what helps; empty when it would not.
   std::string
-  obstacle_of_stop(const Stop &stop, double saved_distance, const Scene &scene);
+  obstacle_of_stop(const Stop &stop, double saved_distance, const RunSettings &scene);
 } // namespace wheelrail

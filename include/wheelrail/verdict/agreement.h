@@ -10,7 +10,7 @@ namespace wheelrail
   /// what that is made of, and why half-spaces are no full reference where they are none. The verdict stands
   /// beside it, see judge_run().
   std::string
-  agreement_sentence(const Scene &scene, const Measures &measures, const Verdict &verdict);
+  agreement_sentence(const MeshSettings &scene, const Measures &measures, const Verdict &verdict);
 
   /// Where half-spaces are no full reference and the peak differs by more than a tenth: a sentence that says
   /// so and why, which is no fault of the run; empty otherwise.

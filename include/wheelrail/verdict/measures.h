@@ -131,7 +131,7 @@ namespace wheelrail
   /// the weaker of both, under a peak pressure [Pa] with a traction T/N; empty: none is. `computed`: bodies
   /// that yield in the result are left out, as in a run.
   std::string
-  steel_doubt(const Scene &scene, double peak_pressure, double traction, bool computed);
+  steel_doubt(const SteelSettings &scene, double peak_pressure, double traction, bool computed);
 
   /// The size of cells [m] that leaves the peak pressure uncertain by `wanted` at most where `size` leaves it
   /// by `within`, with the second power of the size: halved from `size` on, as meshes are.

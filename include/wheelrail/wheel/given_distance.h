@@ -6,12 +6,12 @@ namespace wheelrail
 {
   /// Whether the scene's Half-space/Undeformed distance is hertz, rollers or a file.
   bool
-  distance_is_given(const Scene &scene);
+  distance_is_given(const HalfspaceSettings &scene);
 
   /// Whether the half-spaces of a scene need wheel and rail in touch: for their distance or for the weight of
   /// the wheel.
   bool
-  needs_profiles(const Scene &scene);
+  needs_profiles(const HalfspaceSettings &scene);
 
   /// Solves steady rolling with the undeformed distance of Half-space/Undeformed distance: Hertzian
   /// (Hertz, 1882), of rollers (roller_distance.h) or from a file. Normal force (auto: static wheel load of

@@ -109,7 +109,7 @@ namespace wheelrail
 
   /// Offsets of the scene's subsection Half-space.
   SectionOffsets
-  scene_offsets(const Scene &scene);
+  scene_offsets(const HalfspaceSettings &scene);
 
   /// Solves the contact of the profiles in steady rolling by half-spaces, in one plane or, where the wheel
   /// has contacts in planes that differ by more than 0.1 (separate_regions()), each in its own. The

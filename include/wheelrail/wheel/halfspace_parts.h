@@ -47,7 +47,7 @@ namespace wheelrail
   /// The note on the elements of a solution: that they were made smaller than those of the
   /// scene, or are still too coarse; empty otherwise.
   std::string
-  resolution_note(const Scene &scene, const HalfspaceSolution &solution);
+  resolution_note(const HalfspaceSettings &scene, const HalfspaceSolution &solution);
 
   /// solve_rolling(). Where friction does not carry the longitudinal force that is asked for the whole patch
   /// slides, with tractions at their bound against the slip: that of a locked wheel when braking (creepage
