@@ -338,6 +338,10 @@ namespace
        {{"  203100 ", "  201100 "}, {"   180.d   0.2   1000.          CHI, DQ, VELOC\n", ""}},
        "22: no case has stated CHI, DQ and VELOC, which rolling (T = 2, 3) needs; set C = 2 and state them"},
       {basic,
+       {{"  022020", "  622020"}, {"   0.4013  0.4013", "   0.4 20. 0. 0."}},
+       "8: FREF or DTHEAT, the friction and the range of temperatures over which it changes, is not "
+       "positive"},
+      {basic,
        {{"  203100 ", "  203103 "}, {"   6 7 8\n", "   6 7 8\n 2 4\n 4\n"}},
        "21: ISUBS = 4 is unknown; 1, 2, 3, 5, 6, 7, 9 (points below the surface) or 0 (no more) is needed"},
       {basic,

@@ -36,6 +36,7 @@ namespace
     straight.scene.lateral_creepage = 0;
     straight.scene.motion           = "none"; // its file is not there
     straight.scene.left_wheel       = false;  // the mesh at the other shift needs other sizes
+    straight.scene.second_rail      = "none"; // beside a rail of one section
     straight.scene.planned_strip.clear();     // nor that strip
     straight.scene.irregularities   = {};     // longer than its path
     straight.scene.halfspace_bodies = ContactBodies::half_spaces; // which take a pose by hand

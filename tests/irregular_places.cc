@@ -1,6 +1,7 @@
 // A wheel at rest on irregular surfaces, by half-spaces: CONTACT's wheel with a rounded flat, smooth surfaces
 // that are written into files, a hollow whose contact is known in closed form.
 #include "reference_table.h"
+#include "slices_files.h"
 
 #include <wheelrail/geometry/irregular_shapes.h>
 #include <wheelrail/model/expected_patch.h>
@@ -64,30 +65,6 @@ namespace
     return geometry;
   }
 
-  /// The slices of CONTACT's wheel, written as its own files are.
-  void
-  write_flat(const std::string &name)
-  {
-    std::ofstream slices(name);
-    const auto    rows = test::read_table("rounded_flat_slices.csv");
-    slices << "% cylinder with a flat\n\n 0.000 1 TH_OFFSET [usr], TH_SCALE [rad/usr]\n " << rows.size()
-           << " NSLC\n 0 0 0 NFEAT, NKINK, NACCEL\n 2 TH_INTPOL (1=intpol, 2=approx)\n";
-    char line[80];
-    for (std::size_t k = 0; k < rows.size(); ++k)
-      {
-        const std::string file = "flat_" + std::to_string(k + 1) + ".txt";
-        slices << rows[k][0] << " '" << file << "'\n";
-        std::ofstream points(file);
-        for (int i = 0; i <= 130; ++i)
-          {
-            const double y = -30.20927 + 0.464758 * i;
-            std::snprintf(
-              line, sizeof line, "%.6f %.6f\n", y, std::min(0., y * y / 600 - std::stod(rows[k][1])));
-            points << line;
-          }
-      }
-  }
-
   Scene
   scene_of_contact()
   {
@@ -105,7 +82,7 @@ namespace
   void
   test_rounded_flat()
   {
-    write_flat("flat.slcw");
+    test::write_flat("flat.slcw");
     Scene scene                  = scene_of_contact();
     scene.irregularities[0].kind = IrregularKind::file;
     scene.irregularities[0].file = "flat.slcw";

@@ -3,6 +3,7 @@
 // What the program answers to faulty slices of a rail along the track, word by word.
 
 #include "messages.h"
+#include "slices_files.h"
 
 #include <wheelrail/application/command_line.h>
 #include <wheelrail/sections/touching_places.h>
@@ -167,6 +168,30 @@ namespace
                "which reach from 0 mm to 80 mm; begin it elsewhere, or roll a shorter Run/Rolling "
                "distance",
                "a path that leaves the slices");
+    const std::string second = "Profiles/Second rail = behind.slcs", before = "Profiles/Rail = before.slcs",
+                      place = "Profiles/Rail place = -24 mm";
+    check_text(
+      validated({before, second, place, "Mesh/Solution cell size = 4 mm", "Mesh/Fine margin = 4 mm"}),
+      "--set: Profiles/Second rail = behind.slcs: the gap of 2 mm in front of it is narrower than a "
+      "cell; take Mesh/Solution cell size = 0.5 mm",
+      "a gap narrower than a cell");
+    const auto noted = [&](const std::vector<std::string> &sets, const std::string &note) {
+      out.str("");
+      check_text(validated(sets), "no message", note);
+      check(out.str().find(note) != std::string::npos, "is said: " + note);
+    };
+    noted({before, second, place},
+          "Profiles/Second rail = behind.slcs: the gap of 2 mm in front of it is fewer than four cells wide: "
+          "it ends up to half a cell off");
+    noted({"Profiles/Rail = sinking.slcs"},
+          "Profiles/Rail = sinking.slcs: its section changes where the run starts: the surface goes over to "
+          "the slices between 10 mm and 60 mm");
+    check_text(
+      validated({"Profiles/Rail = deep.slcs"}),
+      "--set: Profiles/Rail = deep.slcs: between -100 mm and 160 mm its sections do not lie over each other "
+      "5 mm on both sides of the contact, or are more than 12 mm apart: such a rail is for --places "
+      "of geometry and halfspace",
+      "sections far apart");
     std::string printed;
     check_text(geometry({"Profiles/Rail = jump.slcs"}, "90 mm", &printed), "no message", "away from a jump");
     const std::string warning =
@@ -195,13 +220,40 @@ main()
   write("aside.slcs", slices(std::vector<std::string>(5, "aside.txt"), "0 0 0"));
   write("jump.slcs",
         slices({"even.txt", "even.txt", "wide.txt", "wide.txt", "wide.txt", "wide.txt"}, "0 0 0"));
+  const auto head = [](const std::string &name, const double down) {
+    std::vector<Point2> points = test::head_points();
+    for (Point2 &p : points)
+      p.y += down;
+    test::write_points(name, points);
+  };
+  head("head.txt", 0);
+  head("sunk.txt", 1);
+  head("deep.txt", 14);
+  test::write_slices("before.slcs", "head.txt", -200, 0);
+  test::write_slices("behind.slcs", "head.txt", 2, 200);
+  const auto changing =
+    [](const std::string &last) { // slices from -200 mm on each 50 mm, another one from 0 on
+      std::string file = "0 1 U_OFFSET U_SCALE\n9 NSLC\n0 0 0 NFEAT NKINK NACCEL\n1 U_INTPOL\n";
+      for (int k = 0; k < 9; ++k)
+        file += std::to_string(50 * k - 200) + " '" + (k < 4 ? "head.txt" : last) + "'\n";
+      return file;
+    };
+  write("sinking.slcs", changing("sunk.txt"));
+  write("deep.slcs", changing("deep.txt"));
   write("plain.prm", "set Title = plain\n");
   write("slices.prm", "subsection Profiles\n  set Rail = good.slcs\nend\n");
   answers(slices({"even.txt", "even.txt", "mirrored.txt", "even.txt"}, "0 0 0"),
           "slice 3 lies mirrored to the slice before; y of all slices points to the field side");
   std::string approximating = slices(even, "0 0 0");
   approximating.replace(approximating.find("1 U_INTPOL"), 1, "2");
-  answers(approximating, "U_INTPOL = 2; of a rail only 1 (interpolation along the track) is read");
+  std::string uneven = approximating;
+  answers(uneven.replace(uneven.find("\n20 '"), 4, "\n25 "),
+          "U_INTPOL = 2 (an approximating spline) on slices that are not equally far apart");
+  std::string ends = slices(std::vector<std::string>(6, "even.txt"),
+                            "3 0 0",
+                            "0 0 40 999\n20 0 40 999\n40 0 40 999\n60 0 40 999\n80 0 40 -1\n100 0 40 -1\n");
+  answers(ends.replace(ends.find("1 U_INTPOL"), 1, "2"),
+          "U_INTPOL = 2 (an approximating spline) with parts that begin or end");
   test_features(even);
   test_commands();
   return test::report();

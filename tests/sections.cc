@@ -2,7 +2,7 @@
 // rails, slopes along the track, and CONTACT's results on an artificial nose and wing and on a crossing.
 #include "manchester.h"
 #include "reference_table.h"
-#include "slices_of_head.h"
+#include "slices_files.h"
 
 #include <wheelrail/model/scene_geometry.h>
 #include <wheelrail/planes/wheel_on_rail.h>
@@ -46,7 +46,7 @@ namespace
   void
   plain_rail()
   {
-    write_points("head.txt", head_points());
+    test::write_points("head.txt", head_points());
     write_slices("plain.slcs", "head.txt", -200, 300);
     ProfileFileOptions options;
     options.noise  = 0;
@@ -214,38 +214,6 @@ namespace
     check_near(1e6 * norm(a - b), 0, 0.1, "the first part where the second begins [um]");
   }
 
-  /// The slices of an artificial part of nose_wing_sections.csv.
-  void
-  write_part(const std::string &part)
-  {
-    std::vector<Point2> last;
-    for (const auto &row : test::read_table("nose_wing_sections.csv"))
-      if (row[0] == part)
-        last.push_back({std::stod(row[1]), std::stod(row[2])});
-    const bool    nose = part == "nose";
-    std::ofstream out(part + ".slcs");
-    out.precision(10);
-    out << "0 1 U_OFFSET U_SCALE\n21 NSLC\n5 0 0 NFEAT NKINK NACCEL\n1 U_INTPOL\n";
-    for (int k = 0; k < 21; ++k)
-      {
-        std::vector<Point2> points = last;
-        if (nose)
-          points.resize(506 + 10 * k);
-        else
-          points.erase(points.begin(), points.end() - (526 + 5 * k));
-        for (Point2 &p : points)
-          p = p + Point2{nose ? 0. : k - 20., nose ? 20. - k : 0.};
-        const std::string file = part + std::to_string(k) + ".txt";
-        write_points(file, points);
-        out << (nose ? -100 : 0) + 10 * k << " '" << file << "'\n";
-      }
-    for (int k = 0; k < 21; ++k)
-      if (nose)
-        out << -100 + 10 * k << " 0 33.0541 50.9076 87.0158 299\n";
-      else
-        out << 10 * k << " 0 " << 3.9267 + k << ' ' << 43.0894 + k << ' ' << 68.7971 + k << " 299\n";
-  }
-
   void
   write_crossing()
   {
@@ -260,7 +228,7 @@ namespace
     out << "0 1 U_OFFSET U_SCALE\n" << slices.size() << " NSLC\n0 0 0 NFEAT NKINK NACCEL\n1 U_INTPOL\n";
     for (const auto &[place, points] : slices)
       {
-        write_points("crossing_" + place + ".txt", points);
+        test::write_points("crossing_" + place + ".txt", points);
         out << place << " 'crossing_" << place << ".txt'\n";
       }
   }
@@ -360,8 +328,8 @@ namespace
     std::map<std::string, Rows> cases;
     for (const auto &row : test::read_table("contact_crossing.csv"))
       cases[row[example] + " " + row[number]].push_back(row);
-    write_part("nose");
-    write_part("wing");
+    test::write_part("nose");
+    test::write_part("wing");
     write_crossing();
     const std::map<std::string, std::vector<SectionsSurface>> rails = {
       {"cross_brute", {surface_of("nose.slcs")}},

@@ -4,7 +4,7 @@
 // from one rail to the other.
 #include "between_rows.h"
 #include "parallel.h"
-#include "slices_of_head.h"
+#include "slices_files.h"
 #include "stopped_runs.h"
 
 #include <wheelrail/output/hdf5_file.h>

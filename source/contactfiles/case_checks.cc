@@ -32,8 +32,6 @@ namespace wheelrail
         fail(one, second, "L = 6 (friction by temperature) needs H = 1 or 3 and none of M = 2, 3, 5");
       if (d.heat == 3 && d.motion != 0 && d.motion != 3)
         fail(one, third, "H = 3 (heat) needs T = 0 (no friction) or 3 (steady rolling)");
-      if (d.heat != 0 && one.material.heat.size() != 8)
-        fail(one, third, "no case has stated how the bodies conduct heat; set H = 3 and state it");
       if (one.written.law == 1 && before && d.variation != before->digits.variation)
         fail(one, second, "the digit V may not change where L = 1 keeps the friction of the case before");
       if (!basic && d.forces == 1 && d.normal != 1)

@@ -3,6 +3,7 @@
 #include <wheelrail/contactfiles/contact_slices.h>
 #include <wheelrail/profiles/slices_file.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -25,11 +26,12 @@ namespace wheelrail
 
 
   ProfileLine
-  section_at(const SectionsSurface &slices, const double place)
+  section_at(const SectionsSurface &slices, const double place, const bool wheel)
   {
     const SectionColumn column = slices.column(place);
     if (column.empty())
-      throw InputError(slices.path() + text(": nothing is at %g mm", 1e3 * place));
+      throw InputError(slices.path() + ": nothing is at " +
+                       (wheel ? text("%.4g degrees", place * 180 / M_PI) : text("%g mm", 1e3 * place)));
     slices.refuse_jump(place);
     std::vector<Point2> points;
     for (const Point2 &p : column.points()) // there y to the track centre and z up

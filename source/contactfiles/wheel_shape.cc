@@ -24,7 +24,7 @@ namespace wheelrail
       {
         // the wheel has turned by the pitch; around it sections begin anew
         const double angle = std::remainder(k * step_ - pitch, 2 * M_PI);
-        columns_.push_back(section_at(*slices, angle));
+        columns_.push_back(section_at(*slices, angle, true));
         if (columns_.back().end() != columns_.front().end())
           throw InputError(slices->path() +
                            ": parts of the wheel begin or end between slices; all need the same");

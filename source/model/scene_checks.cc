@@ -61,11 +61,9 @@ namespace wheelrail
                                  text("%.0f %%", 100 * lost) + "; raise it for results");
       else if (lost > scene.wanted_accuracy)
         found.warnings.push_back(entry_text(scene, "Mesh", "Solution cell size") + ": coarse; " + size +
-                                 text(", some %.1f cells in one direction, so the peak pressure will be "
-                                      "uncertain by about %.0f %%; take ",
-                                      expected.cells,
-                                      100 * lost) +
-                                 advised + " for results");
+                                 text(", some %.1f cells", expected.cells) +
+                                 " in one direction, so the peak pressure will be uncertain by about " +
+                                 text("%.0f %%; take ", 100 * lost) + advised + " for results");
     }
 
     std::string

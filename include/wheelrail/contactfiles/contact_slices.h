@@ -14,5 +14,5 @@ namespace wheelrail
 
   /// Its section at a place [m] or an angle [rad]. Throws InputError where there is none.
   ProfileLine
-  section_at(const SectionsSurface &slices, double place);
+  section_at(const SectionsSurface &slices, double place, bool wheel = false);
 } // namespace wheelrail
