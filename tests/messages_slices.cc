@@ -64,7 +64,7 @@ namespace
       words.insert(words.end(), {"--set", set});
     const RunFunction  run = [](const Scene &, const SceneGeometry &, const RunOptions &) { return 0; };
     std::ostringstream out;
-    const std::string  message = message_of([&]() { execute(words, run, out); });
+    std::string        message = message_of([&]() { execute(words, run, out); });
     if (printed != nullptr)
       *printed = out.str();
     return message;
@@ -146,7 +146,7 @@ namespace
                "give --places "
                "\"0:600:20 mm\"",
                "halfspace without --places");
-    const auto validated = [&](std::vector<std::string> sets) {
+    const auto validated = [&](const std::vector<std::string> &sets) {
       std::vector<std::string> words{"run", "plain.prm", "--validate"};
       for (const std::string &set : sets)
         words.insert(words.end(), {"--set", set});
