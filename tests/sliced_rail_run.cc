@@ -29,6 +29,7 @@ namespace
     scene.rail_file.noise     = 0;
     scene.rail_file.placed    = true;
     scene.cell_size           = 4e-3;
+    scene.fine_margin         = 4e-3;
     scene.fine_depth          = 8e-3;
     scene.rail_length         = 0.5;
     scene.velocity            = 30;
@@ -60,7 +61,8 @@ namespace
   void
   test_one_section()
   {
-    Scene         scene  = short_scene("head.txt");
+    Scene scene          = short_scene("head.txt");
+    scene.rail_file.turn = ProfileMirror::yes; // its z points down, as that of slices does
     const Summary plain  = rolled(scene);
     scene                = short_scene("plain.slcs");
     const Summary sliced = rolled(scene);
