@@ -197,16 +197,14 @@ namespace wheelrail
     // over a roller its surface stands for the track that passes the wheelset
     const double rolling = pose.rolling_at(touched)[0],
                  forward = pose.roller ? -pose.roller_at(place.reference)[0] : wheel.velocity[0] - rolling;
-    const auto along     = [&](const Vector3 &v, const int k) {
-      return axes.rows[0][k] * v[0] + axes.rows[1][k] * v[1] + axes.rows[2][k] * v[2];
-    };
-    const Vector3  slip = rail.velocity - wheel.velocity, turn = rail.rotation - wheel.rotation;
+    const Vector3 slip   = axes.turned_back(rail.velocity - wheel.velocity),
+                  turn   = axes.turned_back(rail.rotation - wheel.rotation);
     PatchCreepages found;
     found.velocity  = shift ? 1 : 0.5 * (std::abs(forward) + std::abs(rolling));
     found.backwards = !shift && !(std::abs(forward) >= std::abs(rolling) ? forward >= 0 : rolling <= 0);
-    found.x         = along(slip, 0) / found.velocity;
-    found.y         = along(slip, 1) / found.velocity;
-    found.spin      = along(turn, 2) / found.velocity;
+    found.x         = slip[0] / found.velocity;
+    found.y         = slip[1] / found.velocity;
+    found.spin      = turn[2] / found.velocity;
     return found;
   }
 
@@ -252,21 +250,9 @@ namespace wheelrail
                  const std::vector<double> &rows)
   {
     const RigidMotion axes = patch_axes(place);
-    // from the section of the rail to the plane: the inverse of the axes after the rail's own place
-    RigidMotion to_plane;
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k)
-        to_plane.rows[i][k] = axes.rows[0][i] * pose.rail.rows[0][k] +
-                              axes.rows[1][i] * pose.rail.rows[1][k] + axes.rows[2][i] * pose.rail.rows[2][k];
-    to_plane.move                 = axes.back(pose.rail.move);
-    const RigidMotion wheel_place = pose.wheel_to_track();
-    RigidMotion       to_wheel;
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < 3; ++k)
-        to_wheel.rows[i][k] = wheel_place.rows[0][i] * axes.rows[0][k] +
-                              wheel_place.rows[1][i] * axes.rows[1][k] +
-                              wheel_place.rows[2][i] * axes.rows[2][k];
-    to_wheel.move = wheel_place.back(axes.move);
+    // from the section of the rail to the plane, and from the plane to the wheel
+    const RigidMotion to_plane = then(pose.rail, inverse(axes)),
+                      to_wheel = then(axes, inverse(pose.wheel_to_track()));
 
     const auto         heights = rail_heights(rail, to_plane, place, grid, origin_x, rows);
     const ProfileLine &line    = wheel.middle();

@@ -242,13 +242,9 @@ namespace wheelrail
   double
   PatchSolver::wheel_angle(PatchPlace place, const double angle) const
   {
-    place.angle             = angle;
-    const RigidMotion wheel = pose_.wheel_to_track(), axes = patch_axes(place);
-    const auto        column = [&](const int k) {
-      return wheel.rows[0][k] * axes.rows[0][1] + wheel.rows[1][k] * axes.rows[1][1] +
-             wheel.rows[2][k] * axes.rows[2][1];
-    };
-    return std::atan2(column(2), column(1));
+    place.angle          = angle;
+    const Vector3 across = pose_.wheel_to_track().turned_back(patch_axes(place).turned({0, 1, 0}));
+    return std::atan2(across[2], across[1]);
   }
 
 

@@ -25,12 +25,18 @@ namespace wheelrail
       return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
     }
 
+    /// R' v: the direction whose image is v.
+    Vector3
+    turned_back(const Vector3 &v) const
+    {
+      return v[0] * rows[0] + v[1] * rows[1] + v[2] * rows[2];
+    }
+
     /// The place whose image is x.
     Vector3
     back(const Vector3 &x) const
     {
-      const Vector3 d = x - move;
-      return d[0] * rows[0] + d[1] * rows[1] + d[2] * rows[2];
+      return turned_back(x - move);
     }
   };
 
@@ -47,5 +53,17 @@ namespace wheelrail
       }
     both.move = second(first.move);
     return both;
+  }
+
+  /// The motion back.
+  inline RigidMotion
+  inverse(const RigidMotion &motion)
+  {
+    RigidMotion back;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        back.rows[i][k] = motion.rows[k][i];
+    back.move = motion.back({});
+    return back;
   }
 } // namespace wheelrail

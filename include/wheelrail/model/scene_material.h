@@ -9,11 +9,11 @@ namespace wheelrail
   Elasticity
   elasticity(const MaterialData &material);
 
-  /// Mean bulk modulus of rail and wheel [Pa], which the penalty law is made of (make_law()).
-  double
-  mean_bulk_modulus(const SteelSettings &scene);
-
   /// Its material law.
   MaterialLaw
   material_law(const MaterialData &material);
+
+  /// Mean bulk modulus of rail and wheel [Pa], which the penalty law is made of (make_law()).
+  double
+  mean_bulk_modulus(const SteelSettings &scene);
 } // namespace wheelrail
