@@ -82,9 +82,9 @@ namespace
     const SceneGeometry geometry = make_geometry(scene);
     Model               model    = make_model(scene, geometry, MPI_COMM_SELF);
     const StaticResult  start    = silent_start(scene, model);
-    const ReducedWheel  wheel    = reduced(scene, geometry, model, -start.lift);
+    const ReducedWheel  wheel    = reduced(scene, geometry, model, -start.hub_displacement);
     std::cout << "        unsprung " << wheel.unsprung << " kg, load " << wheel.load << " N, lowered "
-              << -1e6 * start.lift << " um, of which Hertz "
+              << -1e6 * start.hub_displacement << " um, of which Hertz "
               << 1e6 * wheel.approach(wheel.load) - 1e6 * wheel.compliance * wheel.load << " um\n";
 
     // at rest, above the rail

@@ -59,7 +59,7 @@ namespace
     wheel.suspension      = scene.suspension_stiffness;
     const double approach = solve_places(scene, geometry, model.wheel_load, {false, {0.}})[0].approach;
     wheel.hertz           = approach / std::pow(model.wheel_load, 2. / 3);
-    wheel.compliance      = (-start.lift - approach) / model.wheel_load;
+    wheel.compliance      = (-start.hub_displacement - approach) / model.wheel_load;
     return wheel;
   }
 

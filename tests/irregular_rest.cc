@@ -62,11 +62,11 @@ namespace
     Model               model    = make_model(scene, geometry, MPI_COMM_SELF);
     const StaticResult  start    = silent_start(scene, model);
     check(start.converged && !start.at_border, "the start converges within the fine cells");
-    const Axle          axle(model.axle, start.lift, 0, MPI_COMM_SELF);
+    const Axle          axle(model.axle, start.hub_displacement, 0, MPI_COMM_SELF);
     const PatchMeasures patch = measure_patch(patch_fields(*model.contact, axle, 0));
     Summary             summary;
     add_pose(summary, scene, model, axle, MPI_COMM_SELF);
-    return {patch.peak_pressure, patch.area, -start.lift, offsets_of_run(summary)};
+    return {patch.peak_pressure, patch.area, -start.hub_displacement, offsets_of_run(summary)};
   }
 
   /// Half-spaces in the pose of the finite elements.

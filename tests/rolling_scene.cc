@@ -48,7 +48,7 @@ namespace
     const double                rate = scene.velocity / loads.forward_radius * (1 + run.start.creepage);
     const AlignedVector<double> still(model.solid.displacement.size(), 0.);
     rolling_velocities(model.solid, model.parts, model.axle, rate, still);
-    Axle    axle(model.axle, run.start.lift, rate, communicator);
+    Axle    axle(model.axle, run.start.hub_displacement, rate, communicator);
     Rolling rolling(model.solid, *model.contact, model.parts, axle, time_scheme(scene, model), communicator);
     run.steps                       = std::lround(scene.rolling_distance / scene.velocity / model.time_step);
     constexpr unsigned long n_begin = 10;
@@ -78,11 +78,12 @@ namespace
   print(const Run &run)
   {
     std::cout << std::setprecision(6) << "        " << run.steps << " steps, Newton "
-              << run.start.newton_steps << ", lift " << 1e6 * run.start.lift << " um, wheel load "
-              << run.wheel_load << " N\n        forces on the wheel [N] at the start " << run.begin_force[0]
-              << ' ' << run.begin_force[1] << ' ' << run.begin_force[2] << ", mean " << run.mean_force[0]
-              << ' ' << run.mean_force[1] << ' ' << run.mean_force[2] << ", end " << run.last_force[0] << ' '
-              << run.last_force[1] << ' ' << run.last_force[2] << "\n        energies [J]:";
+              << run.start.newton_steps << ", hub displacement " << 1e6 * run.start.hub_displacement
+              << " um, wheel load " << run.wheel_load << " N\n        forces on the wheel [N] at the start "
+              << run.begin_force[0] << ' ' << run.begin_force[1] << ' ' << run.begin_force[2] << ", mean "
+              << run.mean_force[0] << ' ' << run.mean_force[1] << ' ' << run.mean_force[2] << ", end "
+              << run.last_force[0] << ' ' << run.last_force[1] << ' ' << run.last_force[2]
+              << "\n        energies [J]:";
     for (const EnergyTerm &term : run.energy.terms())
       std::cout << ' ' << term.name << ' ' << term.value;
     std::cout << ", residual " << run.energy.residual() << '\n';
@@ -104,7 +105,7 @@ namespace
       };
     check(run.steps == alone.steps, "as many steps as on one rank");
     same(run.wheel_load, alone.wheel_load, 1e-12, "wheel load");
-    same(run.start.lift, alone.start.lift, 1e-5, "lift of the axle");
+    same(run.start.hub_displacement, alone.start.hub_displacement, 1e-5, "vertical displacement of the axle");
     same(run.start.creepage, alone.start.creepage, 1e-5, "predicted creepage");
     same(run.creepage, alone.creepage, 2e-3, "creepage");
     same(run.axle_height, alone.axle_height, 1e-5, "height of the axle");

@@ -313,7 +313,7 @@ namespace
     StaticStep         step;
     const unsigned int taken = system.solve(system.right_hand_side(force), 100, 1e-6, step);
     check(taken <= 20, name + ": " + std::to_string(taken) + " steps of conjugate gradients for 1e-6");
-    check(step.lift > 0, name + ": a force upwards lifts the wheel");
+    check(step.hub_displacement > 0, name + ": a force upwards lifts the wheel");
     return taken;
   }
 } // namespace

@@ -194,9 +194,9 @@ namespace
     }
 
     void
-    set_out(const double lift, const double rate)
+    set_out(const double hub_displacement, const double rate)
     {
-      axle    = std::make_unique<Axle>(model.axle, lift, rate, MPI_COMM_WORLD);
+      axle    = std::make_unique<Axle>(model.axle, hub_displacement, rate, MPI_COMM_WORLD);
       rolling = std::make_unique<Rolling>(
         model.solid, *model.contact, model.parts, *axle, time_scheme(scene, model), MPI_COMM_WORLD);
       recorder = std::make_unique<Recorder>(model);

@@ -48,7 +48,7 @@ namespace
   {
     const HalfspaceSolution &s = solved.solution;
     // 0 where no layer yields, nothing heats
-    const auto or_nothing = [&](const std::vector<double> &values) {
+    const auto where_kept = [&](const std::vector<double> &values) {
       return values.empty() ? std::vector<double>(std::size_t(s.grid.size()), 0.) : values;
     };
     switch (code)
@@ -86,14 +86,14 @@ namespace
         case 16:
           return s.slip_y;
         case 11:
-          return or_nothing(s.yield_stress);
+          return where_kept(s.yield_stress);
         case 12:
-          return or_nothing(s.plastic_x);
+          return where_kept(s.plastic_x);
         case 13:
-          return or_nothing(s.plastic_y);
+          return where_kept(s.plastic_y);
         case 20:
         case 21:
-          return or_nothing(s.temperature[code == 20 ? 0 : 1]);
+          return where_kept(s.temperature[code == 20 ? 0 : 1]);
         default:
           throw InputError("the field " + std::to_string(code) +
                            " is not available; taken are 1 to 5, 7 to 9, 11 to 13, 15, 16, 20 and 21");

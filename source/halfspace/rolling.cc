@@ -3,6 +3,7 @@
 #include <wheelrail/halfspace/kernels.h>
 #include <wheelrail/halfspace/measures.h>
 #include <wheelrail/halfspace/normal.h>
+#include <wheelrail/halfspace/plastic_layer.h>
 #include <wheelrail/halfspace/simplified.h>
 #include <wheelrail/halfspace/tangential.h>
 
@@ -101,15 +102,6 @@ namespace wheelrail
       temperatures() const;
       void
       displacements();
-      /// The yield stress of the layer where the step begins, per element.
-      std::vector<double>
-      brought_yield() const;
-      /// The element in which the material of element e was a step before; -1: beside the grid.
-      int
-      element_before(int e) const;
-      /// Yield stress and plastic shift of the layer after the step; slip without its plastic part.
-      void
-      layer_state();
       void
       tell();
 
@@ -248,7 +240,7 @@ namespace wheelrail
       task.force       = {{problem_.fx, problem_.fy}};
       task.tolerance   = problem_.tangential_tolerance;
       task.max_steps   = problem_.max_newton_steps;
-      task.yield       = brought_yield();
+      task.yield       = brought_yield(problem_);
       task.hardening   = problem_.layer_hardening * solution_.step;
       task.least_yield = 0.1 * problem_.layer_yield;
       task.carried     = problem_.motion == HalfspaceMotion::steady;
@@ -347,7 +339,7 @@ namespace wheelrail
       displacements();
       if (problem_.heat && problem_.motion == HalfspaceMotion::steady)
         solution_.temperature = temperatures();
-      layer_state();
+      set_layer_state(problem_, tangential_, solution_);
       solution_.xi  = tangential_.creepage[0];
       solution_.eta = tangential_.creepage[1];
       solution_.phi = problem_.phi;
@@ -368,67 +360,6 @@ namespace wheelrail
                     (1 - yields + yields * problem_.heat->plastic_share);
         }
       return surface_temperatures(*problem_.heat, grid_, problem_.velocity, normal_.pressure, heat);
-    }
-
-    int
-    Solver::element_before(const int e) const
-    {
-      if (problem_.motion == HalfspaceMotion::shift)
-        return e;
-      return e % grid_.mx + 1 < grid_.mx ? e + 1 : -1;
-    }
-
-    std::vector<double>
-    Solver::brought_yield() const
-    {
-      if (problem_.layer_yield == 0)
-        return {};
-      const std::size_t   n = grid_.size();
-      std::vector<double> yield(n, problem_.layer_yield);
-      const bool          goes_on = problem_.motion != HalfspaceMotion::steady && problem_.previous &&
-                           problem_.previous->yield_stress.size() == n;
-      for (std::size_t e = 0; goes_on && e < n; ++e)
-        if (const int k = element_before(int(e));
-            k >= 0 && problem_.previous->yield_stress[std::size_t(k)] > 0)
-          yield[e] = problem_.previous->yield_stress[std::size_t(k)];
-      return yield;
-    }
-
-    void
-    Solver::layer_state()
-    {
-      HalfspaceSolution &s = solution_;
-      const std::size_t  n = grid_.size();
-      if (problem_.layer_yield == 0 || tangential_.plastic.size() != n)
-        return;
-      const bool shift  = problem_.motion == HalfspaceMotion::shift,
-                 steady = problem_.motion == HalfspaceMotion::steady;
-      s.yield_stress    = tangential_.yield;
-      s.plastic_x.assign(n, 0.);
-      s.plastic_y.assign(n, 0.);
-      const bool                     goes_on = problem_.previous && problem_.previous->plastic_x.size() == n;
-      const HalfspaceSolution *const old     = steady ? &s : goes_on ? problem_.previous : nullptr;
-      for (std::size_t e = n; e-- > 0;)
-        {
-          const bool touches = s.pressure[e] > 0;
-          if (!touches && !shift)
-            {
-              s.yield_stress[e] = problem_.layer_yield;
-              continue;
-            }
-          // against the slip that it takes the place of
-          const int before = element_before(int(e));
-          if (old && before >= 0)
-            {
-              s.plastic_x[e] = old->plastic_x[std::size_t(before)];
-              s.plastic_y[e] = old->plastic_y[std::size_t(before)];
-            }
-          const double share = tangential_.plastic[e];
-          s.plastic_x[e] -= share * s.step * s.slip_x[e];
-          s.plastic_y[e] -= share * s.step * s.slip_y[e];
-          s.slip_x[e] *= 1 - share;
-          s.slip_y[e] *= 1 - share;
-        }
     }
 
     void

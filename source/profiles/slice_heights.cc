@@ -152,6 +152,27 @@ namespace wheelrail
             }
         }
     }
+
+    /// Length of the longest slice [m]; `low`, `high` come to where all slices lie beside each other.
+    double
+    longest_slice(const Slices &slices, double &low, double &high)
+    {
+      double longest = 0;
+      for (const Slices::Slice &slice : slices.slices)
+        {
+          double length = 0, left = HUGE_VAL, right = -HUGE_VAL;
+          for (const Point2 &p : slice.points)
+            {
+              length += norm(p - (&p == slice.points.data() ? p : *(&p - 1)));
+              left  = std::min(left, p.x);
+              right = std::max(right, p.x);
+            }
+          longest = std::max(longest, length);
+          low     = std::max(low, left);
+          high    = std::min(high, right);
+        }
+      return longest;
+    }
   } // namespace
 
 
@@ -171,25 +192,13 @@ namespace wheelrail
                        "Profiles/Rail");
     std::vector<Heights> heights;
     HeightGrid           grid;
-    double               low = -base.s_max(), high = -base.s_min(), longest = 0;
+    double               low = -base.s_max(), high = -base.s_min();
     const auto           narrow = [&]() {
       if (!(high - low > least))
         throw InputError(path + ": slices and profile lie beside each other over less than " + in_mm(least) +
                          "; their lateral origins must be the same, y to the field side");
     };
-    for (const Slices::Slice &slice : slices.slices)
-      {
-        double length = 0, left = HUGE_VAL, right = -HUGE_VAL;
-        for (const Point2 &p : slice.points)
-          {
-            length += norm(p - (&p == slice.points.data() ? p : *(&p - 1)));
-            left  = std::min(left, p.x);
-            right = std::max(right, p.x);
-          }
-        longest = std::max(longest, length);
-        low     = std::max(low, left);
-        high    = std::min(high, right);
-      }
+    const double longest = longest_slice(slices, low, high);
     narrow();
     for (const Slices::Slice &slice : slices.slices)
       {

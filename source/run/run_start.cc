@@ -92,14 +92,14 @@ namespace wheelrail
                    result.cg_steps,
                    flow.c_str(),
                    format_duration(taken.count()).c_str(),
-                   -1e3 * result.lift,
+                   -1e3 * result.hub_displacement,
                    result.creepage));
     if (!result.converged && !result.at_border)
       log.warning(
         text("the static start ended with %.2g %% of the wheel load out of balance at a node; the first "
              "millimetres of rolling take it up",
              100 * result.residual));
-    return {result.lift, rate, result.at_border};
+    return {result.hub_displacement, rate, result.at_border};
   }
 
 

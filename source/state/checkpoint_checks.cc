@@ -52,7 +52,7 @@ namespace wheelrail
     }
 
     std::string
-    or_nothing(const std::string &value)
+    shown(const std::string &value)
     {
       return value.empty() ? "(not there)" : value;
     }
@@ -67,7 +67,7 @@ namespace wheelrail
     for (const auto &[path, value] : entries_of(now))
       if (path.rfind("Rail material/", 0) == 0 && old[path] != value)
         differences +=
-          (differences.empty() ? "" : "; ") + path + " = " + value + ", there " + or_nothing(old[path]);
+          (differences.empty() ? "" : "; ") + path + " = " + value + ", there " + shown(old[path]);
     return differences;
   }
 
@@ -81,8 +81,8 @@ namespace wheelrail
       for (const auto &[path, value] : table)
         if (before[path] != after[path] && (of_run ? !may_differ(path) : of_result(path)))
           {
-            differences += (differences.empty() ? "" : "; ") + path + " = " + or_nothing(after[path]) +
-                           ", saved with " + or_nothing(before[path]);
+            differences += (differences.empty() ? "" : "; ") + path + " = " + shown(after[path]) +
+                           ", saved with " + shown(before[path]);
             before[path] = after[path]; // reported once
           }
     return differences;

@@ -36,7 +36,7 @@ namespace wheelrail
           const Secant &secant = secants[k];
           // first loop, newest secant first: w_k = s_k . q/(y_k . s_k), q -= w_k y_k; s the step, y the
           // change of minus the force (BFGS with limited memory)
-          weight[k] = (residual * secant.step.increment + bore * secant.step.lift) / secant.work;
+          weight[k] = (residual * secant.step.increment + bore * secant.step.hub_displacement) / secant.work;
           residual.add(-weight[k], secant.change);
           bore -= weight[k] * secant.bore_change;
         }
@@ -47,9 +47,10 @@ namespace wheelrail
           const Secant &secant = secants[k];
           const double  share =
             // second loop, oldest first: step += (w_k - y_k . step/(y_k . s_k)) s_k
-            weight[k] - (secant.change * step.increment + secant.bore_change * step.lift) / secant.work;
+            weight[k] -
+            (secant.change * step.increment + secant.bore_change * step.hub_displacement) / secant.work;
           step.increment.add(share, secant.step.increment);
-          step.lift += share * secant.step.lift;
+          step.hub_displacement += share * secant.step.hub_displacement;
         }
       return step;
     }
@@ -82,7 +83,7 @@ namespace wheelrail
             next = at * std::min(4., std::max(1.5, first / std::max(first - value, 1e-9 * first)));
         }
       step.increment *= at;
-      step.lift *= at;
+      step.hub_displacement *= at;
       return balance;
     }
 
@@ -121,7 +122,7 @@ namespace wheelrail
         Secant        secant{step, flow.balance.residual, flow.balance.bore - next.bore};
         // y = residual before - residual after
         secant.change -= next.residual;
-        secant.work = secant.change * step.increment + secant.bore_change * step.lift;
+        secant.work = secant.change * step.increment + secant.bore_change * step.hub_displacement;
         // y . s > 0, or the inverse would not stay positive
         if (secant.work > 0)
           secants.push_back(std::move(secant));

@@ -118,10 +118,10 @@ namespace wheelrail
   void
   StaticSearch::lower_wheel(const double by)
   {
-    lift -= by;
+    hub_displacement -= by;
     for (unsigned int n = 0; n < solid_.mesh.n_nodes(); ++n)
       if (solid_.mesh.node_body[n] == Body::wheel)
-        solid_.displacement[4 * n + 1] = lift;
+        solid_.displacement[4 * n + 1] = hub_displacement;
   }
 
 
@@ -193,7 +193,7 @@ namespace wheelrail
   StaticSearch::power(const StaticBalance &balance, const StaticStep &step) const
   {
     // work of the forces out of balance along the step: minus the slope of the potential
-    return balance.residual * step.increment + balance.bore * step.lift;
+    return balance.residual * step.increment + balance.bore * step.hub_displacement;
   }
 
 
@@ -201,10 +201,10 @@ namespace wheelrail
   StaticSearch::move(const StaticStep &step, const double factor)
   {
     NodeVector increment = step.increment;
-    // u += factor (x + lift r)
+    // u += factor (x + U r)
     increment *= factor;
-    system_.add_to_nodes(increment, factor * step.lift, solid_.displacement);
-    lift += factor * step.lift;
+    system_.add_to_nodes(increment, factor * step.hub_displacement, solid_.displacement);
+    hub_displacement += factor * step.hub_displacement;
   }
 
 

@@ -21,7 +21,7 @@ namespace wheelrail
     /// much again to do, one of a thousandth is lost to tractions that change.
     constexpr double linear = 0.05;
 
-    constexpr int most_rounds = 20; ///< of tractions and pressures in turn
+    constexpr int most_steps = 90, most_rounds = 20; ///< of Newton; of tractions and pressures in turn
 
     constexpr double nearly =
       1e-4; ///< of the wheel load: less than what the passing of cells excites in a run
@@ -37,6 +37,20 @@ namespace wheelrail
         "at Young's modulus, Yield stress, Tangent modulus and Contact/Penalty scale");
     }
 
+    /// Throws where another step would lead nowhere. `missing`: of the wheel load [N].
+    void
+    check_goes_on(const StaticBalance &balance, const double missing, const int step)
+    {
+      if (step == most_steps)
+        throw RunError("the static start did not converge: after " + std::to_string(most_steps) + " steps " +
+                       std::to_string(missing) +
+                       " N of the wheel load are missing; lower Contact/Penalty scale or refine the mesh");
+      if (balance.sums.nodes == 0)
+        throw RunError(
+          "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
+          "Mesh/Solution cell size");
+    }
+
     /// Newton's steps of elastic bodies until no nodal force out of balance exceeds `tolerance` times the
     /// wheel load and the tractions no longer change. Counts the steps in the result, and says there when
     /// they ended close to the equilibrium only, or at the border of the lattice.
@@ -46,7 +60,6 @@ namespace wheelrail
                         const double  tolerance,
                         StaticResult &result)
     {
-      constexpr int most_steps = 90;
       // what may be out of balance at a node when tractions are renewed: the first ones ask for the stretch
       // of the tread under pressure alone, later ones only have to follow the pressures that bound them
       constexpr double balanced = 1e-3, nearby = 0.05;
@@ -98,15 +111,7 @@ namespace wheelrail
             }
           if (stuck)
             throw_stuck(residual * result.wheel_load, missing);
-          if (step == most_steps)
-            throw RunError(
-              "the static start did not converge: after " + std::to_string(most_steps) + " steps " +
-              std::to_string(missing) +
-              " N of the wheel load are missing; lower Contact/Penalty scale or refine the mesh");
-          if (balance.sums.nodes == 0)
-            throw RunError(
-              "the static start lost the contact between wheel and rail; lower Contact/Penalty scale or "
-              "Mesh/Solution cell size");
+          check_goes_on(balance, missing, step);
           // Newton's step on the elastic stiffness and the springs of the nodes in contact, then its length
           // (doc/theory/rolling.md, Static start, 2 and 5)
           balance             = search.search_along(search.newton_step(balance, linear), balance);
@@ -169,11 +174,11 @@ namespace wheelrail
         balance = plastic_equilibrium(search, without_friction, result);
       }
     search.set_tractions();
-    result.residual      = balance.largest() / result.wheel_load;
-    result.lift          = search.lift;
-    result.cg_steps      = search.cg_steps();
-    result.contact_force = balance.sums.force;
-    result.at_border     = result.at_border || balance.sums.at_border;
+    result.residual         = balance.largest() / result.wheel_load;
+    result.hub_displacement = search.hub_displacement;
+    result.cg_steps         = search.cg_steps();
+    result.contact_force    = balance.sums.force;
+    result.at_border        = result.at_border || balance.sums.at_border;
     if (search.tractions.saturated)
       report("static start: the torque is beyond friction x wheel load; the wheel will spin up");
     if (!search.tractions.converged)

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <string>
 
-// Linear equations of a Newton step: displacements against a rigid lift of the wheel, and that lift
-// (doc/theory/rolling.md, Static start, 2). Forces at the bore are 10^4 times those of the contact: the
-// vertical balance by the lift alone does not see them.
+// Linear equations of a Newton step: displacements against a rigid vertical displacement of the wheel, and
+// that displacement (doc/theory/rolling.md, Static start, 2). Forces at the bore are 10^4 times those of the
+// contact: the vertical balance by the hub displacement alone does not see them.
 
 namespace wheelrail
 {
@@ -56,8 +56,9 @@ namespace wheelrail
     , response_(zero())
   {
     for (std::size_t n = 0; n < mesh_.n_owned; ++n)
-      // r: a rigid vertical displacement of the wheel. Unknowns are u = x + lift r, and lift: so the bodies'
-      // own stiffness drops out of the vertical balance (doc/theory/rolling.md, Static start, 2).
+      // r: a rigid vertical displacement of the wheel. Unknowns are u = x + U r, and U, the hub displacement:
+      // so the bodies' own stiffness drops out of the vertical balance (doc/theory/rolling.md, Static start,
+      // 2).
       rigid_.begin()[4 * n + 1] = mesh_.node_body[n] == Body::wheel && !held_[n] ? 1 : 0;
     for (const unsigned int n : mesh_.hanging)
       if (mesh_.owns(n))
@@ -82,14 +83,16 @@ namespace wheelrail
 
 
   void
-  StaticSystem::add_to_nodes(const Vector &increment, const double lift, AlignedVector<double> &nodal) const
+  StaticSystem::add_to_nodes(const Vector          &increment,
+                             const double           hub_displacement,
+                             AlignedVector<double> &nodal) const
   {
     Vector everywhere = increment;
     everywhere.update_ghost_values();
     for (std::size_t n = 0; n < held_.size(); ++n)
       if (bore_[n])
-        // the bore moves with the axle, all other nodes by x + lift r, which `increment` holds already
-        nodal[4 * n + 1] += lift;
+        // the bore moves with the axle, all other nodes by x + U r, which `increment` holds already
+        nodal[4 * n + 1] += hub_displacement;
       else if (!held_[n])
         for (unsigned int i = 0; i < 3; ++i)
           nodal[4 * n + i] += everywhere.begin()[4 * n + i];
@@ -121,20 +124,22 @@ namespace wheelrail
   unsigned int
   StaticSystem::solve(const Vector &forces, const double bore, const double tolerance, StaticStep &step)
   {
-    // a rigid lift of the wheel moves all its nodes against the forces
-    // right side of the lift: r' f + bore force
+    // a rigid vertical displacement of the wheel moves all its nodes against the forces
+    // right side of the hub displacement: r' f + bore force
     const Unknowns     load  = unknowns(forces, forces * rigid_ + bore);
     Unknowns           x     = unknowns(zero(), 0);
     const unsigned int steps = conjugate_gradients(
-      [this](Unknowns &y, const Unknowns &of) { set_lift(y, product(of.block(0), lift(of), y.block(0))); },
+      [this](Unknowns &y, const Unknowns &of) {
+        set_hub_displacement(y, product(of.block(0), hub_displacement(of), y.block(0)));
+      },
       [this](Unknowns &z, const Unknowns &of) {
-        set_lift(z, precondition(of.block(0), lift(of), z.block(0)));
+        set_hub_displacement(z, precondition(of.block(0), hub_displacement(of), z.block(0)));
       },
       load,
       tolerance * load.l2_norm(),
       x);
-    step = {x.block(0), lift(x)};
-    step.increment.add(step.lift, rigid_);
+    step = {x.block(0), hub_displacement(x)};
+    step.increment.add(step.hub_displacement, rigid_);
     return steps;
   }
 
@@ -142,15 +147,15 @@ namespace wheelrail
   StaticStep
   StaticSystem::precondition(const Vector &forces, const double bore)
   {
-    StaticStep step = {zero(), 0};
-    step.lift       = precondition(forces, forces * rigid_ + bore, step.increment);
-    step.increment.add(step.lift, rigid_);
+    StaticStep step       = {zero(), 0};
+    step.hub_displacement = precondition(forces, forces * rigid_ + bore, step.increment);
+    step.increment.add(step.hub_displacement, rigid_);
     return step;
   }
 
 
   StaticSystem::Unknowns
-  StaticSystem::unknowns(const Vector &nodes, const double lift) const
+  StaticSystem::unknowns(const Vector &nodes, const double hub_displacement) const
   {
     dealii::IndexSet own(1);
     if (dealii::Utilities::MPI::this_mpi_process(communicator_) == 0)
@@ -159,29 +164,30 @@ namespace wheelrail
     x.block(0) = nodes;
     x.block(1).reinit(own, communicator_);
     x.collect_sizes();
-    set_lift(x, lift);
+    set_hub_displacement(x, hub_displacement);
     return x;
   }
 
 
   void
-  StaticSystem::set_lift(Unknowns &x, const double lift)
+  StaticSystem::set_hub_displacement(Unknowns &x, const double hub_displacement)
   {
-    x.block(1) = lift;
+    x.block(1) = hub_displacement;
   }
 
 
   double
-  StaticSystem::lift(const Unknowns &x) const
+  StaticSystem::hub_displacement(const Unknowns &x) const
   {
     return dealii::Utilities::MPI::sum(x.block(1).locally_owned_size() > 0 ? x.block(1).local_element(0) : 0.,
                                        communicator_);
   }
 
 
-  /// A rigid lift of the whole wheel, its bore included, leaves no forces but those of the springs.
+  /// A rigid vertical displacement of the whole wheel, its bore included, leaves no forces but those of the
+  /// springs.
   double
-  StaticSystem::product(const Vector &x, const double lift, Vector &y)
+  StaticSystem::product(const Vector &x, const double hub_displacement, Vector &y)
   {
     StaticLevel &level = multigrid_->finest();
     level.elastic_product(x, y);
@@ -190,9 +196,9 @@ namespace wheelrail
     double              along = 0;
     for (std::size_t k = 0; k < force.size(); ++k)
       {
-        // C B (x + lift r): springs alone feel the rigid part
-        force[k] = level.springs().stiffness()[k] * (force[k] + lift * rigid_stretch_[k]);
-        // r' B' C B (x + lift r)
+        // C B (x + U r): springs alone feel the rigid part
+        force[k] = level.springs().stiffness()[k] * (force[k] + hub_displacement * rigid_stretch_[k]);
+        // r' B' C B (x + U r)
         along += rigid_stretch_[k] * force[k];
       }
     level.springs().add(force, y.begin());
@@ -213,14 +219,14 @@ namespace wheelrail
   }
 
 
-  /// One cycle with the bore held, plus the response to a lift, which the cycle cannot know: the share of it
-  /// that balances the forces along it (a coarse space of one vector, added).
+  /// One cycle with the bore held, plus the response to a vertical displacement, which the cycle cannot know:
+  /// the share of it that balances the forces along it (a coarse space of one vector, added).
   double
   StaticSystem::precondition(const Vector &forces, const double along, Vector &z)
   {
     // M^-1 = V cycle with the bore held + w w'/(w' K w)
     multigrid_->cycle(forces, z);
-    // w (w' f)/(w' K w), w the response to a lift
+    // w (w' f)/(w' K w), w the response to a vertical displacement
     const double share = (forces * response_ + along) / approach_stiffness_;
     z.add(share, response_);
     return share;
@@ -269,9 +275,9 @@ namespace wheelrail
   }
 
 
-  /// A rigid lift of the wheel, minus what the springs hold back, which is solved for: not far, since it only
-  /// serves as preconditioner, and from the last one. A rail that sinks on its sleepers needs it to a
-  /// hundredth: with a tenth each solution takes a third more steps.
+  /// A rigid vertical displacement of the wheel, minus what the springs hold back, which is solved for: not
+  /// far, since it only serves as preconditioner, and from the last one. A rail that sinks on its sleepers
+  /// needs it to a hundredth: with a tenth each solution takes a third more steps.
   void
   StaticSystem::find_lift_response()
   {
@@ -281,7 +287,7 @@ namespace wheelrail
     product(zero(), -1, load);
     solve_held(load, tolerance, response_);
     const double along = product(response_, 1, image);
-    // w' K w [N/m]: stiffness of the contact against a lift
+    // w' K w [N/m]: stiffness of the contact against a vertical displacement
     approach_stiffness_ = response_ * image + along;
   }
 

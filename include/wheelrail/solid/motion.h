@@ -22,7 +22,7 @@ namespace wheelrail
   VelocityUpdate
   make_velocity_update(double duration, double damping_rate = 0);
 
-  /// One step of a rigid body's coordinate: its speed is kicked by the acceleration, its place follows.
+  /// One step of a rigid body's coordinate: its velocity is updated by the acceleration, its place follows.
   inline void
   advance(double               &place,
           double               &speed,
@@ -64,7 +64,7 @@ namespace wheelrail
   }
 
   /// One step of central differences for all nodes of this rank in one pass over memory: velocities are
-  /// kicked, displacement += time_step x velocity, and solid.force becomes the weights again. Nodes without
+  /// updated, displacement += time_step x velocity, and solid.force becomes the weights again. Nodes without
   /// inverse mass stay where they are, hanging nodes too: see distribute().
   ///
   /// With `with_energy` it returns the kinetic energy at the full step of the nodes that this rank owns

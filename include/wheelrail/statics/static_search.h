@@ -60,7 +60,8 @@ namespace wheelrail
     renew_springs();
 
     /// An estimate of Newton's step of elastic bodies with the springs last taken, linear and symmetric in
-    /// the forces: one cycle of the preconditioner, and the lift that restores the balance of the bore.
+    /// the forces: one cycle of the preconditioner, and the hub displacement that restores the balance of the
+    /// bore.
     StaticStep
     preconditioned_step(const StaticSystem::Vector &residual, double bore);
 
@@ -95,9 +96,9 @@ namespace wheelrail
     void
     set_tractions();
 
-    StartTractions tractions;  ///< the given ones; none before the first renewal
-    double         lift   = 0; ///< of the bore so far [m]
-    unsigned int   cycles = 0; ///< of the preconditioner outside of conjugate gradients so far
+    StartTractions tractions;            ///< the given ones; none before the first renewal
+    double         hub_displacement = 0; ///< of the bore so far [m]
+    unsigned int   cycles           = 0; ///< of the preconditioner outside of conjugate gradients so far
 
     /// Cycles of the preconditioner so far.
     unsigned int

@@ -28,11 +28,11 @@ namespace wheelrail
 
   struct StaticResult
   {
-    double  lift       = 0;    ///< vertical displacement of the axle [m]
-    double  wheel_load = 0;    ///< weight of sprung mass, axle and wheel [N]
-    double  creepage   = 0;    ///< predicted, at the rolling radius of 2D-Geo
-    Vector3 contact_force{};   ///< on the wheel [N]
-    double  tread_stretch = 0; ///< tread_stretch() under pressure alone; 0 for unlike materials
+    double  hub_displacement = 0; ///< vertical displacement of the axle [m]
+    double  wheel_load       = 0; ///< weight of sprung mass, axle and wheel [N]
+    double  creepage         = 0; ///< predicted, at the rolling radius of 2D-Geo
+    Vector3 contact_force{};      ///< on the wheel [N]
+    double  tread_stretch = 0;    ///< tread_stretch() under pressure alone; 0 for unlike materials
     int     newton_steps = 0, cg_steps = 0;
     int     flow_steps        = 0;    ///< of bodies that yield, after the elastic ones
     double  residual          = 0;    ///< largest nodal force out of balance over the wheel load

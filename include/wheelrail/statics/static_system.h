@@ -14,7 +14,7 @@ namespace wheelrail
   struct StaticStep
   {
     NodeVector increment;
-    double     lift = 0; ///< [m]
+    double     hub_displacement = 0; ///< [m]
   };
 
   /// The linear system of one static start: stiffness of both bodies at rest, of the parts of the scene and
@@ -45,22 +45,22 @@ namespace wheelrail
     Vector
     right_hand_side(const AlignedVector<double> &nodal) const;
 
-    /// Adds increment + constraints (bore raised by `lift` [m]) to the nodal values.
+    /// Adds increment + constraints (bore raised by `hub_displacement` [m]) to the nodal values.
     void
-    add_to_nodes(const Vector &increment, double lift, AlignedVector<double> &nodal) const;
+    add_to_nodes(const Vector &increment, double hub_displacement, AlignedVector<double> &nodal) const;
 
     /// Sum of the vertical nodal forces on the bore [N], from local forces summed over ranks. Collective.
     double
     bore_force(const AlignedVector<double> &nodal) const;
 
     /// The stiffness is that of both bodies plus these springs from now on; finds about the response to a
-    /// lift of the bore. Collective.
+    /// hub displacement of the bore. Collective.
     void
     set_springs(const std::vector<Contact::Spring> &springs);
 
-    /// Increment and lift together under forces on the free unknowns and on the bore [N], the latter freely
-    /// moving up and down: solves until what is out of balance is below `tolerance` times the given. Returns
-    /// the CG steps. Throws RunError after 500, or when a number is not finite. Collective.
+    /// Increment and hub displacement together under forces on the free unknowns and on the bore [N], the
+    /// latter freely moving up and down: solves until what is out of balance is below `tolerance` times the
+    /// given. Returns the CG steps. Throws RunError after 500, or when a number is not finite. Collective.
     unsigned int
     solve(const Vector &forces, double bore, double tolerance, StaticStep &step);
 
@@ -70,7 +70,7 @@ namespace wheelrail
     solve_held(const Vector &forces, double tolerance, Vector &increment);
 
     /// An estimate of solve(), linear and symmetric in the forces: one cycle of the preconditioner, and the
-    /// response to a lift with the share that balances the bore. Collective.
+    /// response to a vertical displacement with the share that balances the bore. Collective.
     StaticStep
     precondition(const Vector &forces, double bore);
 
@@ -86,17 +86,18 @@ namespace wheelrail
     }
 
   private:
-    /// Displacements against a rigid lift of the whole wheel, and that lift [m], which the first rank has; or
-    /// the forces that belong to them: nodal ones, and the vertical force on the whole wheel [N].
+    /// Displacements against a rigid vertical displacement of the whole wheel, and that displacement [m],
+    /// which the first rank has; or the forces that belong to them: nodal ones, and the vertical force on the
+    /// whole wheel [N].
     using Unknowns = dealii::LinearAlgebra::distributed::BlockVector<double>;
     Unknowns
-    unknowns(const Vector &nodes, double lift) const;
+    unknowns(const Vector &nodes, double hub_displacement) const;
     static void
-    set_lift(Unknowns &x, double lift);
+    set_hub_displacement(Unknowns &x, double hub_displacement);
     double
-    lift(const Unknowns &x) const;
+    hub_displacement(const Unknowns &x) const;
     double
-    product(const Vector &x, double lift, Vector &y);
+    product(const Vector &x, double hub_displacement, Vector &y);
     double
     precondition(const Vector &forces, double along, Vector &z);
     template <typename Values, typename Product, typename Preconditioner>
@@ -116,10 +117,10 @@ namespace wheelrail
     StaticParts                parts_;
     std::vector<unsigned char> bore_, held_; ///< 1: the node moves with the bore; it does not move freely
     std::unique_ptr<StaticMultigrid> multigrid_;
-    Vector                           rigid_;         ///< free nodes in a rigid lift of the wheel by 1 m
-    std::vector<double>              rigid_stretch_; ///< of the springs in that [1]
-    Vector                           response_;      ///< about, to a lift of the bore by 1 m, against it
-    double                           approach_stiffness_ = 0; ///< energy of the response, twice [N/m]
+    Vector              rigid_;         ///< free nodes in a rigid vertical displacement of the wheel by 1 m
+    std::vector<double> rigid_stretch_; ///< of the springs in that [1]
+    Vector              response_;      ///< about, to a vertical displacement of the bore by 1 m, against it
+    double              approach_stiffness_ = 0; ///< energy of the response, twice [N/m]
   };
 
   /// Forces of the elements of bodies at rest in their present position [N], those of hanging nodes handed to
