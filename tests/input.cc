@@ -43,6 +43,7 @@ namespace
     leave_wheelset(straight.scene);
     straight.scene.start_offset     = 0; // the window is fixed
     straight.scene.staggered_starts = 1;
+    straight.scene.error_estimate   = ErrorEstimate::model; // of a rail that was rolled over
     require_computable(straight);
     return input.scene;
   }

@@ -310,6 +310,14 @@ namespace
                   "rolling distance or a smaller fine depth or margin",
                   {2, 2, 16e9, 0.5e9});
     check_error(
+      {"Run/Error estimate = two meshes", "Rail material/Yield stress = 480 MPa", "Run/Passages = 2"},
+      "Run/Error estimate = two meshes: a rail that was rolled over has cells of one size; write model");
+    check_error(
+      {"Run/Error estimate = two meshes", "Mesh/Solution cell size = 4 mm", "Mesh/Fine margin = 4 mm"},
+      "Run/Error estimate = two meshes: the second run, on cells of 8 mm: Mesh/Solution cell size = 8 "
+      "mm: too coarse; a patch of about 20 mm x 14 mm (width x length) is expected and needs three "
+      "cells in length, so at most 4.7 mm is accepted; take 2 mm for results");
+    check_error(
       {"Run/Rolling distance = 100 mm"},
       "Mesh/Solution cell size = 1 mm: with Mesh/Coarse cell size = 16 mm this makes about 41000 "
       "cells and needs some 0.87 GB of memory, this machine has 0.4 GB; take larger cells, a shorter "

@@ -173,6 +173,7 @@ namespace test
       {"Run/Longest distance", "300 mm"},
       {"Run/Standard error", "0.002"},
       {"Run/Wanted accuracy", "0.03"},
+      {"Run/Error estimate", "two meshes"},
       {"Run/Averaging distance", "50 mm"},
       {"Run/Evaluate at", "130 mm"},
       {"Run/Time step factor", "0.8"},

@@ -2,6 +2,7 @@
 
 // The verdict on a finished run and on old summaries: rules, grades, words.
 
+#include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/run/run_end.h>
@@ -185,6 +186,37 @@ namespace
     check(std::isnan(interval_of("contact_area", 1, causes).low), "no number where a cause has no bound");
     check(std::isinf(known_within("contact_area", 1, 1, causes).within), "and it is known badly");
     check(std::isnan(known_within("creepage", 1, 1, causes).within), "of which no cause is known");
+  }
+
+  /// Results that err with a power of the cells: the end they tend to lies in the interval.
+  void
+  test_two_meshes()
+  {
+    Summary run, coarser;
+    run.max_pressure           = 1200 - 1;
+    coarser.max_pressure       = 1200 - 4; // second order
+    run.max_plastic_strain     = 4e-3 - 1e-3;
+    coarser.max_plastic_strain = 4e-3 - 2e-3; // first
+    run.creepage = coarser.creepage = 2e-3;
+    Scene               rate;
+    const Contributions causes = two_mesh_contributions(rate, run, coarser, 1e9);
+    const auto          shift  = [](const Contributions &contributions, const std::string &name) {
+      double sum = 0;
+      for (const Contribution &one : contributions)
+        sum += one.result == name ? one.shift : 0;
+      return sum;
+    };
+    check_near(shift(causes, "max_pressure"), 1, 1e-9, "the second order ends there");
+    check_near(shift(causes, "max_plastic_strain"), 1e-3, 1e-12, "and the first");
+    const Interval strain = interval_of("max_plastic_strain", run.max_plastic_strain, causes);
+    check_near(strain.low, 3e-3, 1e-11, "from the run");
+    check_near(strain.high, 5e-3, 1e-11, "to the change beyond the end");
+    const Contributions few = two_mesh_contributions(rate, run, coarser, 10);
+    check_near(interval_of("creepage", 2e-3, few).high, 2.1e-3, 1e-9, "two that agree may do so by chance");
+    rate.drive = Drive::rate;
+    check(std::isnan(interval_of("creepage", 2e-3, two_mesh_contributions(rate, run, coarser, 10)).low),
+          "a creepage that is given has no error");
+    check(!std::isfinite(interval_of("lateral_force", 0, few).low), "nor what neither run has");
   }
 
   /// Cells and penalty are judged whatever half-spaces know of the scene.
@@ -485,6 +517,7 @@ main()
   test_steels();
   test_rules();
   test_intervals();
+  test_two_meshes();
   test_without_reference();
   test_wear();
   test_way();

@@ -18,6 +18,7 @@
 #include <wheelrail/input/parameter_reference.h>
 #include <wheelrail/input/parameters.h>
 #include <wheelrail/input/without_effect.h>
+#include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_checks.h>
 #include <wheelrail/model/scene_geometry.h>
@@ -66,7 +67,10 @@ namespace wheelrail
       SceneInput given = input_of(options);
       given.scene.both_wheels |= options.count("wheelset") > 0;
       print_notes(idle_entries(options, given, "run"), out);
-      print_note(expected_accuracy(input.scene, expected_patch(input.scene, *checked.geometry)), out);
+      const ExpectedPatch patch = expected_patch(input.scene, *checked.geometry);
+      print_note(expected_accuracy(input.scene, patch), out);
+      if (input.scene.error_estimate == ErrorEstimate::two_meshes)
+        print_note(cost_of_coarser_cells(input.scene, patch), out);
       out << file_of(options) << ": all entries are valid"
           << (found.warnings.empty() ? "" : ", with the warnings above") << "\n";
       return 0;

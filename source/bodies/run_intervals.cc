@@ -1,3 +1,4 @@
+#include <wheelrail/base/quantity.h>
 #include <wheelrail/bodies/run_intervals.h>
 #include <wheelrail/model/scene_material.h>
 #include <wheelrail/output/figures.h>
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace wheelrail
 {
@@ -41,6 +43,54 @@ namespace wheelrail
       return contributions;
     }
 
+    using Names = std::vector<const char *>;
+
+    // with which power of the cells results err (doc/theory/intervals.md)
+    const Names of_second_order = {"max_pressure",
+                                   "max_pressure_fitted",
+                                   "contact_area",
+                                   "patch_lateral",
+                                   "patch_longitudinal",
+                                   "largest_vertical_force",
+                                   "first_rail_force",
+                                   "second_rail_force",
+                                   "impact_factor",
+                                   "largest_pressure"};
+    const Names of_first_order  = {"lateral_force",
+                                   "t_gamma",
+                                   "frictional_power",
+                                   "stick_fraction",
+                                   "max_shear_traction",
+                                   "archard_section",
+                                   "max_von_mises",
+                                   "von_mises_below_cell",
+                                   "von_mises_on_way",
+                                   "max_plastic_strain",
+                                   "rail_plastic_strain",
+                                   "plastic_strain_on_way",
+                                   "max_residual_von_mises",
+                                   "residual_lateral_stress",
+                                   "residual_longitudinal_stress",
+                                   "residual_forward_flow"};
+
+    bool
+    knows(const Contributions &contributions, const std::string &result)
+    {
+      return std::any_of(contributions.begin(), contributions.end(), [&](const Contribution &one) {
+        return one.result == result;
+      });
+    }
+
+    template <typename Predicate>
+    void
+    remove_results(Contributions &contributions, const Predicate &gone)
+    {
+      contributions.erase(std::remove_if(contributions.begin(),
+                                         contributions.end(),
+                                         [&](const Contribution &one) { return gone(one.result); }),
+                          contributions.end());
+    }
+
     /// The largest force of a path (doc/theory/intervals.md).
     Contributions
     of_impacts(const Summary &run, const Measures &measures)
@@ -57,19 +107,55 @@ namespace wheelrail
 
 
   Contributions
+  two_mesh_contributions(const Scene &scene, const Summary &run, const Summary &coarser, const double cells)
+  {
+    const auto differ = [&](const Names &names, const int order, Contributions &contributions) {
+      const double by_chance = order == 1 ? 0.5 : 0.1;
+      for (const char *name : names)
+        {
+          const Figure &figure = figure_named(name);
+          const double  value = get_figure(run, figure.key()), other = get_figure(coarser, figure.key()),
+                       error = get_figure(coarser, figure.key("_error"));
+          if (!std::isfinite(value) || !std::isfinite(other) || (value == 0 && other == 0))
+            continue;
+          const double change = value - other, noise = std::isfinite(error) ? 2 * error : 0;
+          contributions.push_back({name,
+                                   "two meshes",
+                                   change / (std::exp2(order) - 1),
+                                   std::hypot(change, noise, by_chance * value / cells)});
+        }
+    };
+    Contributions contributions;
+    differ(of_second_order, 2, contributions);
+    differ(of_first_order, 1, contributions);
+    differ({scene.drive == Drive::rate ? "longitudinal_force" : "creepage"}, 1, contributions);
+    return contributions;
+  }
+
+
+  Contributions
   run_contributions(const Scene         &scene,
                     const Summary       &run,
                     const Measures      &measures,
                     const NoiseEffect   &noise,
-                    const Contributions &against_bodies)
+                    const Contributions &against_bodies,
+                    const Contributions &two_meshes)
   {
-    if (scene.irregular())
-      return of_impacts(run, measures);
-    Contributions contributions = against_bodies.empty() ? estimated(run, measures) : against_bodies;
-    const auto    is_known = [&contributions, systematic = contributions.size()](const std::string &name) {
-      const auto end = contributions.begin() + std::ptrdiff_t(systematic);
+    Contributions contributions = !against_bodies.empty() ? against_bodies
+                                  : scene.irregular()     ? of_impacts(run, measures)
+                                                          : estimated(run, measures);
+    // instead of estimates, and of what the true bodies do not know
+    if (against_bodies.empty())
+      remove_results(contributions, [&](const std::string &name) { return knows(two_meshes, name); });
+    const Contributions before = contributions;
+    for (const Contribution &one : two_meshes)
+      if (!knows(before, one.result))
+        contributions.push_back(one);
+    if (scene.irregular()) // nothing is steady there
+      return contributions;
+    const auto is_known = [systematic = contributions](const std::string &name) {
       return name == "normal_force" || name == "vertical_force" || name == "longitudinal_force" ||
-             std::any_of(contributions.begin(), end, [&](const auto &one) { return one.result == name; });
+             knows(systematic, name);
     };
     for (const Figure &figure : all_figures())
       if (const double error = get_figure(run, figure.key("_error"));
@@ -79,14 +165,10 @@ namespace wheelrail
       if (is_known(one.result))
         contributions.push_back(one);
     if (!measures.slides.empty()) // as fast as it likes
-      contributions.erase(std::remove_if(contributions.begin(),
-                                         contributions.end(),
-                                         [](const Contribution &one) {
-                                           return one.result == "creepage" || one.result == "t_gamma" ||
-                                                  one.result == "frictional_power" ||
-                                                  one.result == "archard_section";
-                                         }),
-                          contributions.end());
+      remove_results(contributions, [](const std::string &name) {
+        return name == "creepage" || name == "t_gamma" || name == "frictional_power" ||
+               name == "archard_section";
+      });
     return contributions;
   }
 
@@ -116,20 +198,28 @@ namespace wheelrail
 
 
   std::string
-  without_intervals(const Scene &scene, const Measures &measures, const Contributions &against_bodies)
+  without_intervals(const Scene         &scene,
+                    const Measures      &measures,
+                    const Contributions &against_bodies,
+                    const Contributions &two_meshes)
   {
-    if (scene.irregular())
-      return "Intervals: of the largest force alone; what cells make of pressures over irregular surfaces is "
-             "not known.";
+    if (!two_meshes.empty())
+      return "Intervals: by the run on cells of " + in_mm(2 * scene.cell_size) +
+             (against_bodies.empty() ? "." : ", where the true bodies do not know the result.");
     if (!against_bodies.empty())
       return "";
+    const std::string cure = "; Run/Error estimate = two meshes gives them.";
+    if (scene.irregular())
+      return "Intervals: of the largest force alone; what cells make of pressures over irregular surfaces is "
+             "not known" +
+             cure;
     if (measures.has_yielded())
       return "Intervals: peak pressure, area, plastic strain and residual stress by estimate, forces by "
-             "their noise; all else has none, since elastic bodies are no reference of steel that yields.";
-    return std::string(
-             "Intervals: peak pressure and area by estimate, forces by their noise; all else has "
-             "none, since ") +
-           (scene.motion != "none" ? "a guided wheel has no one place for true bodies."
-                                   : "the true bodies have no answer.");
+             "their noise; all else has none, since elastic bodies are no reference of steel that yields" +
+             cure;
+    return "Intervals: peak pressure and area by estimate, forces by their noise; all else has none, since " +
+           std::string(scene.motion != "none" ? "a guided wheel has no one place for true bodies"
+                                              : "the true bodies have no answer") +
+           cure;
   }
 } // namespace wheelrail

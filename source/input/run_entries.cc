@@ -32,6 +32,13 @@ namespace wheelrail
         {"Wanted accuracy", "", "0.001", "0.5"},
         field(&S::wanted_accuracy),
         "Share within which intervals of 95 % and the model's gap are trusted; twice that: with care.");
+      list.choice<ErrorEstimate>(
+        "Error estimate",
+        {{"model", ErrorEstimate::model}, {"two meshes", ErrorEstimate::two_meshes}},
+        field(&S::error_estimate),
+        "From what intervals of results follow. model: the true bodies, and what is known of cells; two "
+        "meshes: also the same run on cells twice as large, which comes first, beside the folder "
+        "(-coarse).");
     }
 
     /// How many wheels pass over the rail, and when they are enough.

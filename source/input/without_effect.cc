@@ -65,6 +65,7 @@ namespace wheelrail
                                      "Run/Rolling distance",
                                      "Run/Longest distance",
                                      "Run/Standard error",
+                                     "Run/Error estimate",
                                      "Run/Pass*",
                                      "Run/Most passages",
                                      "Run/Settled *",

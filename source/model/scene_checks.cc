@@ -2,6 +2,7 @@
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/quantity.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/irregularity_checks.h>
 #include <wheelrail/model/model.h>
@@ -236,6 +237,23 @@ namespace wheelrail
 
   namespace
   {
+    /// The run on larger cells, too, must be possible.
+    void
+    check_two_meshes(const Scene         &scene,
+                     const SceneGeometry &geometry,
+                     const Machine       &machine,
+                     Sentences           &errors)
+    {
+      const std::string entry = entry_text(scene, "Run", "Error estimate") + ": ";
+      if (scene.several_passages() || scene.rail_from != "new")
+        return errors.push_back(entry + "a rail that was rolled over has cells of one size; write model");
+      const Scene     coarser = scene_on_coarser_cells(scene);
+      const Sentences others  = check_scene(coarser, geometry, machine).errors;
+      if (!others.empty())
+        errors.push_back(entry + "the second run, on cells of " + rounded_mm(coarser.cell_size) + ": " +
+                         others.front());
+    }
+
     /// The checks that need the patch that is expected, where there is one, and the rest.
     void
     check_with(const Scene &scene, const SceneGeometry *geometry, const Machine &machine, Findings &found)
@@ -255,6 +273,8 @@ namespace wheelrail
         check_strip(scene, *geometry, found.errors);
       if (geometry && found.errors.empty())
         check_sections(scene, *geometry, found);
+      if (geometry && found.errors.empty() && scene.error_estimate == ErrorEstimate::two_meshes)
+        check_two_meshes(scene, *geometry, machine, found.errors);
     }
   } // namespace
 

@@ -7,9 +7,11 @@
 #include <wheelrail/geometry/made_up_part.h>
 #include <wheelrail/geometry/surface_kinks.h>
 #include <wheelrail/input/entries.h>
+#include <wheelrail/model/coarser_cells.h>
 #include <wheelrail/model/expected_patch.h>
 #include <wheelrail/model/scene_motion.h>
 #include <wheelrail/model/section_file.h>
+#include <wheelrail/output/folder.h>
 #include <wheelrail/run/run_end.h>
 #include <wheelrail/run/run_texts.h>
 #include <wheelrail/sampling/body_figures.h>
@@ -235,6 +237,17 @@ namespace wheelrail
       if (const double at = get_figure(run, "largest_pressure_at_m"); std::isfinite(at))
         measures.edge_on_path = kinks_at(geometry, run, at, 0).edge;
     }
+
+    /// By the run on larger cells; nothing where it is not there.
+    Contributions
+    by_two_meshes(const Scene &scene, const Summary &run, const Measures &measures)
+    {
+      const std::string folder = scene_on_coarser_cells(scene).folder;
+      if (scene.error_estimate != ErrorEstimate::two_meshes || measures.off_rail() ||
+          !holds_finished_run(folder))
+        return {};
+      return two_mesh_contributions(scene, run, read_summary(folder + "/summary.json"), measures.cells);
+    }
   } // namespace
 
 
@@ -257,7 +270,8 @@ namespace wheelrail
     // elastic bodies are no reference of steel that has flowed
     const Contributions bodies =
       measures.has_yielded() ? Contributions() : measure_against_bodies(scene, geometry, summary, measures);
-    contributions = run_contributions(scene, summary, measures, noise, bodies);
+    const Contributions meshes = by_two_meshes(scene, summary, measures);
+    contributions              = run_contributions(scene, summary, measures, noise, bodies, meshes);
     set_intervals(contributions, summary);
     measures.peak  = std::isinf(noise.peak) ? Known{noise.peak, "measured input"} : known_peak(summary);
     measures.creep = known_creep_of_run(scene, summary);
@@ -265,7 +279,7 @@ namespace wheelrail
     set_verdict(summary, verdict);
     if (summary.note.empty() && !measures.off_rail())
       for (const std::string &sentence :
-           {wear_doubt(scene, summary), without_intervals(scene, measures, bodies)})
+           {wear_doubt(scene, summary), without_intervals(scene, measures, bodies, meshes)})
         if (!sentence.empty())
           summary.note += (summary.note.empty() ? "" : " ") + sentence;
     std::vector<std::string> warnings;

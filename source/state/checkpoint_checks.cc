@@ -32,6 +32,7 @@ namespace wheelrail
                                                    "Run/Longest distance",
                                                    "Run/Standard error",
                                                    "Run/Wanted accuracy",
+                                                   "Run/Error estimate",
                                                    "Run/Passages",
                                                    "Run/Passage list",
                                                    "Run/Most passages",

@@ -24,10 +24,10 @@ namespace wheelrail
       double      own = 0; ///< the same over the result itself
     };
 
-    /// Results of one patch, forces those on the wheel; `angle` of the contact plane [rad]. The floors are
+    /// Results of one patch, forces those on the wheel. The floors are
     /// found from random contacts whose elements were halved, see doc/theory/intervals.md.
     std::vector<ElementResult>
-    element_results(const SolvedProblem &solved, const double angle)
+    element_results(const SolvedProblem &solved, const WheelRailSolution &patch)
     {
       const HalfspaceProblem    &problem  = solved.problem;
       const HalfspaceSolution   &s        = solved.solution;
@@ -39,18 +39,20 @@ namespace wheelrail
         {"contact_area", measures.area, false, measures.area, 0.2},
         {"patch_lateral", width, false, width, 0.3},
         {"patch_longitudinal", length, false, length, 0.45},
-        problem.force_given ? ElementResult{"approach", s.approach, false, s.approach, 0.1}
+        problem.force_given ? ElementResult{"approach", s.approach, false, s.approach, 0.15}
                             : ElementResult{"normal_force", s.fn, false, s.fn, 0.1}};
+      if (problem.friction.frictionless()) // it follows from the mean angle over the pressure
+        results.push_back({"lateral_force", patch.lateral, false, patch.lateral, 0.1});
       if (problem.motion != HalfspaceMotion::steady || problem.friction.frictionless())
         return results;
       const double bound = problem.friction.at(0) * s.fn, creep = half_saturation(problem, s, measures);
       results.push_back(
         {"max_shear_traction", measures.max_traction, true, problem.friction.at(0) * peak, 1.6});
-      results.push_back({"stick_fraction", measures.stick_fraction, true, 1, 0.7});
-      results.push_back({"t_gamma", wear_number(problem, s), true, bound * creep, 0.07, 0.3});
-      results.push_back({"lateral_force", -std::cos(angle) * s.fy, true, bound, 0.2});
+      results.push_back({"stick_fraction", measures.stick_fraction, true, 1, 0.8});
+      results.push_back({"t_gamma", wear_number(problem, s), true, bound * creep, 0.07, 0.2});
+      results.push_back({"lateral_force", -std::cos(patch.angle) * s.fy, true, bound, 0.2});
       if (problem.longitudinal_force_given)
-        results.push_back({"creepage", s.xi, true, creep, 0.18, 0.5});
+        results.push_back({"creepage", s.xi, true, creep, 0.25});
       else
         results.push_back({"longitudinal_force", -s.fx, true, bound, 0.2});
       return results;
@@ -74,11 +76,10 @@ namespace wheelrail
   Contributions
   element_contributions(const WheelRailSolution &patch)
   {
-    constexpr double                        of_change = 0.5;
-    const std::vector<SolvedProblem>        solved    = on_doubled_elements(patch.problem, patch.solution);
+    const std::vector<SolvedProblem>        solved = on_doubled_elements(patch.problem, patch.solution);
     std::vector<std::vector<ElementResult>> results;
     for (const SolvedProblem &one : solved)
-      results.push_back(element_results(one, patch.angle));
+      results.push_back(element_results(one, patch));
     const double across = std::min(patch.measures.width, patch.measures.length) / patch.solution.grid.dx;
     // a ridge is narrower than the patch
     const double  across_peak = std::clamp(patch.measures.cells_across, 1., std::max(1., across));
@@ -93,14 +94,14 @@ namespace wheelrail
             changes.push_back(results[c][k].value - fine.value);
         if (changes.empty())
           continue;
-        double mean = 0, largest = 0;
-        for (const double change : changes)
-          {
-            mean += change / double(changes.size());
-            largest = std::max(largest, std::abs(change));
-          }
+        const auto [least, most] = std::minmax_element(changes.begin(), changes.end());
+        const double mean = 0.5 * (*least + *most), largest = std::max(std::abs(*least), std::abs(*most));
         const double n = std::string(fine.name).find("max_pressure") == 0 ? across_peak : across;
-        contributions.push_back({fine.name, "elements", fine.creep ? -mean : 0, of_change * largest});
+        if (fine.creep) // how the elements happen to lie says how well the line towards none is known
+          contributions.push_back(
+            {fine.name, "elements", -mean, changes.size() > 1 ? *most - *least : largest});
+        else
+          contributions.push_back({fine.name, "elements", 0, 0.5 * largest});
         contributions.push_back({fine.name,
                                  "place of elements",
                                  0,

@@ -79,7 +79,7 @@ namespace wheelrail
             squares += one.spread * one.spread;
           }
       const double spread = std::sqrt(squares);
-      return as_interval ? std::abs(shift) + spread : std::max(std::abs(shift) + spread, 2 * spread);
+      return std::abs(shift) + (as_interval ? 1 : 0.5) * spread;
     }
 
     /// How well the creepage that was found is known, or the forces of a creepage that was given, the vector
@@ -90,10 +90,12 @@ namespace wheelrail
       // Below these neither creepage nor force matters: for intervals a quarter of what friction carries and
       // of the creepage at its half, for what elements of twice the size change far less.
       constexpr double         least = 0.25, least_creepage = 2e-5, least_force = 0.01;
-      const HalfspaceSolution &s     = result.solution;
-      const double             bound = result.problem.friction.at(0) * s.fn, force = std::hypot(s.fx, s.fy);
-      const double             half   = half_saturation(result.problem, s, result.measures);
-      const auto               vector = [&](const bool as_interval, const double share) {
+      const HalfspaceSolution &s = result.solution;
+      if (result.problem.friction.frictionless())
+        return {};
+      const double bound = result.problem.friction.at(0) * s.fn, force = std::hypot(s.fx, s.fy);
+      const double half   = half_saturation(result.problem, s, result.measures);
+      const auto   vector = [&](const bool as_interval, const double share) {
         return std::hypot(reach("longitudinal_force", as_interval, contributions),
                           reach("lateral_force", as_interval, contributions)) /
                std::max(force, share * bound);

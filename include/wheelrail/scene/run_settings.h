@@ -21,30 +21,38 @@ namespace wheelrail
     same   ///< the one before, with what it has yielded
   };
 
+  /// From what the intervals of a run's results follow.
+  enum class ErrorEstimate
+  {
+    model,     ///< true bodies, and what calibration knows of cells
+    two_meshes ///< also the same run on cells twice as large
+  };
+
   /// Distance, passages, start and time step, as in subsection Run.
   struct RunSettings
   {
     static constexpr double at_largest_force = -1; ///< for evaluate_at: around the largest vertical force
 
-    StartState   start              = StartState::steady_rolling;
-    double       rolling_distance   = 0.06; ///< [m], 0: until steady
-    double       longest_distance   = 0.06; ///< of a run until steady [m]
-    double       standard_error     = 1e-3; ///< that its results may have, over their scales (see Steadiness)
-    double       wanted_accuracy    = 0.05; ///< share within which intervals and gaps of models are trusted
-    double       averaging_distance = 0.02; ///< stretch over which the figures are means [m]
-    double       evaluate_at        = 0;    ///< its middle [m]; 0: it is the last one
-    double       time_step_factor   = 0.95; ///< fraction of the stable step
-    double       bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
-    unsigned int passages           = 1;    ///< how often the wheels go over the same rail; 0: until steady
-    unsigned int most_passages      = 50;   ///< of wheels, until steady
-    double       settled_growth     = 1e-5; ///< of strain in a round, below which nothing grows any more
-    double       settled_change     = 0.03; ///< of the growth from round to round, below which it is steady
-    std::string  passage_list       = "none"; ///< file of the wheels of a round, or none: one as the scene
-    NextWheel    next_wheel         = NextWheel::fresh;
-    std::string  rail_from          = "new"; ///< folder of the run that left the rail, or new
-    double       start_offset       = 0;     ///< how much farther along the rail the wheel starts [m]
-    unsigned int staggered_starts   = 0;     ///< places where passages start, 0: two where there is room
-    double       energy_limit       = 0.005; ///< energy error at which the run stops
+    StartState    start            = StartState::steady_rolling;
+    double        rolling_distance = 0.06; ///< [m], 0: until steady
+    double        longest_distance = 0.06; ///< of a run until steady [m]
+    double        standard_error   = 1e-3; ///< that its results may have, over their scales (see Steadiness)
+    double        wanted_accuracy  = 0.05; ///< share within which intervals and gaps of models are trusted
+    ErrorEstimate error_estimate   = ErrorEstimate::model;
+    double        averaging_distance = 0.02; ///< stretch over which the figures are means [m]
+    double        evaluate_at        = 0;    ///< its middle [m]; 0: it is the last one
+    double        time_step_factor   = 0.95; ///< fraction of the stable step
+    double        bulk_viscosity     = 0.06; ///< linear bulk viscosity coefficient
+    unsigned int  passages           = 1;    ///< how often the wheels go over the same rail; 0: until steady
+    unsigned int  most_passages      = 50;   ///< of wheels, until steady
+    double        settled_growth     = 1e-5; ///< of strain in a round, below which nothing grows any more
+    double        settled_change     = 0.03; ///< of the growth from round to round, below which it is steady
+    std::string   passage_list       = "none"; ///< file of the wheels of a round, or none: one as the scene
+    NextWheel     next_wheel         = NextWheel::fresh;
+    std::string   rail_from          = "new"; ///< folder of the run that left the rail, or new
+    double        start_offset       = 0;     ///< how much farther along the rail the wheel starts [m]
+    unsigned int  staggered_starts   = 0;     ///< places where passages start, 0: two where there is room
+    double        energy_limit       = 0.005; ///< energy error at which the run stops
 
     /// How far the wheel rolls, at most where the run ends by itself [m].
     double
