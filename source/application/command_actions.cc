@@ -165,9 +165,12 @@ namespace wheelrail
   {
     if (file_of(options).empty())
       throw InputError("contact needs an input file of the program CONTACT, NAME.inp");
-    const int code = run_contact_command(
-      {file_of(options), options.count("case") ? options["case"].as<int>() : 0, options.count("printed") > 0},
-      out);
+    const auto sets = sets_of(options); // of --bodies alone
+    const int  code = run_contact_command({file_of(options),
+                                          options.count("case") ? options["case"].as<int>() : 0,
+                                           options.count("printed") > 0,
+                                           !sets.empty() && options["bodies"].as<std::string>() == "real"},
+                                         out);
     if (!options.count("no-pictures"))
       draw_results("contact_file.py", contact_folder(file_of(options)));
     return code;

@@ -166,6 +166,9 @@ namespace wheelrail
        "the cases of an input file of the program CONTACT: wheel and rail, basic contact",
        [](po::options_description &options) {
          options.add_options()("case", po::value<int>(), "one case: its place in the file, from 1");
+         options.add_options()("bodies",
+                               po::value<std::string>(),
+                               "real: cases of wheel and rail by true bodies, too (default: half-spaces)");
          options.add_options()("printed", "CONTACT's own result blocks, too: NAME.out in the results");
          options.add_options()("no-pictures", "tables alone, without pictures and page");
        },

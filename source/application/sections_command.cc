@@ -179,26 +179,10 @@ namespace wheelrail
     table_of(const SceneSections &sections, const std::vector<PlaceResult> &results)
     {
       FigureTable table;
-      for (const auto &[key, unit] :
-           std::vector<std::pair<std::string, std::string>>{{"place_m", "m"},
-                                                            {"wheel_drop_m", "m"},
-                                                            {"rail", "1"},
-                                                            {"lateral_m", "m"},
-                                                            {"height_m", "m"},
-                                                            {"ahead_m", "m"},
-                                                            {"angle_rad", "rad"},
-                                                            {"normal_force_N", "N"},
-                                                            {"force_along_N", "N"},
-                                                            {"force_lateral_N", "N"},
-                                                            {"force_vertical_N", "N"},
-                                                            {"max_pressure_Pa", "Pa"},
-                                                            {"area_m2", "m2"},
-                                                            {"approach_m", "m"},
-                                                            {"rolling_radius_m", "m"},
-                                                            {"creepage", "1"},
-                                                            {"lateral_creepage", "1"},
-                                                            {"trusted", "1"}})
-        table.add(key, unit, {});
+      table.add_columns(
+        "place_m m, wheel_drop_m m, rail 1, lateral_m m, height_m m, ahead_m m, angle_rad rad, "
+        "normal_force_N N, force_along_N N, force_lateral_N N, force_vertical_N N, max_pressure_Pa Pa, "
+        "area_m2 m2, approach_m m, rolling_radius_m m, creepage 1, lateral_creepage 1, trusted 1");
       for (std::size_t k = 0; k < results.size(); ++k)
         for (const SectionPatch &p : results[k].contacts.patches)
           {

@@ -1,6 +1,7 @@
 #include <wheelrail/base/errors.h>
 #include <wheelrail/base/format_text.h>
 #include <wheelrail/base/interrupt.h>
+#include <wheelrail/contactfiles/case_bodies.h>
 #include <wheelrail/contactfiles/contact_command.h>
 #include <wheelrail/contactfiles/inp_file.h>
 #include <wheelrail/contactfiles/printed_blocks.h>
@@ -81,25 +82,11 @@ namespace wheelrail
   case_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
   {
     FigureTable table;
-    for (const auto &[key, unit] : {std::pair{"case", "1"},
-                                    std::pair{"line", "1"},
-                                    std::pair{"normal_force_N", "N"},
-                                    std::pair{"longitudinal_force_N", "N"},
-                                    std::pair{"tangential_lateral_force_N", "N"},
-                                    std::pair{"spin_moment_Nm", "Nm"},
-                                    std::pair{"approach_m", "m"},
-                                    std::pair{"max_pressure_Pa", "Pa"},
-                                    std::pair{"max_shear_traction_Pa", "Pa"},
-                                    std::pair{"creepage", "1"},
-                                    std::pair{"lateral_creepage", "1"},
-                                    std::pair{"shift_m", "m"},
-                                    std::pair{"lateral_shift_m", "m"},
-                                    std::pair{"spin_per_m", "1/m"},
-                                    std::pair{"area_of_whole_elements_m2", "m2"},
-                                    std::pair{"stick_fraction", "1"},
-                                    std::pair{"max_temperature_C", "C"},
-                                    std::pair{"converged", "1"}})
-      table.add(key, unit, {});
+    table.add_columns(
+      "case 1, line 1, normal_force_N N, longitudinal_force_N N, tangential_lateral_force_N N, "
+      "spin_moment_Nm Nm, approach_m m, max_pressure_Pa Pa, max_shear_traction_Pa Pa, creepage 1, "
+      "lateral_creepage 1, shift_m m, lateral_shift_m m, spin_per_m 1/m, area_of_whole_elements_m2 m2, "
+      "stick_fraction 1, max_temperature_C C, converged 1");
     for (std::size_t k = 0; k < cases.size(); ++k)
       if (results[k].solved)
         {
@@ -133,23 +120,10 @@ namespace wheelrail
   point_table(const std::vector<CaseResult> &results)
   {
     FigureTable table;
-    for (const char *const key : {"case", "patch", "block"})
-      table.add(key, "1", {});
-    for (const char *const key : {"x_m", "y_m", "z_m"})
-      table.add(key, "m", {});
-    for (const char *const key : {"mean_stress_Pa",
-                                  "von_mises_stress_Pa",
-                                  "tresca_stress_Pa",
-                                  "principal_1_Pa",
-                                  "principal_2_Pa",
-                                  "principal_3_Pa",
-                                  "stress_xx_Pa",
-                                  "stress_yy_Pa",
-                                  "stress_zz_Pa",
-                                  "stress_xy_Pa",
-                                  "stress_xz_Pa",
-                                  "stress_yz_Pa"})
-      table.add(key, "Pa", {});
+    table.add_columns(
+      "case 1, patch 1, block 1, x_m m, y_m m, z_m m, mean_stress_Pa Pa, von_mises_stress_Pa Pa, "
+      "tresca_stress_Pa Pa, principal_1_Pa Pa, principal_2_Pa Pa, principal_3_Pa Pa, stress_xx_Pa Pa, "
+      "stress_yy_Pa Pa, stress_zz_Pa Pa, stress_xy_Pa Pa, stress_xz_Pa Pa, stress_yz_Pa Pa");
     const auto add = [&](const std::size_t                            number,
                          const std::size_t                            patch,
                          const std::vector<std::vector<PointStress>> &blocks) {
@@ -202,6 +176,23 @@ namespace wheelrail
       return results;
     }
 
+    /// The table of the true bodies, which is printed; `without`: on cases that have no answer.
+    FigureTable
+    answer_of_bodies(const std::vector<ContactCase> &cases,
+                     const std::vector<CaseResult>  &results,
+                     std::vector<std::string>       &without,
+                     std::ostream                   &out)
+    {
+      FigureTable table = bodies_table(cases, results, without);
+      if (table.rows() > 0)
+        print_bodies(table, out);
+      if (!without.empty())
+        out << "\nCases without an answer of true bodies:\n";
+      for (const std::string &sentence : without)
+        out << sentence << '\n';
+      return table;
+    }
+
     /// Rows and warnings of the cases of a module; returns how many were not solved as they should.
     std::size_t
     print_results(const int                       module,
@@ -246,8 +237,8 @@ namespace wheelrail
         if (const std::string name = entry.path().filename().string();
             name.rfind("case_", 0) == 0 || name.rfind("cases.", 0) == 0 ||
             name.rfind("wheel_rail.", 0) == 0 || name.rfind("patches.", 0) == 0 ||
-            name.rfind("points.", 0) == 0 || name == "summary.json" || name == "contact.html" ||
-            entry.path().extension() == ".out")
+            name.rfind("points.", 0) == 0 || name.rfind("bodies.", 0) == 0 || name == "summary.json" ||
+            name == "contact.html" || entry.path().extension() == ".out")
           own.push_back(entry.path());
       for (const auto &path : own)
         std::filesystem::remove(path);
@@ -354,10 +345,13 @@ namespace wheelrail
     write_summary(file_summary(task.file, results, poor), (held.path() / "summary.json").string());
     if (task.printed)
       replace_file((held.path() / (stem + ".out")).string(), printed_blocks(cases, results));
+    std::vector<std::string> without;
+    if (task.bodies)
+      write_table(answer_of_bodies(cases, results, without, out), held.path(), "bodies");
     out << "Tables in " << held.path().string() << std::endl;
     if (left)
       throw Interrupted("the cases before case " + std::to_string(results.size() + 1) + " are kept in " +
                         held.path().string() + "; the same command solves all, --case K one");
-    return refused + poor == 0 ? 0 : 2;
+    return refused + poor == 0 && without.empty() ? 0 : 2;
   }
 } // namespace wheelrail

@@ -10,19 +10,10 @@ namespace wheelrail
   wheel_rail_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
   {
     FigureTable table;
-    for (const auto &[key, unit] : {std::pair{"case", "1"},
-                                    std::pair{"line", "1"},
-                                    std::pair{"wheelset_height_m", "m"},
-                                    std::pair{"pitch_rate_rad_per_s", "rad/s"},
-                                    std::pair{"force_x_track_N", "N"},
-                                    std::pair{"force_y_track_N", "N"},
-                                    std::pair{"force_z_track_N", "N"},
-                                    std::pair{"force_x_wheelset_N", "N"},
-                                    std::pair{"force_y_wheelset_N", "N"},
-                                    std::pair{"force_z_wheelset_N", "N"},
-                                    std::pair{"patches", "1"},
-                                    std::pair{"converged", "1"}})
-      table.add(key, unit, {});
+    table.add_columns(
+      "case 1, line 1, wheelset_height_m m, pitch_rate_rad_per_s rad/s, force_x_track_N N, force_y_track_N "
+      "N, force_z_track_N N, force_x_wheelset_N N, force_y_wheelset_N N, force_z_wheelset_N N, patches 1, "
+      "converged 1");
     for (std::size_t k = 0; k < cases.size(); ++k)
       if (results[k].wheel_rail)
         {
@@ -48,35 +39,13 @@ namespace wheelrail
   patch_table(const std::vector<ContactCase> &cases, const std::vector<CaseResult> &results)
   {
     FigureTable table;
-    for (const auto &[key, unit] : {std::pair{"case", "1"},
-                                    std::pair{"patch", "1"},
-                                    std::pair{"x_track_m", "m"},
-                                    std::pair{"y_track_m", "m"},
-                                    std::pair{"z_track_m", "m"},
-                                    std::pair{"contact_angle_rad", "rad"},
-                                    std::pair{"y_rail_m", "m"},
-                                    std::pair{"z_rail_m", "m"},
-                                    std::pair{"x_wheel_m", "m"},
-                                    std::pair{"y_wheel_m", "m"},
-                                    std::pair{"z_wheel_m", "m"},
-                                    std::pair{"reference_velocity_m_per_s", "m/s"},
-                                    std::pair{"creepage", "1"},
-                                    std::pair{"lateral_creepage", "1"},
-                                    std::pair{"spin_per_m", "1/m"},
-                                    std::pair{"shift_m", "m"},
-                                    std::pair{"lateral_shift_m", "m"},
-                                    std::pair{"turn_rad", "rad"},
-                                    std::pair{"normal_force_N", "N"},
-                                    std::pair{"longitudinal_force_N", "N"},
-                                    std::pair{"tangential_lateral_force_N", "N"},
-                                    std::pair{"spin_moment_Nm", "Nm"},
-                                    std::pair{"approach_m", "m"},
-                                    std::pair{"max_pressure_Pa", "Pa"},
-                                    std::pair{"max_shear_traction_Pa", "Pa"},
-                                    std::pair{"area_of_whole_elements_m2", "m2"},
-                                    std::pair{"stick_fraction", "1"},
-                                    std::pair{"max_temperature_C", "C"}})
-      table.add(key, unit, {});
+    table.add_columns(
+      "case 1, patch 1, x_track_m m, y_track_m m, z_track_m m, contact_angle_rad rad, y_rail_m m, z_rail_m "
+      "m, x_wheel_m m, y_wheel_m m, z_wheel_m m, reference_velocity_m_per_s m/s, creepage 1, "
+      "lateral_creepage 1, spin_per_m 1/m, shift_m m, lateral_shift_m m, turn_rad rad, normal_force_N N, "
+      "longitudinal_force_N N, tangential_lateral_force_N N, spin_moment_Nm Nm, approach_m m, "
+      "max_pressure_Pa Pa, max_shear_traction_Pa Pa, area_of_whole_elements_m2 m2, stick_fraction 1, "
+      "max_temperature_C C");
     for (std::size_t k = 0; k < cases.size(); ++k)
       if (results[k].wheel_rail)
         for (std::size_t n = 0; n < results[k].wheel_rail->patches.size(); ++n)

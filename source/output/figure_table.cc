@@ -1,3 +1,4 @@
+#include <wheelrail/base/split_list.h>
 #include <wheelrail/output/figure_table.h>
 #include <wheelrail/output/figures.h>
 #include <wheelrail/output/hdf5_file.h>
@@ -27,6 +28,14 @@ namespace wheelrail
     keys.push_back(key);
     units.push_back(unit);
     columns.push_back(std::move(values));
+  }
+
+
+  void
+  FigureTable::add_columns(const std::string &keys_and_units)
+  {
+    for (const std::string &one : split_list(keys_and_units, ','))
+      add(one.substr(0, one.find(' ')), one.substr(one.find(' ') + 1), {});
   }
 
 

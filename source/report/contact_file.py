@@ -3,7 +3,7 @@
 
 Usage: contact_file.py FOLDER
 
-FOLDER holds summary.json, wheel_rail.csv and patches.csv (module 1), cases.csv (module 3) and case_K.h5 of the command
+FOLDER holds summary.json, wheel_rail.csv, patches.csv and bodies.csv (module 1), cases.csv (module 3) and case_K.h5 of the command
 contact; contact.html goes there with pictures/cases.png and pictures/pressures.png.
 """
 
@@ -32,7 +32,8 @@ COLUMNS = [("case", 1, "case", 0), ("patch", 1, "patch", 0), ("y_track_m", 1e3, 
            ("approach_m", 1e3, "approach [mm]", 5), ("max_pressure_Pa", 1e-6, "peak pressure [MPa]", 1),
            ("creepage", 1e2, "CKSI [%]", 4), ("lateral_creepage", 1e2, "CETA [%]", 4),
            ("area_of_whole_elements_m2", 1e6, "area [mm2]", 2), ("stick_fraction", 1e2, "stick [%]", 1),
-           ("max_temperature_C", 1, "hottest [\u00b0C]", 1)]
+           ("max_temperature_C", 1, "hottest [\u00b0C]", 1),
+           ("relative_difference_max_pressure", 1e2, "peak beside half-spaces [%]", 1)]
 
 
 def patch_tables(folder):
@@ -132,6 +133,9 @@ def make_page(folder):
              "<h2>Pictures</h2>", page.pictures_html([picture for picture in pictures if picture], broad=("pressures",))]
     for title, table in tables:
         parts += [f"<h2>{html.escape(title)}</h2>", rows_of(table)]
+    bodies = os.path.join(folder, "bodies.csv")
+    if os.path.exists(bodies):
+        parts += ["<h2>Wheel and rail: true bodies</h2>", rows_of(columns.read(bodies))]
     return page.write(os.path.join(folder, "contact.html"), str(summary.get("title") or "contact"), parts, [], "")
 
 

@@ -22,6 +22,10 @@ namespace wheelrail
     void
     add(const std::string &key, const std::string &unit, std::vector<double> values);
 
+    /// Empty columns of keys and their units: "case 1, line 1, approach_m m".
+    void
+    add_columns(const std::string &keys_and_units);
+
     /// A row of one value for each of the columns.
     void
     add_row(const std::vector<double> &values);
