@@ -200,6 +200,43 @@ def wheel_and_rail():
     check("there is no patch 2; the contact has 1" in messages(), "and it is said")
 
 
+def profiles():
+    """Points of the profiles of the contact before: a circle and a straight line."""
+    radius = 300.0
+
+    def values(task, length, kind=0, sampling=-1, spacing=1.0, ire=6):
+        return call("cntc_getprofilevalues_new", ire, task, 2, [kind, sampling], 1, [spacing], length, [0.0] * length)[7]
+
+    def all_near(found, wanted, most):
+        return len(found) == len(wanted) and all(abs(f - w) <= most for f, w in zip(found, wanted))
+
+    places = [float(k) for k in range(-30, 31)]
+    heights = [radius - math.sqrt(radius**2 - y * y) for y in places]
+    check(call("cntc_getprofilevalues", 6, 0, 2, [0, -1], 1, [0.0])[5] == [61.0], "61 points")
+    check(values(-1, 1) == [0.0], "the profile is there")
+    check(all_near(values(1, 122), places + heights, 1e-9), "points as they were set")
+    check(all_near(values(2, 122), [750 + y for y in places] + heights, 1e-9), "and in the track")
+    arcs, slopes = values(4, 61), values(5, 61)
+    check(all_near(arcs, [radius * math.asin(y / radius) for y in places], 2e-3), f"arcs {arcs[::30]}")
+    check(all_near(slopes[5:-5], [math.asin(y / radius) for y in places[5:-5]], 1e-5), f"slopes {slopes[::30]}")
+    check(values(0, 1, sampling=1, spacing=5.0) == [13.0], "points 5 mm apart")
+    steps = values(4, 13, sampling=1, spacing=5.0)
+    check(all_near([b - a for a, b in zip(steps, steps[1:])], [5.0] * 12, 1e-6), f"by arc {steps[:3]}")
+    height = call("cntc_getwheelsetposition", 6, 6, [0.0] * 6)[2][2]
+    wheel = values(2, 82, kind=1)
+    check(all_near(wheel, [750.0 + y for y in range(-40, 41, 2)] + [height] * 41, 1e-9), f"wheel {wheel[:2]}")
+    check(values(6, 1)[0] == -32.0 and "the task 6 is not computed; taken are -1 to 5" in messages(), "cuts are refused")
+    # the gauge is met 1 mm below the top
+    call("cntc_initialize", 8, 1, 0, -1, b" ", 1)
+    call("cntc_setflags", 8, -1, 2, [UNITS, SIDE], [MM, 1])
+    call("cntc_settrackdimensions", 8, 3, 11, [1.0, 0.0, 1435.0] + [0.0] * 8)
+    head = [value for y, z in zip(places, heights) for value in (y, z)]
+    call("cntc_setprofileinputvalues", 8, 61, head, 4, [0, 0, 0, -1], 2, [1.0, 0.0])
+    inner = -math.sqrt(radius**2 - (radius - 1) ** 2)
+    gauge = values(3, 6, ire=8)
+    check(all_near(gauge, [inner, 1.0, 717.5 - inner, 0.0, inner, 1.0], 0.06), f"gauge points {gauge}")
+
+
 def errors():
     """Errors are codes and sentences, and change nothing."""
     before = forces(3)
@@ -230,6 +267,7 @@ hertz()
 rolling()
 threads()
 wheel_and_rail()
+profiles()
 errors()
 call("cntc_finalizelast")
 finish()

@@ -3,6 +3,7 @@
 #include <wheelrail/contactfiles/section_line.h>
 #include <wheelrail/profiles/profile_formats.h>
 #include <wheelrail/profiles/smoothing_spline.h>
+#include <wheelrail/sections/cubic_spline.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,27 +28,7 @@ namespace wheelrail
       return c[1] + u * (2 * c[2] + u * 3 * c[3]);
     }
 
-    /// Second derivatives at the knots of the natural cubic spline through values: the tridiagonal system,
-    /// solved from the first to the last (de Boor 1978).
-    std::vector<double>
-    second_derivatives(const std::vector<double> &knots, const std::vector<double> &values)
-    {
-      const std::size_t   n = knots.size();
-      std::vector<double> second(n, 0.), upper(n, 0.);
-      for (std::size_t i = 1; i + 1 < n; ++i)
-        {
-          const double left = knots[i] - knots[i - 1], right = knots[i + 1] - knots[i];
-          const double bend  = 6 * ((values[i + 1] - values[i]) / right - (values[i] - values[i - 1]) / left);
-          const double pivot = 2 * (left + right) - left * upper[i - 1];
-          upper[i]           = right / pivot;
-          second[i]          = (bend - left * second[i - 1]) / pivot;
-        }
-      for (std::size_t i = n - 1; i-- > 1;)
-        second[i] -= upper[i] * second[i + 1];
-      return second;
-    }
-
-    /// A piece of that spline as a cubic of u from 0 to 1.
+    /// A piece of a spline as a cubic of u from 0 to 1.
     std::array<double, 4>
     cubic(const double length, const double a, const double b, const double second_a, const double second_b)
     {
@@ -98,8 +79,8 @@ namespace wheelrail
           return std::vector<double>(all.begin() + std::ptrdiff_t(first),
                                      all.begin() + std::ptrdiff_t(last) + 1);
         };
-        const std::vector<double> s = part(knots), dy = second_derivatives(s, part(y)),
-                                  dz = second_derivatives(s, part(z));
+        const std::vector<double> s = part(knots), dy = second_derivatives(s, part(y), SplineEnds::natural),
+                                  dz = second_derivatives(s, part(z), SplineEnds::natural);
         for (std::size_t k = first; k < last; ++k)
           {
             const double      length = knots[k + 1] - knots[k];

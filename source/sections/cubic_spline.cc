@@ -5,28 +5,28 @@
 
 namespace wheelrail
 {
-  CubicSpline::CubicSpline(std::vector<double> places, std::vector<double> values)
-    : places_(std::move(places))
-    , values_(std::move(values))
-    , second_(places_.size(), 0.)
+  std::vector<double>
+  second_derivatives(const std::vector<double> &places,
+                     const std::vector<double> &values,
+                     const SplineEnds           ends)
   {
-    const std::size_t   n = places_.size(), last = n - 1;
-    std::vector<double> diagonal(n), upper(n);
-    const auto          h = [&](const std::size_t k) { return places_[k + 1] - places_[k]; };
-    const auto          d = [&](const std::size_t k) { return (values_[k + 1] - values_[k]) / h(k); };
+    const std::size_t   n = places.size(), last = n - 1;
+    const bool          natural = ends == SplineEnds::natural;
+    std::vector<double> second(n, 0.), diagonal(n), upper(n);
+    const auto          h = [&](const std::size_t k) { return places[k + 1] - places[k]; };
+    const auto          d = [&](const std::size_t k) { return (values[k + 1] - values[k]) / h(k); };
     for (std::size_t k = 1; k < last; ++k)
       {
         double lower = h(k - 1);
         diagonal[k]  = 2 * (h(k - 1) + h(k));
         upper[k]     = h(k);
-        second_[k]   = 6 * (d(k) - d(k - 1));
-        if (k == 1) // the first second derivative follows from the next two
+        second[k]    = 6 * (d(k) - d(k - 1));
+        if (k == 1 && !natural) // the first second derivative follows from the next two
           {
             diagonal[k] += h(0) * (h(0) + h(1)) / h(1);
             upper[k] -= h(0) * h(0) / h(1);
-            lower = 0;
           }
-        if (k + 1 == last)
+        if (k + 1 == last && !natural)
           {
             diagonal[k] += h(k) * (h(k) + h(k - 1)) / h(k - 1);
             lower -= h(k) * h(k) / h(k - 1);
@@ -35,15 +35,25 @@ namespace wheelrail
           {
             const double f = lower / diagonal[k - 1];
             diagonal[k] -= f * upper[k - 1];
-            second_[k] -= f * second_[k - 1];
+            second[k] -= f * second[k - 1];
           }
       }
-    second_[last] = 0;
-    for (std::size_t k = last - 1; k >= 1; --k)
-      second_[k] = (second_[k] - (k + 1 < last ? upper[k] * second_[k + 1] : 0)) / diagonal[k];
-    second_[0]     = ((h(0) + h(1)) * second_[1] - h(0) * second_[2]) / h(1);
+    for (std::size_t k = last; k-- > 1;)
+      second[k] = (second[k] - (k + 1 < last ? upper[k] * second[k + 1] : 0)) / diagonal[k];
+    if (natural)
+      return second;
+    second[0]      = ((h(0) + h(1)) * second[1] - h(0) * second[2]) / h(1);
     const double a = h(last - 1), b = h(last - 2);
-    second_[last] = ((a + b) * second_[last - 1] - a * second_[last - 2]) / b;
+    second[last] = ((a + b) * second[last - 1] - a * second[last - 2]) / b;
+    return second;
+  }
+
+
+  CubicSpline::CubicSpline(std::vector<double> places, std::vector<double> values)
+    : places_(std::move(places))
+    , values_(std::move(values))
+    , second_(second_derivatives(places_, values_, SplineEnds::not_a_knot))
+  {
   }
 
 

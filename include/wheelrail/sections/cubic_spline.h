@@ -5,8 +5,19 @@
 
 namespace wheelrail
 {
-  /// An interpolating cubic spline through four or more points, without an end condition: its third
-  /// derivative does not jump at the second and the last but one point ("not a knot", de Boor 1978).
+  /// What a spline does at its ends: its second derivative is 0, or its third does not jump at the second and
+  /// the last but one point, which takes four or more (de Boor 1978).
+  enum class SplineEnds
+  {
+    natural,
+    not_a_knot
+  };
+
+  /// Second derivatives at the places of the interpolating cubic spline through values; places ascend.
+  std::vector<double>
+  second_derivatives(const std::vector<double> &places, const std::vector<double> &values, SplineEnds ends);
+
+  /// An interpolating cubic spline through four or more points, with SplineEnds::not_a_knot.
   class CubicSpline
   {
   public:
